@@ -1,0 +1,42 @@
+"""One error root; every error also refines the built-in error a Python user would expect."""
+
+from __future__ import annotations
+
+
+class VecpolyError(Exception):
+    """Anything that vecpoly refuses to do; its text names the culprit, the numbers and the remedy."""
+
+
+class ProblemFileError(VecpolyError, ValueError):
+    """A problem file that cannot be read as written: file, line, YAML path, cause, remedy."""
+
+
+class UnknownNameError(VecpolyError, KeyError):
+    """A letter, link, symbol, method or problem id that does not exist."""
+
+    def __str__(self) -> str:
+        return str(self.args[0]) if self.args else ""
+
+
+class AssemblyError(VecpolyError, ValueError):
+    """Links that cannot be joined in this position: the joint, the gap, the input range that does assemble."""
+
+
+class DeadPointError(AssemblyError):
+    """A dead point or change point: velocities have no unique value here."""
+
+
+class MobilityError(VecpolyError, ValueError):
+    """Degrees of freedom and number of inputs disagree."""
+
+
+class EquationError(VecpolyError, ValueError):
+    """A vector equation whose chain is broken or whose unknowns are not exactly two."""
+
+
+class NoMethodError(VecpolyError, NotImplementedError):
+    """No graphical method on file covers this group or quantity."""
+
+
+class NotAskedError(VecpolyError, LookupError):
+    """The construction holds no such reading."""

@@ -1,0 +1,199 @@
+"""The one model of a planar mechanism, for the drawing and for the oracle alike.
+
+Lengths in m, angles in rad, counter-clockwise positive. The frame is the link named FRAME. Every moving link
+has coordinates of its own: origin at its first point, x axis towards its second point (or, where it has only
+one point, along its guide line). A point of the plane, or of a link, is one complex number x + iy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import MappingProxyType
+
+FRAME = "0"
+
+
+class Side(StrEnum):
+    """Where a point lies, in a lecturer's words."""
+
+    LEFT = "left"
+    RIGHT = "right"
+    ABOVE = "above"
+    BELOW = "below"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ByLengths:
+    """The point is the apex of a triangle on the base: distances from both base points, and the side."""
+
+    point: str
+    base: tuple[str, str]
+    lengths: tuple[float, float]
+    side: Side  # LEFT or RIGHT of the ray base[0] -> base[1]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ByOffsets:
+    """The point lies `along` the ray base[0] -> base[1] from base[0], then `left` perpendicular to it.
+
+    With a single-letter base (a link with one point and a guide) the ray is the guide's direction.
+    """
+
+    point: str
+    base: tuple[str, ...]
+    along: float
+    left: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ByAngle:
+    """The point lies at `distance` from base[0], at `angle` counter-clockwise from base[0] -> base[1] (or the guide)."""
+
+    point: str
+    base: tuple[str, ...]
+    distance: float
+    angle: float
+
+
+Placement = ByLengths | ByOffsets | ByAngle
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Link:
+    """A rigid link: its points in its own coordinates, and how the hand sets out the points beyond the first two."""
+
+    name: str
+    points: Mapping[str, complex]  # insertion order is the textbook's letter order
+    placements: tuple[Placement, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points", MappingProxyType(dict(self.points)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Revolute:
+    """Links pinned at a point. A compound hinge of k links appears as k - 1 of these, with one letter."""
+
+    point: str
+    a: str
+    b: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Prismatic:
+    """Link `block` slides along a line that is fixed on link `guide`.
+
+    The line passes through `origin` in direction `direction`, both in the guide link's coordinates. The point `pin`
+    of the block stays `offset` to the left of the line; the block's x axis makes the angle `turn` with the line's direction.
+    `pin_in_slot` marks a pin that runs in the slot with no block drawn (a higher pair, replaced by R + P).
+    """
+
+    guide: str
+    block: str
+    origin: complex
+    direction: float
+    pin: str
+    offset: float = 0.0
+    turn: float = 0.0
+    through: str = ""  # letter of the point of the guide link from which the line is set out, if any
+    pin_in_slot: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Circle:
+    """Pitch circle of a gear: a link, the letter of its centre, its radius."""
+
+    link: str
+    centre: str
+    radius: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rack:
+    """Pitch line of a rack: a link, a point of the line and its direction, in the link's coordinates."""
+
+    link: str
+    origin: complex
+    direction: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rolling:
+    """Pure rolling of a gear on a gear or a rack; the pitch point has a letter. Two constraints: contact and no slip.
+
+    The gear's centre stays on the side of a rack on which it is at the given position (`side` of the rack's direction).
+    """
+
+    point: str
+    gear: Circle
+    on: Circle | Rack
+    internal: bool = False
+    side: Side = Side.LEFT
+
+
+Joint = Revolute | Prismatic | Rolling
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SideOf:
+    """Branch of an assembly: `point` lies on `side` of the ray ref[0] -> ref[1], or of the single point ref[0]."""
+
+    point: str
+    side: Side
+    ref: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drive:
+    """The input: link `link` turns about its frame pivot (`slide` False), or slides on its frame guide (`slide` True).
+
+    position: angle of the link's x axis from the frame's x axis (rad), or travel of its pin along the guide from the
+    guide's origin (m); rate: ω (rad/s) or v (m/s); accel: α (rad/s²) or a (m/s²).
+    """
+
+    link: str
+    position: float
+    rate: float
+    accel: float = 0.0
+    slide: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mechanism:
+    """A planar mechanism: the frame's points (in m), moving links, joints, drives, branches, rough positions for Newton."""
+
+    frame: Mapping[str, complex]
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    drives: tuple[Drive, ...]
+    branches: tuple[SideOf, ...] = ()
+    guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frame", MappingProxyType(dict(self.frame)))
+        object.__setattr__(self, "guesses", MappingProxyType(dict(self.guesses)))
+
+    @property
+    def drive(self) -> Drive:
+        """The only drive (one degree of freedom)."""
+        return self.drives[0]
+
+    def link(self, name: str) -> Link:
+        """The moving link with this name; the frame as a link where name is FRAME."""
+        if name == FRAME:
+            return Link(name=FRAME, points=self.frame)
+        return next(link for link in self.links if link.name == name)
+
+    def links_at(self, point: str) -> tuple[str, ...]:
+        """Names of all links (frame included, last) that carry the lettered point."""
+        names = tuple(link.name for link in self.links if point in link.points)
+        return (*names, FRAME) if point in self.frame else names
+
+    @property
+    def scale(self) -> float:
+        """Largest distance between two points of one link or of the frame (m): the scale of its errors."""
+        spans = [abs(p - q) for pts in (self.frame, *(li.points for li in self.links))
+                 for p in pts.values() for q in pts.values()]
+        return max(spans, default=1.0) or 1.0

@@ -1,0 +1,107 @@
+"""One key for one quantity: `Rel` joins the reading, the oracle's answer, the rubric and the answer file.
+
+ASCII forms (the textbook's symbol in brackets):
+``v_C`` [v_C], ``v_C2`` [v_{C2}: point C of link 2], ``v_CB`` [v_{CB}: C relative to B, one link],
+``v_B3B2`` [v_{B3B2}: coincident points of links 3 and 2], ``an_CB`` [a^n_{CB}], ``at_CB`` [a^t_{CB}],
+``an_C`` [a^n_C, about the fixed pivot], ``ak_B3B2`` [a^k_{B3B2}, Coriolis], ``ar_B3B2`` [a^r_{B3B2}],
+``omega_3`` [ω_3], ``alpha_3`` [α_3], ``p_X`` [position of the point X].
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+
+from .errors import UnknownNameError
+
+
+class Kind(StrEnum):
+    """What a symbol stands for; the value is the ASCII stem of the key."""
+
+    P = "p"
+    V = "v"
+    A = "a"
+    AN = "an"
+    AT = "at"
+    AK = "ak"
+    AR = "ar"
+    OMEGA = "omega"
+    ALPHA = "alpha"
+
+    @property
+    def is_vector(self) -> bool:
+        return self not in (Kind.OMEGA, Kind.ALPHA)
+
+    @property
+    def unit(self) -> str:
+        """SI unit as printed: m, m/s, m/s², rad/s, rad/s²."""
+        return _UNIT[self]
+
+
+_UNIT = {
+    Kind.P: "m", Kind.V: "m/s", Kind.A: "m/s^2", Kind.AN: "m/s^2", Kind.AT: "m/s^2", Kind.AK: "m/s^2",
+    Kind.AR: "m/s^2", Kind.OMEGA: "rad/s", Kind.ALPHA: "rad/s^2",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class At:
+    """A point, and on which link it is thought (empty where its letter alone tells)."""
+
+    point: str
+    link: str = ""
+
+    def __str__(self) -> str:
+        return self.point + self.link
+
+
+@dataclass(frozen=True, slots=True)
+class Rel:
+    """One quantity: kind, point (or link for ω, α) and, for relative vectors, the reference point."""
+
+    kind: Kind
+    to: At
+    ref: At | None = None
+
+    @property
+    def key(self) -> str:
+        """The ASCII form, e.g. ``ak_B3B2``."""
+        body = self.to.link if not self.kind.is_vector else f"{self.to}{self.ref or ''}"
+        return f"{self.kind.value}_{body}"
+
+    def __str__(self) -> str:
+        return self.key
+
+
+_POINT = r"([A-Z][a-z']?)(\d*)"
+_VECTOR = re.compile(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
+_NAMED_POINT = re.compile(r"^p_([A-Z][a-z']?\d*)$")
+_ANGULAR = re.compile(r"^(omega|alpha)_(\w+)$")
+
+
+def parse_rel(text: str) -> Rel:
+    """Read an ASCII key such as ``v_E``, ``ak_B3B2``, ``omega_2``.
+
+    Raises UnknownNameError when the text is no such key.
+    """
+    if m := _ANGULAR.match(text):
+        return Rel(Kind(m[1]), At("", m[2]))
+    if m := _NAMED_POINT.match(text):
+        return Rel(Kind.P, At(m[1]))
+    if m := _VECTOR.match(text):
+        ref = At(m[4], m[5] or "") if m[4] else None
+        return Rel(Kind(m[1]), At(m[2], m[3] or ""), ref)
+    raise UnknownNameError(
+        f"'{text}' is no symbol; write v_E, a_E, v_CB, an_CB, at_CB, ak_B3B2, omega_2 or alpha_2"
+    )
+
+
+def omega(link: str) -> Rel:
+    """ω of a link."""
+    return Rel(Kind.OMEGA, At("", link))
+
+
+def alpha(link: str) -> Rel:
+    """α of a link."""
+    return Rel(Kind.ALPHA, At("", link))
