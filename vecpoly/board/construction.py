@@ -1,0 +1,100 @@
+"""The frozen record of a solution: figures, steps, readings. Everything that comes after drawing reads this, and only this."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ..formula import Node
+from ..words import Words
+from .marks import Mark
+
+
+class View(StrEnum):
+    """The kinds of figure on a kinematics sheet."""
+
+    MECHANISM = "mechanism"
+    VELOCITY = "velocity"
+    ACCELERATION = "acceleration"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scale:
+    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``."""
+
+    symbol: str
+    value: float
+    unit: str  # "m", "m/s", "m/s^2"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figure:
+    """One drawing: its marks in mm, its scale, its title."""
+
+    view: View
+    title: Words
+    scale: Scale
+    marks: tuple[Mark, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EquationTable:
+    """A vector equation with its direction and magnitude rows, ready to be typeset.
+
+    symbols: one per term; signs: "" for the first term, "=", "+" before the others; directions and magnitudes: one
+    entry a term, in words (``⊥$BC$``, ``$B→A$``, ``?``, ``✓``, ``$ω_1 l_{AB}$``).
+    """
+
+    symbols: tuple[str, ...]
+    signs: tuple[str, ...]
+    directions: tuple[Words, ...]
+    magnitudes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Step:
+    """One numbered step: a sentence, and what belongs to it: an equation table, formulas, the figure it was drawn in."""
+
+    number: int
+    section: Words  # heading under which the step stands: position diagram, velocity analysis ...
+    words: Words
+    equation: EquationTable | None = None
+    formulas: tuple[Node, ...] = ()
+    view: View | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """One answer read off the paper.
+
+    key: ASCII symbol; symbol: textbook notation; vector: value as x + iy (SI), None for ω, α; scalar: signed value for ω, α
+    (ccw positive), magnitude for vectors; mm: length measured on paper (None where computed only); line: the paper length's
+    letters (``pe``); scale: symbol of the scale used; formula: symbol = formula = numbers = result.
+    """
+
+    key: str
+    symbol: str
+    unit: str
+    scalar: float
+    vector: complex | None = None
+    mm: float | None = None
+    line: str = ""
+    scale: str = ""
+    formula: Node | None = None
+    remark: Words | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Construction:
+    """A solved problem as drawn."""
+
+    problem: str
+    hand: str
+    figures: tuple[Figure, ...]
+    steps: tuple[Step, ...]
+    readings: Mapping[str, Reading]
+
+    def figure(self, view: View) -> Figure | None:
+        """The figure of this view, if drawn."""
+        return next((f for f in self.figures if f.view is view), None)

@@ -1,0 +1,198 @@
+"""What a hand leaves on the paper: a closed list of marks, in mm on the figure (x right, y up, origin where the figure has it).
+
+`step` is the number of the construction step that drew the mark. Drawing code reads marks and nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Role(StrEnum):
+    """Why a line is there; the drawing decides width, dash and hue."""
+
+    LINK = "link"  # 0.7 mm
+    RESULT = "result"  # 0.5 mm: vectors asked for
+    GIVEN = "given"  # 0.35 mm: known vectors
+    DIRECTION = "direction"  # 0.18 mm: direction lines of a polygon, run a little past their meeting point
+    CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
+    CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
+    HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
+
+
+class Dot(StrEnum):
+    """How a point is drawn."""
+
+    POLE = "pole"  # small open circle
+    POINT = "point"  # small filled dot (tip of a vector, point of a link)
+    JOINT = "joint"  # open circle 2.5 mm across
+    NONE = "none"  # only its letter
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Segment:
+    """A straight line."""
+
+    a: complex
+    b: complex
+    role: Role
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Vector:
+    """A line with an arrowhead at b, and the symbol of what it stands for (empty: no label)."""
+
+    a: complex
+    b: complex
+    role: Role
+    label: str = ""
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Arc:
+    """A compass stroke: from angle `start` over `sweep` (rad, 2π: a full circle)."""
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+    role: Role
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point:
+    """A lettered point."""
+
+    at: complex
+    label: str
+    dot: Dot
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RightAngle:
+    """The square in a right angle at `at` between the directions u and v (unit complex numbers)."""
+
+    at: complex
+    u: complex
+    v: complex
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImageOf:
+    """The image of a link in a polygon, lightly tinted."""
+
+    points: tuple[complex, ...]
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plate:
+    """A rigid link with three or more points, drawn as one body (GB/T 4460)."""
+
+    points: tuple[complex, ...]
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ground:
+    """A fixed pivot: triangle on hatched ground, the hatching on the side `down` (unit complex number)."""
+
+    at: complex
+    down: complex
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FixedGuide:
+    """A hatched fixed guide line from a to b; the hatching lies to the right of a -> b."""
+
+    a: complex
+    b: complex
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Block:
+    """A slider block (rectangle) centred at `at`, its long side along `along` (unit complex number).
+
+    `on_rod` True: a sleeve through which a rod passes; False: a block in a slot or on a guide.
+    """
+
+    at: complex
+    along: complex
+    on_rod: bool = False
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slot:
+    """A slot in a link: two parallel lines with round ends along a -> b."""
+
+    a: complex
+    b: complex
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearMark:
+    """A gear: pitch circle (dash-dot) and its centre."""
+
+    centre: complex
+    radius: float
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RackMark:
+    """A rack's pitch line from a to b with its body (hatched where fixed) to the right of a -> b."""
+
+    a: complex
+    b: complex
+    fixed: bool = True
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TurnArrow:
+    """A curved arrow about `at` with a symbol: the driving arrow with ω, or the sense found for a link."""
+
+    at: complex
+    radius: float
+    start: float
+    ccw: bool
+    label: str
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AngleMark:
+    """An angle at `at` from `start` over `sweep` (rad) with its symbol."""
+
+    at: complex
+    radius: float
+    start: float
+    sweep: float
+    label: str
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinkNumber:
+    """The number of a link, set beside the line from a to b (or beside the point a = b)."""
+
+    a: complex
+    b: complex
+    number: str
+    step: int = 0
+
+
+Mark = (
+    Segment | Vector | Arc | Point | RightAngle | ImageOf | Plate | Ground | FixedGuide | Block | Slot | GearMark
+    | RackMark | TurnArrow | AngleMark | LinkNumber
+)

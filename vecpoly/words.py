@@ -1,0 +1,23 @@
+"""Bilingual words: every sentence is one value with a Chinese and an English face."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Lang = Literal["zh", "en"]
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """A sentence in Chinese and English; ``$...$`` holds symbols in the notation of `formula`."""
+
+    zh: str
+    en: str
+
+    def of(self, lang: Lang) -> str:
+        """The sentence in one language."""
+        return self.zh if lang == "zh" else self.en
+
+    def __add__(self, other: Words) -> Words:
+        return Words(self.zh + other.zh, self.en + other.en)
