@@ -1,0 +1,22 @@
+"""Geometry in mm on paper: points are complex numbers, or complex arrays for many hands at once; all elementwise."""
+
+from .geometry import (
+    Line,
+    Points,
+    Reals,
+    circles_meet,
+    cross,
+    distance,
+    dot,
+    foot,
+    line_circle_meet,
+    lines_meet,
+    nominal,
+    similar,
+    unit,
+)
+
+__all__ = [
+    "Line", "Points", "Reals", "circles_meet", "cross", "distance", "dot", "foot", "line_circle_meet",
+    "lines_meet", "nominal", "similar", "unit",
+]

@@ -1,0 +1,204 @@
+"""The board: a hand's acts on an emulated sheet, done at once and recorded for ever.
+
+The board knows paper, rule, compass and set square; it knows nothing of mechanisms. A method gets its numbers only by
+laying off, meeting, measuring and computing here. It is the one mutable object of the program, while it is drawn on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from math import asin, degrees
+
+import numpy as np
+
+from ..errors import AssemblyError, DeadPointError
+from ..formula import Node, Row, Sym, Txt
+from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
+from ..quantity import Expr, Quantity, magnitude, paper, worked
+from ..words import Words
+from .construction import EquationTable, Figure, Scale, Step, View
+from .hand import Hand
+from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+
+OVERRUN = 4.0  # mm a ruled line runs past its meeting point
+PARALLEL = 1e-9  # sine below which two ruled lines do not meet
+GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
+
+
+class Board:
+    """One sheet under one hand (and its repetitions)."""
+
+    def __init__(self, hand: Hand, scales: Mapping[View, Scale]) -> None:
+        self.hand = hand
+        self.scales = dict(scales)
+        self.steps: list[Step] = []
+        self._marks: dict[View, list[Mark]] = {view: [] for view in View}
+        self._section = Words("", "")
+
+    # -- the record -------------------------------------------------------------------------------------------
+
+    def section(self, title: Words) -> None:
+        """Open a part of the solution."""
+        self._section = title
+
+    def step(self, words: Words, view: View | None = None, equation: EquationTable | None = None) -> None:
+        """Open the next numbered step; marks and formulas that follow belong to it."""
+        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, equation=equation, view=view))
+
+    def remark(self, words: Words) -> None:
+        """Add a sentence to the step."""
+        last = self.steps[-1]
+        self.steps[-1] = replace(last, words=last.words + words)
+
+    def equate(self, table: EquationTable) -> None:
+        """Write a vector equation with its two rows into the step."""
+        self.steps[-1] = replace(self.steps[-1], equation=table)
+
+    def write(self, *formulas: Node) -> None:
+        """Write formulas into the step."""
+        last = self.steps[-1]
+        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
+
+    def mark(self, view: View, *marks: Mark) -> None:
+        """Leave marks of the step on a figure."""
+        number = len(self.steps)
+        self._marks[view] += [replace(m, step=m.step or number) for m in marks]
+
+    def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
+        """The finished figures, those with marks."""
+        return tuple(
+            Figure(view=v, title=titles[v], scale=self.scales[v], marks=tuple(self._marks[v]))
+            for v in View if self._marks[v]
+        )
+
+    def marks(self, view: View) -> tuple[Mark, ...]:
+        """What stands on a figure so far."""
+        return tuple(self._marks[view])
+
+    # -- scales -----------------------------------------------------------------------------------------------
+
+    def mu(self, view: View) -> Quantity:
+        """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
+        scale = self.scales[view]
+        unit_text = f"({scale.unit})/mm" if "/" in scale.unit else f"{scale.unit}/mm"
+        return magnitude(scale.symbol, scale.value, unit_text)
+
+    def to_paper(self, view: View, value: Reals) -> Reals:
+        """A quantity as a length on paper (mm)."""
+        return value / self.scales[view].value
+
+    # -- acts -------------------------------------------------------------------------------------------------
+
+    def plot(self, view: View, at: Points, label: str, dot: Dot = Dot.POINT) -> None:
+        """Letter a point."""
+        self.mark(view, Point(at=complex(nominal(at)), label=label, dot=dot))
+
+    def join(self, view: View, a: Points, b: Points, role: Role) -> None:
+        """Rule a line from a to b."""
+        self.mark(view, Segment(a=complex(nominal(a)), b=complex(nominal(b)), role=role))
+
+    def arrow(self, view: View, a: Points, b: Points, role: Role) -> None:
+        """Draw the vector from a to b."""
+        start, end = complex(nominal(a)), complex(nominal(b))
+        if abs(end - start) > 1e-6:
+            self.mark(view, Vector(a=start, b=end, role=role))
+
+    def arrow_once(self, view: View, a: Points, b: Points) -> None:
+        """Draw the result vector from a to b unless a vector stands there already."""
+        start, end = complex(nominal(a)), complex(nominal(b))
+        there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < 1e-6 for m in self._marks[view])
+        if not there:
+            self.arrow(view, a, b, Role.RESULT)
+
+    def right_angle(self, view: View, at: Points, u: Points, v: Points) -> None:
+        """Mark a right angle."""
+        self.mark(view, RightAngle(at=complex(nominal(at)), u=complex(nominal(u)), v=complex(nominal(v))))
+
+    def lay_off(self, start: Points, along: Points, mm: Reals) -> Points:
+        """Lay off a length from a point in a direction carried by set square."""
+        return start + self.hand.tilt(along) * self.hand.carry(mm)
+
+    def parallel(self, at: Points, along: Points) -> Line:
+        """Rule a line through a point parallel to a drawn direction."""
+        return Line(at, self.hand.tilt(along))
+
+    def perpendicular(self, at: Points, along: Points) -> Line:
+        """Rule a line through a point perpendicular to a drawn direction."""
+        return Line(at, self.hand.tilt(1j * along))
+
+    def rule(self, view: View, line: Line, to: Points) -> None:
+        """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
+        start, end = complex(nominal(line.at)), complex(nominal(to))
+        along = complex(nominal(line.along))
+        past = along if abs(end - start) < 1e-9 else (end - start) / abs(end - start)
+        back = 0.0 if abs(end - start) > 2 * OVERRUN else OVERRUN
+        self.mark(view, Segment(a=start - past * back, b=end + past * OVERRUN, role=Role.DIRECTION))
+
+    def meet(self, g: Line, h: Line, what: str) -> Points:
+        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked."""
+        sine = abs(float(nominal(cross(g.along, h.along))))
+        if sine < PARALLEL:
+            raise DeadPointError(
+                f"{what}: the two direction lines are parallel, the polygon does not close at one point; this is a dead point "
+                f"or change point, choose another input position"
+            )
+        if sine < GRAZING:
+            angle = degrees(asin(sine))
+            self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
+        return lines_meet(g, h)
+
+    def swing(self, view: View, centre: Points, radius: Reals, through: Points) -> None:
+        """Leave the short compass arc about a centre near the point it passes."""
+        c, p = complex(nominal(centre)), complex(nominal(through))
+        size = float(nominal(radius))
+        half = min(0.5, 7.0 / max(size, 1e-6))
+        start = float(np.angle(p - c)) - half
+        self.mark(view, Arc(centre=c, radius=size, start=start, sweep=2 * half, role=Role.CONSTRUCTION))
+
+    def arcs(self, c1: Points, r1: Reals, c2: Points, r2: Reals, what: str) -> tuple[Points, Points]:
+        """Two compass arcs: both meeting points, the one left of c1 → c2 first."""
+        a, b = circles_meet(c1, self.hand.carry(r1), c2, self.hand.carry(r2))
+        if not np.isfinite(nominal(a)):
+            d, s = float(nominal(abs(c2 - c1))), float(nominal(r1)) + float(nominal(r2))
+            raise AssemblyError(f"{what}: the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart "
+                                f"do not meet (sum {s:.2f} mm)")
+        return a, b
+
+    def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: str) -> tuple[Points, Points]:
+        """A compass arc on a ruled line: both meeting points, the one further along the line first."""
+        a, b = line_circle_meet(line, centre, self.hand.carry(radius))
+        if not np.isfinite(nominal(a)):
+            gap = abs(float(nominal(cross(line.along, centre - line.at))))
+            raise AssemblyError(f"{what}: an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away")
+        return a, b
+
+    def image(self, of: tuple[Points, Points, Points], on: tuple[Points, Points]) -> Points:
+        """The third corner of the similar figure on `on` that keeps the letter order of `of`."""
+        return similar(*of, *on) + self.hand.carry(0.0) + 1j * self.hand.carry(0.0)
+
+    # -- measuring and computing --------------------------------------------------------------------------------
+
+    def measure(self, a: Points, b: Points, letters: str) -> Quantity:
+        """Read a length off the rule (mm): here, and only here, rounding happens."""
+        mm = self.hand.read(np.abs(b - a))
+        return paper(letters_node(letters), mm)
+
+    def compute(self, symbol: str, expr: Expr, unit_text: str, value: Reals | None = None) -> Quantity:
+        """Write symbol = formula = numbers = result into the step and go on with the result."""
+        result = magnitude(symbol, expr.value if value is None else value, unit_text)
+        self.write(worked(result.node, expr, unit_text))
+        return result
+
+    def tint(self, view: View, points: tuple[Points, ...]) -> None:
+        """Tint the image of a link."""
+        self.mark(view, ImageOf(points=tuple(complex(nominal(p)) for p in points)))
+
+
+def letters_node(letters: str) -> Node:
+    """Letters of a paper length, each italic with its subscript: ``p c_2`` → p c₂."""
+    items: list[Node] = []
+    for word in letters.split():
+        base, _, sub = word.partition("_")
+        items.append(Sym(base, sub.strip("{}")) if base.strip("′") else Txt(word))
+    return Row(tuple(items))

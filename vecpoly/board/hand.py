@@ -1,0 +1,108 @@
+"""How accurately the emulated person works; repeated hands give every answer its honest tolerance.
+
+exact: nothing is rounded or disturbed. drafting: readings to 0.1 mm. pencil: readings to 0.5 mm, every length carried with
+a scatter of 0.2 mm, every parallel or perpendicular with 0.3°. One board can carry many hands: element 0 of every array
+is the nominal sheet, the others are repetitions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import pi
+from typing import Literal
+
+import numpy as np
+
+from ..errors import UnknownNameError
+from ..plane import Points, Reals
+
+HandName = Literal["exact", "drafting", "pencil"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Skill:
+    """reading: graduation read to (mm, 0 = exact); protractor: angles read to (rad); dividers: σ of a length carried (mm);
+    square: σ of a parallel or perpendicular (rad)."""
+
+    reading: float
+    protractor: float
+    dividers: float
+    square: float
+
+
+_SKILLS: dict[str, tuple[Skill, Skill]] = {  # (the nominal sheet, its repetitions)
+    "exact": (Skill(reading=0, protractor=0, dividers=0, square=0),
+              Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180)),
+    "drafting": (Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0, square=0),
+                 Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180)),
+    "pencil": (Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180),
+               Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180)),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Hand:
+    """A person at the board, with `repeats` repetitions beside the nominal sheet."""
+
+    name: str
+    nominal: Skill
+    repeated: Skill
+    repeats: int
+    rng: np.random.Generator
+
+    def carry(self, length: Reals) -> Reals:
+        """A length set in the dividers (mm)."""
+        return length + self._scatter(lambda skill: skill.dividers)
+
+    def carry_vector(self, vector: Points) -> Points:
+        """A vector carried to another place (mm): length and direction both scatter."""
+        size = np.abs(vector)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            stretched = np.where(size > 0, vector * (1 + self._scatter(lambda skill: skill.dividers) / size), vector)
+        return self.tilt(stretched if self.repeats else complex(stretched))
+
+    def tilt(self, along: Points) -> Points:
+        """A direction transferred with the set square."""
+        return along * np.exp(1j * self._scatter(lambda skill: skill.square))
+
+    def read(self, mm: Reals) -> Reals:
+        """A length read off the rule."""
+        return self._graduated(mm, lambda skill: skill.reading)
+
+    def gauge(self, angle: Reals) -> Reals:
+        """An angle read off the protractor (rad)."""
+        return self._graduated(angle, lambda skill: skill.protractor)
+
+    def _scatter(self, of: Callable[[Skill], float]) -> Reals:
+        first, others = of(self.nominal), of(self.repeated)
+        if not self.repeats:
+            return float(self.rng.normal(0.0, first)) if first else 0.0
+        noise = self.rng.normal(0.0, 1.0, self.repeats + 1) * others
+        noise[0] *= first / others if others else 0.0
+        return noise
+
+    def _graduated(self, value: Reals, of: Callable[[Skill], float]) -> Reals:
+        if not self.repeats:
+            return _round_to(value, of(self.nominal))
+        full = np.broadcast_to(np.asarray(value, dtype=float), (self.repeats + 1,)).copy()
+        step = of(self.repeated)
+        jitter = self.rng.uniform(-0.5, 0.5, self.repeats) * step
+        full[1:] = _round_to(full[1:] + jitter, step)
+        full[0] = _round_to(full[0], of(self.nominal))
+        return full
+
+
+def _round_to(value: Reals, step: float) -> Reals:
+    return np.round(np.asarray(value) / step) * step if step else value
+
+
+def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
+    """The hand of this name: exact, drafting or pencil.
+
+    Raises UnknownNameError for any other name.
+    """
+    if name not in _SKILLS:
+        raise UnknownNameError(f"no hand is called '{name}'; there are exact, drafting and pencil")
+    first, others = _SKILLS[name]
+    return Hand(name, first, others, repeats, np.random.Generator(np.random.PCG64(seed)))

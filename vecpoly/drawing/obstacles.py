@@ -1,0 +1,130 @@
+"""What lettering must keep clear of, and what it costs to stand on it: shapely finds the pairs, numpy clips them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from .scene import Fill, Item, Layer, Stroke, TextBox
+from .style import THIN
+
+Complexes = NDArray[np.complex128]
+Floats = NDArray[np.float64]
+
+GAP = 0.45  # mm between lettering and a line
+ROOM = 1.1  # mm beyond which a neighbour no longer confuses
+COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
+ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
+ON_SOLID, ON_TINT = 90.0, 0.8
+CROSSING, CROSSING_SOLID = 7.0, 30.0  # a leader over a line, over an arrowhead or a joint
+
+
+@dataclass(frozen=True, slots=True)
+class Obstacles:
+    """Straight pieces a -> b with half their width and a weight, and polygons, solid or tinted."""
+
+    a: Complexes
+    b: Complexes
+    half: Floats
+    weight: Floats
+    polygons: NDArray[np.object_]
+    solid: NDArray[np.bool_]
+    lines: Any  # STRtree of the pieces
+    areas: Any  # STRtree of the polygons
+
+    @classmethod
+    def of(cls, items: tuple[Item, ...]) -> Obstacles:
+        """Gathered from the primitives of a figure."""
+        pieces: list[tuple[complex, complex, float, float]] = []
+        polygons: list[Any] = []
+        solid: list[bool] = []
+        for item in items:
+            match item:
+                case Stroke():
+                    pieces.extend(_pieces(item))
+                case Fill(points=points, hue=hue, layer=layer):
+                    polygons.append(shapely.Polygon([(z.real, z.imag) for z in points]))
+                    solid.append(not hue.is_tint or layer > Layer.TINT)
+                case TextBox():
+                    pass
+        a, b, half, weight = zip(*pieces, strict=True) if pieces else ((), (), (), ())
+        return cls._indexed(np.array(a, dtype=complex), np.array(b, dtype=complex), np.array(half, dtype=float),
+                            np.array(weight, dtype=float), polygons, np.array(solid, dtype=bool))
+
+    @classmethod
+    def _indexed(cls, a: Complexes, b: Complexes, half: Floats, weight: Floats, polygons: list[Any],
+                 solid: NDArray[np.bool_]) -> Obstacles:
+        ends = np.stack([np.stack([a.real, a.imag], -1), np.stack([b.real, b.imag], -1)], axis=1)
+        shapes = np.array(polygons, dtype=object)
+        return cls(a, b, half, weight, shapes, solid, shapely.STRtree(shapely.linestrings(ends)), shapely.STRtree(shapes))
+
+    def cost(self, centre: Complexes, width: float, height: float, own: tuple[complex, complex]) -> Floats:
+        """What each of many places for one label costs; `own`: the line it names, which may be as near as it likes."""
+        total = np.zeros(len(centre))
+        reach = GAP + ROOM + float(self.half.max(initial=0.0))
+        box, piece = self.lines.query(_boxes(centre, width, height, reach))
+        if len(box):
+            a, b, half = self.a[piece], self.b[piece], self.half[piece]
+            near, _ = clip(a, b, centre[box], width / 2 + half + GAP + ROOM, height / 2 + half + GAP + ROOM)
+            near = np.where(_along(a, b, *own), 0.0, near)
+            inside, hit = clip(a, b, centre[box], width / 2 + half + GAP, height / 2 + half + GAP)
+            price = NEARBY * near + np.where(hit, self.weight[piece] * (ON_LINE + PER_MM * inside), 0.0)
+            np.add.at(total, box, price)
+        box, polygon = self.areas.query(_boxes(centre, width, height, 0.3), predicate="intersects")
+        np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
+        return total
+
+    def crossings(self, foot: Complexes, end: Complexes, own: tuple[complex, complex]) -> Floats:
+        """What each of many leader lines costs for the lines and solids it crosses."""
+        total = np.zeros(len(foot))
+        start = foot + 0.05 * (end - foot)
+        ends = np.stack([np.stack([start.real, start.imag], -1), np.stack([end.real, end.imag], -1)], axis=1)
+        leaders = shapely.linestrings(ends)
+        leader, piece = self.lines.query(leaders, predicate="intersects")
+        if len(leader):
+            free = _along(self.a[piece], self.b[piece], *own)
+            np.add.at(total, leader, np.where(free, 0.0, CROSSING * self.weight[piece]))
+        leader, polygon = self.areas.query(leaders, predicate="intersects")
+        np.add.at(total, leader, np.where(self.solid[polygon], CROSSING_SOLID, 0.0))
+        return total
+
+
+def _pieces(stroke: Stroke) -> list[tuple[complex, complex, float, float]]:
+    points = stroke.points + stroke.points[:1] if stroke.closed else stroke.points
+    if len(points) > 12:
+        line = shapely.simplify(shapely.LineString([(z.real, z.imag) for z in points]), COARSE)
+        points = tuple(complex(x, y) for x, y in line.coords)
+    weight = 1.0 if stroke.width <= THIN else 1.6
+    return [(a, b, stroke.width / 2, weight) for a, b in zip(points, points[1:], strict=False)]
+
+
+def _boxes(centre: Complexes, width: float, height: float, by: float) -> Any:
+    x, y = centre.real, centre.imag
+    return shapely.box(x - width / 2 - by, y - height / 2 - by, x + width / 2 + by, y + height / 2 + by)
+
+
+def _along(a: Complexes, b: Complexes, p: complex, q: complex) -> NDArray[np.bool_]:
+    """Which pieces run along the line p -> q."""
+    if abs(q - p) < 1e-6:
+        return np.zeros(len(a), dtype=bool)
+    u = (q - p) / abs(q - p)
+    off_a, off_b = ((a - p) * u.conjugate()).imag, ((b - p) * u.conjugate()).imag
+    result: NDArray[np.bool_] = (np.abs(off_a) < 0.05) & (np.abs(off_b) < 0.05)
+    return result
+
+
+def clip(a: Complexes, b: Complexes, centre: Complexes, dx: Floats | float, dy: Floats | float) -> tuple[Floats, NDArray[np.bool_]]:
+    """Length of each piece inside its box (centre ± dx, ± dy), and whether it enters at all (Liang and Barsky)."""
+    start, d = a - centre, b - a
+    low, high = np.zeros(start.shape), np.ones(start.shape)
+    for p, s, half in ((d.real, start.real, dx), (d.imag, start.imag, dy)):
+        steep = np.where(np.abs(p) < 1e-12, 1e-12, p)
+        t0, t1 = (-half - s) / steep, (half - s) / steep
+        low = np.maximum(low, np.minimum(t0, t1))
+        high = np.minimum(high, np.maximum(t0, t1))
+    span = np.maximum(high - low, 0.0)
+    return span * np.abs(d), span > 0.0

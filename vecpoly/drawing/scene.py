@@ -1,0 +1,169 @@
+"""A drawing as an immutable value: strokes, fills and lettering in mm, x right, y up; every backend draws this and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from enum import IntEnum
+
+from ..typeset import Box
+from .style import Dash, Hue
+
+
+class Layer(IntEnum):
+    """What lies over what: a later layer is drawn over an earlier one."""
+
+    TINT = 0
+    THIN = 1
+    LINE = 2  # links and vectors
+    BODY = 3  # slider blocks hide the rod that passes through them
+    OVER = 4  # links pinned to a block lie over it
+    HEAD = 5
+    JOINT = 6  # open circles hide the line ends under them
+    TEXT = 7
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stroke:
+    """A line through points, of a width in mm."""
+
+    points: tuple[complex, ...]
+    width: float
+    dash: Dash = Dash.FULL
+    hue: Hue = Hue.BLACK
+    closed: bool = False
+    layer: Layer = Layer.LINE
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fill:
+    """A filled polygon."""
+
+    points: tuple[complex, ...]
+    hue: Hue = Hue.BLACK
+    layer: Layer = Layer.HEAD
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TextBox:
+    """Set type with the left end of its baseline at (x, y)."""
+
+    box: Box
+    x: float
+    y: float
+    hue: Hue = Hue.BLACK
+    layer: Layer = Layer.TEXT
+    step: int = 0
+
+    @property
+    def rect(self) -> Rect:
+        """The rectangle it covers."""
+        return Rect(self.x, self.y - self.box.descent, self.x + self.box.width, self.y + self.box.ascent)
+
+
+Item = Stroke | Fill | TextBox
+
+
+@dataclass(frozen=True, slots=True)
+class Rect:
+    """A rectangle along the axes, in mm."""
+
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+
+    @property
+    def width(self) -> float:
+        """Extent in x."""
+        return self.x1 - self.x0
+
+    @property
+    def height(self) -> float:
+        """Extent in y."""
+        return self.y1 - self.y0
+
+    @property
+    def centre(self) -> complex:
+        """The middle."""
+        return complex((self.x0 + self.x1) / 2, (self.y0 + self.y1) / 2)
+
+    def grown(self, by: float) -> Rect:
+        """With a margin all round."""
+        return Rect(self.x0 - by, self.y0 - by, self.x1 + by, self.y1 + by)
+
+    def __or__(self, other: Rect) -> Rect:
+        return Rect(min(self.x0, other.x0), min(self.y0, other.y0), max(self.x1, other.x1), max(self.y1, other.y1))
+
+    def overlaps(self, other: Rect) -> bool:
+        """Whether the two have some area in common."""
+        return self.x0 < other.x1 and other.x0 < self.x1 and self.y0 < other.y1 and other.y0 < self.y1
+
+
+def rect_of(item: Item) -> Rect:
+    """The rectangle an item covers, with its line width."""
+    match item:
+        case TextBox():
+            return item.rect
+        case Stroke(points=points, width=width):
+            return _hull(points).grown(width / 2)
+        case Fill(points=points):
+            return _hull(points)
+
+
+def _hull(points: tuple[complex, ...]) -> Rect:
+    xs, ys = [z.real for z in points], [z.imag for z in points]
+    return Rect(min(xs), min(ys), max(xs), max(ys))
+
+
+def moved(item: Item, by: complex) -> Item:
+    """The item shifted by a vector."""
+    match item:
+        case TextBox(x=x, y=y):
+            return replace(item, x=x + by.real, y=y + by.imag)
+        case Stroke(points=points) | Fill(points=points):
+            return replace(item, points=tuple(z + by for z in points))
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Items and the rectangle they need on the page."""
+
+    items: tuple[Item, ...]
+    extents: Rect
+
+    @classmethod
+    def of(cls, items: tuple[Item, ...]) -> Scene:
+        """The scene of these items, with the extents they cover."""
+        if not items:
+            return cls((), Rect(0.0, 0.0, 0.0, 0.0))
+        rects = [rect_of(item) for item in items]
+        return cls(items, Rect(min(r.x0 for r in rects), min(r.y0 for r in rects),
+                               max(r.x1 for r in rects), max(r.y1 for r in rects)))
+
+    def __iter__(self) -> Iterator[Item]:
+        """The items in drawing order: by layer, then as they were drawn."""
+        return iter(sorted(self.items, key=lambda item: item.layer))
+
+    def __add__(self, other: Scene) -> Scene:
+        return Scene(self.items + other.items, self.extents | other.extents)
+
+    def moved(self, by: complex) -> Scene:
+        """The scene shifted by a vector."""
+        e = self.extents
+        shifted = Rect(e.x0 + by.real, e.y0 + by.imag, e.x1 + by.real, e.y1 + by.imag)
+        return Scene(tuple(moved(item, by) for item in self.items), shifted)
+
+    def upto(self, step: int) -> Scene:
+        """What stands on the board after a step; lettering and extents stay where they are."""
+        return self._kept(lambda item: item.step <= step)
+
+    def highlighted(self, step: int) -> Scene:
+        """One step in its own ink, all others faded."""
+        return Scene(tuple(item if item.step == step or item.hue.is_tint else replace(item, hue=Hue.GHOST)
+                           for item in self.items), self.extents)
+
+    def _kept(self, wanted: Callable[[Item], bool]) -> Scene:
+        return Scene(tuple(item for item in self.items if wanted(item)), self.extents)

@@ -1,0 +1,36 @@
+"""How much room a sheet offers: the board chooses its scales from these sizes, the sheet places figures in them. All in mm."""
+
+from __future__ import annotations
+
+A4 = (210.0, 297.0)
+FRAME = 10.0  # paper edge to frame
+STRIP = 16.0  # title strip at the foot, inside the frame
+CLEAR = 5.0  # white between the frame and the first figure, and between figures
+CAPTION = 15.0  # title and scale under a figure
+LETTERING = 8.0  # what letters may stand out from a figure on each side
+
+
+def usable(landscape: bool = False) -> tuple[float, float]:
+    """Width and height inside frame and strip, with white around."""
+    width, height = reversed(A4) if landscape else A4
+    return width - 2 * FRAME - 2 * CLEAR, height - 2 * FRAME - STRIP - 2 * CLEAR
+
+
+def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
+    """Width and height that the bare lines of each figure should fill, the mechanism first.
+
+    One: the whole of an A4 portrait. Two: one above the other. Three: the mechanism above, two polygons side by side.
+    More: pages of their own beyond the third.
+    """
+    if n_figures < 1:
+        return ()
+    width, height = usable()
+    rows = 1 if n_figures == 1 else 2
+    deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - 2 * LETTERING / 2
+    wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
+    if n_figures < 3:
+        return ((wide, deep),) * n_figures
+    return ((wide, deep), (half, deep), (half, deep)) + slots(n_figures - 3)
+
+
+FIGURE_SPACE = slots(3)

@@ -1,0 +1,186 @@
+"""Mark -> primitives: what each mark of a construction looks like on paper."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from typing import assert_never
+
+from ..board.construction import View
+from ..board.marks import (
+    AngleMark,
+    Arc,
+    Block,
+    Dot,
+    FixedGuide,
+    GearMark,
+    Ground,
+    ImageOf,
+    LinkNumber,
+    Mark,
+    Plate,
+    Point,
+    RackMark,
+    RightAngle,
+    Role,
+    Segment,
+    Slot,
+    TurnArrow,
+    Vector,
+)
+from . import bodies, shapes
+from .scene import Fill, Item, Layer, Stroke
+from .style import DOT_RADIUS, POLE_RADIUS, SYMBOL, THIN, Hue, kind_hue, pen, tint
+
+SQUARE = 2.5  # side of a right-angle square
+TURN = math.radians(105)  # sweep of a curved arrow
+NEAR = 1e-4  # mm: places closer than this are one
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """What a symbol must know of its figure: the view, the blocks, the tips of its vectors."""
+
+    view: View
+    blocks: tuple[Block, ...] = ()
+    tips: tuple[complex, ...] = ()
+
+    @classmethod
+    def of(cls, view: View, marks: tuple[Mark, ...]) -> Surroundings:
+        """Gathered from the figure's marks."""
+        return cls(view=view, blocks=tuple(m for m in marks if isinstance(m, Block)),
+                   tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5))
+
+    def pinned(self, a: complex, b: complex) -> bool:
+        """Whether a link from a to b ends on a block's pin, across the block: it then lies over the block."""
+        return any(min(abs(a - k.at), abs(b - k.at)) < NEAR and abs(((b - a) * k.along.conjugate()).imag) > 0.02 * abs(b - a)
+                   for k in self.blocks)
+
+    def tipped(self, at: complex) -> bool:
+        """Whether an arrowhead already shows the place."""
+        return any(abs(at - tip) < NEAR for tip in self.tips)
+
+
+def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
+    """The primitives of one mark, without lettering."""
+    match mark:
+        case Segment() | Vector() | Arc():
+            return _line(mark, around)
+        case Point():
+            return _point(mark, around)
+        case RightAngle():
+            return _square(mark)
+        case ImageOf(points=points, step=step):
+            return (Fill(points=points, hue=tint(around.view), layer=Layer.TINT, step=step),) if len(points) > 2 else ()
+        case TurnArrow():
+            return _turn(mark, around)
+        case AngleMark():
+            return _angle(mark)
+        case LinkNumber():
+            return ()
+        case Plate() | Ground() | FixedGuide() | Block() | Slot() | GearMark() | RackMark():
+            return _body(mark)
+    assert_never(mark)
+
+
+def _body(mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark) -> tuple[Item, ...]:
+    match mark:
+        case Plate():
+            return bodies.plate(mark)
+        case Ground():
+            return bodies.ground(mark)
+        case FixedGuide():
+            return bodies.guide(mark)
+        case Block():
+            return bodies.block(mark)
+        case Slot():
+            return bodies.slot(mark)
+        case GearMark():
+            return bodies.gear(mark)
+        case RackMark():
+            return bodies.rack(mark)
+    assert_never(mark)
+
+
+def _line(mark: Segment | Vector | Arc, around: Surroundings) -> tuple[Item, ...]:
+    match mark:
+        case Segment(a=a, b=b, role=role):
+            p = pen(role, Hue.BLACK)
+            layer = Layer.THIN if p.width == THIN else Layer.OVER if around.pinned(a, b) else Layer.LINE
+            return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
+        case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
+            p = pen(role, Hue.BLACK)
+            full = abs(abs(sweep) - 2 * math.pi) < 1e-9
+            points = shapes.circle(centre, radius) if full else shapes.arc(centre, radius, start, sweep)
+            layer = Layer.THIN if p.width == THIN else Layer.LINE
+            return (Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step),)
+        case Vector():
+            return _vector(mark, around)
+    assert_never(mark)
+
+
+def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
+    length = abs(mark.b - mark.a)
+    if length < NEAR:
+        return ()
+    u = (mark.b - mark.a) / length
+    p = pen(mark.role, kind_hue(around.view, mark.label))
+    width = shapes.shaft_width(length, p.width)
+    tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
+    # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
+    end = mark.b - u * shapes.head_length(length) * 0.75
+    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else Layer.LINE
+    return (Stroke(points=(mark.a, end), width=width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),
+            Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step))
+
+
+def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:
+    match mark.dot:
+        case Dot.JOINT:
+            return bodies.joint(mark.at, mark.step)
+        case Dot.POLE:
+            ring = shapes.circle(mark.at, POLE_RADIUS)
+            return (Fill(points=ring, hue=Hue.WHITE, layer=Layer.JOINT, step=mark.step),
+                    Stroke(points=ring, width=0.25, closed=True, layer=Layer.JOINT, step=mark.step))
+        case Dot.POINT:
+            if around.tipped(mark.at):
+                return ()
+            return (Fill(points=shapes.circle(mark.at, DOT_RADIUS), layer=Layer.HEAD, step=mark.step),)
+        case Dot.NONE:
+            return ()
+    assert_never(mark.dot)
+
+
+def _square(mark: RightAngle) -> tuple[Item, ...]:
+    u, v = SQUARE * mark.u / abs(mark.u), SQUARE * mark.v / abs(mark.v)
+    corner = (mark.at + u, mark.at + u + v, mark.at + v)
+    return (Stroke(points=corner, width=THIN, layer=Layer.THIN, step=mark.step),)
+
+
+def curved_head(centre: complex, radius: float, end: float, turn: float, length: float) -> tuple[complex, complex, complex]:
+    """An arrowhead at the end of an arc, along the chord of its own length (turn: +1 counter-clockwise)."""
+    tip = centre + cmath.rect(radius, end)
+    back = tip - (centre + cmath.rect(radius, end - turn * min(1.0, length / radius)))
+    return shapes.head(tip, back / abs(back), length, length / 3)
+
+
+def _turn(mark: TurnArrow, around: Surroundings) -> tuple[Item, ...]:
+    if mark.radius < NEAR:
+        return ()
+    turn = 1.0 if mark.ccw else -1.0
+    hue = Hue.BLACK if around.view is View.MECHANISM else kind_hue(around.view)
+    length = shapes.head_length(mark.radius * TURN)
+    bow = shapes.arc(mark.at, mark.radius, mark.start, turn * (TURN - 0.6 * length / mark.radius))
+    tip = curved_head(mark.at, mark.radius, mark.start + turn * TURN, turn, length)
+    return (Stroke(points=bow, width=SYMBOL, hue=hue, step=mark.step), Fill(points=tip, hue=hue, step=mark.step))
+
+
+def _angle(mark: AngleMark) -> tuple[Item, ...]:
+    bow = Stroke(points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.THIN, step=mark.step)
+    if mark.radius * abs(mark.sweep) < 8.0:
+        return (bow,)
+    turn = math.copysign(1.0, mark.sweep)
+    tips = (curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, 2.4),
+            curved_head(mark.at, mark.radius, mark.start, -turn, 2.4))
+    return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))

@@ -1,0 +1,228 @@
+"""Which links move together: the mechanism taken apart into Assur groups, in the order of their solution.
+
+Frame and driving links are known. An Assur group is a smallest set of links whose joints, among themselves
+and to known links, fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and
+six joints (class III or IV), and so on. Once solved, its links are known and the next group follows.
+
+A hinge of several links is one letter; any two links that carry it are pinned. A rolling joint fixes two
+coordinates (contact and no slip), or one where links hold the gear's centre at its distance (see `is_held`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+
+from ..errors import MobilityError
+from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outer:
+    """A joint by which `link` of the group hangs on the known link `parent`."""
+
+    joint: Joint
+    link: str
+    parent: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Dyad:
+    """A class II group: link j on its parent, link k on its parent, and the inner joint between j and k.
+
+    Order: of the outer joints R stands before P, and P before G (a rolling joint): RRP has its outer hinge
+    first, RPP its outer hinge, then the inner P, then the outer P. Else j stands before k in the mechanism.
+    """
+
+    kind: str
+    link_j: str
+    link_k: str
+    outer_j: Joint
+    parent_j: str
+    inner: Joint
+    outer_k: Joint
+    parent_k: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Group:
+    """Links solved together.
+
+    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" (one link), "gear train", "class III", ...
+    """
+
+    kind: str
+    links: tuple[str, ...]
+    inner: tuple[Joint, ...]
+    outer: tuple[Outer, ...]
+    dyad: Dyad | None = None
+
+    @property
+    def name(self) -> str:
+        """For messages: RRR group 2, 3."""
+        return f"{self.kind} group {', '.join(self.links)}"
+
+
+def decompose(mech: Mechanism) -> tuple[Group, ...]:
+    """The Assur groups for the mechanism's own drives, in order of solution.
+
+    Raises MobilityError where links remain that no known link determines.
+    """
+    known = [FRAME, *(drive.link for drive in mech.drives)]
+    rest = [link.name for link in mech.links if link.name not in known]
+    groups: list[Group] = []
+    while rest:
+        group = next(_candidates(mech, tuple(rest), tuple(known)), None)
+        if group is None:
+            raise MobilityError(
+                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: "
+                f"a joint or a drive is missing, or one too many"
+            )
+        groups.append(group)
+        known += group.links
+        rest = [name for name in rest if name not in group.links]
+    return tuple(groups)
+
+
+def joint_letter(joint: Joint) -> str:
+    """R, P or G."""
+    match joint:
+        case Revolute():
+            return "R"
+        case Prismatic():
+            return "P"
+        case Rolling():
+            return "G"
+
+
+def ends(joint: Joint) -> tuple[str, str]:
+    """The two links which the joint connects: a and b, guide and block, gear and its partner."""
+    match joint:
+        case Revolute():
+            return joint.a, joint.b
+        case Prismatic():
+            return joint.guide, joint.block
+        case Rolling():
+            return joint.gear.link, joint.on.link
+
+
+def hinges(mech: Mechanism) -> dict[str, tuple[str, ...]]:
+    """Letter of every hinge -> the links pinned there, in the order of the mechanism, the frame last."""
+    at: dict[str, set[str]] = {}
+    for joint in mech.joints:
+        if isinstance(joint, Revolute):
+            at.setdefault(joint.point, set()).update((joint.a, joint.b))
+    order = [*(link.name for link in mech.links), FRAME]
+    return {point: tuple(name for name in order if name in names) for point, names in at.items()}
+
+
+def is_held(mech: Mechanism, rolling: Rolling) -> bool:
+    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint.
+
+    So it is where one link is pinned at both centres, or is pinned at the gear's centre and guided along a rack.
+    """
+    pins = hinges(mech)
+    holders = {*pins.get(rolling.gear.centre, ()), rolling.gear.link} - {rolling.on.link}
+    if rolling.on.link in pins.get(rolling.gear.centre, ()):
+        return True
+    if not isinstance(rolling.on, Rack):
+        return any(name in pins.get(rolling.on.centre, ()) for name in holders - {rolling.gear.link})
+    slides = [set(ends(joint)) for joint in mech.joints if isinstance(joint, Prismatic)]
+    return any({name, rolling.on.link} in slides for name in holders - {rolling.gear.link})
+
+
+def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) -> Iterator[Group]:
+    """Groups that the known links determine, the smallest first, in the order of the links."""
+    for size in range(1, len(rest) + 1):
+        for links in combinations(rest, size):
+            group = _group(mech, links, known)
+            if group is not None:
+                yield group
+
+
+def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> Group | None:
+    """The group of just these links, or None where they are not one."""
+    inner, outer = _joints(mech, links, known)
+    constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer)))
+    if constraints != 3 * len(links) or not _connected(links, inner):
+        return None
+    if len(links) == 1:
+        kind = "gear" if any(isinstance(out.joint, Rolling) for out in outer) else "class I"
+        return Group(kind=kind, links=links, inner=inner, outer=outer)
+    if len(links) == 2 and len(inner) == 1 and {out.link for out in outer} == set(links) and len(outer) == 2:
+        dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
+        return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
+    rolls = any(isinstance(joint, Rolling) for joint in (*inner, *(out.joint for out in outer)))
+    kind = "gear train" if rolls else f"class {_class(links, inner)}"
+    return Group(kind=kind, links=links, inner=inner, outer=outer)
+
+
+def _constraints(mech: Mechanism, joint: Joint) -> int:
+    return 1 if isinstance(joint, Rolling) and is_held(mech, joint) else 2
+
+
+def _joints(
+    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]
+) -> tuple[tuple[Joint, ...], tuple[Outer, ...]]:
+    """Joints within the links, and joints from them to known links."""
+    inner: list[Joint] = []
+    outer: list[Outer] = []
+    for point, names in hinges(mech).items():
+        mine = [name for name in links if name in names]
+        parent = next((name for name in known if name in names), None)
+        if parent is not None:
+            pins = (Revolute(point=point, a=parent, b=name) for name in mine)
+            outer += [Outer(joint=pin, link=pin.b, parent=parent) for pin in pins]
+        else:
+            inner += [Revolute(point=point, a=a, b=b) for a, b in pairwise(mine)]
+    for joint in mech.joints:
+        if isinstance(joint, Revolute):
+            continue
+        a, b = ends(joint)
+        if a in links and b in links:
+            inner.append(joint)
+        elif a in links and b in known:
+            outer.append(Outer(joint=joint, link=a, parent=b))
+        elif b in links and a in known:
+            outer.append(Outer(joint=joint, link=b, parent=a))
+    return tuple(inner), tuple(outer)
+
+
+def _connected(links: tuple[str, ...], inner: Iterable[Joint]) -> bool:
+    """Whether the inner joints hang all the links together."""
+    edges = [ends(joint) for joint in inner]
+    reached, before = {links[0]}, 0
+    while len(reached) != before:
+        before = len(reached)
+        reached |= {name for a, b in edges if a in reached or b in reached for name in (a, b)}
+    return reached == set(links)
+
+
+_RANK = {"R": 0, "P": 1, "G": 2}
+
+
+def _dyad(inner: Joint, one: Outer, two: Outer) -> Dyad:
+    """The dyad in normal order: the simpler outer joint first (R before P before G)."""
+    if _RANK[joint_letter(two.joint)] < _RANK[joint_letter(one.joint)]:
+        one, two = two, one
+    kind = joint_letter(one.joint) + joint_letter(inner) + joint_letter(two.joint)
+    return Dyad(
+        kind=kind, link_j=one.link, link_k=two.link, outer_j=one.joint, parent_j=one.parent,
+        inner=inner, outer_k=two.joint, parent_k=two.parent,
+    )
+
+
+def _class(links: tuple[str, ...], inner: tuple[Joint, ...]) -> str:
+    """III where the inner joints close no contour; else the number of sides of the longest closed contour."""
+    sides = max((len(loop) for loop in _loops(links, [ends(joint) for joint in inner])), default=3)
+    return {3: "III", 4: "IV", 5: "V", 6: "VI"}.get(sides, str(sides))
+
+
+def _loops(links: tuple[str, ...], edges: list[tuple[str, str]]) -> Iterator[tuple[str, ...]]:
+    """Closed contours: sets of links in which every link meets exactly two others."""
+    for size in range(3, len(links) + 1):
+        for loop in combinations(links, size):
+            degree = [sum(name in edge and set(edge) <= set(loop) for edge in edges) for name in loop]
+            if all(d == 2 for d in degree):
+                yield loop

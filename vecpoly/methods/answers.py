@@ -1,0 +1,114 @@
+"""The answers read off the finished drawing: one reading for every quantity asked."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..board.construction import Reading, View
+from ..errors import NoMethodError
+from ..formula import Row, Txt, sym
+from ..names import At, Kind, Rel
+from ..plane import Points, Reals, nominal
+from ..quantity import magnitude, stated, worked
+from ..words import Words
+from .desk import Desk
+from .kinematics.terms import symbol
+
+Repeats = dict[str, tuple[Points | None, Reals]]  # key -> (vectors, scalars) over all hands
+
+
+def answer(desk: Desk, rel: Rel) -> tuple[Reading, Points | None, Reals]:
+    """Read one asked quantity off the paper: the reading, and its values by all hands (vector, scalar).
+
+    Raises NoMethodError when the construction holds no such line.
+    """
+    if not rel.kind.is_vector:
+        return _turn(desk, rel)
+    if rel.kind is Kind.P:
+        return _position(desk, rel)
+    return _vector(desk, rel)
+
+
+def _turn(desk: Desk, rel: Rel) -> tuple[Reading, None, Reals]:
+    if rel not in desk.turns:
+        raise NoMethodError(f"{rel.key} was not found on the drawing: no method on file gives it")
+    turn = desk.turns[rel]
+    greek = "ω" if rel.kind is Kind.OMEGA else "α"
+    name = f"{greek}_{rel.to.link}"
+    remark = Words("该构件作平动", "the link only translates") if turn.never else None
+    value = float(nominal(turn.value))
+    return Reading(key=rel.key, symbol=name, unit=rel.kind.unit, scalar=value, remark=remark,
+                   formula=stated(magnitude(name, value, rel.kind.unit))), None, turn.value
+
+
+def _position(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
+    name = str(rel.to)
+    place = desk.at[name] if name in desk.at else desk.at[rel.to.point]
+    read = desk.board.hand.read(np.real(place)) + 1j * desk.board.hand.read(np.imag(place))
+    scale = desk.board.scales[View.MECHANISM]
+    metres = read * scale.value
+    vector = complex(nominal(metres))
+    text = Row((sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
+    return (Reading(key=rel.key, symbol=name[0] + (f"_{{{name[1:]}}}" if name[1:] else ""), unit="m", scalar=abs(vector),
+                    vector=vector, scale=scale.symbol, formula=text), metres, np.abs(metres))
+
+
+def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
+    view, start, end, line = _line(desk, rel)
+    board, scale = desk.board, desk.board.scales[view]
+    on_paper = board.measure(start, end, line)
+    direction = board.hand.gauge(np.angle(end - start))
+    sign = symbol(desk, Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None), rel.to.link)
+    size = on_paper.value * scale.value
+    values = size * np.exp(1j * direction)
+    exact_zero = abs(complex(nominal(end - start))) < 1e-9
+    reading = Reading(
+        key=rel.key, symbol=_asked(rel, sign), unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
+        vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,
+        formula=worked(sym(_asked(rel, sign)), board.mu(view) * on_paper, rel.kind.unit), remark=_vanishing(desk, rel, exact_zero),
+    )
+    return reading, values, size
+
+
+def _asked(rel: Rel, drawn: str) -> str:
+    """The symbol as the problem asks for it, with the links' numbers it names."""
+    stem = drawn.split("_")[0]
+    return f"{stem}_{{{rel.to}{rel.ref or ''}}}"
+
+
+def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
+    """Where the vector stands: figure, start, end, letters."""
+    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
+    if own.key in desk.ends:
+        view, start, end = desk.ends[own.key]
+        return view, start, end, _letters(desk, view, own)
+    view = View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
+    if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
+        start = 0j if own.ref is None else desk.tip(view, own.ref)
+        return view, start, desk.tip(view, own.to), _letters(desk, view, own)
+    if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
+        return View.ACCELERATION, 0j, 0j, "—"
+    raise NoMethodError(f"{rel.key} was not drawn: no method on file gives it for this mechanism")
+
+
+def _letters(desk: Desk, view: View, rel: Rel) -> str:
+    pole = "p" if view is View.VELOCITY else "p′"
+    end = desk.tip_label(view, rel.to)
+    if rel.kind in (Kind.V, Kind.A):
+        start = pole if rel.ref is None or desk.at_rest(view, rel.ref) else desk.tip_label(view, rel.ref)
+        return f"{start} {end}"
+    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: "k′", Kind.AR: f"k′ {end}"}[rel.kind]
+
+
+def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:
+    """Why a Coriolis term is zero."""
+    if rel.kind is not Kind.AK or not zero:
+        return None
+    turns = [t for r, t in desk.turns.items() if r.kind is Kind.OMEGA and r.to.link == rel.to.link]
+    if turns and turns[0].never:
+        return Words(f"构件 {rel.to.link} 作平动，哥氏加速度不存在", f"link {rel.to.link} only translates: no Coriolis term exists")
+    if turns and abs(float(nominal(turns[0].value))) < 1e-9:
+        return Words(f"此瞬时 $ω_{rel.to.link}$ = 0", f"$ω_{rel.to.link}$ = 0 at this instant")
+    return Words("此瞬时相对速度为零", "the relative velocity is zero at this instant")
+
+

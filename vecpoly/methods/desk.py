@@ -1,0 +1,188 @@
+"""What lies on the desk while a mechanism is solved: the board, the links as drawn, the velocities found so far.
+
+Every number here was laid off, met, measured or computed on the board. Lengths on paper are in mm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..board.board import Board
+from ..board.construction import View
+from ..mechanism.model import FRAME, Link, Mechanism, Prismatic, Rack, Rolling
+from ..names import At, Rel
+from ..plane import Line, Points, Reals, unit
+from ..quantity import Quantity, magnitude
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A link as drawn: the paper point of its origin and the paper direction of its x axis."""
+
+    origin: Points
+    along: Points
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """ω or α of a link, signed; `never` where the link cannot turn at all (it only translates)."""
+
+    value: Reals
+    never: bool = False
+
+
+@dataclass(slots=True)
+class Desk:
+    """The state of one solution."""
+
+    board: Board
+    mech: Mechanism
+    coincident: frozenset[str] = frozenset()  # letters that stand for points of several links here
+    at: dict[str, Points] = field(default_factory=dict)
+    pose: dict[str, Pose] = field(default_factory=dict)
+    tips: dict[tuple[View, At], Points] = field(default_factory=dict)
+    turns: dict[Rel, Turn] = field(default_factory=dict)
+    ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
+    placed_in: dict[str, int] = field(default_factory=dict)  # link -> step that located it
+    lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
+    centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
+
+    # -- names ------------------------------------------------------------------------------------------------
+
+    def canonical(self, at: At) -> At:
+        """B2 is plain B where link 2 itself carries B; B3 stays B3 where link 3 is only passed over."""
+        carried = at.link and at.point in self.mech.link(at.link).points
+        return At(at.point) if carried else at
+
+    def show(self, at: At, link: str = "") -> str:
+        """The letter as printed: with a link's number where several links' points coincide here."""
+        if at.link and at == self.canonical(at):
+            return at.point + at.link
+        if at.point not in self.coincident:
+            return at.point
+        carriers = [name for name in self.mech.links_at(at.point) if name != FRAME]
+        return at.point + (link if link in carriers else (carriers[-1] if carriers else ""))
+
+    def tip_label(self, view: View, at: At, link: str = "") -> str:
+        """The letter of a tip on a polygon: b, b_3, b_3′."""
+        name = self.show(at, link)
+        letter, digits = name.rstrip("0123456789").lower(), name[len(name.rstrip("0123456789")):]
+        prime = "′" if view is View.ACCELERATION else ""
+        return f"{letter}_{{{digits}}}{prime}" if digits else letter + prime
+
+    # -- the mechanism as drawn ---------------------------------------------------------------------------------
+
+    def mm(self, metres: float) -> float:
+        """A length of the mechanism on paper."""
+        return metres / self.board.scales[View.MECHANISM].value
+
+    def place(self, link: str, local: complex) -> Points:
+        """Paper point of a point given in link coordinates (m)."""
+        if link == FRAME:
+            return complex(local.real, local.imag) / self.board.scales[View.MECHANISM].value
+        pose = self.pose[link]
+        return pose.origin + pose.along * self.mm(1.0) * local
+
+    def axis(self, link: str) -> Points:
+        """Paper direction of the link's x axis."""
+        return 1 + 0j if link == FRAME else self.pose[link].along
+
+    def settle(self, link: str, points: tuple[str, str]) -> None:
+        """Take the link's pose from two of its points, already drawn."""
+        body = self.mech.link(link)
+        p, q = (body.points[name] for name in points)
+        along = unit(self.at[points[1]] - self.at[points[0]]) * np.conj(unit(q - p))
+        self.pose[link] = Pose(self.at[points[0]] - along * self.mm(1.0) * p, along)
+        self.settle_rest(link)
+
+    def settle_turned(self, link: str, point: str, along: Points) -> None:
+        """Take the link's pose from one of its points and the direction of its x axis."""
+        local = self.mech.link(link).points[point]
+        self.pose[link] = Pose(self.at[point] - along * self.mm(1.0) * local, along)
+        self.settle_rest(link)
+
+    def settle_rest(self, link: str) -> None:
+        """Letter the link's further points."""
+        self.placed_in[link] = len(self.board.steps)
+        for name, local in self.mech.link(link).points.items():
+            if name not in self.at:
+                self.at[name] = self.place(link, local)
+
+    def guide_line(self, joint: Prismatic) -> Line:
+        """The guide of a sliding pair as drawn, found from whichever of its two links is drawn."""
+        if joint.guide == FRAME or joint.guide in self.pose:
+            return Line(self.place(joint.guide, joint.origin), self.axis(joint.guide) * np.exp(1j * joint.direction))
+        along = self.axis(joint.block) * np.exp(-1j * joint.turn)
+        pin = self.mech.link(joint.block).points[joint.pin]
+        return Line(self.place(joint.block, pin) - 1j * along * self.mm(joint.offset), along)
+
+    def offset(self, joint: Prismatic, link: str, point: str) -> float:
+        """How far (m) a point of either link lies to the left of the guide."""
+        local = self.mech.link(link).points[point]
+        if link == joint.guide:
+            return float((np.exp(-1j * joint.direction) * (local - joint.origin)).imag)
+        pin = self.mech.link(joint.block).points[joint.pin]
+        return joint.offset + float((np.exp(1j * joint.turn) * (local - pin)).imag)
+
+    def locus(self, joint: Prismatic, link: str, point: str) -> Line:
+        """The line on which a point of the still undrawn link of a sliding pair must lie."""
+        line = self.guide_line(joint)
+        return Line(line.at + 1j * line.along * self.mm(self.offset(joint, link, point)), line.along)
+
+    def body(self, name: str) -> Link:
+        """The link of this name."""
+        return self.mech.link(name)
+
+    def contact(self, joint: Rolling) -> Points:
+        """Pitch point of a rolling pair as drawn: foot on the rack, or on the line of centres."""
+        centre = self.at[joint.gear.centre]
+        if isinstance(joint.on, Rack):
+            line = Line(self.place(joint.on.link, joint.on.origin), self.axis(joint.on.link) * np.exp(1j * joint.on.direction))
+            off = (np.conj(line.along) * (centre - line.at)).imag
+            return centre - 1j * line.along * off
+        return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (-1 if joint.internal else 1)
+
+    # -- what is known of the motion ------------------------------------------------------------------------------
+
+    def tip(self, view: View, at: At) -> Points:
+        """End of a point's vector on a polygon; points of the frame are at the pole."""
+        at = self.canonical(at)
+        return 0j if self.at_rest(view, at) else self.tips[view, at]
+
+    def at_rest(self, view: View, at: At) -> bool:
+        """Whether the point's vector is zero for good: a point of the frame, or a contact with a fixed rack (velocity only)."""
+        at = self.canonical(at)
+        return not at.link and (at.point in self.mech.frame or (view is View.VELOCITY and at.point in self.centres))
+
+    def where(self, at: At) -> Points:
+        """Place of a point on the diagram; M2, found as a point of link 2, has a place of its own."""
+        return self.at[str(at)] if str(at) in self.at else self.at[at.point]
+
+    def has_tip(self, view: View, at: At) -> bool:
+        """Whether the point's vector is already drawn."""
+        at = self.canonical(at)
+        return (view, at) in self.tips or self.at_rest(view, at)
+
+    def letters(self, link: str) -> tuple[str, ...]:
+        """Letters of the link: its points and its rolling contacts."""
+        rolls = [j.point for j in self.mech.joints if isinstance(j, Rolling) and link in (j.gear.link, j.on.link)]
+        return (*self.mech.link(link).points, *rolls)
+
+    def length(self, p: str, q: str) -> Quantity:
+        """l_PQ: given by the problem where one link carries both points; else measured once on the diagram, × μ_l."""
+        pair = frozenset((p, q))
+        for link in (*self.mech.links, Link(name=FRAME, points=self.mech.frame)):
+            if pair <= set(link.points):
+                return magnitude(f"l_{p}{q}", abs(link.points[p] - link.points[q]), "m")
+        if pair not in self.lengths:
+            on_paper = self.board.measure(self.at[p], self.at[q], f"{p} {q}")
+            mu = self.board.mu(View.MECHANISM)
+            self.lengths[pair] = self.board.compute(f"l_{p}{q}", mu * on_paper, "m")
+        return self.lengths[pair]
+
+    def towards(self, p: str, q: str) -> Points:
+        """Direction of the drawn line from P to Q."""
+        return unit(self.at[q] - self.at[p])
+

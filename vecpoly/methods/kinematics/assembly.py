@@ -1,0 +1,68 @@
+"""Which of two meeting points is meant: the branch statement of the problem, read on the drawing."""
+
+from __future__ import annotations
+
+from ...errors import AssemblyError
+from ...mechanism.branch import margin
+from ...mechanism.model import FRAME, SideOf
+from ...plane import Points, nominal
+from ...words import Words
+from ..desk import Desk
+
+_SIDE = {"left": "左侧", "right": "右侧", "above": "上方", "below": "下方"}
+
+
+def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, Points]) -> tuple[Points, SideOf | None]:
+    """The meeting point that fulfils the statements about this group, and the statement that decided.
+
+    Raises AssemblyError when both or neither do: the text says which words would help.
+    """
+    first, second = (complex(nominal(p)) for p in pair)
+    if abs(first - second) < 1e-9:
+        return pair[0], None
+    drawn = {name: complex(nominal(p)) for name, p in desk.at.items()}
+    trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
+    new = set(trials[0]) - set(drawn)
+    about = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(trials[0]) and {s.point, *s.ref} & new]
+    fits = [all(margin(s, trial) > 0 for s in about) for trial in trials]
+    if not about or fits[0] == fits[1]:
+        raise AssemblyError(_which(point, links, desk, about))
+    deciding = next(s for s in about if (margin(s, trials[0]) > 0) != (margin(s, trials[1]) > 0))
+    return (pair[0] if fits[0] else pair[1]), deciding
+
+
+def said(statement: SideOf | None) -> Words:
+    """The deciding statement in words."""
+    if statement is None:
+        return Words("", "")
+    ref = "".join(statement.ref)
+    return Words(f"（取 ${statement.point}$ 在 ${ref}$ {_SIDE[statement.side]}的一点）", f" (of the two, ${statement.point}$ {_en(statement)} ${ref}$)")
+
+
+def _en(statement: SideOf) -> str:
+    return {"left": "to the left of", "right": "to the right of", "above": "above", "below": "below"}[statement.side]
+
+
+def _with_point(
+    desk: Desk, drawn: dict[str, complex], point: str, links: tuple[str, ...], at: complex
+) -> dict[str, complex]:
+    """All points that would be known if the group's point were there."""
+    known = {**drawn, point: at}
+    for name in links:
+        body = desk.mech.link(name).points
+        held = [p for p in body if p in known]
+        if name != FRAME and point in held and len(held) > 1:
+            p, q = held[0], held[1]
+            turn = (known[q] - known[p]) / (body[q] - body[p])
+            known |= {r: known[p] + turn * (local - body[p]) for r, local in body.items() if r not in known}
+    return known
+
+
+def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[SideOf]) -> str:
+    others = [p for name in links for p in desk.mech.link(name).points if p != point and p in desk.at][:2]
+    line = "".join(others) if len(others) == 2 else (others[0] if others else "A")
+    problem = "contradict each other or name no side" if about else "say nothing of it"
+    return (
+        f"point {point} of links {', '.join(links)} can be assembled on two sides and the branch statements {problem}; "
+        f"write 'branch: [{point} left of {line}]' or 'branch: [{point} right of {line}]'"
+    )

@@ -1,0 +1,80 @@
+"""One side of a velocity or acceleration equation: the way from the pole to the sought point over one link or one guide."""
+
+from __future__ import annotations
+
+from ...board.construction import View
+from ...mechanism.model import FRAME, Prismatic
+from ...names import At, Kind, Rel, alpha, omega
+from ...plane import Points
+from ...vector.close import Closed, close
+from ...vector.equation import Equation, Term
+from ..desk import Desk, Turn
+from .image import imaged
+from .terms import across, coriolis, known, normal, sliding, tangential
+
+_STILL = Turn(0.0, never=True)
+
+
+def turning_chain(desk: Desk, view: View, at: At, about: str, link: str) -> tuple[Term, ...]:
+    """Over a turning link: v_P + v_CP, or a_P + a^n_CP + a^t_CP; P falls away where it is fixed."""
+    rest = desk.at_rest(view, At(about))
+    front = () if rest else (known(desk, view, At(about), link),)
+    if view is View.VELOCITY:
+        rel = Rel(Kind.V, desk.canonical(at), None if rest else At(about))
+        return (*front, across(desk, rel, about, at.point, link))
+    return (*front, normal(desk, at, about, link), tangential(desk, at, about, link))
+
+
+def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, parent: str, link: str) -> tuple[Term, ...]:
+    """Over a guide: v_base + v^r, or a_base + a^k + a^r, base being the coincident point of the other link.
+
+    On a guide that is part of the frame the point's own vector lies along the guide.
+    """
+    to, ref = desk.canonical(at), desk.canonical(base)
+    kind = Kind.V if view is View.VELOCITY else Kind.A
+    if parent == FRAME:
+        return (sliding(desk, Rel(kind, to), joint, link),)
+    front = known(desk, view, base, parent)
+    if view is View.VELOCITY:
+        return (front, sliding(desk, Rel(Kind.V, to, ref), joint, link))
+    if desk.turns[omega(parent)].never:
+        return (front, sliding(desk, Rel(Kind.A, to, ref), joint, link))
+    _, start, end = desk.ends[Rel(Kind.V, to, ref).key]
+    return (front, coriolis(desk, to, ref, parent, (start, end), link), sliding(desk, Rel(Kind.AR, to, ref), joint, link))
+
+
+def coincident_tip(desk: Desk, view: View, point: str, parent: str) -> At:
+    """The point of the parent link that lies under `point`; its vector is found first where it is missing."""
+    at = At(point, parent)
+    if parent != FRAME and not desk.has_tip(view, at):
+        imaged(desk, view, parent, desk.canonical(at))
+    return at
+
+
+def solve(desk: Desk, view: View, eq: Equation, to: At, link: str) -> Closed:
+    """Write the equation into the step, draw it, letter the meeting point, keep the ends of all its vectors."""
+    board = desk.board
+    board.equate(eq.table())
+    closed = close(board, view, 0j, eq)
+    desk.tips[view, desk.canonical(to)] = closed.meeting
+    board.plot(view, closed.meeting, desk.tip_label(view, to, link))
+    board.arrow_once(view, 0j, closed.meeting)
+    desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
+    return closed
+
+
+def letters(desk: Desk, view: View, start: At | None, end: At, link: str) -> str:
+    """Letters of a paper length: ``p c_2`` or ``b c_2``."""
+    pole = "p" if view is View.VELOCITY else "p′"
+    first = pole if start is None or desk.at_rest(view, start) else desk.tip_label(view, start, link)
+    return f"{first} {desk.tip_label(view, end, link)}"
+
+
+def never_turns(desk: Desk, link: str) -> None:
+    """A link that only translates has neither ω nor α, ever."""
+    desk.turns[omega(link)] = desk.turns[alpha(link)] = _STILL
+
+
+def v_ends(closed: Closed, rel: Rel) -> tuple[Points, Points]:
+    """Start and end of one vector of a closed polygon."""
+    return closed.ends[rel.key]

@@ -1,0 +1,180 @@
+"""The kinematic diagram in its found position: links, hinges, sliders and guides with the symbols of GB/T 4460."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from ...board.construction import View
+from ...board.marks import (
+    Block,
+    Dot,
+    FixedGuide,
+    GearMark,
+    Ground,
+    LinkNumber,
+    Mark,
+    Plate,
+    Point,
+    RackMark,
+    Role,
+    Segment,
+    Slot,
+    TurnArrow,
+)
+from ...mechanism.model import FRAME, Link, Prismatic, Rack, Revolute, Rolling
+from ...plane import nominal
+from ...problem.problem import Shape
+from ..desk import Desk
+
+HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
+BEYOND = 12.0  # mm a rod sticks out behind its block
+HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
+
+
+def draw_frame(desk: Desk, shapes: Mapping[str, Shape]) -> None:
+    """What is there before anything moves: fixed pivots, fixed guides, racks."""
+    pinned = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
+    for name, at in desk.mech.frame.items():
+        if name in pinned:
+            desk.board.mark(View.MECHANISM, Ground(at=at * desk.mm(1.0), down=-1j))
+            desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, Dot.JOINT)
+
+
+def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) -> None:
+    """The links of one group, once they are located."""
+    for name in links:
+        body = desk.mech.link(name)
+        desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)))
+    for joint in desk.mech.joints:
+        if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
+            if {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN:
+                desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes))
+        elif isinstance(joint, Rolling) and joint.gear.link in links:
+            desk.board.mark(View.MECHANISM, *_rolling_pair(desk, joint))
+    _letters(desk, links)
+
+
+def draw_drive_arrow(desk: Desk) -> None:
+    """The curved arrow with ω at the driving link's pivot."""
+    drive = desk.mech.drive
+    if drive.slide:
+        return
+    pivot = next(p for p in desk.mech.link(drive.link).points if p in desk.mech.frame)
+    start = drive.position + (0.6 if drive.rate > 0 else -0.6)
+    desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=9.0, start=float(start), ccw=drive.rate > 0,
+                                              label=f"ω_{drive.link}"))
+
+
+def _spot(desk: Desk, name: str) -> complex:
+    return complex(nominal(desk.at[name]))
+
+
+def _letters(desk: Desk, links: tuple[str, ...]) -> None:
+    """Letter the points of these links that have no letter yet; hinges are open circles."""
+    done = {m.label for m in desk.board.marks(View.MECHANISM) if isinstance(m, Point)}
+    hinged = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
+    contacts = {j.point for j in desk.mech.joints if isinstance(j, Rolling)}
+    for link in links:
+        for name in desk.letters(link):
+            if name not in done and name in desk.at and not name.endswith("'"):
+                dot = Dot.JOINT if name in hinged else (Dot.POINT if name in contacts or name not in hinged else Dot.NONE)
+                desk.board.plot(View.MECHANISM, desk.at[name], name, dot)
+                done.add(name)
+
+
+def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
+    spots = [complex(nominal(desk.at[p])) for p in body.points]
+    if shape is Shape.GEAR or shape is Shape.PIN:
+        return
+    if shape is Shape.BLOCK and len(spots) > 1:
+        for spot in spots[1:]:
+            yield Segment(a=spots[0], b=spot, role=Role.LINK)
+    guide = next((j for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == body.name), None)
+    if shape in (Shape.SLOT, Shape.ROD) and guide is not None:
+        yield from _guide_body(desk, body, guide, shape)
+    elif len(spots) >= 2 and shape is not Shape.BLOCK:
+        yield from _bar(spots)
+    if spots and shape is not Shape.BLOCK:
+        end = spots[1] if len(spots) > 1 else _mid_guide(desk, guide, spots[0])
+        yield LinkNumber(a=spots[0], b=end, number=body.name)
+    elif spots:
+        yield LinkNumber(a=spots[0], b=spots[0], number=body.name)
+
+
+def _mid_guide(desk: Desk, guide: Prismatic | None, start: complex) -> complex:
+    return start if guide is None or guide.pin not in desk.at else (start + _spot(desk, guide.pin)) / 2
+
+
+def _bar(spots: list[complex]) -> Iterator[Mark]:
+    """A bar, or a plate where the points are not in line."""
+    base = spots[1] - spots[0]
+    off = [abs((np.conj(base) * (s - spots[0])).imag) / abs(base) for s in spots[2:]]
+    if len(spots) > 2 and max(off) > 0.5:
+        yield Plate(points=_around(spots))
+    else:
+        order = sorted(spots, key=lambda s: (np.conj(base) * (s - spots[0])).real)
+        yield Segment(a=order[0], b=order[-1], role=Role.LINK)
+
+
+def _around(spots: list[complex]) -> tuple[complex, ...]:
+    """Corners in order round their middle."""
+    middle = sum(spots) / len(spots)
+    return tuple(sorted(spots, key=lambda s: float(np.angle(s - middle))))
+
+
+def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Iterator[Mark]:
+    """A slotted link or a rod: from its own points along the guide to a little past the block."""
+    line = desk.guide_line(joint)
+    at, along = complex(nominal(line.at)), complex(nominal(line.along))
+
+    def travel(p: complex) -> float:
+        return float((np.conj(along) * (p - at)).real)
+
+    pin = _spot(desk, joint.pin) if joint.pin in desk.at else at
+    own = [_spot(desk, p) for p in body.points]
+    on_line = [travel(p) for p in own if abs((np.conj(along) * (p - at)).imag) < 0.3]
+    t = travel(pin)
+    if shape is Shape.SLOT:
+        start, end = at + along * (t - HALF_SLOT), at + along * (t + HALF_SLOT)
+        yield Slot(a=start, b=end)
+        for p in own:
+            near = min((start, end), key=lambda s: abs(s - p))
+            if abs(travel(p) - t) > HALF_SLOT or abs((np.conj(along) * (p - at)).imag) > 3:
+                yield Segment(a=p, b=near, role=Role.LINK)
+        return
+    back, ahead = min([*on_line, t - BEYOND]), max([*on_line, t + BEYOND])
+    yield Segment(a=at + along * (back if on_line and back in on_line else t - BEYOND), b=at + along * ahead, role=Role.LINK)
+    for p in own:
+        if abs((np.conj(along) * (p - at)).imag) >= 0.3:
+            yield Segment(a=at + along * travel(p), b=p, role=Role.LINK)
+
+
+def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> Iterator[Mark]:
+    line = desk.guide_line(joint)
+    at, along = complex(nominal(line.at)), complex(nominal(line.along))
+    pin = _spot(desk, joint.pin)
+    middle = at + along * float((np.conj(along) * (pin - at)).real)
+    if joint.guide == FRAME:
+        yield FixedGuide(a=middle - along * HALF_SLOT - 1j * along * HALF_BLOCK, b=middle + along * HALF_SLOT - 1j * along * HALF_BLOCK)
+    elif shapes.get(joint.guide) is Shape.ROD and joint.block == FRAME:
+        for side in (1, -1):
+            a, b = middle - side * along * 8, middle + side * along * 8
+            yield FixedGuide(a=a - 1j * side * along * 1.5, b=b - 1j * side * along * 1.5)
+        return
+    yield Block(at=middle, along=along, on_rod=shapes.get(joint.guide) is Shape.ROD)
+    if abs(pin - middle) > 0.3 and abs(pin - middle) > HALF_BLOCK:
+        yield Segment(a=middle, b=pin, role=Role.LINK)
+
+
+def _rolling_pair(desk: Desk, joint: Rolling) -> Iterator[Mark]:
+    centre = _spot(desk, joint.gear.centre)
+    yield GearMark(centre=centre, radius=desk.mm(joint.gear.radius))
+    yield LinkNumber(a=centre, b=centre, number=joint.gear.link)
+    if isinstance(joint.on, Rack):
+        along = complex(nominal(desk.axis(joint.on.link))) * complex(np.exp(1j * joint.on.direction))
+        foot = complex(nominal(desk.contact(joint)))
+        half = desk.mm(joint.gear.radius) * 1.3
+        way = along if joint.side == "left" else -along
+        yield RackMark(a=foot - way * half, b=foot + way * half, fixed=joint.on.link == FRAME)

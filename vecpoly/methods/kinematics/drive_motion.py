@@ -1,0 +1,106 @@
+"""Velocity and acceleration of the driving link: v_B = ω_1 l_AB, a_B^n = ω_1² l_AB, a_B^t = α_1 l_AB."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import View
+from ...board.marks import Role
+from ...mechanism.model import FRAME, Drive, Prismatic
+from ...names import At, Kind, Rel, alpha, omega
+from ...quantity import magnitude
+from ...words import Words
+from ..desk import Desk, Turn
+from ..registry import Stage, method
+from .chains import never_turns
+from .image import images_of_link
+
+_SOURCE = "机械原理, kinematic analysis by the vector equation method"
+_TITLE = Words("原动件的运动", "Motion of the driving link")
+
+
+@method(stage=Stage.VELOCITY, group="crank", title=_TITLE, source=_SOURCE, example="3-9")
+def velocity_crank(desk: Desk, drive: Drive) -> None:
+    """v_B = ω_1 l_AB, perpendicular to AB in the sense of ω_1: the first vector of the polygon."""
+    link, board = desk.mech.link(drive.link), desk.board
+    desk.turns[omega(drive.link)] = Turn(drive.rate)
+    pivot = next(p for p in link.points if p in desk.mech.frame)
+    others = [p for p in link.points if p != pivot]
+    if not others:
+        return
+    b = others[0]
+    way, way_en = ("逆时针", "ccw") if drive.rate > 0 else ("顺时针", "cw")
+    board.step(Words(f"$v_{b}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{b.lower()}$ 代表 $v_{b}$：",
+                     f"$v_{b}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p{b.lower()}$ for $v_{b}$:"), View.VELOCITY)
+    w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
+    speed = board.compute(f"v_{b}", w * desk.length(pivot, b), "m/s")
+    along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
+    _first_vector(desk, View.VELOCITY, b, along, speed.value, drive.link)
+    desk.ends[f"v_{b}"] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
+    images_of_link(desk, View.VELOCITY, drive.link)
+
+
+@method(stage=Stage.ACCELERATION, group="crank", title=_TITLE, source=_SOURCE, example="3-9")
+def acceleration_crank(desk: Desk, drive: Drive) -> None:
+    """a_B = a_B^n (towards A) + a_B^t (perpendicular, in the sense of α_1)."""
+    link, board = desk.mech.link(drive.link), desk.board
+    desk.turns[alpha(drive.link)] = Turn(drive.accel)
+    pivot = next(p for p in link.points if p in desk.mech.frame)
+    others = [p for p in link.points if p != pivot]
+    if not others:
+        return
+    b = others[0]
+    name = f"a^n_{b}" if drive.accel else f"a_{b}"
+    even = "" if drive.accel else "（$α$ = 0）"
+    board.step(Words(f"原动件{even}的法向加速度由 ${b}$ 指向 ${pivot}$；取极点 $p′$：",
+                     f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
+    w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
+    size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
+    along = desk.towards(b, pivot)
+    _first_vector(desk, View.ACCELERATION, b, along, size.value, drive.link, last=not drive.accel)
+    tip = desk.tip(View.ACCELERATION, At(b))
+    desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
+    if drive.accel:
+        eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
+        size_t = board.compute(f"a^t_{b}", eps * desk.length(pivot, b), "m/s^2")
+        end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))
+        board.arrow(View.ACCELERATION, tip, end, Role.GIVEN)
+        board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b), drive.link))
+        board.arrow(View.ACCELERATION, 0j, end, Role.RESULT)
+        desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
+        desk.tips[View.ACCELERATION, At(b)] = end
+    images_of_link(desk, View.ACCELERATION, drive.link)
+
+
+@method(stage=Stage.VELOCITY, group="slide", title=_TITLE, source=_SOURCE, example="")
+def velocity_slide(desk: Desk, drive: Drive) -> None:
+    """All points of a driving slider have its velocity along the guide."""
+    never_turns(desk, drive.link)
+    _slide(desk, View.VELOCITY, drive, drive.rate, "v", "m/s")
+
+
+@method(stage=Stage.ACCELERATION, group="slide", title=_TITLE, source=_SOURCE, example="")
+def acceleration_slide(desk: Desk, drive: Drive) -> None:
+    """All points of a driving slider have its acceleration along the guide."""
+    _slide(desk, View.ACCELERATION, drive, drive.accel, "a", "m/s^2")
+
+
+def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_text: str) -> None:
+    joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
+    along = desk.guide_line(joint).along * (np.sign(value) or 1)
+    pole = "p" if view is View.VELOCITY else "p′"
+    b = joint.pin
+    desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${stem}_{b}$：",
+                          f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${stem}_{b}$:"), view)
+    desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
+    _first_vector(desk, view, b, along, abs(value), drive.link)
+    images_of_link(desk, view, drive.link)
+
+
+def _first_vector(desk: Desk, view: View, b: str, along: complex, size: float, link: str, last: bool = True) -> None:
+    """Lay the first vector off from the pole."""
+    board = desk.board
+    tip = board.lay_off(0j, along, board.to_paper(view, size))
+    board.arrow(view, 0j, tip, Role.GIVEN)
+    board.plot(view, tip, desk.tip_label(view, At(b), link) if last else "n′")
+    desk.tips[view, At(b)] = tip

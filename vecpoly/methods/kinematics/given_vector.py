@@ -1,0 +1,57 @@
+"""Points of a link with a given velocity or acceleration, read back from the polygon (zero: instant centre, acceleration pole)."""
+
+from __future__ import annotations
+
+from ...board.construction import View
+from ...board.marks import Dot, Role
+from ...errors import NoMethodError
+from ...names import At, Kind, Rel
+from ...plane import nominal, similar
+from ...problem.asks import AskPoint
+from ...words import Words
+from ..desk import Desk
+from .image import known_tips
+
+
+def find_point(desk: Desk, ask: AskPoint) -> None:
+    """X on the link is where triangle P Q X is similar to p q x, x being the tip of the given vector.
+
+    Raises NoMethodError where the link only translates: then no single point has that vector.
+    """
+    view = View.VELOCITY if ask.velocity is not None else View.ACCELERATION
+    wanted = ask.velocity if ask.velocity is not None else ask.acceleration
+    assert wanted is not None
+    held = known_tips(desk, view, ask.link)
+    if len(held) < 2:
+        raise NoMethodError(f"{ask.name}: fewer than two points of link {ask.link} are known on the polygon")
+    (p, p_at), (q, q_at) = held[0], held[1]
+    tips = desk.tip(view, p_at), desk.tip(view, q_at)
+    if abs(complex(nominal(tips[1] - tips[0]))) < 1e-9:
+        raise NoMethodError(f"{ask.name}: all points of link {ask.link} have the same vector at this instant")
+    board = desk.board
+    low = ask.name[0].lower()
+    tip = board.to_paper(view, 1.0) * wanted
+    prime = "′" if view is View.ACCELERATION else ""
+    letter = f"{low}_{ask.link}{prime}"
+    board.step(_words(ask, view, p, q, [desk.tip_label(view, a, ask.link) for a in (p_at, q_at)], letter), view)
+    desk.at[ask.name] = similar(tips[0], tips[1], tip, desk.at[p], desk.at[q]) + board.hand.carry(0.0)
+    desk.tips[view, At(ask.name[0], ask.link)] = tip
+    for corner in (p, q):
+        board.join(View.MECHANISM, desk.at[corner], desk.at[ask.name], Role.HIDDEN)
+    board.plot(View.MECHANISM, desk.at[ask.name], f"{ask.name[0]}_{ask.name[1:]}", Dot.POINT)
+    if wanted:
+        board.arrow(view, 0j, tip, Role.RESULT)
+    board.plot(view, tip, letter)
+    desk.ends[Rel(Kind.V if view is View.VELOCITY else Kind.A, At(ask.name[0], ask.link)).key] = (view, 0j, tip)
+
+
+def _words(ask: AskPoint, view: View, p: str, q: str, tips: list[str], letter: str) -> Words:
+    pole = "p" if view is View.VELOCITY else "p′"
+    name = f"{ask.name[0]}_{ask.name[1:]}"
+    value = ask.velocity if view is View.VELOCITY else ask.acceleration
+    if not value:
+        kind, kind_en = ("绝对瞬心", "instant centre") if view is View.VELOCITY else ("加速度中心", "acceleration pole")
+        return Words(f"构件 {ask.link} 的{kind} ${name}$：其影像即极点 ${pole}$。在机构图上作 △${p}{q}{name}$ ∽ △${tips[0]} {tips[1]} {pole}$，字母绕行顺序相同。",
+                     f"The {kind_en} ${name}$ of link {ask.link}: its image is the pole ${pole}$. On the diagram make triangle ${p}{q}{name}$ similar to ${tips[0]} {tips[1]} {pole}$, letters in the same order.")
+    return Words(f"在多边形上由极点 ${pole}$ 作给定矢量，得 ${letter}$；在机构图上作 △${p}{q}{name}$ ∽ △${tips[0]} {tips[1]} {letter}$，得构件 {ask.link} 上的 ${name}$。",
+                 f"Lay the given vector off from ${pole}$ to ${letter}$; on the diagram make triangle ${p}{q}{name}$ similar to ${tips[0]} {tips[1]} {letter}$: the point ${name}$ of link {ask.link}.")

@@ -1,0 +1,118 @@
+"""Further points of a link by the image principle: the figure on the polygon is similar, with the same letter order."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import View
+from ...board.marks import Role
+from ...names import At, Kind, Rel, alpha, omega
+from ...plane import Points, nominal, similar
+from ...vector.close import close
+from ...vector.equation import UNKNOWN, Equation, Term
+from ...words import Words
+from ..desk import Desk
+from .terms import known, normal, symbol
+
+
+def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
+    """Points thought on this link whose vectors are drawn: (letter, which point), at different places."""
+    found: list[tuple[str, At]] = []
+    places: list[complex] = []
+    own = [At(p) for p in desk.letters(link)]
+    passed = [at for v, at in desk.tips if v is view and at.link == link]
+    for at in (*own, *passed):
+        place = complex(nominal(desk.where(at))) if {at.point, str(at)} & set(desk.at) else None
+        if place is None or not desk.has_tip(view, at) or any(abs(place - p) < 1e-6 for p in places):
+            continue
+        found.append((at.point, at))
+        places.append(place)
+    return found
+
+
+def imaged(desk: Desk, view: View, link: str, at: At) -> None:
+    """Find one point's vector: by the image of the link, by translation, or from ω (and α) about a known point."""
+    held = known_tips(desk, view, link)
+    turn = desk.turns[omega(link)]
+    if turn.never and held:
+        desk.tips[view, at] = desk.tip(view, held[0][1])
+    elif len(held) >= 2:
+        _by_image(desk, view, link, at, held)
+    elif held:
+        _by_turning(desk, view, link, at, held[0])
+
+
+def images_of_link(desk: Desk, view: View, link: str) -> None:
+    """All lettered points of the link that are still missing on the polygon."""
+    for name in desk.mech.link(link).points:
+        if not desk.has_tip(view, At(name)):
+            imaged(desk, view, link, At(name))
+
+
+def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, At]]) -> None:
+    (p, p_at), (q, q_at) = held[0], held[1]
+    board, x = desk.board, at.point
+    letters = [desk.tip_label(view, a, link) for a in (p_at, q_at, at)]
+    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    board.step(
+        Words(f"用{kind}影像求 ${x}$：作 △${letters[0]} {letters[1]} {letters[2]}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${letters[2]}$。",
+              f"{kind_en.capitalize()} image of link {link}: triangle ${letters[0]} {letters[1]} {letters[2]}$ similar to ${p}{q}{x}$ with the letters in the same order gives ${letters[2]}$."),
+        view,
+    )
+    tips = desk.tip(view, p_at), desk.tip(view, q_at)
+    corners = desk.where(p_at), desk.where(q_at), desk.where(at)
+    spread = abs(complex(nominal(tips[1] - tips[0])))
+    desk.tips[view, at] = similar(*corners, *tips) if spread < 1e-9 else board.image(corners, tips)
+    corner = desk.tips[view, at]
+    for tip in tips:
+        board.join(view, tip, corner, Role.DIRECTION)
+    board.join(view, tips[0], tips[1], Role.DIRECTION)
+    board.tint(view, (*tips, corner))
+    board.plot(view, corner, letters[2])
+    board.arrow(view, 0j, corner, Role.RESULT)
+
+
+def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At]) -> None:
+    """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
+    p, p_at = held
+    board = desk.board
+    label = desk.tip_label(view, at, link)
+    board.step(Words(f"由构件 {link} 的转动求 ${at.point}$ 点：", f"Point ${at.point}$ from the turning of link {link}:"), view)
+    base = known(desk, view, p_at, link)
+    about_pole = p in desk.mech.frame
+    terms = list(_turning_terms(desk, view, link, at, p))
+    kind = Kind.V if view is View.VELOCITY else Kind.A
+    rel = Rel(kind, desk.canonical(at))
+    left = Term(rel=rel, symbol=symbol(desk, rel, link), direction=UNKNOWN, magnitude="?", tip="")
+    eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
+    board.equate(eq.table())
+    closed = close(board, view, 0j, eq)
+    desk.tips[view, at] = closed.meeting
+    desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
+    board.plot(view, closed.meeting, label)
+
+
+def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[Term, ...]:
+    x = at.point
+    ref = None if p in desk.mech.frame else At(p)
+    if view is View.VELOCITY:
+        rel = Rel(Kind.V, desk.canonical(at), ref)
+        return (_laid(desk, view, rel, link, p, x, f"ω_{link} l_{p}{x}", desk.turns[omega(link)].value),)
+    n = normal(desk, at, p, link)
+    accel = desk.turns[alpha(link)]
+    if accel.never or not np.any(accel.value):
+        return (n,)
+    rel = Rel(Kind.AT, desk.canonical(at), ref)
+    return (n, _laid(desk, view, rel, link, p, x, f"α_{link} l_{p}{x}", accel.value))
+
+
+def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Points) -> Term:
+    """A vector perpendicular to PX of known magnitude and sense: ω l or α l."""
+    length = desk.length(p, x)
+    way = np.sign(rate)
+    size = np.abs(rate) * length.value
+    along = 1j * way * desk.towards(p, x)
+    along = np.where(way == 0, 1.0, along)
+    return Term(rel=rel, symbol=symbol(desk, rel, link), direction=Words(f"⊥$ {p}{x}$", f"⊥$ {p}{x}$"), magnitude=text,
+                along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
+

@@ -1,0 +1,73 @@
+"""The driving link in its given position: φ_1 laid off with the protractor, or the travel along the guide."""
+
+from __future__ import annotations
+
+from math import degrees
+
+import numpy as np
+
+from ...board.construction import View
+from ...board.marks import AngleMark, Role, Segment
+from ...mechanism.model import FRAME, Drive, Prismatic
+from ...plane import nominal
+from ...words import Words
+from ..desk import Desk, Pose
+from ..registry import Stage, method
+
+
+@method(
+    stage=Stage.POSITION, group="crank", source="机械原理, kinematic diagrams", example="3-9",
+    title=Words("原动件的位置", "Position of the driving link"),
+)
+def position_crank(desk: Desk, drive: Drive) -> None:
+    """Lay off φ from the x axis at the fixed pivot, then l_AB / μ_l along it."""
+    link, board = desk.mech.link(drive.link), desk.board
+    pivot = next(p for p in link.points if p in desk.mech.frame)
+    others = [p for p in link.points if p != pivot]
+    phi = degrees(drive.position)
+    length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
+    length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
+    board.step(
+        Words(f"过固定铰链 ${pivot}$ 作与 $x$ 轴成 $φ_{drive.link}$ = {phi:g}° 的直线，为构件 {drive.link}{length}。",
+              f"Through the fixed pivot ${pivot}$ draw link {drive.link} at $φ_{drive.link}$ = {phi:g}° to the $x$ axis{length_en}."),
+        View.MECHANISM,
+    )
+    along = board.hand.tilt(complex(np.exp(1j * drive.position)))
+    local = link.points[pivot]
+    desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
+    for name in others:
+        base = desk.place(drive.link, link.points[name])
+        desk.at[name] = base + along * board.hand.carry(0.0)
+    desk.settle_rest(drive.link)
+    _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))
+
+
+@method(
+    stage=Stage.POSITION, group="slide", source="机械原理, kinematic diagrams", example="",
+    title=Words("移动原动件的位置", "Position of the driving slider"),
+)
+def position_slide(desk: Desk, drive: Drive) -> None:
+    """Step off the travel along the fixed guide."""
+    joint = next(j for j in desk.mech.joints
+                 if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
+    board = desk.board
+    board.step(
+        Words(f"沿固定导路量取构件 {drive.link} 的位移 $s/μ_l$，得 ${joint.pin}$。",
+              f"Step off the travel $s/μ_l$ of link {drive.link} along its fixed guide: ${joint.pin}$."),
+        View.MECHANISM,
+    )
+    line = desk.locus(joint, drive.link, joint.pin)
+    desk.at[joint.pin] = board.lay_off(line.at, line.along, desk.mm(drive.position))
+    desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
+
+
+def _angle(desk: Desk, pivot: str, drive: Drive, reach: float) -> None:
+    """Mark the angle φ at the pivot."""
+    at = complex(nominal(desk.at[pivot]))
+    radius = min(11.0, 0.45 * reach)
+    sweep = (drive.position + np.pi) % (2 * np.pi) - np.pi
+    desk.board.mark(
+        View.MECHANISM,
+        Segment(a=at, b=at + radius + 3.5, role=Role.CENTRE),
+        AngleMark(at=at, radius=radius, start=0.0, sweep=float(sweep), label=f"φ_{drive.link}"),
+    )

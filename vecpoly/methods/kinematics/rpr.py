@@ -1,0 +1,97 @@
+"""Velocity and acceleration of an RPR group: a guide that swings about Q and a block on the pin P; coincident points at P.
+
+The guide's own point under P (on the link, or on the expanded link 扩大构件 where the guide passes P at an offset) is called
+P_g, the block's P_b:  v_Pg = v_Q + v_PgQ = v_Pb + v_PgPb,  a_Q + a^n + a^t = a_Pb + a^k + a^r,  a^k = 2 ω_g v_PgPb.
+"""
+
+from __future__ import annotations
+
+from ...board.construction import View
+from ...mechanism.assur import Dyad
+from ...mechanism.model import Prismatic, Revolute
+from ...names import At, Kind, Rel
+from ...vector.equation import Equation, Term
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, method
+from .chains import letters, solve, turning_chain
+from .image import images_of_link
+from .terms import coriolis, known, sliding, symbol
+from .turning import angular_acceleration, angular_velocity, same_turn
+
+_SOURCE = "机械原理, coincident points of two links, Coriolis acceleration"
+
+
+@method(stage=Stage.VELOCITY, group="RPR", source=_SOURCE, example="3-9",
+        title=Words("RPR 杆组的速度", "Velocity of an RPR group"))
+def velocity_rpr(desk: Desk, d: Dyad) -> None:
+    """v_Q + v_PgQ (⊥ QP) = v_Pb + v_PgPb (∥ guide)."""
+    _polygon(desk, View.VELOCITY, d)
+
+
+@method(stage=Stage.ACCELERATION, group="RPR", source=_SOURCE, example="3-9",
+        title=Words("RPR 杆组的加速度", "Acceleration of an RPR group"))
+def acceleration_rpr(desk: Desk, d: Dyad) -> None:
+    """a_Q + a^n_PgQ + a^t_PgQ = a_Pb + a^k_PgPb + a^r_PgPb."""
+    _polygon(desk, View.ACCELERATION, d)
+
+
+def _polygon(desk: Desk, view: View, d: Dyad) -> None:
+    joint = d.inner
+    assert isinstance(joint, Prismatic) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    pins = {d.link_j: d.outer_j.point, d.link_k: d.outer_k.point}
+    g, b = joint.guide, joint.block
+    q, p = pins[g], pins[b]
+    to, ref = At(p, g), At(p, b)
+    desk.board.step(_opening(desk, view, to, ref, joint), view)
+    swung = turning_chain(desk, view, to, q, g)
+    eq = Equation(left=swung, right=_slid(desk, view, to, ref, joint), total=_total(desk, view, to, g, len(swung)))
+    closed = solve(desk, view, eq, to, g)
+    _turn(desk, view, closed.ends, to, q, g)
+    same_turn(desk, b, g, view)
+    for link in (g, b):
+        images_of_link(desk, view, link)
+
+
+def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Term, ...]:
+    """v_Pb + v_PgPb, or a_Pb + a^k + a^r."""
+    front, tail = known(desk, view, ref, joint.block), desk.canonical(ref)
+    if view is View.VELOCITY:
+        return (_from_block(front, tail), sliding(desk, Rel(Kind.V, to, tail), joint, joint.guide))
+    _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
+    return (_from_block(front, tail), coriolis(desk, to, tail, joint.guide, (start, end), joint.block),
+            sliding(desk, Rel(Kind.AR, to, tail), joint, joint.block))
+
+
+def _from_block(front: Term, tail: At) -> Term:
+    assert front.rel.to == tail
+    return front
+
+
+def _turn(desk: Desk, view: View, ends: dict, to: At, q: str, g: str) -> None:  # type: ignore[type-arg]
+    ref = None if desk.at_rest(view, At(q)) else At(q)
+    kind = Kind.V if view is View.VELOCITY else Kind.AT
+    rel = Rel(kind, to, ref)
+    if view is View.VELOCITY:
+        angular_velocity(desk, g, q, to.point, ends[rel.key], letters(desk, view, ref, to, g), symbol(desk, rel, g))
+    else:
+        name = f"n_{g}′ {desk.tip_label(view, to, g)}"
+        angular_acceleration(desk, g, q, to.point, ends[rel.key], name, symbol(desk, rel, g))
+
+
+def _total(desk: Desk, view: View, to: At, g: str, terms: int) -> str:
+    kind = Kind.V if view is View.VELOCITY else Kind.A
+    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, to), g)
+
+
+def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:
+    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    a, b = desk.show(to, joint.guide), desk.show(ref, joint.block)
+    words = Words(f"取构件 {joint.guide} 与构件 {joint.block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图：",
+                  f"Links {joint.guide} and {joint.block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it:")
+    if view is View.VELOCITY and abs(desk.offset(joint, joint.block, to.point)) > 1e-12:
+        words = Words(f"导路不通过 ${to.point}$，将构件 {joint.guide} 扩大至包含 ${to.point}$ 点（扩大构件法）。",
+                      f"The guide passes ${to.point}$ at an offset: expand link {joint.guide} to contain ${to.point}$. ") + words
+    return words
+
+

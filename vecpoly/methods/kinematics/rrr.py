@@ -1,0 +1,75 @@
+"""Velocity and acceleration of an RRR group: v_C = v_B + v_CB, closed by ⊥CD and ⊥CB."""
+
+from __future__ import annotations
+
+from ...board.construction import View
+from ...mechanism.assur import Dyad
+from ...mechanism.model import Revolute
+from ...names import At, Kind, Rel
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, method
+from .chains import letters, solve, turning_chain
+from .image import images_of_link
+from .terms import symbol
+from .turning import angular_acceleration, angular_velocity
+from ...vector.equation import Equation
+
+_SOURCE = "机械原理, relative motion of two points of one link"
+
+
+@method(stage=Stage.VELOCITY, group="RRR", source=_SOURCE, example="3-5",
+        title=Words("RRR 杆组的速度", "Velocity of an RRR group"))
+def velocity_rrr(desk: Desk, d: Dyad) -> None:
+    """v_P + v_CP = v_Q + v_CQ: two perpendiculars meet in c."""
+    assert isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    _hinge_polygon(desk, View.VELOCITY, d, d.outer_j.point, d.outer_k.point)
+
+
+@method(stage=Stage.ACCELERATION, group="RRR", source=_SOURCE, example="3-5",
+        title=Words("RRR 杆组的加速度", "Acceleration of an RRR group"))
+def acceleration_rrr(desk: Desk, d: Dyad) -> None:
+    """a_P + a^n_CP + a^t_CP = a_Q + a^n_CQ + a^t_CQ."""
+    assert isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    _hinge_polygon(desk, View.ACCELERATION, d, d.outer_j.point, d.outer_k.point)
+
+
+def _hinge_polygon(desk: Desk, view: View, d: Dyad, p: str, q: str) -> None:
+    assert isinstance(d.inner, Revolute)
+    c = d.inner.point
+    desk.board.step(opening(view, c, f"{d.link_j}", f"{d.link_k}"), view)
+    sides = [turning_chain(desk, view, At(c), about, link) for about, link in ((p, d.link_j), (q, d.link_k))]
+    sides.sort(key=len)
+    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, d.link_j, len(sides[0])))
+    closed = solve(desk, view, eq, At(c), d.link_j)
+    for about, link in ((p, d.link_j), (q, d.link_k)):
+        turn_of_link(desk, view, closed.ends, c, about, link)
+    for link in (d.link_j, d.link_k):
+        images_of_link(desk, view, link)
+
+
+def total(desk: Desk, view: View, c: str, link: str, terms: int) -> str:
+    """The sought vector's own symbol, where neither side of the equation is that vector alone."""
+    kind = Kind.V if view is View.VELOCITY else Kind.A
+    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, At(c)), link)
+
+
+def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: str) -> None:  # type: ignore[type-arg]
+    """ω (from v) or α (from a^t) of a link that turns about one of its hinges."""
+    rest = desk.at_rest(view, At(about))
+    ref = None if rest else At(about)
+    if view is View.VELOCITY:
+        rel = Rel(Kind.V, desk.canonical(At(c)), ref)
+        name = letters(desk, view, ref, At(c), link)
+        angular_velocity(desk, link, about, c, ends[rel.key], name, symbol(desk, rel, link))
+    else:
+        rel = Rel(Kind.AT, desk.canonical(At(c)), ref)
+        name = f"n_{link}′ {desk.tip_label(view, At(c), link)}"
+        angular_acceleration(desk, link, about, c, ends[rel.key], name, symbol(desk, rel, link))
+
+
+def opening(view: View, c: str, *links: str) -> Words:
+    """The sentence before an equation."""
+    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    return Words(f"求构件 {'、'.join(links)} 上 ${c}$ 点的{kind}，列矢量方程并作图：",
+                 f"The {kind_en} of ${c}$ of links {' and '.join(links)}: write the vector equation and draw it:")

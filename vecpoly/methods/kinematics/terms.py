@@ -1,0 +1,130 @@
+"""Terms of the velocity and acceleration equations, with the words of their direction and magnitude rows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import View
+from ...mechanism.model import FRAME, Prismatic
+from ...names import At, Kind, Rel, alpha, omega
+from ...plane import Points, nominal
+from ...quantity import Quantity, Times, magnitude, worked
+from ...vector.equation import KNOWN, Term
+from ...words import Words
+from ..desk import Desk, Turn
+
+_STEM = {Kind.V: "v", Kind.A: "a", Kind.AN: "a^n", Kind.AT: "a^t", Kind.AK: "a^k", Kind.AR: "a^r"}
+ABSENT = Words("—", "—")
+
+
+def symbol(desk: Desk, rel: Rel, link: str = "") -> str:
+    """The printed symbol of a vector: v_{C2B}, a^n_{CB}; `link` is the link about which the equation speaks."""
+    to = desk.show(rel.to, link)
+    ref = desk.show(rel.ref, link) if rel.ref else ""
+    return f"{_STEM[rel.kind]}_{{{to}{ref}}}"
+
+
+def known(desk: Desk, view: View, at: At, link: str = "") -> Term:
+    """A vector already on the polygon: direction and magnitude both known."""
+    rel = Rel(Kind.V if view is View.VELOCITY else Kind.A, desk.canonical(at))
+    vector = desk.tip(view, at)
+    zero = desk.at_rest(view, at)
+    return Term(rel=rel, symbol=symbol(desk, rel, link), vector=vector, drawn=True,
+                direction=ABSENT if zero else KNOWN, magnitude="0" if zero else "✓")
+
+
+def across(desk: Desk, rel: Rel, p: str, q: str, link: str) -> Term:
+    """A vector perpendicular to the drawn line PQ, its magnitude unknown: v_QP or a^t_QP of a turning link."""
+    return Term(rel=rel, symbol=symbol(desk, rel, link), direction=Words(f"⊥$ {p}{q}$", f"⊥$ {p}{q}$"), magnitude="?",
+                along=1j * desk.towards(p, q))
+
+
+def sliding(desk: Desk, rel: Rel, joint: Prismatic, link: str) -> Term:
+    """A vector along the drawn guide, its magnitude unknown: v^r or a^r of a sliding pair."""
+    name = guide_name(desk, joint)
+    return Term(rel=rel, symbol=symbol(desk, rel, link), direction=name, magnitude="?",
+                along=desk.guide_line(joint).along)
+
+
+def guide_name(desk: Desk, joint: Prismatic) -> Words:
+    """∥ the guide, by two letters on it where there are two, else in words."""
+    on_line = []
+    for link in (joint.guide, joint.block):
+        for point in desk.mech.link(link).points:
+            if abs(desk.offset(joint, link, point)) < 1e-12 and point not in on_line and link != FRAME:
+                on_line.append(point)
+    if len(on_line) >= 2:
+        return Words(f"∥$ {on_line[0]}{on_line[1]}$", f"∥$ {on_line[0]}{on_line[1]}$")
+    return Words("∥导路", "∥guide")
+
+
+def normal(desk: Desk, at: At, about: str, link: str) -> Term:
+    """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
+    turn, q = desk.turns[omega(link)], at.point
+    rel = Rel(Kind.AN, desk.canonical(at), _ref(desk, about))
+    sign = symbol(desk, rel, link)
+    length = desk.length(about, q)
+    w = magnitude(f"ω_{link}", abs(turn.value), "rad/s")
+    size = desk.board.compute(sign, w.squared() * length, "m/s^2")
+    return Term(rel=rel, symbol=sign, direction=Words(f"${q}→{about}$", f"${q}→{about}$"), magnitude=f"ω_{link}^2 l_{about}{q}",
+                along=desk.towards(q, about), mm=desk.board.to_paper(View.ACCELERATION, size.value),
+                tip=_n_tip(desk, link))
+
+
+def tangential(desk: Desk, at: At, about: str, link: str) -> Term:
+    """a^t = α l: perpendicular to the line, magnitude unknown."""
+    return across(desk, Rel(Kind.AT, desk.canonical(at), _ref(desk, about)), about, at.point, link)
+
+
+def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points], shown: str) -> Term:
+    """a^k = 2 ω v_r: v_r turned by 90° in the sense of ω; it does not exist where ω or v_r is zero."""
+    board, turn = desk.board, desk.turns[omega(link)]
+    rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
+    sign = symbol(desk, rel, shown)
+    speed = abs(v_rel[1] - v_rel[0]) * board.scales[View.VELOCITY].value
+    vr = magnitude(symbol(desk, Rel(Kind.V, rel.to, rel.ref), shown), speed, "m/s")
+    expr = Times(2, magnitude(f"ω_{link}", abs(turn.value), "rad/s") * vr)
+    board.write(worked(magnitude(sign, 0, "").node, expr, "m/s^2"))
+    vanishes = abs(nominal(expr.value)) < 1e-12
+    along = _turned(v_rel[1] - v_rel[0], turn)
+    board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
+    return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"2ω_{link} {plain_symbol(vr)}",
+                direction=ABSENT if vanishes else Words(f"⊥$ {plain_symbol(vr)}$", f"⊥$ {plain_symbol(vr)}$"),
+                along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else "k′")
+
+
+def plain_symbol(quantity: Quantity) -> str:
+    """The quantity's symbol in the short notation."""
+    node = quantity.node
+    sub, sup = getattr(node, "sub", ""), getattr(node, "sup", "")
+    return f"{getattr(node, 'base', '')}" + (f"^{sup}" if sup else "") + (f"_{{{sub}}}" if sub else "")
+
+
+def _turned(vector: Points, turn: Turn) -> Points:
+    """The unit vector turned by 90° in the sense of ω."""
+    size = np.abs(vector)
+    safe = np.where(size > 0, size, 1.0)
+    result = 1j * np.where(np.asarray(turn.value) < 0, -1, 1) * np.where(size > 0, vector / safe, 1.0)
+    return result if np.ndim(vector) else complex(result)
+
+
+def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Words:
+    if abs(w) < 1e-12:
+        return Words(f"此瞬时 $ω_{link}$ = 0，故 ${sign}$ = 0。", f" At this instant $ω_{link}$ = 0, so ${sign}$ = 0.")
+    if size < 1e-12:
+        return Words(f"此瞬时 ${v}$ = 0，故 ${sign}$ = 0。", f" At this instant ${v}$ = 0, so ${sign}$ = 0.")
+    way, way_en = ("逆时针", "counter-clockwise") if w > 0 else ("顺时针", "clockwise")
+    return Words(f"将 ${v}$ 沿 $ω_{link}$ 的转向（{way}）转过 90°，即得哥氏加速度 ${sign}$ 的方向。",
+                 f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the Coriolis term ${sign}$.")
+
+
+def _ref(desk: Desk, about: str) -> At | None:
+    """The reference point, or none where it is a fixed pivot."""
+    return None if about in desk.mech.frame else At(about)
+
+
+def _n_tip(desk: Desk, link: str) -> str:
+    return f"n_{link}′"
+
+
+__all__ = ["ABSENT", "Turn", "across", "alpha", "coriolis", "guide_name", "known", "normal", "omega", "sliding", "symbol", "tangential"]

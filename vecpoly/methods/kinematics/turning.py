@@ -1,0 +1,51 @@
+"""ω and α of a link, read off the polygons: magnitude from the length, sense by carrying the vector to the mechanism."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import View
+from ...names import alpha, omega
+from ...plane import Points, Reals, cross, nominal
+from ...quantity import magnitude, worked
+from ...words import Words
+from ..desk import Desk, Turn
+
+
+def angular_velocity(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
+    """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper."""
+    desk.turns[omega(link)] = Turn(_rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters))
+    desk.board.remark(_sense(f"ω_{link}", symbol, point, nominal(desk.turns[omega(link)].value)))
+
+
+def angular_acceleration(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
+    """α = a^t / l from the tangential acceleration of `point` about `about`."""
+    desk.turns[alpha(link)] = Turn(_rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, letters))
+    desk.board.remark(_sense(f"α_{link}", symbol, point, nominal(desk.turns[alpha(link)].value)))
+
+
+def same_turn(desk: Desk, link: str, as_link: str, view: View) -> None:
+    """Links joined by a sliding pair turn alike."""
+    kind = omega if view is View.VELOCITY else alpha
+    desk.turns[kind(link)] = desk.turns[kind(as_link)]
+    if not desk.turns[kind(link)].never and as_link != "0":
+        greek = "ω" if view is View.VELOCITY else "α"
+        desk.board.remark(Words(f"构件 {link} 与 {as_link} 组成移动副，$ {greek}_{link}$ = $ {greek}_{as_link}$。",
+                                f" Links {link} and {as_link} form a sliding pair: $ {greek}_{link}$ = $ {greek}_{as_link}$."))
+
+
+def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str) -> Reals:
+    board = desk.board
+    on_paper = board.measure(*ends, letters)
+    length = desk.length(about, point)
+    expr = board.mu(view) * on_paper / length
+    board.write(worked(magnitude(name, 0, unit).node, expr, unit))
+    way = np.sign(cross(desk.towards(about, point), ends[1] - ends[0]))
+    return expr.value * way
+
+
+def _sense(name: str, symbol: str, point: str, value: float) -> Words:
+    if abs(value) < 1e-12:
+        return Words(f"$ {name}$ = 0。", f" $ {name}$ = 0.")
+    way, way_en = ("逆时针 ↺", "counter-clockwise ↺") if value > 0 else ("顺时针 ↻", "clockwise ↻")
+    return Words(f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。", f" Carrying ${symbol}$ to ${point}$ shows ${name}$ {way_en}.")

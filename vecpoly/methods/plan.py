@@ -1,0 +1,173 @@
+"""From a problem to its construction: the groups in order, each with its textbook methods; scales chosen from a sketch.
+
+The sketch is the same construction by an exact hand at provisional scales; only the size of its figures is used, to choose
+round scales with which every figure fills its place on the sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+
+from ..board.board import Board
+from ..board.construction import Construction, Reading, Scale, View
+from ..board.extent import extent
+from ..board.hand import Hand, hand
+from ..board.scales import round_scale
+from ..errors import AssemblyError, DeadPointError
+from ..mechanism.assur import Group, decompose
+from ..mechanism.model import Mechanism, Prismatic, Revolute
+from ..names import At, Kind
+from ..problem.asks import AskPoint, AskRel
+from ..problem.problem import Problem
+from ..words import Words
+from .answers import Repeats, answer
+from .desk import Desk
+from .kinematics.diagram import draw_drive_arrow, draw_frame, draw_links
+from .kinematics.given_vector import find_point
+from .kinematics.image import imaged
+from .registry import Stage, find
+
+TITLES = {
+    View.MECHANISM: Words("机构运动简图", "Kinematic diagram"),
+    View.VELOCITY: Words("速度多边形", "Velocity polygon"),
+    View.ACCELERATION: Words("加速度多边形", "Acceleration polygon"),
+}
+SECTIONS = {
+    Stage.POSITION: Words("作机构位置图", "Position diagram"),
+    Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
+    Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
+}
+_UNIT = {View.MECHANISM: ("μ_l", "m"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
+_ACCELERATIONS = {Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR, Kind.ALPHA}
+
+
+def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]]) -> tuple[Construction, Repeats]:
+    """Solve the problem on a board.
+
+    slots: width and height in mm that each figure should fill. Returns the construction and every answer by all hands.
+    Raises AssemblyError, DeadPointError, NoMethodError.
+    """
+    scales = _choose_scales(problem, slots)
+    desk = _draw(problem, by, scales)
+    readings, repeats = _answers(desk, problem)
+    construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
+                                steps=tuple(desk.board.steps), readings=readings)
+    return construction, repeats
+
+
+def stages(problem: Problem) -> tuple[Stage, ...]:
+    """The passes that the questions need."""
+    rels = [ask.rel for ask in problem.asks]
+    if any(r.kind in _ACCELERATIONS for r in rels) or any(isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks):
+        return tuple(Stage)
+    return (Stage.POSITION, Stage.VELOCITY)
+
+
+def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict[View, Scale]:
+    mech, drive = problem.mechanism, problem.mechanism.drive
+    size = mech.scale
+    speed = abs(drive.rate) * (1.0 if drive.slide else size) or 1.0
+    guess = {View.MECHANISM: size / 100, View.VELOCITY: speed / 100,
+             View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0}
+    sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
+    given = {View.MECHANISM: problem.scales.mu_l, View.VELOCITY: problem.scales.mu_v, View.ACCELERATION: problem.scales.mu_a}
+    chosen = {}
+    for view, value in guess.items():
+        marks, wish = sketch.board.marks(view), given[view]
+        fitted = round_scale(value, extent(marks), slots.get(view, (150.0, 100.0))) if marks else value
+        chosen[view] = _scale(view, wish or fitted)
+    return chosen
+
+
+def _scale(view: View, value: float) -> Scale:
+    symbol, unit_text = _UNIT[view]
+    return Scale(symbol=symbol, value=value, unit=unit_text)
+
+
+def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
+    mech = problem.mechanism
+    groups = decompose(mech)
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups))
+    desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
+    for stage in stages(problem):
+        desk.board.section(SECTIONS[stage])
+        try:
+            _pass(desk, problem, stage, groups)
+        except (AssemblyError, DeadPointError) as error:
+            raise type(error)(f"{problem.id}: {error}") from None
+    return desk
+
+
+def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
+    shapes, drive = problem.given.shapes, desk.mech.drive
+    position = stage is Stage.POSITION
+    find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+    if position:
+        draw_frame(desk, shapes)
+        draw_links(desk, shapes, (drive.link,))
+        draw_drive_arrow(desk)
+    elif (view := View.VELOCITY if stage is Stage.VELOCITY else View.ACCELERATION) and desk.board.steps:
+        _pole(desk, view)
+    for group in groups:
+        find(stage, group.kind).draw(desk, group.dyad or group)
+        if position:
+            draw_links(desk, shapes, group.links)
+    if not position:
+        _wanted(desk, problem, stage)
+
+
+def _pole(desk: Desk, view: View) -> None:
+    from ..board.marks import Dot
+
+    desk.board.plot(view, 0j, "p" if view is View.VELOCITY else "p′", Dot.POLE)
+
+
+def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:
+    """Points asked for by their vector, and vectors asked of points under which a link only passes."""
+    velocity = stage is Stage.VELOCITY
+    view = View.VELOCITY if velocity else View.ACCELERATION
+    for ask in problem.asks:
+        if isinstance(ask, AskPoint) and (ask.velocity is not None) == velocity:
+            find_point(desk, ask)
+    for ask in problem.asks:
+        if isinstance(ask, AskRel) and ask.rel.kind in ((Kind.V,) if velocity else (Kind.A,)):
+            for at in filter(None, (ask.rel.to, ask.rel.ref)):
+                _ensure(desk, view, at)
+    if not velocity:
+        for ask in problem.asks:
+            if isinstance(ask, AskRel) and ask.rel.kind is Kind.V:
+                _ensure(desk, View.VELOCITY, ask.rel.to)
+
+
+def _ensure(desk: Desk, view: View, at: At) -> None:
+    if at.link and not desk.has_tip(view, at) and {at.point, str(at)} & set(desk.at):
+        imaged(desk, view, at.link, desk.canonical(at))
+
+
+def _coincident(mech: Mechanism, groups: Iterable[Group]) -> frozenset[str]:
+    """Letters under which points of two links are told apart by their numbers."""
+    letters: set[str] = set()
+    for group in groups:
+        if group.dyad is None:
+            continue
+        d = group.dyad
+        for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k)):
+            if isinstance(joint, Prismatic) and parent != "0":
+                letters |= {d.inner.point} if isinstance(d.inner, Revolute) else {d.outer_j.point} if isinstance(d.outer_j, Revolute) else set()
+        if isinstance(d.inner, Prismatic):
+            pins = [j.point for j, li in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))
+                    if isinstance(j, Revolute) and (li == d.inner.block or d.kind == "RPP")]
+            letters |= set(pins)
+    return frozenset(letters)
+
+
+def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:
+    readings: dict[str, Reading] = {}
+    repeats: Repeats = {}
+    for ask in problem.asks:
+        reading, vectors, scalars = answer(desk, ask.rel)
+        readings[reading.key] = reading
+        repeats[reading.key] = (vectors, np.asarray(scalars, dtype=float))
+    return readings, repeats

@@ -1,0 +1,53 @@
+"""The driving link: it turns about its frame pivot, or slides on its frame guide."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import MobilityError
+from ..mechanism.assur import ends, hinges
+from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic
+from .loci import Line, slide
+from .state import Body, Points, Reals
+
+
+@dataclass(frozen=True, slots=True)
+class Driver:
+    """A drive with its pivot (place in the frame, point of the link), or its line."""
+
+    drive: Drive
+    pivot: complex = 0j
+    pin: complex = 0j
+    line: Line | None = None
+
+    def body(self, q: Reals) -> Body:
+        """The driving link at the positions q (rad, or m of travel along the guide)."""
+        rate, accel = np.full(1, self.drive.rate), np.full(1, self.drive.accel)
+        still, none = np.zeros(1, complex), np.zeros(1)
+        if self.line is None:
+            unit: Points = np.empty(q.shape, complex)
+            unit.real, unit.imag = np.cos(q), np.sin(q)
+            return Body(self.pin, np.full(1, self.pivot, complex), unit, q, still, rate, still, accel)
+        line = self.line
+        turn = np.full(1, np.angle(line.turn))
+        return Body(line.start, line.base_local + line.along * q, np.full(1, line.turn, complex), turn,
+                    line.along * rate, none, line.along * accel, none)
+
+
+def driver(mech: Mechanism, drive: Drive) -> Driver:
+    """Where the driving link hangs on the frame; MobilityError where it does not."""
+    if not drive.slide:
+        point = next((p for p, names in hinges(mech).items() if FRAME in names and drive.link in names), None)
+        if point is None:
+            raise MobilityError(f"the driving link {drive.link} has no frame pivot; pin it there, or say slide")
+        return Driver(drive, mech.frame[point], mech.link(drive.link).points[point])
+    for joint in mech.joints:
+        if isinstance(joint, Prismatic) and set(ends(joint)) == {FRAME, drive.link}:
+            pin = mech.link(joint.block).points[joint.pin]
+            # travel is told at the pin: the block's, or the frame's where the guide moves
+            foot = joint.origin + 1j * joint.offset * complex(np.exp(1j * joint.direction))
+            start = pin if joint.block == drive.link else foot
+            return Driver(drive, line=slide(joint, drive.link, start, pin))
+    raise MobilityError(f"the driving link {drive.link} has no guide on the frame, yet it is said to slide")

@@ -1,0 +1,234 @@
+"""Dyads in closed form: two loci of the inner hinge (RRR, RRP, PRP and with gears), a swinging slider, a cross slider.
+
+Every step places its links at order 0 (`place`), then gives them rates (`move`), and says by how much it fails to
+close (`miss`). Where two assemblies exist, `sign` tells them apart over the whole motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..mechanism.assur import Group
+from .loci import Arc, Line, Locus
+from .run import Run
+from .state import Bodies, Body, Points, Reals, cross, dot
+
+ROUND = 1e-13  # what rounding leaves of a vanishing square
+
+
+def _root(square: Reals) -> Reals:
+    """Square root; NaN where negative beyond rounding."""
+    if square.min() < 0:
+        square = np.where(square > -ROUND, np.maximum(square, 0.0), np.nan)
+    root: Reals = np.sqrt(square)
+    return root
+
+
+@dataclass(frozen=True, slots=True)
+class Hinged:
+    """Inner joint R: it lies on the locus of link j and on the locus of link k."""
+
+    group: Group
+    j: Locus
+    k: Locus
+    joint: str
+    sign: float = 1.0
+
+    @property
+    def two(self) -> bool:
+        """Whether two assemblies exist."""
+        return isinstance(self.j, Arc) or isinstance(self.k, Arc)
+
+    def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """The inner hinge where both loci meet, and both links there."""
+        at = self._meet(bodies)
+        return {self.j.link: self.j.body(at, bodies, run), self.k.link: self.k.body(at, bodies, run)}
+
+    def _meet(self, bodies: Bodies) -> Points:
+        match self.j, self.k:
+            case Arc() as j, Arc() as k:
+                return _arc_arc(j.base(bodies), j.size, k.base(bodies), k.size, self.sign)
+            case Arc() as j, Line() as k:
+                return _arc_line(j.base(bodies), j.size, k.base(bodies), k.direction(bodies), self.sign)
+            case Line() as j, Arc() as k:
+                return _arc_line(k.base(bodies), k.size, j.base(bodies), j.direction(bodies), self.sign)
+            case Line() as j, Line() as k:
+                return _line_line(j.base(bodies), j.direction(bodies), k.base(bodies), k.direction(bodies))
+        raise AssertionError
+
+    def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """w_j + λ_j d_j = w_k + λ_k d_k, then q_j + μ_j d_j = q_k + μ_k d_k."""
+        own_j, own_k = bodies[self.j.link], bodies[self.k.link]
+        w_j, d_j = self.j.velocity(bodies, own_j)
+        w_k, d_k = self.k.velocity(bodies, own_k)
+        det = run.alive(cross(d_j, d_k), self.j.size * self.k.size, self.group.links)
+        rate_j, rate_k = _split(w_k - w_j, d_j, d_k, det)
+        q_j = self.j.acceleration(bodies, own_j, d_j, rate_j)
+        q_k = self.k.acceleration(bodies, own_k, d_k, rate_k)
+        rate2_j, rate2_k = _split(q_k - q_j, d_j, d_k, det)
+        return {
+            self.j.link: self.j.moving(bodies, own_j, w_j, q_j, d_j, rate_j, rate2_j),
+            self.k.link: self.k.moving(bodies, own_k, w_k, q_k, d_k, rate_k, rate2_k),
+        }
+
+    def miss(self, bodies: Bodies) -> Reals:
+        """Gap at the inner hinge (m)."""
+        match self.j, self.k:
+            case Arc() as j, Arc() as k:
+                apart = np.abs(k.base(bodies) - j.base(bodies))
+                return np.maximum(apart - (j.size + k.size), abs(j.size - k.size) - apart)
+            case (Arc() as arc, Line() as line) | (Line() as line, Arc() as arc):
+                return np.abs(cross(line.direction(bodies), arc.base(bodies) - line.base(bodies))) - arc.size
+        return np.full(1, np.inf)
+
+
+def _split(w: Points, d_j: Points, d_k: Points, det: Reals) -> tuple[Reals, Reals]:
+    """λ_j, λ_k with λ_j d_j - λ_k d_k = w, det = d_j × d_k."""
+    conj = w.conj()
+    return (conj * d_k).imag / det, (conj * d_j).imag / det
+
+
+def _arc_arc(centre: Points, radius: float, other: Points, reach: float, sign: float) -> Points:
+    """C = O + D (a + ih), a = (r² - R² + D²) / 2D², h = ±√(r²/D² - a²); sign + is left of the ray O -> P."""
+    ray = other - centre
+    scale = 1 / dot(ray, ray)
+    share = 0.5 + (0.5 * (radius * radius - reach * reach)) * scale
+    height = _root(radius * radius * scale - share * share)
+    return centre + ray * (share + 1j * sign * height)
+
+
+def _arc_line(centre: Points, radius: float, base: Points, along: Points, sign: float) -> Points:
+    """C = foot + e t, t = ±√(r² - g²), g the centre's distance from the line; sign + is ahead of the foot."""
+    ahead = along.conj() * (centre - base)
+    away = ahead.imag
+    travel = ahead.real + (sign * radius) * _root(1 - (away / radius) ** 2)
+    return base + along * travel
+
+
+def _line_line(base: Points, along: Points, other: Points, across: Points) -> Points:
+    """Intersection; NaN where the lines are parallel."""
+    det = cross(along, across)
+    travel = cross(other - base, across) / np.where(np.abs(det) < ROUND, np.nan, det)
+    return base + along * travel
+
+
+@dataclass(frozen=True, slots=True)
+class Swinging:
+    """RPR: guide pinned at G, block pinned at K: K - G = u (σ + ie), u the guide line's direction, e constant.
+
+    shift: the pin's travel from the line's `origin` is s = σ + shift.
+    """
+
+    group: Group
+    guide: str
+    block: str
+    guide_parent: str
+    block_parent: str
+    guide_at: complex  # G on its parent
+    block_at: complex
+    guide_pin: complex  # G on the guide
+    block_pin: complex
+    guide_unit: complex  # link's direction against the line's
+    block_unit: complex
+    across: float
+    shift: float
+    joint: str
+    sign: float = 1.0
+    two: bool = True
+
+    def _ray(self, bodies: Bodies) -> tuple[Points, Points]:
+        here = bodies[self.guide_parent].point(self.guide_at)
+        return here, bodies[self.block_parent].point(self.block_at)
+
+    def reach(self, bodies: Bodies) -> Reals:
+        """σ (m)."""
+        here, there = self._ray(bodies)
+        ray = there - here
+        square = dot(ray, ray)
+        if self.across == 0.0:
+            return self.sign * np.sqrt(square)
+        return self.sign * np.sqrt(square) * _root(1 - self.across * self.across / square)
+
+    def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """u = (K - G) / (σ + ie)."""
+        here, there = self._ray(bodies)
+        reach = self.reach(bodies)
+        unit = (there - here) / np.where(reach == 0, np.nan, reach) if self.across == 0.0 else (
+            (there - here) / (reach + 1j * self.across))
+        return {
+            self.guide: Body(self.guide_pin, here, unit * self.guide_unit),
+            self.block: Body(self.block_pin, there, unit * self.block_unit),
+        }
+
+    def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """ω = Im(w ū)/σ, σ' = Re(w ū) + ωe; α = (Im(q ū) + ω²e - 2ωσ')/σ with w, q relative to G."""
+        guide, block = bodies[self.guide], bodies[self.block]
+        here, there = bodies[self.guide_parent], bodies[self.block_parent]
+        back = guide.unit.conj() * self.guide_unit
+        v_g, v_k = here.velocity_of(self.guide_at), there.velocity_of(self.block_at)
+        a_g, a_k = here.acceleration_of(self.guide_at), there.acceleration_of(self.block_at)
+        ray = back * (block.at - guide.at)
+        reach = run.alive(ray.real, np.abs(self.across) + np.abs(ray.real).max(), self.group.links)
+        slip, pull = back * (v_k - v_g), back * (a_k - a_g)
+        omega = slip.imag / reach
+        speed = slip.real + omega * self.across
+        alpha = (pull.imag + omega * (omega * self.across - 2 * speed)) / reach
+        return {
+            self.guide: guide.moving(v_g, omega, a_g, alpha),
+            self.block: block.moving(v_k, omega, a_k, alpha),
+        }
+
+    def miss(self, bodies: Bodies) -> Reals:
+        """How far the block's pin is nearer to the guide's pivot than the guide's offset (m)."""
+        here, there = self._ray(bodies)
+        return abs(self.across) - np.abs(there - here)
+
+
+@dataclass(frozen=True, slots=True)
+class Crossed:
+    """RPP: link j keeps the angle of k's parent; k slides along j and along its own parent: two lines meet.
+
+    pivot: j's outer hinge on its parent, pin: on j; turn: unit of j's direction against k's. outer: the line of a
+    point of k on its parent; inner: the line of the same point on j.
+    """
+
+    group: Group
+    parent: str
+    pivot: complex
+    pin: complex
+    turn: complex
+    outer: Line
+    inner: Line
+    joint: str
+    sign: float = 1.0
+    two: bool = False
+
+    def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """j about its pivot, k where the lines meet."""
+        unit = bodies[self.outer.parent].unit * self.outer.turn * self.turn
+        j = Body(self.pin, bodies[self.parent].point(self.pivot), unit)
+        both = {**bodies, self.inner.parent: j}
+        at = _line_line(self.outer.base(both), self.outer.direction(both),
+                        self.inner.base(both), self.inner.direction(both))
+        return {self.inner.parent: j, self.outer.link: self.outer.body(at, both, run)}
+
+    def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """One ω for all; two sliding speeds from w_o + λ_o d_o = w_i + λ_i d_i."""
+        turning, parent = bodies[self.outer.parent], bodies[self.parent]
+        j = bodies[self.inner.parent].moving(
+            parent.velocity_of(self.pivot), turning.omega, parent.acceleration_of(self.pivot), turning.alpha)
+        both, own = {**bodies, self.inner.parent: j}, bodies[self.outer.link]
+        w_o, d_o = self.outer.velocity(both, own)
+        w_i, d_i = self.inner.velocity(both, own)
+        det = run.alive(cross(d_o, d_i), 1.0, self.group.links)
+        rate_o, rate_i = _split(w_i - w_o, d_o, d_i, det)
+        q_o = self.outer.acceleration(both, own, d_o, rate_o)
+        q_i = self.inner.acceleration(both, own, d_i, rate_i)
+        rate2, _ = _split(q_i - q_o, d_o, d_i, det)
+        return {self.inner.parent: j, self.outer.link: self.outer.moving(both, own, w_o, q_o, d_o, rate_o, rate2)}
+
+    def miss(self, bodies: Bodies) -> Reals:
+        """Parallel guides never meet."""
+        return np.full(1, np.inf)

@@ -1,0 +1,95 @@
+"""The motion of one link over all positions of the drive, as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Points = NDArray[np.complex128]
+Reals = NDArray[np.float64]
+_Number = TypeVar("_Number", np.complex128, np.float64)
+
+
+def cross(a: Points, b: Points) -> Reals:
+    """a × b = a_x b_y - a_y b_x."""
+    product: Points = a.conj() * b
+    return product.imag
+
+
+def dot(a: Points, b: Points) -> Reals:
+    """a · b = a_x b_x + a_y b_y."""
+    product: Points = a.conj() * b
+    return product.real
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A link in motion: r = at + unit (p - local); a point p of the link in its own coordinates.
+
+    at (m), velocity (m/s) and acceleration (m/s²) are those of the link's point `local`; unit = e^{iφ};
+    omega (rad/s), alpha (rad/s²). turn: φ followed without jumps (rad), where a law of motion needs it.
+    Arrays have one element per position, or one element where the link does not change.
+    """
+
+    local: complex
+    at: Points
+    unit: Points
+    turn: Reals | None = None
+    velocity: Points = np.zeros(1, complex)
+    omega: Reals = np.zeros(1)
+    acceleration: Points = np.zeros(1, complex)
+    alpha: Reals = np.zeros(1)
+
+    def moving(self, velocity: Points, omega: Reals, acceleration: Points, alpha: Reals) -> Body:
+        """The same pose with these rates."""
+        return Body(self.local, self.at, self.unit, self.turn, velocity, omega, acceleration, alpha)
+
+    def point(self, local: complex) -> Points:
+        """Place of the link's point (m)."""
+        return self.at if local == self.local else self.at + self.unit * (local - self.local)
+
+    def velocity_of(self, local: complex) -> Points:
+        """v = v_0 + iω (r - r_0)."""
+        if local == self.local:
+            return self.velocity
+        return self.velocity + self.omega * (self.unit * (1j * (local - self.local)))
+
+    def acceleration_of(self, local: complex) -> Points:
+        """a = a_0 + (iα - ω²) (r - r_0)."""
+        if local == self.local:
+            return self.acceleration
+        spin = 1j * self.alpha - self.omega * self.omega
+        return self.acceleration + spin * (self.unit * (local - self.local))
+
+    def velocity_at(self, place: Points) -> Points:
+        """Velocity of the link's point that is at this place now."""
+        return self.velocity + 1j * self.omega * (place - self.at)
+
+    def acceleration_at(self, place: Points) -> Points:
+        """Acceleration of the link's point that is at this place now."""
+        return self.acceleration + (1j * self.alpha - self.omega * self.omega) * (place - self.at)
+
+    def after(self, start: int) -> Body:
+        """The positions from index `start` on."""
+        return Body(
+            self.local, _cut(self.at, start), _cut(self.unit, start),
+            None if self.turn is None else _cut(self.turn, start),
+            _cut(self.velocity, start), _cut(self.omega, start),
+            _cut(self.acceleration, start), _cut(self.alpha, start),
+        )
+
+
+def _cut(values: NDArray[_Number], start: int) -> NDArray[_Number]:
+    return values if len(values) == 1 else values[start:]
+
+
+Bodies = Mapping[str, Body]
+
+
+def at_rest() -> Body:
+    """The frame: its coordinates are those of the plane."""
+    return Body(0j, np.zeros(1, complex), np.ones(1, complex), np.zeros(1))

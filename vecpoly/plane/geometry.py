@@ -1,0 +1,85 @@
+"""Points, lines, circles and their meetings, elementwise.
+
+A point is `complex` or a complex array of shape (n,): the same construction by n hands. Nothing here raises for
+a meeting that does not exist: it gives NaN, and the board, which knows the letters, says what failed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Points = complex | npt.NDArray[np.complex128]
+Reals = float | npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """An endless line through `at` in the direction of the unit vector `along`."""
+
+    at: Points
+    along: Points
+
+
+def nominal(value: Any) -> Any:
+    """The nominal hand's value: element 0 of an array, the number itself otherwise."""
+    return value[0] if isinstance(value, np.ndarray) and value.ndim else value
+
+
+def unit(vector: Points) -> Points:
+    """The vector divided by its length."""
+    return vector / np.abs(vector)
+
+
+def dot(u: Points, v: Points) -> Reals:
+    """u · v."""
+    return (np.conj(u) * v).real  # type: ignore[no-any-return]
+
+
+def cross(u: Points, v: Points) -> Reals:
+    """u × v, positive when v lies to the left of u."""
+    return (np.conj(u) * v).imag  # type: ignore[no-any-return]
+
+
+def distance(p: Points, q: Points) -> Reals:
+    """|q − p|."""
+    return np.abs(q - p)
+
+
+def foot(line: Line, p: Points) -> Points:
+    """Foot of the perpendicular from p to the line."""
+    return line.at + line.along * dot(line.along, p - line.at)
+
+
+def lines_meet(g: Line, h: Line) -> Points:
+    """Meeting point of two lines; NaN where they are parallel."""
+    sine = cross(g.along, h.along)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = np.divide(cross(h.at - g.at, h.along), sine)
+    return g.at + g.along * t
+
+
+def line_circle_meet(line: Line, centre: Points, radius: Reals) -> tuple[Points, Points]:
+    """The two meeting points, the one further along the line first; NaN where the circle is not reached."""
+    middle = foot(line, centre)
+    with np.errstate(invalid="ignore"):
+        half = np.sqrt(np.square(radius) - np.square(np.abs(middle - centre)))
+    return middle + line.along * half, middle - line.along * half
+
+
+def circles_meet(c1: Points, r1: Reals, c2: Points, r2: Reals) -> tuple[Points, Points]:
+    """The two meeting points, the one to the left of the ray c1 → c2 first; NaN where the arcs do not meet."""
+    span = c2 - c1
+    d2 = np.square(np.abs(span))
+    along = (d2 + np.square(r1) - np.square(r2)) / (2 * d2)
+    with np.errstate(invalid="ignore"):
+        across = np.sqrt(np.square(r1) / d2 - np.square(along))
+    return c1 + span * (along + 1j * across), c1 + span * (along - 1j * across)
+
+
+def similar(a: Points, b: Points, c: Points, a1: Points, b1: Points) -> Points:
+    """The point c1 for which a1 b1 c1 is similar to a b c in the same letter order."""
+    return a1 + (c - a) / (b - a) * (b1 - a1)

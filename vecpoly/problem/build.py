@@ -1,0 +1,138 @@
+"""From validated text to a Problem; every fault is noted at its place, and all are told together."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from ..errors import VecpolyError
+from ..mechanism.model import Drive, Joint, Mechanism, SideOf
+from ..names import At
+from .asks import Ask
+from .faults import FaultError, Faults, meant
+from .joints import Bodies, read_joint, revolutes
+from .links import LETTER, read_link
+from .motion import read_branch, read_input
+from .problem import Datum, Given, Printed, Problem, Scales
+from .schema import FindSpec, ProblemSpec
+from .source import Tree
+from .units import Dim, read
+from .validate import validate
+from .wanted import read_find, read_point, read_printed, read_scales
+
+
+def build(tree: Tree, path: Path | None = None) -> Problem:
+    """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
+    faults = Faults(tree.name, tree.places)
+    spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
+    bodies = _bodies(spec, faults)
+    joints = _joints(spec, bodies, faults)
+    drives, motion = _inputs(spec, bodies, joints, faults)
+    branches = _branches(spec, bodies, faults)
+    guesses = _points("guesses", spec.guesses, faults, bodies.letters())
+    asks, printed, scales = _wanted(spec, bodies, faults)
+    faults.settle()
+    mechanism = Mechanism(
+        frame=bodies.frame, links=tuple(draft.link() for draft in bodies.drafts.values()), joints=joints, drives=drives,
+        branches=branches, guesses=guesses,
+    )
+    _check_mobility(mechanism, tree)
+    return Problem(
+        id=spec.id, title=spec.title, source=spec.source, statement=spec.statement, mechanism=mechanism, asks=asks,
+        scales=scales, printed=printed, errata=tuple(spec.errata), given=_given(bodies, motion),
+        orientation=spec.sheet.orientation if spec.sheet else None, path=path, text=tree.text,
+    )
+
+
+def _points(key: str, data: dict[str, tuple[str, str]], faults: Faults, known: tuple[str, ...] = ()) -> dict[str, complex]:
+    points = {}
+    for letter, pair in data.items():
+        with faults.at(key, letter):
+            if not re.fullmatch(LETTER, letter):
+                raise FaultError(f"'{letter}' is no letter of a point, such as A")
+            if known and letter not in known:
+                raise FaultError(f"point '{letter}' does not exist{meant(letter, known)}")
+            points[letter] = complex(read(pair[0], Dim.LENGTH).si, read(pair[1], Dim.LENGTH).si)
+    return points
+
+
+def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
+    bodies = Bodies(_points("frame", spec.frame, faults), {})
+    for name, data in spec.links.items():
+        with faults.at("links", name):
+            if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
+                raise FaultError(f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)")
+            bodies.drafts[name] = read_link(name, data)
+    if faults.found:  # what follows would only repeat the same faults in other words
+        faults.settle()
+    return bodies
+
+
+def _joints(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Joint, ...]:
+    written: list[Joint] = []
+    for i, text in enumerate(spec.joints):
+        with faults.at("joints", i):
+            written.append(read_joint(text, bodies))
+    return (*revolutes(bodies), *written)
+
+
+def _inputs(spec: ProblemSpec, bodies: Bodies, joints: tuple[Joint, ...],
+            faults: Faults) -> tuple[tuple[Drive, ...], tuple[Datum, ...]]:
+    drives: list[Drive] = []
+    motion: list[Datum] = []
+    several = isinstance(spec.input, list)
+    for i, item in enumerate(spec.input if isinstance(spec.input, list) else [spec.input]):
+        with faults.at(*(("input", i) if several else ("input",))):
+            drive, data = read_input(item, bodies, joints)
+            drives.append(drive)
+            motion.extend(data)
+    return tuple(drives), tuple(motion)
+
+
+def _branches(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[SideOf, ...]:
+    branches = []
+    for i, text in enumerate(spec.branch):
+        with faults.at("branch", i):
+            branches.append(read_branch(text, bodies.letters()))
+    return tuple(branches)
+
+
+def _wanted(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
+    named: list[At] = []
+    asks: list[Ask] = []
+    printed: list[Printed] = []
+    for i, item in enumerate(spec.find):
+        if isinstance(item, FindSpec) and item.point:
+            with faults.at("find", i):
+                named.append(read_point(item, bodies).at)
+    for i, item in enumerate(spec.find):
+        if not faults.found:
+            with faults.at("find", i):
+                asks.append(read_find(item, bodies, named))
+    for i, entry in enumerate(spec.printed):
+        with faults.at("printed", i):
+            printed.append(read_printed(entry, bodies, named))
+    scales = Scales()
+    with faults.at("scales"):
+        scales = read_scales(spec.scales)
+    return tuple(asks), tuple(printed), scales
+
+
+def _given(bodies: Bodies, motion: tuple[Datum, ...]) -> Given:
+    return Given(
+        lengths=tuple(datum for draft in bodies.drafts.values() for datum in draft.lengths),
+        motion=motion, letters=bodies.letters(),
+        shapes={name: draft.shape for name, draft in bodies.drafts.items()},
+    )
+
+
+def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
+    """Degrees of freedom and inputs must agree; the mechanism's own error, with the file's name in front."""
+    from ..mechanism import mobility
+
+    try:
+        mobility.check(mechanism)
+    except VecpolyError as error:
+        place = tree.places.get(("input",))
+        where = f"{tree.name}, line {place.line}" if place else tree.name
+        raise type(error)(f"{where}: input: {error}") from None

@@ -1,0 +1,67 @@
+"""The problem library: which problems there are, read from the heads of their files."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..data import data_dir
+from ..errors import ProblemFileError
+from ..words import Words
+
+_ID = re.compile(r"^id:\s*['\"]?([\w.\-]+)", re.M)
+_TITLE = re.compile(r"^title:\s*(?:\{\s*zh:\s*(?P<zh>.+?),\s*en:\s*(?P<en>.+?)\s*\}|(?P<one>.+?))\s*$", re.M)
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One problem of the library."""
+
+    id: str
+    title: Words
+    path: Path
+
+
+def library(folder: Path | None = None) -> tuple[Entry, ...]:
+    """All problems, in the order of chapter and number. Raises ProblemFileError where two files have one id."""
+    found = sorted(entries(folder), key=lambda entry: (entry.path.parent.name, natural(entry.id)))
+    by_id: dict[str, Entry] = {}
+    for entry in found:
+        first = by_id.setdefault(entry.id, entry)
+        if first is not entry:
+            raise ProblemFileError(f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them")
+    return tuple(found)
+
+
+def entries(folder: Path | None = None) -> tuple[Entry, ...]:
+    """The heads of all files, as they come."""
+    root = folder or data_dir("problems")
+    return tuple(entry for path in sorted(root.rglob("*.yaml")) if (entry := _head(path)) is not None)
+
+
+def find(name: str) -> Path | None:
+    """The file of a problem of the library: '3-9' or 'ch3/3-9'."""
+    if not re.fullmatch(r"[\w.\-/]+", name) or ".." in name:
+        return None
+    root = data_dir("problems")
+    for path in sorted(root.rglob(f"{Path(name).name}.yaml")):
+        if path.with_suffix("").as_posix().endswith(f"/{name}"):
+            return path
+    return next((entry.path for entry in entries() if entry.id == name), None)
+
+
+def natural(text: str) -> tuple[tuple[int, str], ...]:
+    """Sort key: 3-9 before 3-10."""
+    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", text) if part)
+
+
+def _head(path: Path) -> Entry | None:
+    with path.open(encoding="utf-8", errors="replace") as file:
+        head = file.read(2000)
+    m, t = _ID.search(head), _TITLE.search(head)
+    if m is None:
+        return None
+    bare = (t["one"].strip("'\"") if t["one"] else "") if t else m[1]
+    title = Words(t["zh"].strip("'\""), t["en"].strip("'\"")) if t and t["zh"] else Words(bare, bare)
+    return Entry(m[1], title, path)

@@ -1,0 +1,94 @@
+"""A problem as loaded: the mechanism and everything else a solution and its report want to know."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from pathlib import Path
+from types import MappingProxyType
+from typing import Literal
+
+from ..mechanism.model import Mechanism
+from ..names import Rel
+from ..words import Words
+from .asks import Ask
+
+
+class Shape(StrEnum):
+    """How a link is drawn."""
+
+    BAR = "bar"  # two or more pins
+    SLOT = "slot"  # a slotted link: a block or a pin runs in it
+    ROD = "rod"  # a straight rod that passes through a block or sleeve
+    BLOCK = "block"  # a sliding block
+    GEAR = "gear"
+    PIN = "pin"  # the massless block that stands for a pin in a slot; not drawn
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Datum:
+    """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), its SI value, and the value as written (`30 mm`)."""
+
+    symbol: str
+    si: float
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Given:
+    """What is printed after 已知: lengths in order, the input's data, and how the links look."""
+
+    lengths: tuple[Datum, ...] = ()
+    motion: tuple[Datum, ...] = ()
+    letters: tuple[str, ...] = ()  # frame's letters first, then by link
+    shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "shapes", MappingProxyType(dict(self.shapes)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scales:
+    """Given scales in SI per mm on paper; None is auto."""
+
+    mu_l: float | None = None  # m/mm
+    mu_v: float | None = None  # (m/s)/mm
+    mu_a: float | None = None  # (m/s²)/mm
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Printed:
+    """One printed answer: value in SI (signed where the print has a sign), as written, and what is known about it.
+
+    `paper_mm` and `scale` (SI per mm) are set where the print gives a length on paper. `rel` is None for a length (`l_BC`).
+    """
+
+    symbol: str
+    rel: Rel | None
+    value: float
+    text: str
+    kind: Literal["calculated", "graphical"] = "calculated"
+    paper_mm: float | None = None
+    scale: float | None = None
+    direction: float | None = None  # rad
+    note: Words | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Problem:
+    """One exercise: the given mechanism, what is asked, how it was answered in print."""
+
+    id: str
+    title: Words
+    mechanism: Mechanism
+    asks: tuple[Ask, ...]
+    source: Words | None = None
+    statement: Words = field(default_factory=lambda: Words("", ""))
+    scales: Scales = field(default_factory=Scales)
+    printed: tuple[Printed, ...] = ()
+    errata: tuple[Words, ...] = ()
+    given: Given = field(default_factory=Given)
+    orientation: Literal["portrait", "landscape"] | None = None
+    path: Path | None = None
+    text: str = ""  # the file as written

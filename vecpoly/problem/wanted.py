@@ -1,0 +1,109 @@
+"""What is asked and what was printed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from ..errors import UnknownNameError
+from ..mechanism.model import FRAME
+from ..names import At, Kind, Rel, parse_rel
+from .asks import Ask, AskCoriolis, AskPoint, AskRel
+from .faults import FaultError, meant
+from .joints import Bodies
+from .problem import Printed, Scales
+from .schema import FindSpec, PrintedSpec, ScalesSpec
+from .units import Dim, read, unit_of
+
+_KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
+_POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
+_DIM = {Kind.P: Dim.LENGTH, Kind.V: Dim.SPEED, Kind.OMEGA: Dim.OMEGA, Kind.ALPHA: Dim.ALPHA}
+_MU = {Kind.P: Dim.MU_L, Kind.V: Dim.MU_V, Kind.OMEGA: Dim.MU_V}
+
+
+def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At]) -> Ask:
+    """One entry of `find`; `named` are points the problem itself names, such as M2."""
+    if isinstance(spec, str):
+        return AskRel(rel=read_key(spec, bodies, named))
+    if spec.coriolis is not None:
+        return AskCoriolis(rel=read_key(f"ak_{spec.coriolis}", bodies, named))
+    return read_point(spec, bodies)
+
+
+def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
+    """{point: M2, on: 2, velocity: 0}."""
+    m = _POINT.fullmatch(spec.point or "")
+    if m is None:
+        raise FaultError("write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}")
+    link = spec.on or m[2]
+    bodies.draft(link)
+    if link != m[2]:
+        raise FaultError(f"point {spec.point} would be on link {m[2]}, but 'on' says {link}")
+    if (spec.velocity is None) == (spec.acceleration is None):
+        raise FaultError("give either the velocity or the acceleration of the point")
+    return AskPoint(name=m[0], link=link, velocity=_vector(spec.velocity, Dim.SPEED),
+                    acceleration=_vector(spec.acceleration, Dim.ACCEL))
+
+
+def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
+    if value is None:
+        return None
+    if isinstance(value, str):
+        if read(value, dim).si != 0:
+            raise FaultError(f"write both components, e.g. [{dim.example}, {dim.example}], or 0")
+        return 0j
+    return complex(read(value[0], dim).si, read(value[1], dim).si)
+
+
+def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
+    """A key whose letters and links exist."""
+    try:
+        rel = parse_rel(text.translate(_KEY_SPELLING))
+    except UnknownNameError as error:
+        raise FaultError(str(error)) from None
+    for at in (rel.to, *([rel.ref] if rel.ref else [])):
+        if at not in named and rel.key not in {f"p_{at}" for at in named}:
+            _known(at, text, bodies)
+    return rel
+
+
+def _known(at: At, text: str, bodies: Bodies) -> None:
+    if at.link and at.link != FRAME and at.link not in bodies.drafts:
+        raise FaultError(f"{text}: link '{at.link}' does not exist{meant(at.link, bodies.drafts)}")
+    letters = bodies.letters()
+    if at.point and at.point not in letters:
+        raise FaultError(f"{text}: point '{at.point}' does not exist{meant(at.point, letters)}")
+
+
+def read_scales(spec: ScalesSpec) -> Scales:
+    """Given scales; auto is None."""
+    def one(key: str, text: str, dim: Dim) -> float | None:
+        if text in ("auto", "自动"):
+            return None
+        try:
+            value = read(text, dim).si
+        except FaultError as fault:
+            raise FaultError(fault.text, key) from None
+        if value <= 0:
+            raise FaultError(f"'{text}' must be greater than zero; write e.g. {dim.example} or auto", key)
+        return value
+
+    return Scales(mu_l=one("mu_l", spec.mu_l, Dim.MU_L), mu_v=one("mu_v", spec.mu_v, Dim.MU_V),
+                  mu_a=one("mu_a", spec.mu_a, Dim.MU_A))
+
+
+def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Printed:
+    """One entry of `printed`: a value with its unit, or a length on paper with its scale."""
+    rel = None if spec.symbol.startswith("l_") else read_key(spec.symbol, bodies, named)
+    kind = rel.kind if rel else Kind.P
+    direction = read(spec.direction, Dim.ANGLE).si if spec.direction is not None else None
+    if spec.scale is None:
+        value, paper, scale = read(spec.value, _DIM.get(kind, Dim.ACCEL)).si, None, None
+    else:
+        if unit_of(spec.value.split()[-1])[1] != Dim.LENGTH.dimension:
+            raise FaultError(f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm", "value")
+        paper = read(spec.value, Dim.LENGTH).si * 1e3
+        scale = read(spec.scale, _MU.get(kind, Dim.MU_A)).si
+        value = paper * scale
+    return Printed(symbol=spec.symbol, rel=rel, value=value, text=spec.value, kind=spec.kind, paper_mm=paper,
+                   scale=scale, direction=direction, note=spec.note)

@@ -1,0 +1,162 @@
+"""Headings, the title block, call-outs and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from ...formula import plain, row, split_words
+from ...typeset.box import MM
+from ...typeset.canvas import Ink
+from ...typeset.words import layout_words
+from ...words import Lang
+from .base import Block
+from .cells import cells, joined
+from .para import Para
+from .style import BODY, CAPTION, GREY, HEADINGS, Colour, Style
+
+Draw = Callable[[Any, float, float], None]
+
+TITLE_FIELDS = ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期")
+KINDS: dict[str, Colour] = {
+    "pass": (0.10, 0.45, 0.20),
+    "warn": (0.70, 0.42, 0.0),
+    "fail": (0.70, 0.10, 0.10),
+    "note": (0.15, 0.30, 0.55),
+}
+
+
+def spoken(text: str) -> str:
+    """A text without its marks, for bookmarks and alternative texts."""
+    parts = (plain(row(piece)) if formula else piece for formula, piece in split_words(text))
+    return "".join(parts).replace("**", "")
+
+
+class Heading(Para):
+    """A heading of level 1 (the title) to 3, with an outline entry; it stays with what follows."""
+
+    keepWithNext = 1
+
+    def __init__(self, text: str, level: int = 2, lang: Lang = "zh") -> None:
+        super().__init__(text, HEADINGS[level - 1], lang)
+        self.level = level
+        self.outline = spoken(text)
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """A heading stays whole."""
+        return []
+
+
+class TitleBlock(Block):
+    """A ruled box of labelled blanks, filled where a value is known."""
+
+    def __init__(self, fields: Sequence[tuple[str, str]], columns: int = 3) -> None:
+        super().__init__(2.0, 8.0)
+        self.fields, self.columns = tuple(fields), columns
+
+    _ROW = 8.0 * MM
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        self.height = self._ROW * -(-len(self.fields) // self.columns)
+        return width, self.height
+
+    def draw(self) -> None:
+        """Draw the frame, then labels and values."""
+        canv, step = self.canv, self.width / self.columns
+        rows = -(-len(self.fields) // self.columns)
+        canv.setLineWidth(0.4)
+        for i in range(1, rows):
+            canv.line(0.0, i * self._ROW, self.width, i * self._ROW)
+        ink = Ink(canv)
+        for column in range(self.columns):
+            labels = [layout_words(label, BODY.em) for label, _ in self.fields[column :: self.columns]]
+            values = [layout_words(value, BODY.em) for _, value in self.fields[column :: self.columns]]
+            left = column * step
+            edge = left + (max(label.width for label in labels) + 4.0) * MM if labels else left
+            for x in (left, edge):
+                if x:
+                    canv.line(x, 0.0, x, self.height)
+            for i, (label, value) in enumerate(zip(labels, values, strict=True)):
+                y = self.height - (i + 0.5) * self._ROW - 0.36 * BODY.size
+                ink.box(label, left + (edge - left - label.width * MM) / 2, y)
+                ink.box(value, edge + 2.0 * MM, y)
+        canv.setLineWidth(0.9)
+        canv.rect(0.0, 0.0, self.width, self.height)
+        ink.flush()
+
+
+class Callout(Block):
+    """A verdict or remark on a tinted ground with a coloured bar; kind: pass, warn, fail, note."""
+
+    def __init__(self, text: str, kind: str = "note", lang: Lang = "zh") -> None:
+        super().__init__(5.0, 7.0)
+        self.kind = kind
+        self._tint = KINDS[kind]
+        self._para = Para(text, Style(size=10.0, leading=15.5), lang)
+
+    _PAD = 7.0
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        _, inner = self._para.wrap(width - 2 * self._PAD - 4.0, height)
+        self.height = inner + self._PAD
+        return width, self.height
+
+    def draw(self) -> None:
+        """Draw ground, bar and text."""
+        canv = self.canv
+        canv.setFillColorRGB(*(1.0 - 0.07 * (1.0 - part) for part in self._tint))
+        canv.rect(0.0, 0.0, self.width, self.height, stroke=0, fill=1)
+        canv.setFillColorRGB(*self._tint)
+        canv.rect(0.0, 0.0, 2.4, self.height, stroke=0, fill=1)
+        self._para.drawOn(canv, self._PAD + 4.0, self._PAD / 2)
+
+
+class Drawing(Block):
+    """A figure of true size, drawn by a callback at its lower left corner, centred, captioned below."""
+
+    def __init__(
+        self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = ""
+    ) -> None:
+        super().__init__(6.0, 6.0)
+        self.size = (width_mm * MM, height_mm * MM)
+        self.alt, self._draw = alt, draw
+        chinese = any(char >= "\u2e80" for char in caption)
+        self._caption = joined(cells(caption, CAPTION.em, chinese), CAPTION.em) if caption else None
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column; a figure is never scaled."""
+        self.width = max(width, self.size[0])
+        self.height = self.size[1] + (CAPTION.leading + 2.0 if self._caption else 0.0)
+        return width, self.height
+
+    def draw(self) -> None:
+        """Call back, then set the caption."""
+        left = (self.width - self.size[0]) / 2
+        self.canv.saveState()
+        self._draw(self.canv, left, self.height - self.size[1])
+        self.canv.restoreState()
+        if self._caption is not None:
+            ink = Ink(self.canv)
+            ink.box(self._caption, (self.width - self._caption.width * MM) / 2, CAPTION.size * 0.35)
+            ink.flush()
+
+
+class Divider(Block):
+    """A fine rule across the column."""
+
+    def __init__(self) -> None:
+        super().__init__(4.0, 6.0)
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width, self.height = width, 0.5
+        return width, 0.5
+
+    def draw(self) -> None:
+        """Draw the rule."""
+        self.colour(GREY)
+        self.canv.rect(0.0, 0.0, self.width, 0.4, stroke=0, fill=1)

@@ -1,0 +1,205 @@
+"""The report document: A4, running header, page n / N, bookmarks, embedded fonts only, same bytes every time."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from reportlab import rl_config
+from reportlab.lib.pagesizes import A4, landscape
+from reportlab.pdfgen.canvas import Canvas
+from reportlab.platypus.doctemplate import BaseDocTemplate, NextPageTemplate, PageTemplate
+from reportlab.platypus.flowables import PageBreak
+from reportlab.platypus.frames import Frame
+
+from ...typeset.box import MM
+from ...typeset.canvas import Ink, lost
+from ...typeset.fonts import Face, load
+from ...typeset.words import layout_words
+from ...words import Lang
+from .base import Block
+from .blocks import Draw
+from .style import GREY
+
+MARGIN = 20 * MM
+_SMALL = 8.5 / MM
+_TOTAL = "vecpoly-total"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Metadata:
+    """What the file says about itself."""
+
+    title: str
+    author: str = ""
+    subject: str = ""
+    keywords: tuple[str, ...] = ()
+    creator: str = "vecpoly"
+    lang: Lang = "zh"
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A written document: where, how many pages, and the characters that no face had."""
+
+    path: Path
+    pages: int
+    missing: tuple[str, ...]
+
+
+class SheetPage(Block):
+    """A whole A4 page drawn by a callback at the paper's lower left corner, in true millimetres."""
+
+    def __init__(self, draw: Draw, *, wide: bool = False, title: str = "", alt: str = "") -> None:
+        super().__init__()
+        self._draw, self.wide, self.outline, self.alt = draw, wide, title, alt
+        self.level = 2
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """The whole page."""
+        self.width, self.height = width, height
+        return width, height
+
+    def draw(self) -> None:
+        """Call back."""
+        self._draw(self.canv, 0.0, 0.0)
+
+
+class _Canvas(Canvas):  # type: ignore[misc]
+    """PDF 1.7 in our own face; the number of pages is a form filled in at the end."""
+
+    def __init__(self, filename: str, **options: Any) -> None:
+        load(Face.SONG)
+        options |= {"initialFontName": Face.SONG.value, "pdfVersion": (1, 7), "invariant": 1}
+        super().__init__(filename, **options)
+
+    def save(self) -> None:
+        """Fill in the number of pages, then write."""
+        if self._doc.pageCounter > 1:
+            ink = Ink(self)
+            self.beginForm(_TOTAL)
+            ink.box(layout_words(str(self.getPageNumber() - 1), _SMALL), 0.0, 0.0)
+            self.setFillColorRGB(*GREY)
+            ink.flush()
+            self.endForm()
+        super().save()
+
+
+class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
+    """A report built from flowables; `write` makes the file in one move, or not at all."""
+
+    def __init__(self, story: Sequence[Any], metadata: Metadata) -> None:
+        self.story, self.metadata = list(story), metadata
+        self._entries, self._level = 0, -1
+        lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
+        super().__init__(
+            "", pagesize=A4, leftMargin=MARGIN, rightMargin=MARGIN, topMargin=MARGIN, bottomMargin=MARGIN,
+            title=metadata.title, author=metadata.author or None, subject=metadata.subject or metadata.title,
+            creator=metadata.creator, producer="vecpoly", keywords=list(metadata.keywords), lang=lang,
+            invariant=1, pageCompression=1, displayDocTitle=True, pageTemplates=self._templates(),
+        )  # fmt: skip
+
+    def _templates(self) -> list[PageTemplate]:
+        width, height = A4
+        text = Frame(MARGIN, MARGIN, width - 2 * MARGIN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
+        zero = {"leftPadding": 0, "rightPadding": 0, "topPadding": 0, "bottomPadding": 0}
+        sheets = [
+            PageTemplate(name, [Frame(0, 0, *size, **zero)], pagesize=size)
+            for name, size in (("portrait", A4), ("landscape", landscape(A4)))
+        ]
+        return [PageTemplate("text", [text], onPage=self._furniture, pagesize=A4), *sheets]
+
+    def _furniture(self, canvas: Any, _: Any) -> None:
+        """Running header and footer."""
+        width, height = A4
+        canvas.saveState()
+        canvas.setFillColorRGB(*GREY)
+        ink = Ink(canvas)
+        title = layout_words(self.metadata.title, _SMALL)
+        ink.box(title, width - MARGIN - title.width * MM, height - MARGIN + 4 * MM)
+        ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
+        number = layout_words(f"{canvas.getPageNumber()} / ", _SMALL)
+        ink.box(number, width / 2 - number.width * MM, 11 * MM)
+        ink.flush()
+        canvas.translate(width / 2, 11 * MM)
+        canvas.doForm(_TOTAL)
+        canvas.restoreState()
+
+    def afterFlowable(self, flowable: Any) -> None:
+        """Bookmark headings and sheets."""
+        outline = getattr(flowable, "outline", "")
+        if not outline:
+            return
+        self._entries += 1
+        key = f"h{self._entries}"
+        level = min(flowable.level - 1, self._level + 1)
+        self._level = level
+        self.canv.bookmarkPage(key)
+        self.canv.addOutlineEntry(outline, key, level, closed=0)
+
+    def write(self, path: str | Path) -> Written:
+        """Write the document beside its place, then move it there."""
+        target = Path(path)
+        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
+        os.close(handle)
+        self._entries, self._level = 0, -1
+        try:
+            with _settings():
+                self.build(_expanded(self.story), filename=name, canvasmaker=_Canvas)
+            Path(name).chmod(0o666 & ~_umask())
+            Path(name).replace(target)
+        finally:
+            Path(name).unlink(missing_ok=True)
+        return Written(target, self.page, tuple(lost(self.canv)))
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+@contextmanager
+def _settings() -> Iterator[None]:
+    before = rl_config.useA85
+    rl_config.useA85 = 0
+    try:
+        yield
+    finally:
+        rl_config.useA85 = before
+
+
+def _expanded(story: Sequence[Any]) -> list[Any]:
+    """The story with page turns around its sheets, none doubled, none at either end."""
+    out: list[Any] = []
+    template = "text"
+    for item in story:
+        if isinstance(item, PageBreak):
+            _turn(out, template)
+            continue
+        wanted = ("landscape" if item.wide else "portrait") if isinstance(item, SheetPage) else "text"
+        if wanted != "text" or wanted != template:
+            _turn(out, wanted)
+        template = wanted
+        out.append(item)
+    while out and isinstance(out[-1], (PageBreak, NextPageTemplate)):
+        out.pop()
+    return out
+
+
+def _turn(out: list[Any], template: str) -> None:
+    if out and isinstance(out[-1], PageBreak):
+        out.pop()
+        out.append(NextPageTemplate(template))
+    elif not out:
+        out.append(NextPageTemplate(template))
+        return
+    else:
+        out.append(NextPageTemplate(template))
+    out.append(PageBreak())
+

@@ -1,0 +1,161 @@
+"""The vector equation over its rows of directions and magnitudes, as the textbooks of 机械原理 print it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...board.construction import EquationTable
+from ...formula import Node, Row, Txt, Vec, row, sym
+from ...typeset.box import MM, Box
+from ...typeset.canvas import Ink
+from ...typeset.fonts import Face
+from ...typeset.layout import layout, run
+from ...typeset.words import layout_words
+from ...words import Lang, Words
+from .base import Block
+from .style import BODY
+
+CAPTIONS = (Words("方向", "Direction"), Words("大小", "Magnitude"))
+_ROW_SKIP = 1.7  # mm between the rows
+_LEAST = 0.75  # how far a wide equation may be made smaller before it is broken
+
+
+@dataclass(frozen=True, slots=True)
+class _Column:
+    """One term: the sign before it and the three things under each other, with the column's width."""
+
+    sign: Box
+    cells: tuple[Box, Box, Box]
+    width: float
+
+
+@dataclass(frozen=True, slots=True)
+class _Grid:
+    """The equation at one size, cut into groups of columns that fit the measure."""
+
+    captions: tuple[Box, Box]
+    margin: float
+    groups: tuple[tuple[_Column, ...], ...]
+    em: float
+
+
+def vector(symbol: str) -> Node:
+    """The symbol with an arrow; a row (``μ_a n'n``) stays as it is."""
+    try:
+        return Vec(sym(symbol))
+    except ValueError:
+        return row(symbol)
+
+
+class EquationFlow(Block):
+    """An equation table; too wide, it is set smaller, then broken between two terms."""
+
+    def __init__(self, table: EquationTable, lang: Lang = "zh", size: float = BODY.size) -> None:
+        super().__init__(6.0, 8.0)
+        self.table, self.lang, self._size = table, lang, size
+        self._grid: _Grid | None = None
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        self._grid = _fit(self.table, self.lang, self._size / MM, width / MM)
+        groups = self._grid.groups
+        self.height = sum(_height(self._grid, group) for group in groups) * MM
+        self.height += (len(groups) - 1) * 2 * _ROW_SKIP * MM
+        return width, self.height
+
+    def draw(self) -> None:
+        """Draw every group of columns under the other."""
+        assert self._grid is not None
+        grid, ink = self._grid, Ink(self.canv)
+        widest = max(_width(grid, group) for group in grid.groups)
+        left = max(0.0, (self.width / MM - widest) / 2)
+        y = self.height / MM
+        for group in grid.groups:
+            _draw(ink, grid, group, left, y)
+            y -= _height(grid, group) + 2 * _ROW_SKIP
+        ink.flush()
+
+
+def _columns(table: EquationTable, lang: Lang, em: float) -> list[_Column]:
+    columns: list[_Column] = []
+    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, strict=True)
+    for symbol, sign, direction, magnitude in rows:
+        below = (_words(direction.of(lang), em), _words(magnitude, em))
+        cells = (layout(vector(symbol), em), *below)
+        columns.append(_Column(_sign(sign, em), cells, max(cell.width for cell in cells) + 0.3 * em))
+    return columns
+
+
+def _words(text: str, em: float) -> Box:
+    return layout_words(text, em * 0.92)
+
+
+def _sign(sign: str, em: float) -> Box:
+    if not sign:
+        return Box(0.0, 0.0, 0.0)
+    glyph = run(sign.replace("-", "−"), Face.STIX, em)
+    side = 0.45 * em
+    return Box(glyph.width + 2 * side, glyph.ascent, glyph.descent, tuple(glyph.moved(side, 0.0)))
+
+
+def _fit(table: EquationTable, lang: Lang, em: float, width: float) -> _Grid:
+    columns = _columns(table, lang, em)
+    captions = (layout_words(CAPTIONS[0].of(lang), em), layout_words(CAPTIONS[1].of(lang), em))
+    margin = max(caption.width for caption in captions) + em
+    full = margin + sum(column.sign.width + column.width for column in columns)
+    if full > width and em > _LEAST * BODY.size / MM:
+        return _fit(table, lang, em * max(_LEAST, 0.99 * width / full, 0.9), width)
+    return _Grid(captions, margin, _groups(columns, width - margin), em)
+
+
+def _groups(columns: list[_Column], width: float) -> tuple[tuple[_Column, ...], ...]:
+    groups: list[list[_Column]] = [[]]
+    used = 0.0
+    for column in columns:
+        need = column.sign.width + column.width
+        if groups[-1] and used + need > width:
+            groups.append([])
+            used = 0.0
+        groups[-1].append(column)
+        used += need
+    return tuple(tuple(group) for group in groups)
+
+
+def _row_metrics(grid: _Grid, group: tuple[_Column, ...], index: int) -> tuple[float, float]:
+    boxes = [column.cells[index] for column in group]
+    least = (0.8 * grid.em, 0.2 * grid.em)
+    return max(least[0], *(b.ascent for b in boxes)), max(least[1], *(b.descent for b in boxes))
+
+
+def _height(grid: _Grid, group: tuple[_Column, ...]) -> float:
+    return sum(sum(_row_metrics(grid, group, i)) for i in range(3)) + 2 * _ROW_SKIP
+
+
+def _width(grid: _Grid, group: tuple[_Column, ...]) -> float:
+    return grid.margin + sum(column.sign.width + column.width for column in group)
+
+
+def _draw(ink: Ink, grid: _Grid, group: tuple[_Column, ...], left: float, y: float) -> None:
+    for index in range(3):
+        ascent, descent = _row_metrics(grid, group, index)
+        y -= ascent
+        if index:
+            ink.box(grid.captions[index - 1], left * MM, y * MM)
+        x = left + grid.margin
+        for column in group:
+            if index == 0:
+                ink.box(column.sign, x * MM, y * MM)
+            x += column.sign.width
+            cell = column.cells[index]
+            ink.box(cell, (x + (column.width - cell.width) / 2) * MM, y * MM)
+            x += column.width
+        y -= descent + _ROW_SKIP
+
+
+def spoken(table: EquationTable) -> Row:
+    """The equation alone as a formula row, for alternative text."""
+    items: list[Node] = []
+    for sign, symbol in zip(table.signs, table.symbols, strict=True):
+        items += [Txt(f" {sign} "), row(symbol)] if sign else [row(symbol)]
+    return Row(tuple(items))

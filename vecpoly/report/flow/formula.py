@@ -1,0 +1,83 @@
+"""Display formulas: centred; one that is too wide breaks before its equality signs."""
+
+from __future__ import annotations
+
+from ...formula import Node
+from ...typeset.atoms import Kind
+from ...typeset.box import MM, Box, beside
+from ...typeset.canvas import Ink
+from ...typeset.layout import layout, segments
+from ...typeset.words import layout_words
+from .base import Block
+from .style import BODY
+
+_SKIP = 1.2  # mm between the lines of a broken formula
+_LEAST = 0.7  # how far a piece without equality sign may be made smaller
+
+
+class Formula(Block):
+    """One display formula, with an optional number at the right margin."""
+
+    def __init__(self, node: Node, number: str = "", size: float = BODY.size) -> None:
+        super().__init__(5.0, 6.0)
+        self.node = node
+        self._em = size / MM
+        self._number = layout_words(number, self._em) if number else None
+        self._lines: tuple[tuple[float, Box], ...] = ()
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        room = width / MM - (2 * self._number.width + self._em if self._number else 0.0)
+        self._lines = lines(self.node, self._em, room)
+        boxes = [box for _, box in self._lines]
+        self.height = (sum(box.height for box in boxes) + _SKIP * (len(boxes) - 1)) * MM
+        return width, self.height
+
+    def draw(self) -> None:
+        """Draw the lines as one centred group."""
+        ink = Ink(self.canv)
+        group = max(x + box.width for x, box in self._lines)
+        left = max(0.0, (self.width - group * MM) / 2)
+        y = self.height
+        for x, box in self._lines:
+            base = y - box.ascent * MM
+            ink.box(box, left + x * MM, base)
+            y -= (box.height + _SKIP) * MM
+        if self._number is not None:
+            ink.box(self._number, self.width - self._number.width * MM, base)
+        ink.flush()
+
+
+def lines(node: Node, em: float, width: float) -> tuple[tuple[float, Box], ...]:
+    """The formula as (indent, line) pairs no wider than `width`, later lines beginning with ``=``."""
+    whole = layout(node, em)
+    if whole.width <= width:
+        return ((0.0, whole),)
+    parts = segments(node, em, before=True)
+    if len(parts) == 1:
+        parts = segments(node, em, before=True, at=Kind.BINARY)
+    gap = 5 / 18 * em
+    indent = min(parts[0].width + gap, width / 3) if len(parts) > 1 else 0.0
+    widest = max(part.width + (indent if i else 0.0) for i, part in enumerate(parts))
+    if widest > width and em > _LEAST * BODY.size / MM:
+        return lines(node, em * max(width / widest, 0.9), width)
+    return _stack(parts, indent, gap, width)
+
+
+def _stack(parts: tuple[Box, ...], indent: float, gap: float, width: float) -> tuple[tuple[float, Box], ...]:
+    out: list[tuple[float, Box]] = []
+    line: list[Box] = []
+    used = 0.0
+    for part in parts:
+        start = indent if out else 0.0
+        if line and start + used + gap + part.width > width:
+            out.append((start, beside(line)))
+            line, used = [], 0.0
+        if line:
+            line.append(Box(gap, 0.0, 0.0))
+            used += gap
+        line.append(part)
+        used += part.width
+    out.append((indent if out else 0.0, beside(line)))
+    return tuple(out)

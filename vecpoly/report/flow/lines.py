@@ -1,0 +1,177 @@
+"""Cells broken into lines by Chinese and Latin rules, lines justified and drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from ...typeset.box import MM, Glyphs
+from ...typeset.canvas import Ink
+from ...typeset.fonts import Face
+from .cells import BLANK, Cell, Gap, Kind, gap
+
+_LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line: its cells, the gaps between them, its indent and natural width without outer blanks (mm)."""
+
+    cells: tuple[Cell, ...]
+    gaps: tuple[Gap, ...]
+    indent: float
+    width: float
+    last: bool
+
+    @property
+    def ascent(self) -> float:
+        """The highest ink, mm."""
+        return max((cell.box.ascent for cell in self.cells), default=0.0)
+
+    @property
+    def descent(self) -> float:
+        """The deepest ink, mm."""
+        return max((cell.box.descent for cell in self.cells), default=0.0)
+
+
+def break_lines(cells: Sequence[Cell], width: float, em: float, first: float = 0.0) -> list[Line]:
+    """Greedy lines of the given width (mm), the first one indented."""
+    lines: list[Line] = []
+    gaps = [gap(a, b, em) for a, b in pairwise(cells)]
+    start = 0
+    while start < len(cells):
+        indent = first if start == 0 else 0.0
+        end = _fill(cells, gaps, start, width - indent)
+        lines.append(_line(cells, gaps, start, end, indent))
+        start = end
+    return lines
+
+
+def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) -> int:
+    """The index after the last cell of the line that begins at `start`."""
+    used = cells[start].box.width - cells[start].lead
+    shrink = 0.0
+    best = fallback = start + 1
+    for i in range(start + 1, len(cells) + 1):
+        if used - shrink - cells[i - 1].trail > width + 1e-6 and i > start + 1:
+            return best if best > start + 1 or gaps[start].breakable else fallback
+        if i == len(cells):
+            return i
+        if gaps[i - 1].breakable:
+            best = i
+        fallback = i
+        if gaps[i - 1].stretch > 1.0:
+            shrink += gaps[i - 1].width * (1 - _LEAST_GAP)
+        used += gaps[i - 1].width + cells[i].box.width
+    return len(cells)
+
+
+def _line(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, end: int, indent: float) -> Line:
+    inner = tuple(gaps[start : end - 1])
+    width = sum(c.box.width for c in cells[start:end]) + sum(g.width for g in inner)
+    width -= cells[start].lead + cells[end - 1].trail
+    return Line(tuple(cells[start:end]), inner, indent, width, end == len(cells))
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """How a line is fitted into its measure: space added for a unit of stretch, or shrinking of blanks."""
+
+    x: float
+    unit: float
+    shrink: float
+
+
+def fit(line: Line, width: float, align: str) -> Setting:
+    """Where the line starts (mm) and how its gaps change."""
+    spare = width - line.indent - line.width
+    x = line.indent - line.cells[0].lead
+    elastic = sum(g.width for g in line.gaps if g.stretch > 1.0)
+    if spare < 0.0:
+        return Setting(x, 0.0, min(1.0, -spare / elastic) if elastic else 0.0)
+    if align == "centre":
+        return Setting(x + spare / 2, 0.0, 0.0)
+    if align == "right":
+        return Setting(x + spare, 0.0, 0.0)
+    stretch = sum(g.stretch for g in line.gaps)
+    if align != "justify" or line.last or not stretch:
+        return Setting(x, 0.0, 0.0)
+    return Setting(x, spare / stretch, 0.0)
+
+
+@dataclass(slots=True)
+class _Run:
+    """A growing run of one face whose characters or blanks are evenly spaced."""
+
+    glyphs: Glyphs
+    x: float
+    text: str
+    chars: float = 0.0
+    blanks: float = 0.0
+    kind: Kind = Kind.HAN
+
+
+def draw_line(ink: Ink, line: Line, x: float, y: float, width: float, align: str) -> None:
+    """Draw the line with the left end of its measure at (x, y) in pt; width in mm."""
+    setting = fit(line, width, align)
+    at = x + setting.x * MM
+    current: _Run | None = None
+    for i, cell in enumerate(line.cells):
+        between = line.gaps[i - 1] if i else None
+        if between is not None:
+            change = between.stretch * setting.unit
+            if between.stretch > 1.0:
+                change -= between.width * setting.shrink
+            at += (between.width + change) * MM
+            if current is not None and _continues(current, between, cell, change * MM):
+                at += cell.box.width * MM
+                continue
+            if current is not None and cell.spaced:
+                current.text += " "
+        if current is not None:
+            _show(ink, current, y)
+        current = _begin(ink, cell, at, y)
+        at += cell.box.width * MM
+    if current is not None:
+        _show(ink, current, y)
+
+
+def _continues(current: _Run, between: Gap, cell: Cell, change: float) -> bool:
+    """Take the cell into the run if its gap is the run's own."""
+    items = cell.box.items
+    if len(items) != 1 or not isinstance(items[0], Glyphs) or items[0].font != current.glyphs.font:
+        return False
+    if cell.kind is Kind.WORD and current.kind is Kind.WORD and cell.spaced:
+        blank = between.width * MM + change - BLANK * items[0].size
+        if " " not in current.text or abs(blank - current.blanks) < 1e-6:
+            current.blanks = blank
+            current.text += " " + items[0].text
+            return True
+        return False
+    han = (Kind.HAN, Kind.CLOSE, Kind.OPEN)
+    if cell.kind not in han or current.kind not in han:
+        return False
+    extra = between.width * MM + change
+    if len(current.text) > 1 and abs(extra - current.chars) > 1e-6:
+        return False
+    current.chars = extra
+    current.text += items[0].text
+    return True
+
+
+def _begin(ink: Ink, cell: Cell, x: float, y: float) -> _Run | None:
+    items = cell.box.items
+    if len(items) == 1 and isinstance(items[0], Glyphs) and cell.kind is not Kind.FORMULA:
+        return _Run(items[0], x, items[0].text, kind=cell.kind)
+    ink.box(cell.box, x, y)
+    if cell.kind is Kind.FORMULA or cell.kind is Kind.WORD:
+        blank = Glyphs(Face.STIX.value, items[-1].size if isinstance(items[-1], Glyphs) else 10.0, 0, 0, "")
+        return _Run(blank, x + cell.box.width * MM, "", kind=Kind.FORMULA)
+    return None
+
+
+def _show(ink: Ink, run: _Run, y: float) -> None:
+    if run.text:
+        glyphs = Glyphs(run.glyphs.font, run.glyphs.size, 0.0, 0.0, run.text)
+        ink.text(glyphs, run.x, y, run.chars, run.blanks)

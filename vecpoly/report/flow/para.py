@@ -1,0 +1,104 @@
+"""Paragraphs of mixed Chinese and Latin text with formulas."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...typeset.box import MM
+from ...typeset.canvas import Ink
+from ...words import Lang
+from .base import Block
+from .cells import Cell, cells, chopped, joined
+from .lines import Line, break_lines, draw_line
+from .style import Style, body
+
+_WIDOWS = 2
+
+
+class Para(Block):
+    """Text in one style; a label hangs in the indent; splits between lines, never leaving one line alone."""
+
+    def __init__(self, text: str, style: Style | None = None, lang: Lang = "zh", label: str = "") -> None:
+        self.style = style or body(lang)
+        super().__init__(self.style.before, self.style.after)
+        self.lang = lang
+        self.text = text
+        self._label = cells(label, self.style.em, lang == "zh", True) if label else []
+        self._lines: list[Line] = []
+        self._broken: float | None = None
+
+    def _measure(self, width: float) -> float:
+        return width / MM - self.style.left * self.style.em
+
+    def lines(self, width: float) -> list[Line]:
+        """The lines for a column of the given width (pt)."""
+        if self._broken != width:
+            style, measure = self.style, self._measure(width)
+            parts: list[Cell] = []
+            for cell in cells(self.text, style.em, self.lang == "zh", style.bold):
+                parts.extend(chopped(cell, measure, style.em, style.bold))
+            self._lines = break_lines(parts, measure, style.em, style.first * style.em)
+            self._broken = width
+        return self._lines
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width = width
+        self.height = sum(self._advance(line) for line in self.lines(width))
+        return width, self.height
+
+    def _advance(self, line: Line) -> float:
+        """The leading of a line, more where a tall formula needs it."""
+        over = line.ascent * MM - self._rise() - 1.0
+        under = line.descent * MM - (self.style.leading - self._rise()) - 1.0
+        return self.style.leading + max(0.0, over) + max(0.0, under)
+
+    def _rise(self) -> float:
+        """From the top of a line to its baseline."""
+        return (self.style.leading - self.style.size) / 2 + 0.86 * self.style.size
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """Two paragraphs, the first of which fits."""
+        lines = self.lines(width)
+        used, count = 0.0, 0
+        while count < len(lines) and used + self._advance(lines[count]) <= height:
+            used += self._advance(lines[count])
+            count += 1
+        count = min(count, len(lines) - _WIDOWS) if count < len(lines) else count
+        if count < min(_WIDOWS, len(lines)):
+            return []
+        return [self._part(lines[:count], width, True), self._part(lines[count:], width, False)]
+
+    def _part(self, lines: list[Line], width: float, head: bool) -> Para:
+        part = Para("", self.style, self.lang)
+        part._lines, part._broken = lines, width
+        if head:
+            part._label = self._label
+        part.spaceBefore, part.spaceAfter = (self.spaceBefore, 0.0) if head else (0.0, self.spaceAfter)
+        return part
+
+    def draw(self) -> None:
+        """Draw all lines."""
+        style, ink = self.style, Ink(self.canv)
+        left = style.left * style.em * MM
+        measure = self._measure(self.width)
+        y = self.height
+        for i, line in enumerate(self._lines):
+            advance = self._advance(line)
+            over = max(0.0, line.ascent * MM - self._rise() - 1.0)
+            baseline = y - over - self._rise()
+            if i == 0 and self._label:
+                label = joined(self._label, style.em)
+                ink.box(label, max(0.0, left - (label.width + 0.5 * style.em) * MM), baseline)
+            draw_line(ink, line, left, baseline, measure, style.align)
+            y -= advance
+        self.colour(style.colour)
+        ink.flush()
+
+
+def numbered(number: str, text: str, lang: Lang, style: Style | None = None) -> Para:
+    """A paragraph whose number hangs before it."""
+    base = style or body(lang)
+    return Para(text, replace(base, first=0.0, left=2.0), lang, number)
+
+

@@ -1,0 +1,177 @@
+"""The small XML in which report templates are written, read into flowables."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, NoReturn
+from xml.parsers import expat
+
+from reportlab.platypus.flowables import PageBreak
+
+from ...board.construction import EquationTable
+from ...errors import VecpolyError
+from ...words import Lang
+from .base import Block
+from .blocks import KINDS, Callout, Divider, Heading, TitleBlock
+from .doc import SheetPage
+from .equation import EquationFlow
+from .formula import Formula
+from .para import Para, numbered
+from .style import CAPTION, NOTE
+
+
+class MarkupError(VecpolyError, ValueError):
+    """Report markup that cannot be read: line, tag, cause."""
+
+
+@dataclass(slots=True)
+class Element:
+    """One element of the markup."""
+
+    tag: str
+    attributes: dict[str, str]
+    line: int
+    text: str = ""
+    children: list[Element] = field(default_factory=list)
+
+
+def parse(xml: str) -> Element:
+    """The root element; positions are kept for messages."""
+    parser = expat.ParserCreate()
+    stack: list[Element] = [Element("", {}, 0)]
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        element = Element(tag, attributes, parser.CurrentLineNumber)
+        stack[-1].children.append(element)
+        stack.append(element)
+
+    def text(data: str) -> None:
+        stack[-1].text += data
+
+    def doctype(*_: object) -> None:
+        raise MarkupError(f"line {parser.CurrentLineNumber}: a document type declaration is not allowed")
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = lambda tag: stack.pop()
+    parser.CharacterDataHandler = text
+    parser.StartDoctypeDeclHandler = doctype
+    try:
+        parser.Parse(xml, True)
+    except expat.ExpatError as error:
+        raise MarkupError(f"line {error.lineno}: {expat.ErrorString(error.code)}") from None
+    return stack[0].children[0]
+
+
+def to_flowables(xml: str, objects: Mapping[str, object], lang: Lang | None = None) -> list[Any]:
+    """The flowables of a ``<doc>``; ``ref`` attributes name things in `objects`."""
+    root = parse(xml)
+    if root.tag != "doc":
+        _fail(root, "the outermost element must be <doc>")
+    return _Reader(objects, lang or _lang(root)).read(root)
+
+
+def title_of(xml: str) -> str:
+    """The title given to the document."""
+    return parse(xml).attributes.get("title", "")
+
+
+def _lang(root: Element) -> Lang:
+    return "en" if root.attributes.get("lang") == "en" else "zh"
+
+
+def _fail(element: Element, cause: str) -> NoReturn:
+    raise MarkupError(f"line {element.line}: <{element.tag}>: {cause}")
+
+
+class _Reader:
+    """Reads elements in one language."""
+
+    def __init__(self, objects: Mapping[str, object], lang: Lang) -> None:
+        self._objects, self._lang = objects, lang
+        self._readers: dict[str, Callable[[Element], list[Any]]] = {
+            "h1": self._heading, "h2": self._heading, "h3": self._heading,
+            "p": lambda e: [Para(_text(e), None, lang)],
+            "note": lambda e: [Para(_text(e), NOTE, lang)],
+            "caption": lambda e: [Para(_text(e), CAPTION, lang)],
+            "formula": self._formula, "equation": self._equation,
+            "figure": self._block, "table": self._block, "sheet": self._sheet,
+            "titleblock": self._titleblock, "steps": self._steps, "callout": self._callout,
+            "pagebreak": lambda e: [PageBreak()], "rule": lambda e: [Divider()],
+        }  # fmt: skip
+
+    def read(self, parent: Element) -> list[Any]:
+        """The flowables of all children."""
+        out: list[Any] = []
+        if parent.text.strip():
+            _fail(parent, "text must stand in <p>, a heading, <note>, <callout> or <step>")
+        for child in parent.children:
+            reader = self._readers.get(child.tag)
+            if reader is None:
+                _fail(child, f"unknown; known are {', '.join(sorted(self._readers))}")
+            out.extend(reader(child))
+        return out
+
+    def _heading(self, element: Element) -> list[Any]:
+        return [Heading(_text(element), int(element.tag[1]), self._lang)]
+
+    def _lookup(self, element: Element, kind: type | tuple[type, ...], what: str) -> Any:
+        ref = element.attributes.get("ref")
+        if ref is None:
+            _fail(element, "needs a ref")
+        if ref not in self._objects:
+            _fail(element, f"nothing is named '{ref}'")
+        found = self._objects[ref]
+        if not isinstance(found, kind):
+            _fail(element, f"'{ref}' is a {type(found).__name__}, not {what}")
+        return found
+
+    def _formula(self, element: Element) -> list[Any]:
+        found = self._lookup(element, object, "a formula")
+        number = element.attributes.get("number", "")
+        return [found if isinstance(found, Block) else Formula(found, number)]
+
+    def _equation(self, element: Element) -> list[Any]:
+        found = self._lookup(element, (EquationTable, Block), "an equation table")
+        return [found if isinstance(found, Block) else EquationFlow(found, self._lang)]
+
+    def _block(self, element: Element) -> list[Any]:
+        return [self._lookup(element, Block, "a flowable")]
+
+    def _sheet(self, element: Element) -> list[Any]:
+        return [self._lookup(element, SheetPage, "a sheet page")]
+
+    def _titleblock(self, element: Element) -> list[Any]:
+        for child in element.children:
+            if child.tag != "field" or "label" not in child.attributes:
+                _fail(child, "a title block holds <field label= value=/>")
+        fields = [(c.attributes["label"], c.attributes.get("value", "")) for c in element.children]
+        return [TitleBlock(fields)]
+
+    def _steps(self, element: Element) -> list[Any]:
+        out: list[Any] = []
+        for i, child in enumerate(element.children, 1):
+            if child.tag != "step":
+                _fail(child, "steps hold <step n=>")
+            number = child.attributes.get("n", str(i))
+            out.append(numbered(f"{number}.", _plain(child), self._lang))
+            out.extend(self.read(Element("step", {}, child.line, "", child.children)))
+        return out
+
+    def _callout(self, element: Element) -> list[Any]:
+        kind = element.attributes.get("kind", "note")
+        if kind not in KINDS:
+            _fail(element, f"kind '{kind}' is none of {', '.join(KINDS)}")
+        return [Callout(_text(element), kind, self._lang)]
+
+
+def _text(element: Element) -> str:
+    if element.children:
+        _fail(element.children[0], f"no element may stand inside <{element.tag}>")
+    return _plain(element)
+
+
+def _plain(element: Element) -> str:
+    """The text with its blanks folded; an ideographic space is kept."""
+    return re.sub(r"[ \t\r\n]+", " ", element.text).strip(" ")

@@ -1,0 +1,76 @@
+"""Set type drawn on a reportlab canvas: operators written directly, text in place, selectable."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .box import MM, Box, Glyphs, Rule
+from .fonts import MISSING, Face, load, missing_text
+
+
+class Ink:
+    """Collects operators for one canvas; all lengths in points. Nothing is drawn before `flush`."""
+
+    __slots__ = ("_canvas", "_font", "_rules", "_spacing", "_text")
+
+    def __init__(self, canvas: Any) -> None:
+        self._canvas = canvas
+        self._text: list[str] = []
+        self._rules: list[str] = []
+        self._font: tuple[str, float] | None = None
+        self._spacing = (0.0, 0.0)
+
+    def rule(self, x: float, y: float, width: float, height: float) -> None:
+        """A filled rectangle."""
+        self._rules.append(f"{x:.4f} {y:.4f} {width:.4f} {height:.4f} re f")
+
+    def text(self, run: Glyphs, x: float, y: float, chars: float = 0.0, blanks: float = 0.0) -> None:
+        """A run at (x, y), its own place left out of account; chars, blanks: space added to each."""
+        out = self._text
+        out.append(f"1 0 0 1 {x:.4f} {y:.4f} Tm")
+        if (chars, blanks) != self._spacing:
+            out.append(f"{chars:.4f} Tc {blanks:.4f} Tw")
+            self._spacing = (chars, blanks)
+        name, size, string = run.font, run.size, run.text
+        if name == MISSING:
+            lost(self._canvas).update(dict.fromkeys(string))
+            name, size, string = Face.STIX.value, size / 2, "".join(map(missing_text, string))
+        font = load(Face(name))
+        for subset, codes in font.splitString(string, self._canvas._doc):
+            inner = font.getSubsetInternalName(subset, self._canvas._doc)
+            if (inner, size) != self._font:
+                out.append(f"{inner} {size:.5g} Tf")
+                self._font = (inner, size)
+            out.append(f"({self._canvas._escape(codes)}) Tj")
+
+    def box(self, box: Box, x: float, y: float) -> None:
+        """A box with its origin at (x, y)."""
+        for item in box.items:
+            match item:
+                case Glyphs():
+                    self.text(item, x + item.x * MM, y + item.y * MM)
+                case Rule():
+                    self.rule(x + item.x * MM, y + item.y * MM, item.width * MM, item.height * MM)
+
+    def flush(self) -> None:
+        """Hand everything to the canvas, in its fill colour."""
+        code = self._canvas._code
+        code.extend(self._rules)
+        if self._text:
+            if self._spacing != (0.0, 0.0):
+                self._text.append("0 Tc 0 Tw")
+            code.append(f"BT {' '.join(self._text)} ET")
+        self.__init__(self._canvas)  # type: ignore[misc]
+
+
+def draw(canvas: Any, box: Box, x_pt: float, y_pt: float) -> None:
+    """Draw a box with its origin at (x, y) points, in the canvas's fill colour, as selectable text."""
+    ink = Ink(canvas)
+    ink.box(box, x_pt, y_pt)
+    ink.flush()
+
+
+def lost(canvas: Any) -> dict[str, None]:
+    """The characters drawn on this canvas that no face has, in order; shown as their code points."""
+    found: dict[str, None] = canvas.__dict__.setdefault("_vecpoly_lost", {})
+    return found

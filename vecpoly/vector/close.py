@@ -1,0 +1,115 @@
+"""Closing a vector polygon: the four classical cases, written once for velocities, accelerations, forces and products.
+
+Two magnitudes unknown: line ∩ line. Magnitude and direction of one vector: the closing side. Two directions: arc ∩ arc.
+One magnitude and one direction: line ∩ arc.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..board.board import Board
+from ..board.construction import View
+from ..board.marks import Role
+from ..plane import Line, Points
+from .equation import Equation, Term
+
+Choice = Callable[[Points, Points], Points]
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """Where every term starts and ends on the polygon, by its key; and where the two chains meet."""
+
+    ends: dict[str, tuple[Points, Points]]
+    meeting: Points
+
+
+def close(board: Board, view: View, pole: Points, eq: Equation, choose: Choice | None = None) -> Closed:
+    """Draw the equation as a polygon from the pole and give the ends of all its vectors.
+
+    choose: which of two arc meetings is meant (cases with an unknown direction).
+    """
+    ends: dict[str, tuple[Points, Points]] = {}
+    left, open_left = _known_chain(board, view, pole, eq.left, ends)
+    right, open_right = _known_chain(board, view, pole, eq.right, ends)
+    unknown = [(t, True) for t in open_left] + [(t, False) for t in open_right]
+    if len(unknown) == 1:
+        return _closing_side(board, view, left, right, unknown[0], ends)
+    (one, on_left), (two, also_left) = unknown
+    if on_left == also_left:  # both at the end of one side: walk to the other side's end
+        start, end = (left, right) if on_left else (right, left)
+        corner = _corner(board, view, (one, start), (two, end), str(eq), choose)
+        ends[one.rel.key], ends[two.rel.key] = (start, corner), (corner, end)
+        meeting = end
+    else:
+        corner = _corner(board, view, (one, left), (two, right), str(eq), choose)
+        ends[one.rel.key], ends[two.rel.key] = (left, corner), (right, corner)
+        meeting = corner
+    for term, _ in unknown:
+        board.arrow(view, *ends[term.rel.key], Role.RESULT)
+    return Closed(ends, meeting)
+
+
+def _known_chain(
+    board: Board, view: View, pole: Points, chain: tuple[Term, ...], ends: dict[str, tuple[Points, Points]]
+) -> tuple[Points, list[Term]]:
+    """Lay the known terms of one side tip to tail; the unknown ones wait."""
+    here, waiting = pole, []
+    for term in chain:
+        if term.unknowns:
+            waiting.append(term)
+            continue
+        if term.vector is not None:
+            tip = here + (term.vector if term.drawn else board.hand.carry_vector(term.vector))
+        else:
+            assert term.along is not None and term.mm is not None
+            tip = board.lay_off(here, term.along, term.mm)
+        if not term.drawn:
+            board.arrow(view, here, tip, Role.GIVEN)
+        ends[term.rel.key] = (here, tip)
+        here = tip
+        if term.tip:
+            board.plot(view, here, term.tip)
+    return here, waiting
+
+
+def _closing_side(
+    board: Board, view: View, left: Points, right: Points, unknown: tuple[Term, bool], ends: dict[str, tuple[Points, Points]]
+) -> Closed:
+    """One vector unknown altogether: it joins the ends of the two chains."""
+    term, on_left = unknown
+    ends[term.rel.key] = (left, right) if on_left else (right, left)
+    board.arrow(view, *ends[term.rel.key], Role.RESULT)
+    return Closed(ends, right if on_left else left)
+
+
+def _corner(
+    board: Board, view: View, one: tuple[Term, Points], two: tuple[Term, Points], what: str, choose: Choice | None
+) -> Points:
+    """The common corner of the two unknown vectors drawn from their known ends."""
+    (t1, p1), (t2, p2) = one, two
+    if t1.along is not None and t2.along is not None:
+        g, h = board.parallel(p1, t1.along), board.parallel(p2, t2.along)
+        corner = board.meet(g, h, what)
+        board.rule(view, g, corner)
+        board.rule(view, h, corner)
+        return corner
+    if t1.along is None and t2.along is None:
+        assert t1.mm is not None and t2.mm is not None
+        pair = board.arcs(p1, t1.mm, p2, t2.mm, what)
+    else:
+        (line_term, at), (arc_term, centre) = (one, two) if t1.along is not None else (two, one)
+        assert line_term.along is not None and arc_term.mm is not None
+        line: Line = board.parallel(at, line_term.along)
+        pair = board.arc_on_line(line, centre, arc_term.mm, what)
+    corner = (choose or _first)(*pair)
+    for term, start in (one, two):
+        if term.mm is not None:
+            board.swing(view, start, term.mm, corner)
+    return corner
+
+
+def _first(a: Points, b: Points) -> Points:
+    return a

@@ -1,0 +1,102 @@
+"""The vector equation with its direction/magnitude rows: it checks itself, prints itself and is drawn by one object.
+
+    v_C   =  v_B   +  v_CB
+    ⊥CD      ⊥AB      ⊥BC
+     ?       ω₁l_AB    ?
+
+Two chains of terms start at the pole and end at one point. A term is known wholly (already on the paper), or its line of
+action is known, or its length. Exactly two scalars are unknown.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..board.construction import EquationTable
+from ..errors import EquationError
+from ..names import At, Kind, Rel
+from ..plane import Points, Reals
+from ..words import Words
+
+UNKNOWN = Words("?", "?")
+KNOWN = Words("✓", "✓")
+_PARTS = {Kind.AN, Kind.AT, Kind.AK, Kind.AR}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Term:
+    """One vector of the equation.
+
+    along: unit vector on paper of its line (with its sense where the length is known); mm: its length on paper;
+    vector: the whole vector where it is already drawn; tip: letter of its end on the polygon; drawn: no new line needed.
+    """
+
+    rel: Rel
+    symbol: str
+    direction: Words
+    magnitude: str
+    along: Points | None = None
+    mm: Reals | None = None
+    vector: Points | None = None
+    tip: str = ""
+    drawn: bool = False
+
+    @property
+    def unknowns(self) -> int:
+        """How many of direction and magnitude are unknown."""
+        return 0 if self.vector is not None else (self.along is None) + (self.mm is None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Equation:
+    """[total =] left = right: two chains from the pole to one point.
+
+    total: symbol printed in front where neither chain is the sought vector itself.
+    Raises EquationError when a chain is broken or the unknowns are not two.
+    """
+
+    left: tuple[Term, ...]
+    right: tuple[Term, ...]
+    total: str = ""
+
+    def __post_init__(self) -> None:
+        ends = {_end(self.left), _end(self.right)}
+        if len(ends) != 1:
+            raise EquationError(f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}")
+        count = sum(t.unknowns for t in (*self.left, *self.right))
+        if count != 2:
+            raise EquationError(f"a plane vector equation is closed by exactly two unknown scalars; '{self}' has {count}")
+
+    def __str__(self) -> str:
+        sides = [" + ".join(t.symbol for t in side) for side in (self.left, self.right)]
+        return " = ".join([self.total, *sides] if self.total else sides)
+
+    def table(self) -> EquationTable:
+        """The equation with its two rows, ready to be typeset."""
+        front = ((self.total, UNKNOWN, "?"),) if self.total else ()
+        cells = [*front]
+        signs = [""] if front else []
+        for side in (self.left, self.right):
+            for i, term in enumerate(side):
+                cells.append((term.symbol, term.direction, term.magnitude))
+                signs.append("+" if i else ("=" if signs else ""))
+        return EquationTable(
+            symbols=tuple(c[0] for c in cells), signs=tuple(signs),
+            directions=tuple(c[1] for c in cells), magnitudes=tuple(c[2] for c in cells),
+        )
+
+
+def _end(chain: tuple[Term, ...]) -> At:
+    """The point a chain arrives at; raises where a term does not start where the sum has arrived."""
+    here: At | None = None
+    last: tuple[At, At | None] | None = None
+    for term in chain:
+        move = (term.rel.to, term.rel.ref)
+        if term.rel.kind in _PARTS and move == last:
+            continue
+        if term.rel.ref != here:
+            raise EquationError(f"{term.symbol} starts at {term.rel.ref or 'the pole'}, but the sum has arrived at {here or 'the pole'}")
+        here, last = term.rel.to, move
+    if here is None:
+        raise EquationError("an empty side of a vector equation")
+    return here
