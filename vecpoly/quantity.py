@@ -67,7 +67,10 @@ class Product:
         return result
 
     def symbol(self) -> Node:
-        return Row(tuple(f.symbol() for f in self.factors))
+        nodes: list[Node] = []
+        for i, factor in enumerate(self.factors):
+            nodes += ([Txt("\u2009")] if i else []) + [factor.symbol()]
+        return Row(tuple(nodes))
 
     def numbers(self) -> Node:
         nodes: list[Node] = []

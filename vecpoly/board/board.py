@@ -13,7 +13,7 @@ from math import asin, degrees
 import numpy as np
 
 from ..errors import AssemblyError, DeadPointError
-from ..formula import Node, Row, Sym, Txt
+from ..formula import Node, Row, row
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
@@ -196,9 +196,5 @@ class Board:
 
 
 def letters_node(letters: str) -> Node:
-    """Letters of a paper length, each italic with its subscript: ``p c_2`` → p c₂."""
-    items: list[Node] = []
-    for word in letters.split():
-        base, _, sub = word.partition("_")
-        items.append(Sym(base, sub.strip("{}")) if base.strip("′") else Txt(word))
-    return Row(tuple(items))
+    """Letters of a paper length side by side: ``p c_2`` → p c₂."""
+    return Row(tuple(item for word in letters.split() for item in row(word).items))

@@ -65,12 +65,17 @@ class Desk:
         carriers = [name for name in self.mech.links_at(at.point) if name != FRAME]
         return at.point + (link if link in carriers else (carriers[-1] if carriers else ""))
 
+    def name(self, at: At, link: str = "") -> str:
+        """The letter in a sentence: C_2."""
+        text = self.show(at, link)
+        letter = text.rstrip("0123456789")
+        return f"{letter}_{text[len(letter):]}" if text != letter else letter
+
     def tip_label(self, view: View, at: At, link: str = "") -> str:
-        """The letter of a tip on a polygon: b, b_3, b_3′."""
-        name = self.show(at, link)
-        letter, digits = name.rstrip("0123456789").lower(), name[len(name.rstrip("0123456789")):]
+        """The letter of a tip on a polygon: b, b_3, b′_3."""
+        letter, _, digits = self.name(at, link).lower().partition("_")
         prime = "′" if view is View.ACCELERATION else ""
-        return f"{letter}_{{{digits}}}{prime}" if digits else letter + prime
+        return f"{letter}{prime}_{digits}" if digits else letter + prime
 
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 

@@ -10,7 +10,7 @@ from ..errors import MobilityError
 from ..mechanism.assur import ends, hinges
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from .loci import Line, slide
-from .state import Body, Points, Reals
+from .state import NONE, STILL, Body, Points, Reals
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,15 +25,15 @@ class Driver:
     def body(self, q: Reals) -> Body:
         """The driving link at the positions q (rad, or m of travel along the guide)."""
         rate, accel = np.full(1, self.drive.rate), np.full(1, self.drive.accel)
-        still, none = np.zeros(1, complex), np.zeros(1)
+        STILL, none = np.zeros(1, np.complex128), np.zeros(1)
         if self.line is None:
-            unit: Points = np.empty(q.shape, complex)
+            unit: Points = np.empty(q.shape, np.complex128)
             unit.real, unit.imag = np.cos(q), np.sin(q)
-            return Body(self.pin, np.full(1, self.pivot, complex), unit, q, still, rate, still, accel)
+            return Body(self.pin, np.full(1, self.pivot, np.complex128), unit, q, STILL, rate, STILL, accel)
         line = self.line
         turn = np.full(1, np.angle(line.turn))
-        return Body(line.start, line.base_local + line.along * q, np.full(1, line.turn, complex), turn,
-                    line.along * rate, none, line.along * accel, none)
+        return Body(line.start, line.base_local + line.along * q, np.full(1, line.turn, np.complex128), turn,
+                    line.along * rate, NONE, line.along * accel, NONE)
 
 
 def driver(mech: Mechanism, drive: Drive) -> Driver:
@@ -50,4 +50,4 @@ def driver(mech: Mechanism, drive: Drive) -> Driver:
             foot = joint.origin + 1j * joint.offset * complex(np.exp(1j * joint.direction))
             start = pin if joint.block == drive.link else foot
             return Driver(drive, line=slide(joint, drive.link, start, pin))
-    raise MobilityError(f"the driving link {drive.link} has no guide on the frame, yet it is said to slide")
+    raise MobilityError(f"the driving link {drive.link} has no guide on the frame, yet is said to slide")

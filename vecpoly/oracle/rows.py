@@ -1,8 +1,8 @@
 """Joints as equations g(a, b) = 0 between two links, with their rates and partial derivatives, for Newton.
 
-Every joint gives one complex gap whose two parts are its two scalar equations (both in m: angles are multiplied by
-the mechanism's scale). `rate` and `accel` are g' and g'' for the links' present motion. `jac` are the derivatives
-with respect to (x, y, φ) of either link, its own origin being the reference.
+Every joint gives one complex gap whose two parts are its two scalar equations, both in m (an angle, the real part,
+is multiplied by the mechanism's scale). `rate` and `accel` are g' and g'' for the links' present motion. `jac` holds
+the derivatives with respect to (x, y, φ) of either link. Where a joint is `held`, the real part alone counts.
 """
 
 from __future__ import annotations
@@ -19,12 +19,13 @@ from .state import Body, Points, Reals
 
 Jacobian = NDArray[np.complex128]  # positions × 3
 Blocks = tuple[Jacobian, Jacobian]
+TURN = np.array([0.0, 0.0, 1.0])
 
 
 def _columns(x: Points, turn: Points) -> Jacobian:
     """∂/∂x, ∂/∂y, ∂/∂φ of a complex quantity that depends on the link's origin by the factor x."""
-    x, turn = np.broadcast_arrays(x, turn)
-    return np.stack([x, 1j * x, turn], axis=-1)
+    columns: Jacobian = np.stack(np.broadcast_arrays(x, 1j * x, turn), axis=-1)
+    return columns
 
 
 def _arm(body: Body, local: complex) -> Points:
@@ -32,9 +33,10 @@ def _arm(body: Body, local: complex) -> Points:
     return 1j * (body.unit * local)
 
 
-def _mix(angle: Jacobian, place: Jacobian, scale: float) -> Jacobian:
-    """Real part: the angle's row; imaginary part: that of the place."""
-    return scale * angle + 1j * place
+def _mix(angle: NDArray[np.float64], place: NDArray[np.float64]) -> Jacobian:
+    """Real part: the angle's equation; imaginary part: that of the place."""
+    mixed: Jacobian = angle + 1j * place
+    return mixed
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +47,8 @@ class Pinned:
     b: str
     at_a: complex
     at_b: complex
+    held: bool = False
+    rolls: bool = False
 
     def gap(self, a: Body, b: Body, ref_a: Body, ref_b: Body) -> Points:
         return a.point(self.at_a) - b.point(self.at_b)
@@ -65,7 +69,7 @@ class Guided:
     """Prismatic, or gear on rack: ζ = e^{-iθ} (pin - origin) in the line of link a; Im ζ = offset.
 
     The angle's equation is φ_b - φ_a + roll Re ζ = const: turn for a slider (roll = 0), no slip for a gear
-    (its angle counts from the reference). held: the distance is kept by other links, only the angle counts.
+    (its angle counts from the reference).
     """
 
     a: str
@@ -78,6 +82,10 @@ class Guided:
     turn: float = 0.0
     roll: float = 0.0
     held: bool = False
+
+    @property
+    def rolls(self) -> bool:
+        return self.roll != 0.0
 
     def _local(self, a: Body, b: Body) -> tuple[Points, Points]:
         back = (a.unit * self.along).conj()
@@ -92,11 +100,10 @@ class Guided:
             angle = _turn(b) - _turn(ref_b) - _turn(a) + _turn(ref_a) + self.roll * advance
         else:
             angle = np.angle(b.unit * a.unit.conj() * complex(np.exp(-1j * self.turn)))
-        return self.scale * angle + 1j * (0.0 if self.held else 1.0) * (local.imag - self.offset)
+        return _mix(self.scale * angle, local.imag - self.offset)
 
     def _derived(self, local: Points, angle: Reals) -> Points:
-        part = 0.0 if self.held else local.imag
-        return self.scale * (angle + self.roll * local.real) + 1j * part
+        return _mix(self.scale * (angle + self.roll * local.real), local.imag)
 
     def rate(self, a: Body, b: Body) -> Points:
         back, ray = self._local(a, b)
@@ -114,10 +121,8 @@ class Guided:
         back, ray = self._local(a, b)
         of_a = _columns(-back, -back * (_arm(a, self.origin) + 1j * ray))
         of_b = _columns(back, back * _arm(b, self.pin))
-        turn = np.array([0.0, 0.0, 1.0])
-        keep = 0.0 if self.held else 1.0
-        return (_mix(self.roll * of_a.real - turn, keep * of_a.imag, self.scale),
-                _mix(self.roll * of_b.real + turn, keep * of_b.imag, self.scale))
+        return (_mix(self.scale * (self.roll * of_a.real - TURN), of_a.imag),
+                _mix(self.scale * (self.roll * of_b.real + TURN), of_b.imag))
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,13 +137,13 @@ class Meshed:
     ratio: float
     scale: float
     held: bool = False
+    rolls: bool = True
 
     def _ray(self, a: Body, b: Body) -> Points:
         return b.point(self.at_b) - a.point(self.at_a)
 
     def _join(self, log: Points, angle: Reals) -> Points:
-        part = 0.0 if self.held else self.reach * log.real
-        return self.scale * (angle - (1 + self.ratio) * log.imag) + 1j * part
+        return _mix(self.scale * (angle - (1 + self.ratio) * log.imag), self.reach * log.real)
 
     def gap(self, a: Body, b: Body, ref_a: Body, ref_b: Body) -> Points:
         ray, ray_0 = self._ray(a, b), self._ray(ref_a, ref_b)
@@ -158,11 +163,11 @@ class Meshed:
 
     def jac(self, a: Body, b: Body) -> Blocks:
         ray = self._ray(a, b)
-        of_a, of_b = _columns(-1 / ray, -_arm(a, self.at_a) / ray), _columns(1 / ray, _arm(b, self.at_b) / ray)
-        turn = np.array([0.0, 0.0, 1.0])
-        reach = 0.0 if self.held else self.reach
-        return (_mix(self.ratio * turn - (1 + self.ratio) * of_a.imag, reach * of_a.real, self.scale),
-                _mix(turn - (1 + self.ratio) * of_b.imag, reach * of_b.real, self.scale))
+        of_a = _columns(-1 / ray, -_arm(a, self.at_a) / ray)
+        of_b = _columns(1 / ray, _arm(b, self.at_b) / ray)
+        arm = 1 + self.ratio
+        return (_mix(self.scale * (self.ratio * TURN - arm * of_a.imag), self.reach * of_a.real),
+                _mix(self.scale * (TURN - arm * of_b.imag), self.reach * of_b.real))
 
 
 Row = Pinned | Guided | Meshed

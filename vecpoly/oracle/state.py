@@ -13,6 +13,9 @@ Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 _Number = TypeVar("_Number", np.complex128, np.float64)
 
+STILL: Points = np.zeros(1, np.complex128)
+NONE: Reals = np.zeros(1)
+
 
 def cross(a: Points, b: Points) -> Reals:
     """a × b = a_x b_y - a_y b_x."""
@@ -39,10 +42,10 @@ class Body:
     at: Points
     unit: Points
     turn: Reals | None = None
-    velocity: Points = np.zeros(1, complex)
-    omega: Reals = np.zeros(1)
-    acceleration: Points = np.zeros(1, complex)
-    alpha: Reals = np.zeros(1)
+    velocity: Points = STILL
+    omega: Reals = NONE
+    acceleration: Points = STILL
+    alpha: Reals = NONE
 
     def moving(self, velocity: Points, omega: Reals, acceleration: Points, alpha: Reals) -> Body:
         """The same pose with these rates."""
@@ -73,18 +76,18 @@ class Body:
         """Acceleration of the link's point that is at this place now."""
         return self.acceleration + (1j * self.alpha - self.omega * self.omega) * (place - self.at)
 
-    def after(self, start: int) -> Body:
-        """The positions from index `start` on."""
+    def take(self, index: slice | NDArray[np.intp]) -> Body:
+        """Only these positions."""
         return Body(
-            self.local, _cut(self.at, start), _cut(self.unit, start),
-            None if self.turn is None else _cut(self.turn, start),
-            _cut(self.velocity, start), _cut(self.omega, start),
-            _cut(self.acceleration, start), _cut(self.alpha, start),
+            self.local, _cut(self.at, index), _cut(self.unit, index),
+            None if self.turn is None else _cut(self.turn, index),
+            _cut(self.velocity, index), _cut(self.omega, index),
+            _cut(self.acceleration, index), _cut(self.alpha, index),
         )
 
 
-def _cut(values: NDArray[_Number], start: int) -> NDArray[_Number]:
-    return values if len(values) == 1 else values[start:]
+def _cut(values: NDArray[_Number], index: slice | NDArray[np.intp]) -> NDArray[_Number]:
+    return values if len(values) == 1 else values[index]
 
 
 Bodies = Mapping[str, Body]
@@ -92,4 +95,4 @@ Bodies = Mapping[str, Body]
 
 def at_rest() -> Body:
     """The frame: its coordinates are those of the plane."""
-    return Body(0j, np.zeros(1, complex), np.ones(1, complex), np.zeros(1))
+    return Body(0j, STILL, np.ones(1, np.complex128), NONE)

@@ -23,7 +23,7 @@ def _words(value: Any) -> Words:
             return Words(value, value)
         case {"zh": str(zh), "en": str(en), **rest} if not rest:
             return Words(zh.strip(), en.strip())
-    raise ValueError("write a text, or both {zh: ..., en: ...}")
+    raise ValueError("write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes")
 
 
 Text = Annotated[

@@ -69,7 +69,8 @@ _KINDS = {
 _AFTER_WHAT_IS_NO_TERM = {None, Kind.RELATION, Kind.BINARY, Kind.SIGN, Kind.OPEN, Kind.COMMA}
 _AFTER_WHAT_IS_NO_TERM |= {Kind.TIGHT, Kind.DOT, Kind.PREFIX}
 _LETTER_LIKE = {Kind.SYMBOL, Kind.NUMBER, Kind.WORD, Kind.CLOSE}
-_UNITS = frozenset(["m", "mm", "cm", "km", "rad", "s", "ms", "min", "h", "r", "N", "kN", "kg", "g", "t", "Hz", "W", "kW", "J", "Pa", "MPa"])
+_UNITS = frozenset(("m", "mm", "cm", "km", "rad", "s", "ms", "min", "h", "r", "N", "kN", "kg", "g", "t"))
+_UNITS |= {"Hz", "W", "kW", "J", "Pa", "MPa"}
 THIN, MEDIUM, THICK, UNIT, WORD_SPACE = 3 / 18, 4 / 18, 5 / 18, 0.2, 0.25
 
 
@@ -116,7 +117,7 @@ def atoms(nodes: tuple[Node, ...]) -> list[Atom]:
         kind = atom.kind
         if kind is Kind.BINARY and last in _AFTER_WHAT_IS_NO_TERM and atom.body != "×":
             kind = Kind.SIGN
-        if kind is Kind.PREFIX and last in _LETTER_LIKE and atom.body in "⊥∥⟂":
+        if kind is Kind.PREFIX and last in _LETTER_LIKE and atom.body in ("⊥", "∥", "⟂"):
             kind = Kind.RELATION
         out.append(Atom(kind, atom.body, atom.exponent, atom.spaced or blank))
         blank = False
@@ -124,7 +125,7 @@ def atoms(nodes: tuple[Node, ...]) -> list[Atom]:
 
 
 def _with_units(row: list[Atom]) -> list[Atom]:
-    """Letters after a number and a blank are upright if they spell a unit: ``10 rad/s``, ``0.006 (m/s)/mm``."""
+    """Letters after a number and a blank are upright if they spell a unit: ``0.006 (m/s)/mm``."""
     out: list[Atom] = []
     i = 0
     while i < len(row):

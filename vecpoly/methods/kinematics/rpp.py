@@ -38,7 +38,7 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     b, k = d.outer_j.point, d.link_k
     to = At(b, k)
     base = coincident_tip(desk, view, b, d.parent_k)
-    desk.board.step(opening(view, desk.show(to, k), k), view)
+    desk.board.step(opening(view, desk.name(to, k), k), view)
     if d.parent_k == FRAME:
         never_turns(desk, k)
     else:

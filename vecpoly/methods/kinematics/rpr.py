@@ -75,7 +75,7 @@ def _turn(desk: Desk, view: View, ends: dict, to: At, q: str, g: str) -> None:  
     if view is View.VELOCITY:
         angular_velocity(desk, g, q, to.point, ends[rel.key], letters(desk, view, ref, to, g), symbol(desk, rel, g))
     else:
-        name = f"n_{g}′ {desk.tip_label(view, to, g)}"
+        name = f"n′_{g} {desk.tip_label(view, to, g)}"
         angular_acceleration(desk, g, q, to.point, ends[rel.key], name, symbol(desk, rel, g))
 
 
@@ -86,7 +86,7 @@ def _total(desk: Desk, view: View, to: At, g: str, terms: int) -> str:
 
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
-    a, b = desk.show(to, joint.guide), desk.show(ref, joint.block)
+    a, b = desk.name(to, joint.guide), desk.name(ref, joint.block)
     words = Words(f"取构件 {joint.guide} 与构件 {joint.block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图：",
                   f"Links {joint.guide} and {joint.block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it:")
     if view is View.VELOCITY and abs(desk.offset(joint, joint.block, to.point)) > 1e-12:

@@ -64,7 +64,7 @@ def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: s
         angular_velocity(desk, link, about, c, ends[rel.key], name, symbol(desk, rel, link))
     else:
         rel = Rel(Kind.AT, desk.canonical(At(c)), ref)
-        name = f"n_{link}′ {desk.tip_label(view, At(c), link)}"
+        name = f"n′_{link} {desk.tip_label(view, At(c), link)}"
         angular_acceleration(desk, link, about, c, ends[rel.key], name, symbol(desk, rel, link))
 
 

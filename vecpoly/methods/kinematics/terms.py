@@ -48,14 +48,17 @@ def sliding(desk: Desk, rel: Rel, joint: Prismatic, link: str) -> Term:
 
 def guide_name(desk: Desk, joint: Prismatic) -> Words:
     """∥ the guide, by two letters on it where there are two, else in words."""
-    on_line = []
-    for link in (joint.guide, joint.block):
-        for point in desk.mech.link(link).points:
-            if abs(desk.offset(joint, link, point)) < 1e-12 and point not in on_line and link != FRAME:
-                on_line.append(point)
-    if len(on_line) >= 2:
-        return Words(f"∥$ {on_line[0]}{on_line[1]}$", f"∥$ {on_line[0]}{on_line[1]}$")
+    letters = [joint.pin, *desk.mech.link(joint.guide).points]
+    on_line = [p for p in dict.fromkeys(letters) if _on_guide(desk, joint, p)]
+    if joint.guide != FRAME and len(on_line) >= 2:
+        return Words(f"∥$ {on_line[1]}{on_line[0]}$", f"∥$ {on_line[1]}{on_line[0]}$")
     return Words("∥导路", "∥guide")
+
+
+def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
+    """Whether a lettered point lies on the line of the guide."""
+    link = joint.block if point == joint.pin else joint.guide
+    return abs(desk.offset(joint, link, point)) < 1e-12
 
 
 def normal(desk: Desk, at: At, about: str, link: str) -> Term:
@@ -81,8 +84,9 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     board, turn = desk.board, desk.turns[omega(link)]
     rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
     sign = symbol(desk, rel, shown)
-    speed = abs(v_rel[1] - v_rel[0]) * board.scales[View.VELOCITY].value
-    vr = magnitude(symbol(desk, Rel(Kind.V, rel.to, rel.ref), shown), speed, "m/s")
+    relative = Rel(Kind.V, rel.to, rel.ref)
+    on_paper = board.measure(*v_rel, f"{_start_letter(desk, ref)} {desk.tip_label(View.VELOCITY, to, link)}")
+    vr = board.compute(symbol(desk, relative, shown), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", abs(turn.value), "rad/s") * vr)
     board.write(worked(magnitude(sign, 0, "").node, expr, "m/s^2"))
     vanishes = abs(nominal(expr.value)) < 1e-12
@@ -91,6 +95,10 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"2ω_{link} {plain_symbol(vr)}",
                 direction=ABSENT if vanishes else Words(f"⊥$ {plain_symbol(vr)}$", f"⊥$ {plain_symbol(vr)}$"),
                 along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else "k′")
+
+
+def _start_letter(desk: Desk, at: At) -> str:
+    return "p" if desk.at_rest(View.VELOCITY, at) else desk.tip_label(View.VELOCITY, at)
 
 
 def plain_symbol(quantity: Quantity) -> str:
@@ -124,7 +132,7 @@ def _ref(desk: Desk, about: str) -> At | None:
 
 
 def _n_tip(desk: Desk, link: str) -> str:
-    return f"n_{link}′"
+    return f"n′_{link}"
 
 
 __all__ = ["ABSENT", "Turn", "across", "alpha", "coriolis", "guide_name", "known", "normal", "omega", "sliding", "symbol", "tangential"]

@@ -1,4 +1,4 @@
-"""Running text cut into cells that no line break enters: a Chinese character, a word, a piece of a formula."""
+"""Running text cut into cells that no line break enters: Chinese characters, words, pieces of formulas."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Kind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """One cell, in mm; spaced: a blank stood before it; lead, trail: blank at its ends that may be cut off."""
+    """One cell, in mm; spaced: a blank stood before it; lead, trail: blank at its ends that may go."""
 
     kind: Kind
     box: Box

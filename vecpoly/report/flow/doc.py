@@ -1,4 +1,4 @@
-"""The report document: A4, running header, page n / N, bookmarks, embedded fonts only, same bytes every time."""
+"""The report document: A4, header, page n / N, bookmarks, embedded fonts only, the same bytes every time."""
 
 from __future__ import annotations
 
@@ -202,4 +202,3 @@ def _turn(out: list[Any], template: str) -> None:
     else:
         out.append(NextPageTemplate(template))
     out.append(PageBreak())
-

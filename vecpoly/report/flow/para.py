@@ -100,5 +100,3 @@ def numbered(number: str, text: str, lang: Lang, style: Style | None = None) -> 
     """A paragraph whose number hangs before it."""
     base = style or body(lang)
     return Para(text, replace(base, first=0.0, left=2.0), lang, number)
-
-

@@ -14,7 +14,7 @@ GREY: Colour = (0.35, 0.35, 0.35)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Style:
-    """size, leading, before, after in pt; first (line), left (all lines) in em; align: justify, left, centre."""
+    """size, leading, before, after in pt; first (line), left (all lines) in em; align: left, centre ..."""
 
     size: float = 10.5
     leading: float = 17.0

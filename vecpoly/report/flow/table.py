@@ -21,7 +21,7 @@ _Row = tuple[tuple[Line, ...], ...]
 
 
 class DataTable(Block):
-    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c or r a column."""
+    """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
 
     def __init__(
         self,
@@ -152,5 +152,3 @@ def captioned(table: DataTable, caption: str) -> DataTable:
         caption=caption,
         style=table.style,
     )
-
-

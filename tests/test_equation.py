@@ -1,0 +1,115 @@
+"""The vector equation checks itself and every one of its four cases closes."""
+
+from __future__ import annotations
+
+import cmath
+from math import pi
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from vecpoly.board.board import Board
+from vecpoly.board.construction import Scale, View
+from vecpoly.board.hand import hand
+from vecpoly.errors import DeadPointError, EquationError
+from vecpoly.names import At, Kind, Rel
+from vecpoly.vector.close import close
+from vecpoly.vector.equation import KNOWN, UNKNOWN, Equation, Term
+
+SCALES = {v: Scale(symbol="μ", value=1.0, unit="m") for v in View}
+B, C = At("B"), At("C")
+angles = st.floats(-pi, pi)
+sizes = st.floats(5.0, 100.0)
+
+
+def board() -> Board:
+    it = Board(hand("exact"), SCALES)
+    it.step(UNKNOWN)
+    return it
+
+
+def term(rel: Rel, **known: object) -> Term:
+    return Term(rel=rel, symbol=rel.key, direction=KNOWN, magnitude="?", **known)  # type: ignore[arg-type]
+
+
+V_B, V_CB, V_C = Rel(Kind.V, B), Rel(Kind.V, C, B), Rel(Kind.V, C)
+
+
+@given(sizes, angles, angles, angles)
+def test_two_unknown_magnitudes_close_where_two_lines_meet(size: float, known: float, one: float, two: float) -> None:
+    assume(abs(np.sin(one - two)) > 0.05)
+    eq = Equation(left=(term(V_C, along=cmath.rect(1, one)),),
+                  right=(term(V_B, vector=cmath.rect(size, known)), term(V_CB, along=cmath.rect(1, two))))
+    ends = close(board(), View.VELOCITY, 0j, eq).ends
+    assert abs(ends["v_C"][1] - ends["v_CB"][1]) < 1e-9
+    assert ends["v_CB"][0] == pytest.approx(cmath.rect(size, known))
+    assert abs((ends["v_C"][1] * cmath.rect(1, -one)).imag) < 1e-7
+
+
+@given(sizes, angles, sizes, angles)
+def test_one_wholly_unknown_vector_is_the_closing_side(size: float, a: float, other: float, b: float) -> None:
+    eq = Equation(left=(term(V_C),), right=(term(V_B, vector=cmath.rect(size, a)), term(V_CB, along=cmath.rect(1, b), mm=other)))
+    closed = close(board(), View.VELOCITY, 0j, eq)
+    assert closed.ends["v_C"][1] == pytest.approx(cmath.rect(size, a) + cmath.rect(other, b))
+
+
+@given(sizes, angles, sizes, sizes)
+def test_two_unknown_directions_close_where_two_arcs_meet(size: float, a: float, one: float, two: float) -> None:
+    assume(abs(one - two) + 1 < size < one + two - 1)
+    eq = Equation(left=(term(V_C, mm=one),), right=(term(V_B, vector=cmath.rect(size, a)), term(V_CB, mm=two)))
+    ends = close(board(), View.VELOCITY, 0j, eq).ends
+    assert abs(ends["v_C"][1]) == pytest.approx(one)
+    assert abs(ends["v_CB"][1] - ends["v_CB"][0]) == pytest.approx(two)
+    assert ends["v_C"][1] == pytest.approx(ends["v_CB"][1])
+
+
+@given(sizes, angles, angles, sizes)
+def test_a_direction_and_a_magnitude_close_where_line_and_arc_meet(size: float, a: float, b: float, length: float) -> None:
+    offset = abs(size * np.sin(a - b))
+    assume(offset < length - 1)
+    eq = Equation(left=(term(V_C, along=cmath.rect(1, b)),), right=(term(V_B, vector=cmath.rect(size, a)), term(V_CB, mm=length)))
+    ends = close(board(), View.VELOCITY, 0j, eq).ends
+    assert abs(ends["v_CB"][1] - ends["v_CB"][0]) == pytest.approx(length)
+    assert abs((ends["v_C"][1] * cmath.rect(1, -b)).imag) < 1e-6
+
+
+@given(sizes, angles, angles, angles)
+def test_two_unknowns_at_the_end_of_one_side_close_on_the_other_side(size: float, a: float, one: float, two: float) -> None:
+    assume(abs(np.sin(one - two)) > 0.05)
+    d = Rel(Kind.V, At("D"), C)
+    eq = Equation(left=(term(Rel(Kind.V, At("D")), vector=cmath.rect(size, a)),),
+                  right=(term(V_C, along=cmath.rect(1, one)), term(d, along=cmath.rect(1, two))))
+    ends = close(board(), View.VELOCITY, 0j, eq).ends
+    assert ends["v_DC"][1] == pytest.approx(cmath.rect(size, a))
+    assert ends["v_C"][1] == pytest.approx(ends["v_DC"][0])
+
+
+def test_parallel_direction_lines_are_a_dead_point() -> None:
+    eq = Equation(left=(term(V_C, along=1 + 0j),), right=(term(V_B, vector=10j), term(V_CB, along=-1 + 0j)))
+    with pytest.raises(DeadPointError, match="parallel"):
+        close(board(), View.VELOCITY, 0j, eq)
+
+
+def test_three_unknowns_are_refused() -> None:
+    with pytest.raises(EquationError, match="exactly two"):
+        Equation(left=(term(V_C),), right=(term(V_B, vector=10j), term(V_CB, along=1j)))
+
+
+def test_a_relative_vector_must_start_where_the_sum_has_arrived() -> None:
+    with pytest.raises(EquationError, match="starts at B"):
+        Equation(left=(term(V_C, along=1j),), right=(term(V_CB, along=1 + 0j),))
+
+
+def test_both_sides_must_end_at_one_point() -> None:
+    with pytest.raises(EquationError, match="different points"):
+        Equation(left=(term(V_C),), right=(term(V_B, vector=1j),))
+
+
+def test_the_table_has_a_direction_and_a_magnitude_for_every_term() -> None:
+    eq = Equation(left=(term(V_C, along=1j),), right=(term(V_B, vector=1 + 0j), term(V_CB, along=1 + 0j)), total="v_D")
+    table = eq.table()
+    assert table.symbols == ("v_D", "v_C", "v_B", "v_CB")
+    assert table.signs == ("", "=", "=", "+")
+    assert len(table.directions) == len(table.magnitudes) == 4

@@ -1,0 +1,38 @@
+"""The oracle's answer to every question of a problem, under the same key as the reading."""
+
+from __future__ import annotations
+
+from .. import oracle
+from ..mechanism.model import Mechanism
+from ..names import Kind, Rel
+from ..problem.asks import AskPoint
+from ..problem.problem import Problem
+
+
+def exact_values(problem: Problem, mech: Mechanism | None = None) -> dict[str, complex | float]:
+    """Key → exact value: complex for vectors and positions, float for ω, α; all SI."""
+    motion = oracle.solve(mech or problem.mechanism)
+    found = {ask.at: (ask.link, _place(motion, ask)) for ask in problem.asks if isinstance(ask, AskPoint)}
+    values: dict[str, complex | float] = {}
+    for ask in problem.asks:
+        if isinstance(ask, AskPoint):
+            values[ask.rel.key] = found[ask.at][1]
+        elif ask.rel.to in found and ask.rel.kind in (Kind.V, Kind.A) and ask.rel.ref is None:
+            link, place = found[ask.rel.to]
+            values[ask.rel.key] = _vector(motion, link, place, ask.rel)
+        else:
+            value = motion.value(ask.rel)
+            values[ask.rel.key] = complex(value) if ask.rel.kind.is_vector else float(value.real)
+    return values
+
+
+def _place(motion: oracle.Motion, ask: AskPoint) -> complex:
+    if ask.velocity is not None:
+        return complex(motion.point_with(ask.link, velocity=ask.velocity))
+    assert ask.acceleration is not None
+    return complex(motion.point_with(ask.link, acceleration=ask.acceleration))
+
+
+def _vector(motion: oracle.Motion, link: str, place: complex, rel: Rel) -> complex:
+    field = motion.velocity_at if rel.kind is Kind.V else motion.acceleration_at
+    return complex(field(link, place))

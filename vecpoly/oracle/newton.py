@@ -1,0 +1,183 @@
+"""Groups of class III and higher, and gear trains: Newton on all loop equations of the group at once.
+
+J x' = -g'(known), J x'' = -g''(known, x'), the right-hand sides being analytic. The path from the problem's own
+position to all others is walked in small strides, so that the assembly found there is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..mechanism.assur import Group, is_held
+from ..mechanism.model import Mechanism, Rolling
+from .guess import first_guess
+from .rows import Row, row
+from .run import Run, Track
+from .state import Bodies, Body, Points, Reals
+
+States = NDArray[np.float64]  # positions × links × (x, y, φ), or positions × 3 links
+ITERATIONS = 40
+
+
+@dataclass(frozen=True, slots=True)
+class Newton:
+    """The step of one group; `mech` serves the first guess."""
+
+    mech: Mechanism
+    group: Group
+    rows: tuple[Row, ...]
+    sign: float = 1.0
+    two: bool = False
+    joint: str = field(default="", kw_only=True)
+
+    def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """Walk the path from the own position outwards, then solve all positions asked for at once."""
+        assert run.track is not None
+        track, known = run.track, self._known(bodies, run.track)
+        states = np.full((len(run.q), len(self.group.links), 3), np.nan)
+        here = {name: body.take(np.array([track.own])) for name, body in known.items()}
+        guess = first_guess(self.mech, self.group, here)
+        states[track.own] = self._solve(guess, here, None, here)[0]
+        for way in (1, -1):
+            self._walk(states, known, track, way)
+        self._fill(states, known, run.q, track)
+        return self._bodies(states)
+
+    def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
+        """Velocities, then accelerations, from one Jacobian."""
+        still = {**bodies, **{n: _rates(bodies[n], np.zeros((1, 3)), np.zeros((1, 3))) for n in self.group.links}}
+        jacobian = self._jacobian(still)
+        sound = run.alive(1 / np.linalg.cond(jacobian), 1.0, self.group.links)
+        jacobian = np.where(np.isnan(sound)[:, None, None], np.eye(jacobian.shape[1]), jacobian)
+        rates = self._linear(jacobian, self._stack([r.rate(still[r.a], still[r.b]) for r in self.rows], len(run.q)))
+        rates[np.isnan(sound)] = np.nan
+        moved = {**bodies, **self._moving(bodies, rates, np.zeros_like(rates))}
+        bends = self._linear(
+            jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
+        return self._moving(bodies, rates, bends)
+
+    def miss(self, bodies: Bodies) -> Reals:
+        """No gap to tell: the loops do not close at all."""
+        return np.full(1, np.nan)
+
+    def _known(self, bodies: Bodies, track: Track) -> dict[str, Body]:
+        """The parents; under a rolling joint with their angles followed."""
+        names = {name for r in self.rows for name in (r.a, r.b)} - set(self.group.links)
+        if not any(r.rolls for r in self.rows):
+            return {name: bodies[name] for name in names}
+        followed = {}
+        for name in names:
+            body = bodies[name]
+            turn = body.turn
+            if turn is None:
+                turn = track.follow(np.angle(body.unit)) if len(body.unit) > 1 else np.angle(body.unit)
+            followed[name] = Body(body.local, body.at, body.unit, turn)
+        return followed
+
+    def _walk(self, states: States, known: Bodies, track: Track, way: int) -> None:
+        """Fill the path in one direction; what lies beyond a position that fails stays NaN."""
+        last = before = track.own
+        while 0 <= last + way < track.size:
+            index = last + way
+            seed = 2 * states[last] - states[before] if before != last else states[last]
+            here = {name: body.take(np.array([index])) for name, body in known.items()}
+            ago = {name: body.take(np.array([last])) for name, body in known.items()}
+            states[index] = self._solve(seed[None], here, states[last][None], ago)[0]
+            if np.isnan(states[index]).any():
+                return
+            before, last = last, index
+
+    def _fill(self, states: States, known: Bodies, q: Reals, track: Track) -> None:
+        """The positions asked for, each started from the path position before it."""
+        asked, path = slice(track.size, None), states[: track.size]
+        reach = (q[asked] - q[track.near]) / ((q[1] - q[0]) if track.size > 1 else 1.0)
+        ahead = np.clip(track.near + np.sign(reach).astype(np.intp), 0, track.size - 1)
+        seed = path[track.near] + np.abs(reach)[:, None, None] * np.nan_to_num(path[ahead] - path[track.near])
+        here = {name: body.take(asked) for name, body in known.items()}
+        ago = {name: body.take(track.near) for name, body in known.items()}
+        good = ~np.isnan(seed).any(axis=(1, 2))
+        found = np.full_like(seed, np.nan)
+        if good.any():
+            pick = np.flatnonzero(good)
+            here = {name: body.take(pick) for name, body in here.items()}
+            ago = {name: body.take(pick) for name, body in ago.items()}
+            found[good] = self._solve(seed[good], here, path[track.near][good], ago)
+        states[asked] = found
+
+    def _solve(self, seed: States, known: Bodies, ref: States | None, ago: Bodies) -> States:
+        """Newton's iteration; without reference (at the own position) no slip is left out. NaN where it fails."""
+        states, loose, size = seed.copy(), ref is None, self.mech.scale
+        past = {**ago, **self._bodies(seed if ref is None else ref)}
+        for _ in range(ITERATIONS):
+            now = {**known, **self._bodies(states)}
+            gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(seed), loose)
+            step = self._linear(self._jacobian(now, loose), gap, loose)
+            reach = np.nanmax(np.abs(step[..., 2]), axis=1)
+            states += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
+            if np.nanmax(np.abs(step)) < 1e-13 * max(size, 1.0):
+                break
+        states[np.abs(gap).max(axis=1) > 1e-9 * size] = np.nan
+        return states
+
+    def _stack(self, gaps: list[Points], count: int, loose: bool = False) -> States:
+        """Complex gaps as real equations: positions × 3k."""
+        columns = []
+        for r, gap in zip(self.rows, gaps, strict=True):
+            full = np.broadcast_to(gap, (count,))
+            columns.append(np.zeros(count) if loose and r.rolls else full.real)
+            if not r.held:
+                columns.append(full.imag)
+        return np.stack(columns, axis=1)
+
+    def _jacobian(self, now: Bodies, loose: bool = False) -> States:
+        """∂g/∂(x, y, scale φ): positions × 3k × 3k."""
+        links = self.group.links
+        count = len(now[links[0]].unit)
+        matrix = np.zeros((count, 3 * len(links), 3 * len(links)))
+        line = 0
+        for r in self.rows:
+            for name, block in zip((r.a, r.b), r.jac(now[r.a], now[r.b]), strict=True):
+                if name in links:
+                    column = slice(3 * links.index(name), 3 * links.index(name) + 3)
+                    matrix[:, line, column] = 0.0 if loose and r.rolls else block.real
+                    if not r.held:
+                        matrix[:, line + 1, column] = block.imag
+            line += 1 if r.held else 2
+        matrix[:, :, 2::3] /= self.mech.scale
+        return matrix
+
+    def _linear(self, matrix: States, right: States, loose: bool = False) -> States:
+        """-J⁻¹ g as positions × links × 3."""
+        try:
+            if loose:
+                raise np.linalg.LinAlgError
+            solved = np.linalg.solve(matrix, -right[..., None])
+        except np.linalg.LinAlgError:
+            solved = np.linalg.pinv(matrix) @ -right[..., None]
+        steps = solved.reshape(len(right), -1, 3)
+        steps[..., 2] /= self.mech.scale
+        return steps
+
+    def _bodies(self, states: States) -> dict[str, Body]:
+        return {
+            name: Body(0j, states[:, i, 0] + 1j * states[:, i, 1], np.exp(1j * states[:, i, 2]), states[:, i, 2])
+            for i, name in enumerate(self.group.links)
+        }
+
+    def _moving(self, bodies: Mapping[str, Body], rates: States, bends: States) -> dict[str, Body]:
+        return {name: _rates(bodies[name], rates[:, i], bends[:, i]) for i, name in enumerate(self.group.links)}
+
+
+def _rates(body: Body, rate: States, bend: States) -> Body:
+    return body.moving(rate[:, 0] + 1j * rate[:, 1], rate[:, 2], bend[:, 0] + 1j * bend[:, 1], bend[:, 2])
+
+
+def newton(mech: Mechanism, group: Group) -> Newton:
+    """The step for a group that has no closed form here."""
+    joints = (*group.inner, *(out.joint for out in group.outer))
+    rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
+    return Newton(mech, group, rows, joint=f"the loops of the {group.name}")

@@ -1,0 +1,77 @@
+"""Pictures for the text: the mechanism alone, reduced to fit, and the blank frames of a question sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import fields, replace
+from math import ceil
+from typing import Any
+
+from ..board.construction import Construction, Figure, View
+from ..board.extent import extent
+from ..board.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, RightAngle, Role, Segment
+from ..words import Words
+
+SKETCH = Words("机构简图（示意）", "The mechanism (sketch)")
+_HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.HIDDEN}
+_SIZED = ("radius",)
+
+
+def sketch(construction: Construction, width: float, height: float) -> Figure:
+    """The mechanism without construction lines, reduced so that it fits width × height mm; symbols keep their size."""
+    figure = construction.figure(View.MECHANISM)
+    assert figure is not None
+    marks = [m for m in figure.marks if getattr(m, "role", None) not in _HELP]
+    size = extent(marks)
+    factor = min(1.0, width / max(size[0], 1.0), height / max(size[1], 1.0))
+    return replace(figure, title=SKETCH, marks=tuple(scaled(m, factor) for m in marks),
+                   scale=replace(figure.scale, value=figure.scale.value / factor))
+
+
+def scaled(mark: Mark, factor: float) -> Any:
+    """The mark with all its places multiplied by the factor; radii of arrows and angle marks stay."""
+    changed: dict[str, Any] = {}
+    for f in fields(mark):
+        value = getattr(mark, f.name)
+        if isinstance(value, complex) and f.name in ("a", "b", "at", "centre"):
+            changed[f.name] = value * factor
+        elif f.name == "points":
+            changed[f.name] = tuple(p * factor for p in value)
+        elif f.name in _SIZED and hasattr(mark, "centre"):
+            changed[f.name] = value * factor
+    if isinstance(mark, RightAngle):
+        changed.pop("u", None)
+    return replace(mark, **changed)
+
+
+def frames(construction: Construction) -> Construction:
+    """The blank sheet: for each figure a frame of its size with what is given in it: pivots, guides, poles."""
+    return replace(construction, figures=tuple(_frame(f) for f in construction.figures))
+
+
+def _frame(figure: Figure) -> Figure:
+    points = list(_places(figure.marks))
+    low = complex(min(p.real for p in points), min(p.imag for p in points)) - 4 - 4j
+    high = complex(max(p.real for p in points), max(p.imag for p in points)) + 4 + 4j
+    high = low + complex(ceil(high.real - low.real), ceil(high.imag - low.imag))
+    corners = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
+    border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(corners, corners[1:] + corners[:1], strict=True))
+    given = tuple(m for m in figure.marks if _given(m, figure.view))
+    return replace(figure, marks=border + given)
+
+
+def _given(mark: Mark, view: View) -> bool:
+    if view is not View.MECHANISM:
+        return isinstance(mark, Point) and mark.dot is Dot.POLE
+    return isinstance(mark, (Ground, FixedGuide, RackMark)) or (isinstance(mark, Point) and mark.dot is Dot.JOINT and _fixed(mark))
+
+
+def _fixed(mark: Point) -> bool:
+    return mark.step == 1
+
+
+def _places(marks: Iterable[Mark]) -> Iterable[complex]:
+    from ..board.extent import corners
+
+    for mark in marks:
+        yield from corners(mark)

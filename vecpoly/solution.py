@@ -1,0 +1,130 @@
+"""A solved problem: the construction, the oracle's answers beside it, and what the hand may be off by."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .board.construction import Construction, Reading, View
+from .board.hand import hand
+from .check.exact import exact_values
+from .drawing.space import slots
+from .methods.plan import construct, stages
+from .problem.problem import Problem
+from .words import Lang
+
+REPEATS = 200  # repeated hands behind every expected drawing error
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer:
+    """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
+
+    drawn, exact: signed value of ω, α; magnitude of a vector. drawn_vector, exact_vector: the vectors themselves.
+    """
+
+    key: str
+    reading: Reading
+    drawn: float
+    exact: float
+    expected_error: float
+    drawn_vector: complex | None = None
+    exact_vector: complex | None = None
+
+    @property
+    def deviation(self) -> float:
+        """drawn − exact."""
+        return self.drawn - self.exact
+
+    @property
+    def direction(self) -> float | None:
+        """Direction of the drawn vector in degrees from +x; None for ω, α and for a vector that vanishes."""
+        if self.drawn_vector is None or self.drawn_vector == 0:
+            return None
+        return degrees(cmath.phase(self.drawn_vector))
+
+    @property
+    def sense(self) -> str | None:
+        """ccw or cw for ω and α; none where it is zero."""
+        if self.drawn_vector is not None or self.drawn == 0:
+            return None
+        return "ccw" if self.drawn > 0 else "cw"
+
+    def as_json(self) -> dict[str, Any]:
+        """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
+        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
+        if self.key.startswith("p_") and self.drawn_vector is not None and self.exact_vector is not None:
+            data |= {"drawn_xy": [self.drawn_vector.real, self.drawn_vector.imag],
+                     "exact_xy": [self.exact_vector.real, self.exact_vector.imag]}
+        elif self.drawn_vector is not None:
+            data["direction_deg"] = self.direction
+            exact = self.exact_vector or 0j
+            data["exact_direction_deg"] = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
+        else:
+            data["sense"] = self.sense
+        if self.reading.mm is not None:
+            data["reading_mm"] = self.reading.mm
+        return data | {"expected_error": self.expected_error}
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What `solve` gives: the problem, its construction and its answers."""
+
+    problem: Problem
+    construction: Construction
+    answers: Mapping[str, Answer]
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything asked, as plain data."""
+        return {"id": self.problem.id, "hand": self.construction.hand,
+                "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+
+    def report(self, path: str | Path, *, lang: Lang = "zh", style: str = "solution") -> Path:
+        """Write the report of this problem as a PDF."""
+        from .report.document import write_report
+
+        return write_report([self], path, lang=lang, style=style)
+
+    @cached_property
+    def _svg(self) -> str:
+        from .drawing.svg import sheet_svg
+
+        return sheet_svg(self.construction)
+
+    def _repr_svg_(self) -> str:
+        """The picture in Jupyter."""
+        return self._svg
+
+
+def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS) -> Solution:
+    """Draw the solution of a problem with this hand and set the oracle's answers beside it.
+
+    Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
+    """
+    figures = len(stages(problem))
+    places = dict(zip(View, slots(figures), strict=False))
+    construction, spread = construct(problem, hand(by, seed=seed, repeats=repeats), places)
+    exact = exact_values(problem)
+    answers = {key: _answer(reading, exact[key], spread[key][1]) for key, reading in construction.readings.items()}
+    return Solution(problem, construction, answers)
+
+
+def _answer(reading: Reading, exact: complex | float, scalars: Any) -> Answer:
+    vector = isinstance(exact, complex)
+    repeated = np.asarray(scalars)
+    error = 3.0 * float(np.nanstd(repeated[1:])) if repeated.ndim and repeated.size > 1 else 0.0
+    return Answer(
+        key=reading.key, reading=reading, drawn=reading.scalar, exact=abs(exact) if vector else float(np.real(exact)),
+        expected_error=error, drawn_vector=reading.vector, exact_vector=exact if isinstance(exact, complex) else None,
+    )
+
+
+__all__ = ["REPEATS", "Answer", "Solution", "solve"]
