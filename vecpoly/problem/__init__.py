@@ -1,0 +1,1 @@
+"""Problem files: their schema, their loader, and the library."""

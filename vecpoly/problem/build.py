@@ -9,9 +9,10 @@ from ..errors import VecpolyError
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..names import At
 from .asks import Ask
+from .draft import LETTER
 from .faults import FaultError, Faults, meant
 from .joints import Bodies, read_joint, revolutes
-from .links import LETTER, read_link
+from .links import read_link
 from .motion import read_branch, read_input
 from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
@@ -33,18 +34,34 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     asks, printed, scales = _wanted(spec, bodies, faults)
     faults.settle()
     mechanism = Mechanism(
-        frame=bodies.frame, links=tuple(draft.link() for draft in bodies.drafts.values()), joints=joints, drives=drives,
-        branches=branches, guesses=guesses,
+        frame=bodies.frame,
+        links=tuple(draft.link() for draft in bodies.drafts.values()),
+        joints=joints,
+        drives=drives,
+        branches=branches,
+        guesses=guesses,
     )
     _check_mobility(mechanism, tree)
     return Problem(
-        id=spec.id, title=spec.title, source=spec.source, statement=spec.statement, mechanism=mechanism, asks=asks,
-        scales=scales, printed=printed, errata=tuple(spec.errata), given=_given(bodies, motion),
-        orientation=spec.sheet.orientation if spec.sheet else None, path=path, text=tree.text,
+        id=spec.id,
+        title=spec.title,
+        source=spec.source,
+        statement=spec.statement,
+        mechanism=mechanism,
+        asks=asks,
+        scales=scales,
+        printed=printed,
+        errata=tuple(spec.errata),
+        given=_given(bodies, motion),
+        orientation=spec.sheet.orientation if spec.sheet else None,
+        path=path,
+        text=tree.text,
     )
 
 
-def _points(key: str, data: dict[str, tuple[str, str]], faults: Faults, known: tuple[str, ...] = ()) -> dict[str, complex]:
+def _points(
+    key: str, data: dict[str, tuple[str, str]], faults: Faults, known: tuple[str, ...] = ()
+) -> dict[str, complex]:
     points = {}
     for letter, pair in data.items():
         with faults.at(key, letter):
@@ -61,7 +78,9 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
     for name, data in spec.links.items():
         with faults.at("links", name):
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
-                raise FaultError(f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)")
+                raise FaultError(
+                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"
+                )
             bodies.drafts[name] = read_link(name, data)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
@@ -76,8 +95,9 @@ def _joints(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Joint, .
     return (*revolutes(bodies), *written)
 
 
-def _inputs(spec: ProblemSpec, bodies: Bodies, joints: tuple[Joint, ...],
-            faults: Faults) -> tuple[tuple[Drive, ...], tuple[Datum, ...]]:
+def _inputs(
+    spec: ProblemSpec, bodies: Bodies, joints: tuple[Joint, ...], faults: Faults
+) -> tuple[tuple[Drive, ...], tuple[Datum, ...]]:
     drives: list[Drive] = []
     motion: list[Datum] = []
     several = isinstance(spec.input, list)
@@ -93,11 +113,13 @@ def _branches(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[SideOf
     branches = []
     for i, text in enumerate(spec.branch):
         with faults.at("branch", i):
-            branches.append(read_branch(text, bodies.letters()))
+            branches.append(read_branch(text, (*bodies.letters(), *bodies.pitch)))
     return tuple(branches)
 
 
-def _wanted(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
+def _wanted(
+    spec: ProblemSpec, bodies: Bodies, faults: Faults
+) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
     named: list[At] = []
     asks: list[Ask] = []
     printed: list[Printed] = []
@@ -121,7 +143,8 @@ def _wanted(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tuple[As
 def _given(bodies: Bodies, motion: tuple[Datum, ...]) -> Given:
     return Given(
         lengths=tuple(datum for draft in bodies.drafts.values() for datum in draft.lengths),
-        motion=motion, letters=bodies.letters(),
+        motion=motion,
+        letters=bodies.letters(),
         shapes={name: draft.shape for name, draft in bodies.drafts.items()},
     )
 

@@ -6,12 +6,13 @@ import cmath
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 from ..mechanism.model import FRAME, Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
+from ..words import Words
+from .draft import LETTER, Draft, Line, letters_of
 from .faults import FaultError, meant
-from .links import LETTER, Draft, Line, letters_of
 from .problem import Shape
 from .units import Dim, positive, read
 
@@ -27,8 +28,10 @@ _ROLLS = re.compile(
     rf"(?P<gear>{_LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
     rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{_LINK}) at (?P<point>{LETTER})"
 )
-EXAMPLES = ("'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
-            "'3 rolls on y = 0 mm at D' or '4 rolls on 3 at H'")
+EXAMPLES = (
+    "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
+    "'3 rolls on y = 0 mm at D' or '4 rolls on 3 at H'"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +40,7 @@ class Bodies:
 
     frame: Mapping[str, complex]
     drafts: dict[str, Draft]
+    pitch: list[str] = field(default_factory=list)  # letters of pitch points
 
     def draft(self, name: str) -> Draft:
         """The moving link `name`."""
@@ -46,7 +50,9 @@ class Bodies:
 
     def letters(self) -> tuple[str, ...]:
         """All letters: the frame's first, then link by link."""
-        return tuple(dict.fromkeys([*self.frame, *(p for draft in self.drafts.values() for p in draft.points)]))
+        return tuple(
+            dict.fromkeys([*self.frame, *(p for draft in self.drafts.values() for p in draft.points)])
+        )
 
 
 def revolutes(bodies: Bodies) -> tuple[Revolute, ...]:
@@ -81,20 +87,58 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if pin not in block.points:
         raise FaultError(f"point '{pin}' is not on link {block.name}{meant(pin, block.points)}")
     offset = read(m["offset"], Dim.LENGTH) if m["offset"] else None
-    if offset is not None:
-        block.note(f"{pin}: {m['side']}", offset.si, offset.text)
+    _note_slide(m, block, pin)
     return Prismatic(
-        guide=guide, block=block.name, origin=line.origin, direction=line.direction, pin=pin, through=line.through,
+        guide=guide,
+        block=block.name,
+        origin=line.origin,
+        direction=line.direction,
+        pin=pin,
+        through=line.through,
         offset=0.0 if offset is None else offset.si if m["side"] == "left" else -offset.si,
         turn=read(m["turn"], Dim.ANGLE).si if m["turn"] else 0.0,
     )
 
 
+def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
+    """Remember the data of a sliding joint for 已知."""
+    zh_side = "左" if m["side"] == "left" else "右"
+    if m["offset"]:
+        block.say(
+            Words(
+                f"${pin}$ 偏在导路{zh_side}侧 {m['offset']}",
+                f"${pin}$ is {m['offset']} to the {m['side']} of the guide",
+            )
+        )
+    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
+        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
+    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
+        block.say(
+            Words(
+                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
+                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
+            )
+        )
+    if m["turn"]:
+        block.say(
+            Words(
+                f"构件 {block.name} 的槽与导路成 {m['turn']}",
+                f"the slot of link {block.name} is at {m['turn']} to the guide",
+            )
+        )
+
+
 def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
     block = bodies.draft(m["block"])
     guide, line = _guide(m["guide"], bodies, block.name)
-    return Prismatic(guide=guide, block=block.name, origin=line.origin, direction=line.direction,
-                     pin=next(iter(block.points)), through=line.through)
+    return Prismatic(
+        guide=guide,
+        block=block.name,
+        origin=line.origin,
+        direction=line.direction,
+        pin=next(iter(block.points)),
+        through=line.through,
+    )
 
 
 def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
@@ -104,8 +148,15 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     guide, line = _guide(m["guide"], bodies, "")
     name = f"pin{pin}"
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
-    return Prismatic(guide=guide, block=name, origin=line.origin, direction=line.direction, pin=pin,
-                     through=line.through, pin_in_slot=True)
+    return Prismatic(
+        guide=guide,
+        block=name,
+        origin=line.origin,
+        direction=line.direction,
+        pin=pin,
+        through=line.through,
+        pin_in_slot=True,
+    )
 
 
 def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
@@ -117,13 +168,19 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
         if draft.line is None and len(draft.points) >= 2:
             return text, _along(draft.points, *list(draft.points)[:2])
         if draft.line is None:
-            raise FaultError(f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}")
+            raise FaultError(
+                f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"
+            )
         return text, draft.line
     letters, _, on = text.partition(" of ")
     first, second = letters_of(letters)
     if not on and first in bodies.frame and second in bodies.frame:
         return FRAME, _along(bodies.frame, first, second)
-    owners = [on] if on else [n for n, d in bodies.drafts.items() if {first, second} <= d.points.keys() and n != block]
+    owners = (
+        [on]
+        if on
+        else [n for n, d in bodies.drafts.items() if {first, second} <= d.points.keys() and n != block]
+    )
     if not owners or not {first, second} <= bodies.draft(owners[0]).points.keys():
         raise FaultError(f"no link has both points {first} and {second}")
     return owners[0], _along(bodies.drafts[owners[0]].points, first, second)
@@ -147,6 +204,7 @@ def _fixed_line(text: str, bodies: Bodies) -> Line | None:
 
 def _rolls(m: re.Match[str], bodies: Bodies) -> Rolling:
     how, on = m["how"], m["on"]
+    bodies.pitch.append(m["point"])
     gear = _circle(m["gear"], bodies)
     side = Side.RIGHT if how in ("below", "right of") else Side.LEFT
     other = _partner(on, bodies)
@@ -173,5 +231,7 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
 def _circle(name: str, bodies: Bodies) -> Circle:
     draft = bodies.draft(name)
     if draft.gear is None:
-        raise FaultError(f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}")
+        raise FaultError(
+            f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}"
+        )
     return draft.gear

@@ -30,7 +30,9 @@ def library(folder: Path | None = None) -> tuple[Entry, ...]:
     for entry in found:
         first = by_id.setdefault(entry.id, entry)
         if first is not entry:
-            raise ProblemFileError(f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them")
+            raise ProblemFileError(
+                f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them"
+            )
     return tuple(found)
 
 
@@ -53,7 +55,9 @@ def find(name: str) -> Path | None:
 
 def natural(text: str) -> tuple[tuple[int, str], ...]:
     """Sort key: 3-9 before 3-10."""
-    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", text) if part)
+    return tuple(
+        (int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", text) if part
+    )
 
 
 def _head(path: Path) -> Entry | None:

@@ -40,8 +40,10 @@ def locate(where: str | Path, near: Path | None = None) -> Path:
         raise ProblemFileError(f"{text}: no such file")
     found = find(text)
     if found is None:
-        raise UnknownNameError(f"no problem '{text}'{meant(text, (entry.id for entry in entries()))}; "
-                               "'vecpoly list' shows all, and a path must end in .yaml")
+        raise UnknownNameError(
+            f"no problem '{text}'{meant(text, (entry.id for entry in entries()))}; "
+            "'vecpoly list' shows all, and a path must end in .yaml"
+        )
     return found
 
 
@@ -56,7 +58,9 @@ def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:
         return tree
     line = tree.places[("extends",)].line
     if not isinstance(base, str):
-        raise ProblemFileError(f"{tree.name}, line {line}: extends: the id or path of a problem is expected here")
+        raise ProblemFileError(
+            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here"
+        )
     try:
         below = locate(base, path.parent if path else None)
     except UnknownNameError as error:

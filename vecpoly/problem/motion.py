@@ -8,9 +8,9 @@ from collections.abc import Iterable, Mapping
 from math import pi
 
 from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, SideOf
+from .draft import LETTER, Draft, letters_of
 from .faults import FaultError, meant
 from .joints import Bodies
-from .links import LETTER, Draft, letters_of
 from .problem import Datum
 from .schema import InputSpec
 from .units import Dim, Quantity, read
@@ -18,8 +18,16 @@ from .units import Dim, Quantity, read
 _FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _BRANCH = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
 _BRANCH_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
-_SIDES = {"left of": Side.LEFT, "right of": Side.RIGHT, "above": Side.ABOVE, "below": Side.BELOW,
-          "左": Side.LEFT, "右": Side.RIGHT, "上": Side.ABOVE, "下": Side.BELOW}
+_SIDES = {
+    "left of": Side.LEFT,
+    "right of": Side.RIGHT,
+    "above": Side.ABOVE,
+    "below": Side.BELOW,
+    "左": Side.LEFT,
+    "右": Side.RIGHT,
+    "上": Side.ABOVE,
+    "下": Side.BELOW,
+}
 
 
 def read_branch(text: str, letters: Iterable[str]) -> SideOf:
@@ -29,7 +37,9 @@ def read_branch(text: str, letters: Iterable[str]) -> SideOf:
     elif m := _BRANCH_ZH.fullmatch(text.strip()):
         point, side, first, second = m[1], m[4], m[2], m[3]
     else:
-        raise FaultError(f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'")
+        raise FaultError(
+            f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'"
+        )
     ref = (first, second) if second else (first,)
     known = set(letters)
     for letter in (point, *ref):
@@ -47,16 +57,25 @@ def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tupl
     turning = [key for key in ("phi", "omega", "alpha") if getattr(spec, key) is not None]
     sliding = [key for key in ("s", "v", "a") if getattr(spec, key) is not None]
     if turning and sliding:
-        raise FaultError(f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: "
-                         f"{', '.join(turning)} and {', '.join(sliding)} are given")
+        raise FaultError(
+            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: "
+            f"{', '.join(turning)} and {', '.join(sliding)} are given"
+        )
     return _sliding(spec, draft, joints) if sliding else _turning(spec, draft, bodies, joints)
 
 
-def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
-    pivot = next((j.point for j in joints if isinstance(j, Revolute) and {j.a, j.b} == {draft.name, FRAME}), None)
+def _turning(
+    spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]
+) -> tuple[Drive, tuple[Datum, ...]]:
+    pivot = next(
+        (j.point for j in joints if isinstance(j, Revolute) and {j.a, j.b} == {draft.name, FRAME}), None
+    )
     if pivot is None:
-        raise FaultError(f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on "
-                         f"the frame ({', '.join(bodies.frame)})", "link")
+        raise FaultError(
+            f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on "
+            f"the frame ({', '.join(bodies.frame)})",
+            "link",
+        )
     if spec.phi is None or spec.omega is None:
         raise FaultError("a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw")
     phi, zero = _angle(spec.phi, bodies.frame)
@@ -64,7 +83,10 @@ def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joi
     arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
     lean = 0.0 if draft.line is not None and draft.line.direction == 0.0 else cmath.phase(arm)
     name = draft.name
-    data = [Datum(symbol=f"φ_{name}", si=phi.si, text=phi.text), Datum(symbol=f"ω_{name}", si=rate.si, text=rate.text)]
+    data = [
+        Datum(symbol=f"φ_{name}", si=phi.si, text=phi.text),
+        Datum(symbol=f"ω_{name}", si=rate.si, text=rate.text),
+    ]
     if spec.alpha is not None:
         data.append(Datum(symbol=f"α_{name}", si=accel.si, text=accel.text))
     position = phi.si + zero - lean
@@ -86,12 +108,22 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     if not any(isinstance(j, Prismatic) and j.guide == FRAME and j.block == draft.name for j in joints):
-        raise FaultError(f"link {draft.name} slides on no fixed guide; write a joint '{draft.name} slides on y = 0 mm'", "link")
+        raise FaultError(
+            f"link {draft.name} slides on no fixed guide; write a joint '{draft.name} slides on y = 0 mm'",
+            "link",
+        )
     if spec.s is None or spec.v is None:
         raise FaultError("a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s")
-    travel, rate, accel = _read("s", spec.s, Dim.LENGTH), _read("v", spec.v, Dim.SPEED), _read("a", spec.a, Dim.ACCEL)
+    travel, rate, accel = (
+        _read("s", spec.s, Dim.LENGTH),
+        _read("v", spec.v, Dim.SPEED),
+        _read("a", spec.a, Dim.ACCEL),
+    )
     name = draft.name
-    data = [Datum(symbol=f"s_{name}", si=travel.si, text=travel.text), Datum(symbol=f"v_{name}", si=rate.si, text=rate.text)]
+    data = [
+        Datum(symbol=f"s_{name}", si=travel.si, text=travel.text),
+        Datum(symbol=f"v_{name}", si=rate.si, text=rate.text),
+    ]
     if spec.a is not None:
         data.append(Datum(symbol=f"a_{name}", si=accel.si, text=accel.text))
     return Drive(link=name, position=travel.si, rate=rate.si, accel=accel.si, slide=True), tuple(data)

@@ -28,11 +28,15 @@ class Shape(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Datum:
-    """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), its SI value, and the value as written (`30 mm`)."""
+    """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), its SI value, and the value as written (`30 mm`).
 
-    symbol: str
-    si: float
-    text: str
+    Where no symbol is usual, the symbol is empty and `words` say it all.
+    """
+
+    symbol: str = ""
+    si: float = 0.0
+    text: str = ""
+    words: Words | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -29,31 +29,63 @@ def _words(value: Any) -> Words:
 Text = Annotated[
     Words,
     BeforeValidator(_words),
-    WithJsonSchema({"anyOf": [
-        {"type": "string"},
-        {"type": "object", "required": ["zh", "en"], "additionalProperties": False,
-         "properties": {"zh": {"type": "string"}, "en": {"type": "string"}}},
-    ]}),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"type": "string"},
+                {
+                    "type": "object",
+                    "required": ["zh", "en"],
+                    "additionalProperties": False,
+                    "properties": {"zh": {"type": "string"}, "en": {"type": "string"}},
+                },
+            ]
+        }
+    ),
 ]
 Number = Annotated[str, WithJsonSchema(_QUANTITY)]
 Name = Annotated[str, WithJsonSchema({"type": ["string", "integer"]})]
 _PLACE = {
     "type": "object",
-    "properties": {"along": {"type": "string"}, "at": _QUANTITY, "left": _QUANTITY, "right": _QUANTITY,
-                   "angle": {"type": "string"}, "side": {"type": "string", "pattern": "^(left|right) of "}},
+    "properties": {
+        "along": {"type": "string"},
+        "at": _QUANTITY,
+        "left": _QUANTITY,
+        "right": _QUANTITY,
+        "angle": {"type": "string"},
+        "side": {"type": "string", "pattern": "^(left|right) of "},
+    },
     "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY},
     "additionalProperties": False,
 }
-_SLOT = {"anyOf": [{"type": "string", "pattern": f"^{_LETTER}$"}, {
-    "type": "object", "required": ["through"], "additionalProperties": False,
-    "properties": {"through": {"type": "string"}, "angle": {"type": "string"}, "left": _QUANTITY, "right": _QUANTITY}}]}
+_SLOT = {
+    "anyOf": [
+        {"type": "string", "pattern": f"^{_LETTER}$"},
+        {
+            "type": "object",
+            "required": ["through"],
+            "additionalProperties": False,
+            "properties": {
+                "through": {"type": "string"},
+                "angle": {"type": "string"},
+                "left": _QUANTITY,
+                "right": _QUANTITY,
+            },
+        },
+    ]
+}
 _ONE = {"type": "string", "pattern": f"^{_LETTER}$"}
-Link = Annotated[Any, WithJsonSchema({
-    "type": "object",
-    "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "gear": _ONE, "radius": _QUANTITY},
-    "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY, f"^{_LETTER}$": _PLACE},
-    "additionalProperties": False,
-})]
+Link = Annotated[
+    Any,
+    WithJsonSchema(
+        {
+            "type": "object",
+            "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "gear": _ONE, "radius": _QUANTITY},
+            "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY, f"^{_LETTER}$": _PLACE},
+            "additionalProperties": False,
+        }
+    ),
+]
 Pair = tuple[Number, Number]
 
 
@@ -98,7 +130,9 @@ class PrintedSpec(Spec):
 
     symbol: str
     value: Number
-    scale: Number | None = Field(None, description="where value is a length on paper: its scale, 0.006 (m/s)/mm")
+    scale: Number | None = Field(
+        None, description="where value is a length on paper: its scale, 0.006 (m/s)/mm"
+    )
     direction: Number | None = None
     kind: Literal["calculated", "graphical"] = "calculated"
     note: Text | None = None

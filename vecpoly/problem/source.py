@@ -30,7 +30,9 @@ def read_text(path: FilePath) -> str:
     try:
         size = path.stat().st_size
         if size > LIMIT:
-            raise ProblemFileError(f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB")
+            raise ProblemFileError(
+                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB"
+            )
         return path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
@@ -92,7 +94,8 @@ class _Reader:
         self.tree.places.setdefault(path, place)
         if id(node) in self.seen or len(path) > _DEEP:
             raise ProblemFileError(
-                f"{place.file}, line {place.line}: YAML aliases and deep nesting are not used here; write the value out")
+                f"{place.file}, line {place.line}: YAML aliases and deep nesting are not used here; write the value out"
+            )
         self.seen.add(id(node))
         match node.id:
             case "mapping":
@@ -124,8 +127,13 @@ def overlay(base: Tree, over: Tree) -> Tree:
     return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, over.text)
 
 
-def _merge(base: dict[str, Value], over: dict[str, Value], path: Path,
-           places: dict[Path, Place], new: dict[Path, Place]) -> dict[str, Value]:
+def _merge(
+    base: dict[str, Value],
+    over: dict[str, Value],
+    path: Path,
+    places: dict[Path, Place],
+    new: dict[Path, Place],
+) -> dict[str, Value]:
     merged = dict(base)
     for key, value in over.items():
         here = (*path, key)

@@ -30,12 +30,19 @@ _DEFINITIONS = (
 )
 
 _COMMON = {
-    "mm": (1e-3, "length 1"), "m": (1.0, "length 1"), "cm": (1e-2, "length 1"),
-    "deg": (math.pi / 180, "angle 1"), "rad": (1.0, "angle 1"),
-    "rad/s": (1.0, "angle 1 time -1"), "r/min": (math.pi / 30, "angle 1 time -1"),
+    "mm": (1e-3, "length 1"),
+    "m": (1.0, "length 1"),
+    "cm": (1e-2, "length 1"),
+    "deg": (math.pi / 180, "angle 1"),
+    "rad": (1.0, "angle 1"),
+    "rad/s": (1.0, "angle 1 time -1"),
+    "r/min": (math.pi / 30, "angle 1 time -1"),
     "rad/s**2": (1.0, "angle 1 time -2"),
-    "m/s": (1.0, "length 1 time -1"), "m/s**2": (1.0, "length 1 time -2"),
-    "m/mm": (1e3, ""), "(m/s)/mm": (1e3, "time -1"), "(m/s**2)/mm": (1e3, "time -2"),
+    "m/s": (1.0, "length 1 time -1"),
+    "m/s**2": (1.0, "length 1 time -2"),
+    "m/mm": (1e3, ""),
+    "(m/s)/mm": (1e3, "time -1"),
+    "(m/s**2)/mm": (1e3, "time -2"),
 }  # spelling: SI factor and dimension
 
 
@@ -73,9 +80,13 @@ class Quantity:
     text: str
 
 
-_NUMBER = re.compile(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
+_NUMBER = re.compile(
+    r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
+)
 _SENSE = re.compile(r"\s*(?:\b(ccw|cw|counter-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$")
-_SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
+_SPELLING = str.maketrans(
+    {"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"}
+)
 
 
 def read(text: object, dim: Dim) -> Quantity:
@@ -95,9 +106,19 @@ def read(text: object, dim: Dim) -> Quantity:
         raise FaultError(f"'{text}' has no unit; {dim.label} is needed: write e.g. {_advice(m[1], dim)}")
     factor, dimension = unit_of(unit)
     if dimension != dim.dimension:
-        raise FaultError(f"'{text}' is not {dim.label}: its unit '{m[2]}' is {_named(dimension)}; write e.g. {dim.example}")
+        raise FaultError(
+            f"'{text}' is not {dim.label}: its unit '{m[2]}' is {_named(dimension)}; write e.g. {dim.example}"
+        )
     per_mm = 1e-3 if dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A) else 1.0
-    return Quantity(sign * number * (factor * per_mm), text)
+    return Quantity(sign * _times(number, factor * per_mm), text)
+
+
+def _times(number: float, factor: float) -> float:
+    """The product; a division where that is exact, so that 350 mm is 0.35 m to the last digit."""
+    inverse = 1 / factor
+    return (
+        number / round(inverse) if inverse > 1 and abs(inverse - round(inverse)) < 1e-9 else number * factor
+    )
 
 
 def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
@@ -119,7 +140,9 @@ def unit_by_pint(unit: str) -> tuple[float, str]:
     try:
         quantity = _registry().Quantity(1.0, unit).to_base_units()
     except Exception:  # pint raises many kinds, all of them meaning that the unit cannot be read
-        raise FaultError(f"unit '{unit}' is unknown; known: mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm") from None
+        raise FaultError(
+            f"unit '{unit}' is unknown; known: mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
+        ) from None
     powers = sorted((name.strip("[]"), power) for name, power in quantity.dimensionality.items())
     return float(quantity.magnitude), " ".join(f"{name} {power:g}" for name, power in powers)
 

@@ -12,7 +12,11 @@ from .schema import FindSpec, InputSpec, PrintedSpec, ScalesSpec, SheetSpec
 Model = TypeVar("Model", bound=BaseModel)
 
 _MODELS: dict[str, type[BaseModel]] = {
-    "input": InputSpec, "scales": ScalesSpec, "find": FindSpec, "printed": PrintedSpec, "sheet": SheetSpec,
+    "input": InputSpec,
+    "scales": ScalesSpec,
+    "find": FindSpec,
+    "printed": PrintedSpec,
+    "sheet": SheetSpec,
 }
 _SAID = {
     "string_type": "a text is expected here",
@@ -32,7 +36,9 @@ def validate(model: type[Model], data: Any, faults: Faults) -> Model:
         return model.model_validate(data)
     except ValidationError as error:
         for item in _best(error):
-            path = tuple(step for step in item["loc"] if step not in _UNION and not str(step).startswith("tuple["))
+            path = tuple(
+                step for step in item["loc"] if step not in _UNION and not str(step).startswith("tuple[")
+            )
             faults.found.append((path, _say(model, path, item)))
     faults.found[:] = list(dict.fromkeys(faults.found))
     faults.settle()
@@ -41,8 +47,9 @@ def validate(model: type[Model], data: Any, faults: Faults) -> Model:
 
 def _best(error: ValidationError) -> list[Any]:
     """Of a union's branches keep the one that fits the kind of value written."""
-    items = [dict(item) for item in error.errors()]
-    kept = [item for item in items if not (_UNION & set(item["loc"]) and item["type"] in ("string_type", "list_type", "model_type"))]
+    items: list[Any] = list(error.errors())
+    wrong_branch = ("string_type", "list_type", "model_type")
+    kept = [item for item in items if item["type"] not in wrong_branch or not _UNION & set(item["loc"])]
     return kept or items
 
 

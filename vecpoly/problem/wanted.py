@@ -34,15 +34,21 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
     """{point: M2, on: 2, velocity: 0}."""
     m = _POINT.fullmatch(spec.point or "")
     if m is None:
-        raise FaultError("write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}")
+        raise FaultError(
+            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"
+        )
     link = spec.on or m[2]
     bodies.draft(link)
     if link != m[2]:
         raise FaultError(f"point {spec.point} would be on link {m[2]}, but 'on' says {link}")
     if (spec.velocity is None) == (spec.acceleration is None):
         raise FaultError("give either the velocity or the acceleration of the point")
-    return AskPoint(name=m[0], link=link, velocity=_vector(spec.velocity, Dim.SPEED),
-                    acceleration=_vector(spec.acceleration, Dim.ACCEL))
+    return AskPoint(
+        name=m[0],
+        link=link,
+        velocity=_vector(spec.velocity, Dim.SPEED),
+        acceleration=_vector(spec.acceleration, Dim.ACCEL),
+    )
 
 
 def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
@@ -70,13 +76,14 @@ def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
 def _known(at: At, text: str, bodies: Bodies) -> None:
     if at.link and at.link != FRAME and at.link not in bodies.drafts:
         raise FaultError(f"{text}: link '{at.link}' does not exist{meant(at.link, bodies.drafts)}")
-    letters = bodies.letters()
+    letters = (*bodies.letters(), *bodies.pitch)
     if at.point and at.point not in letters:
         raise FaultError(f"{text}: point '{at.point}' does not exist{meant(at.point, letters)}")
 
 
 def read_scales(spec: ScalesSpec) -> Scales:
     """Given scales; auto is None."""
+
     def one(key: str, text: str, dim: Dim) -> float | None:
         if text in ("auto", "自动"):
             return None
@@ -88,8 +95,11 @@ def read_scales(spec: ScalesSpec) -> Scales:
             raise FaultError(f"'{text}' must be greater than zero; write e.g. {dim.example} or auto", key)
         return value
 
-    return Scales(mu_l=one("mu_l", spec.mu_l, Dim.MU_L), mu_v=one("mu_v", spec.mu_v, Dim.MU_V),
-                  mu_a=one("mu_a", spec.mu_a, Dim.MU_A))
+    return Scales(
+        mu_l=one("mu_l", spec.mu_l, Dim.MU_L),
+        mu_v=one("mu_v", spec.mu_v, Dim.MU_V),
+        mu_a=one("mu_a", spec.mu_a, Dim.MU_A),
+    )
 
 
 def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Printed:
@@ -101,9 +111,20 @@ def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Prin
         value, paper, scale = read(spec.value, _DIM.get(kind, Dim.ACCEL)).si, None, None
     else:
         if unit_of(spec.value.split()[-1])[1] != Dim.LENGTH.dimension:
-            raise FaultError(f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm", "value")
+            raise FaultError(
+                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm", "value"
+            )
         paper = read(spec.value, Dim.LENGTH).si * 1e3
         scale = read(spec.scale, _MU.get(kind, Dim.MU_A)).si
         value = paper * scale
-    return Printed(symbol=spec.symbol, rel=rel, value=value, text=spec.value, kind=spec.kind, paper_mm=paper,
-                   scale=scale, direction=direction, note=spec.note)
+    return Printed(
+        symbol=spec.symbol,
+        rel=rel,
+        value=value,
+        text=spec.value,
+        kind=spec.kind,
+        paper_mm=paper,
+        scale=scale,
+        direction=direction,
+        note=spec.note,
+    )

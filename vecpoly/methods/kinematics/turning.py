@@ -11,6 +11,8 @@ from ...quantity import magnitude, worked
 from ...words import Words
 from ..desk import Desk, Turn
 
+NO_LENGTH = 1e-9  # mm: two points nearer than this are one point
+
 
 def angular_velocity(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
     """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper."""
@@ -41,7 +43,7 @@ def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, 
     expr = board.mu(view) * on_paper / length
     board.write(worked(magnitude(name, 0, unit).node, expr, unit))
     way = np.sign(cross(desk.towards(about, point), ends[1] - ends[0]))
-    return expr.value * way
+    return np.where(np.abs(ends[1] - ends[0]) < NO_LENGTH, 0.0, expr.value * way)[()]
 
 
 def _sense(name: str, symbol: str, point: str, value: float) -> Words:

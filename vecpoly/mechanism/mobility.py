@@ -1,0 +1,71 @@
+"""Degrees of freedom: F = 3n - 2 p_L - p_H."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..errors import MobilityError
+from .assur import hinges, is_held
+from .model import FRAME, Mechanism, Prismatic, Rolling
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mobility:
+    """Counts of moving links n, lower pairs p_L (a hinge of k links counts k - 1), higher pairs p_H, and drives.
+
+    Rolling with contact and no slip fixes two coordinates and counts as a lower pair; where links hold the
+    gear's centre at its distance already it counts as a higher pair. A pin in a slot counts as hinge and slide.
+    """
+
+    links: int
+    lower: int
+    higher: int
+    drives: int
+    redundant: int = 0
+
+    @property
+    def freedom(self) -> int:
+        """F = 3n - 2 p_L - p_H."""
+        return 3 * self.links - 2 * self.lower - self.higher
+
+    def __str__(self) -> str:
+        n, low, high = self.links, self.lower, self.higher
+        return f"F = 3n - 2p_L - p_H = 3·{n} - 2·{low} - {high} = {self.freedom}"
+
+
+def mobility(mech: Mechanism) -> Mobility:
+    """The counts and F of a mechanism."""
+    pins = sum(len(names) - 1 for names in hinges(mech).values())
+    slides = sum(isinstance(joint, Prismatic) for joint in mech.joints)
+    rolls = [is_held(mech, joint) for joint in mech.joints if isinstance(joint, Rolling)]
+    return Mobility(
+        links=len(mech.links), lower=pins + slides + rolls.count(False), higher=rolls.count(True),
+        drives=len(mech.drives),
+    )
+
+
+def check(mech: Mechanism) -> Mobility:
+    """The counts, once F equals the number of drives; MobilityError with the remedy where it does not."""
+    count = mobility(mech)
+    if count.freedom == count.drives:
+        return count
+    said = f"{count}, but {count.drives} drive{'s are' if count.drives != 1 else ' is'} given"
+    if count.freedom < 1:
+        raise MobilityError(f"{said}: nothing can move; remove a link or a redundant joint, or add the missing link")
+    if count.freedom > count.drives:
+        loose = [li.name for li in mech.links if _joints_at(mech, li.name) < 2]
+        hint = f" (links with a single joint: {', '.join(loose)})" if loose else ""
+        raise MobilityError(
+            f"{said}: drive {count.freedom - count.drives} more link(s), or add the missing joint{hint}")
+    raise MobilityError(f"{said}: keep only {count.freedom} of them, or remove a joint")
+
+
+def _joints_at(mech: Mechanism, name: str) -> int:
+    """How many joints the link has (a hinge counts once)."""
+    pins = sum(name in names for names in hinges(mech).values())
+    slides = sum(name in (j.guide, j.block) for j in mech.joints if isinstance(j, Prismatic))
+    rolls = sum(name in (j.gear.link, j.on.link) for j in mech.joints if isinstance(j, Rolling))
+    return pins + slides + rolls
+
+
+__all__ = ["FRAME", "Mobility", "check", "mobility"]

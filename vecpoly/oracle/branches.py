@@ -1,0 +1,113 @@
+"""Which of two assemblies: the statements of the problem, read on both at the problem's own position."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from ..errors import AssemblyError, UnknownNameError
+from ..mechanism.branch import margin
+from ..mechanism.model import Mechanism, Revolute, Side, SideOf
+from .dyads import Hinged, Swinging
+from .run import Run
+from .state import Bodies
+from .steps import Step
+
+Places = dict[str, complex]
+_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
+
+
+def places(mech: Mechanism, bodies: Bodies) -> Places:
+    """Place of every letter on the solved links, at the last position."""
+    return {
+        point: complex(body.point(local)[-1])
+        for name, body in bodies.items() for point, local in mech.link(name).points.items()
+    }
+
+
+def check_letters(mech: Mechanism) -> None:
+    """UnknownNameError where a statement names a letter that no link carries."""
+    letters = {point for link in mech.links for point in link.points} | set(mech.frame)
+    for statement in mech.branches:
+        for letter in (statement.point, *statement.ref):
+            if letter not in letters:
+                raise UnknownNameError(
+                    f"'{_words(statement)}' names the unknown point {letter}; known: {', '.join(sorted(letters))}")
+
+
+def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
+    """The step with the sign of the assembly that the statements describe.
+
+    Raises AssemblyError where they describe neither, or do not tell the two apart.
+    """
+    before = places(mech, bodies)
+    options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
+    after = [before | places(mech, option.place(bodies, run)) for option in options]
+    told = [s for s in mech.branches if _letters(s) <= set(after[0]) and not _letters(s) <= set(before)]
+    fits = [all(margin(s, at) > 0 for s in told) for at in after]
+    if fits.count(True) == 1:
+        return options[fits.index(True)]
+    names = " and ".join(step.group.links)
+    if not any(fits):
+        statement = " and ".join(f"'{_words(s)}'" for s in told)
+        raise AssemblyError(
+            f"links {names}: neither assembly fulfils {statement} where the drive stands at "
+            f"{run.text(float(run.q[-1]))}{_advice(mech, step, before, after)}")
+    if isinstance(step, Swinging):
+        return options[_ahead(options)]
+    raise AssemblyError(
+        f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
+
+
+def _letters(statement: SideOf) -> set[str]:
+    return {statement.point, *statement.ref}
+
+
+def _words(statement: SideOf) -> str:
+    """C left of B-D."""
+    of = statement.side in (Side.LEFT, Side.RIGHT)
+    return f"{statement.point} {statement.side.value} {'of ' if of else ''}{'-'.join(statement.ref)}"
+
+
+def _ahead(options: list[Step]) -> int:
+    """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
+    signs = [option.sign for option in options]
+    return signs.index(1.0)
+
+
+def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> str:
+    """; say which: 'C left of B-D' or 'C right of B-D'."""
+    if len(after) < 2 or not isinstance(step, Hinged):
+        return ""
+    for statement in _statements(mech, step, before, after[0]):
+        here, there = (margin(statement, at) for at in after)
+        if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
+            other = replace(statement, side=_OPPOSITE[statement.side])
+            return f"; say which: '{_words(statement)}' or '{_words(other)}'"
+    return "; here the two coincide: choose another position of the drive"
+
+
+def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:
+    """Sentences a lecturer may say about the group, the plainest first."""
+    outer = [out.joint.point for out in step.group.outer if isinstance(out.joint, Revolute)]
+    gears = [out.joint.gear.centre for out in step.group.outer if not isinstance(out.joint, Revolute)
+             and hasattr(out.joint, "gear")]
+    points = [step.joint, *(p for p in after if p not in before and p != step.joint)]
+    refs = [p for p in (*outer, *gears) if p in before]
+    others = [p for p in before if p not in refs]
+    pairs = [(a, b) for a, b in product((*refs, *others), repeat=2) if abs(before[a] - before[b]) > 1e-9 * mech.scale]
+    for point in points:
+        if len(refs) == 2:
+            yield SideOf(point=point, side=Side.LEFT, ref=(refs[0], refs[1]))
+        for ref, side in product((*refs, *others), (Side.LEFT, Side.ABOVE)):
+            yield SideOf(point=point, side=side, ref=(ref,))
+        for pair in pairs:
+            yield SideOf(point=point, side=Side.LEFT, ref=pair)
+
+
+def distinct(values: list[float], scale: float) -> bool:
+    """Whether two margins differ in sign beyond rounding."""
+    return bool(np.prod(np.sign(values)) < 0 and min(map(abs, values)) > 1e-9 * scale)

@@ -1,0 +1,107 @@
+"""From an Assur group to the step that solves it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..mechanism.assur import Dyad, Group
+from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
+from .dyads import Crossed, Hinged, Swinging
+from .loci import Arc, Locus, roll, slide
+from .newton import Newton, newton
+
+Step = Hinged | Swinging | Crossed | Newton
+
+
+def step_for(mech: Mechanism, group: Group) -> Step:
+    """The closed form of a dyad, Newton for anything else."""
+    step: Step | None = None
+    if group.dyad is not None:
+        dyad = group.dyad
+        match dyad.outer_j, dyad.inner, dyad.outer_k:
+            case _, Revolute() as pin, _:
+                step = _hinged(mech, group, dyad, pin)
+            case Revolute() as first, Prismatic() as guide, Revolute() as second:
+                step = _swinging(mech, group, dyad, (first, guide, second))
+            case Revolute() as first, Prismatic() as guide, Prismatic() as last:
+                step = _crossed(mech, group, dyad, (first, guide, last))
+    return step or newton(mech, group)
+
+
+def _hinged(mech: Mechanism, group: Group, dyad: Dyad, pin: Revolute) -> Hinged | None:
+    j = _locus(mech, dyad.outer_j, dyad.link_j, dyad.parent_j, pin.point)
+    k = _locus(mech, dyad.outer_k, dyad.link_k, dyad.parent_k, pin.point)
+    return None if j is None or k is None else Hinged(group, j, k, pin.point)
+
+
+def _locus(mech: Mechanism, joint: Joint, name: str, parent: str, point: str) -> Locus | None:
+    """The locus that the outer joint leaves to the link's point; None where it is no circle or line."""
+    link, base = mech.link(name), mech.link(parent)
+    inner = link.points[point]
+    match joint:
+        case Revolute():
+            start = link.points[joint.point]
+            return Arc(name, parent, base.points[joint.point], start, inner - start)
+        case Prismatic():
+            return slide(joint, name, inner, mech.link(joint.block).points[joint.pin])
+        case Rolling():
+            locus = roll(joint, link, base)
+            return locus if locus is not None and locus.start == inner else None
+
+
+def _swinging(
+    mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Revolute]
+) -> Swinging:
+    """RPR: all in the coordinates of the guide line, from the guide's pivot to the block's."""
+    first, slider, second = joints
+    ends = {dyad.link_j: (dyad.parent_j, first.point), dyad.link_k: (dyad.parent_k, second.point)}
+    (g_parent, g), (b_parent, b) = ends[slider.guide], ends[slider.block]
+    guide, block = mech.link(slider.guide), mech.link(slider.block)
+    turn = complex(np.exp(1j * slider.turn))
+    line = (slider.origin - guide.points[g]) * complex(np.exp(-1j * slider.direction))
+    pin = (block.points[slider.pin] - block.points[b]) * turn
+    return Swinging(
+        group, guide.name, block.name, g_parent, b_parent,
+        mech.link(g_parent).points[g], mech.link(b_parent).points[b], guide.points[g], block.points[b],
+        complex(np.exp(-1j * slider.direction)), turn,
+        across=_clean(line.imag + slider.offset - pin.imag, mech.scale), shift=pin.real - line.real,
+        joint=f"slider {slider.pin}",
+    )
+
+
+def _clean(length: float, scale: float) -> float:
+    """Zero where rounding alone makes it differ."""
+    return 0.0 if abs(length) < 1e-15 * scale else length
+
+
+def _crossed(
+    mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Prismatic]
+) -> Crossed:
+    """RPP: link k's first point on its outer line and on its line on link j."""
+    first, inner, outer = joints
+    j, k = mech.link(dyad.link_j), mech.link(dyad.link_k)
+    point = next(iter(k.points.values()), 0j)
+    on_parent = slide(outer, k.name, point, mech.link(outer.block).points[outer.pin])
+    on_j = slide(inner, k.name, point, mech.link(inner.block).points[inner.pin])
+    return Crossed(
+        group, dyad.parent_j, mech.link(dyad.parent_j).points[first.point], j.points[first.point],
+        on_j.turn.conjugate(), on_parent, on_j, f"slider {inner.pin}",
+    )
+
+
+def is_followed(step: Step) -> bool:
+    """Whether the step needs a path from the own position: it iterates, or gears roll."""
+    match step:
+        case Newton():
+            return True
+        case Hinged(j=j, k=k):
+            return j.gearing is not None or k.gearing is not None
+    return False
+
+
+def reach(step: Step) -> tuple[Arc, Arc] | None:
+    """Both arms, where the group is hinged on two circles."""
+    match step:
+        case Hinged(j=Arc() as j, k=Arc() as k):
+            return j, k
+    return None

@@ -1,0 +1,121 @@
+"""An assignment: a title block and several problems, each with what differs from its file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from ..errors import UnknownNameError
+from ..words import Words
+from .build import build
+from .faults import FaultError, Faults, meant
+from .load import locate, tree_of
+from .problem import Problem
+from .schema import AssignmentSpec
+from .source import Tree, overlay, parse, read_text
+from .validate import validate
+
+FIELDS = {
+    "course": "课程",
+    "class": "班级",
+    "name": "姓名",
+    "number": "学号",
+    "grade": "成绩",
+    "teacher": "任课教师",
+    "date": "批改日期",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Assignment:
+    """A sheet of problems; `block` has the keys of FIELDS, empty where nothing is written."""
+
+    title: Words
+    block: Mapping[str, str]
+    problems: tuple[Problem, ...]
+    path: Path | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "block", MappingProxyType(dict(self.block)))
+
+
+def is_assignment(path: Path) -> bool:
+    """Does this file list problems (an assignment) or is it one?"""
+    data = parse(read_text(path), str(path)).data
+    return "problems" in data and "links" not in data
+
+
+def load_assignment(where: str | Path) -> Assignment:
+    """The assignment in this file; raises ProblemFileError."""
+    path = Path(where)
+    tree = parse(read_text(path), str(path))
+    faults = Faults(tree.name, tree.places)
+    spec = validate(AssignmentSpec, tree.data, faults)
+    block = _block(spec.title_block, faults)
+    problems = [_problem(item, i, tree, path, faults) for i, item in enumerate(spec.problems)]
+    faults.settle()
+    found = tuple(problem for problem in problems if problem is not None)
+    _no_twins(found, faults)
+    return Assignment(title=spec.title, block=block, problems=found, path=path)
+
+
+def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
+    names = {**{key: key for key in FIELDS}, **{zh: key for key, zh in FIELDS.items()}}
+    block = dict.fromkeys(FIELDS, "")
+    for key, value in written.items():
+        with faults.at("title_block", key):
+            if key not in names:
+                raise FaultError(f"unknown field '{key}'{meant(key, names)}")
+            block[names[key]] = value or ""
+    return block
+
+
+def _problem(
+    item: str | dict[str, Any], index: int, tree: Tree, path: Path, faults: Faults
+) -> Problem | None:
+    with faults.at("problems", index):
+        over = part(tree, ("problems", index)) if isinstance(item, dict) else None
+        name = item if isinstance(item, str) else item.get("problem")
+        if not isinstance(name, str):
+            raise FaultError("name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}")
+        try:
+            file = locate(name, path.parent)
+        except UnknownNameError as error:
+            raise FaultError(str(error)) from None
+        base = tree_of(file)
+        if over is None:
+            return build(base, file)
+        over.data.pop("problem")
+        over.data.pop("extends", None)
+        return build(overlay(base, over), file)
+    return None
+
+
+def part(tree: Tree, path: tuple[str | int, ...]) -> Tree:
+    """The part of a tree below a path, with its places."""
+    data: Any = tree.data
+    for step in path:
+        data = data[step]
+    depth = len(path)
+    return Tree(
+        tree.name,
+        dict(data),
+        {p[depth:]: place for p, place in tree.places.items() if p[:depth] == path},
+        tree.text,
+    )
+
+
+def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:
+    seen: dict[str, int] = {}
+    for i, problem in enumerate(problems):
+        with faults.at("problems", i):
+            if problem.id in seen:
+                raise FaultError(
+                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; "
+                    f"give this one another, e.g. id: {problem.id}-b"
+                )
+            seen[problem.id] = i
+    faults.settle()

@@ -1,0 +1,81 @@
+"""A link while it is being read: its points so far, its guide line, its gear, and its data for 已知."""
+
+from __future__ import annotations
+
+import cmath
+import re
+from dataclasses import dataclass, field
+
+from ..mechanism.model import Circle, Link, Placement
+from ..words import Words
+from .faults import FaultError, meant
+from .problem import Datum, Shape
+
+LETTER = r"[A-Z][a-z'′]?"
+ONE = re.compile(LETTER)
+TWO = re.compile(rf"({LETTER})({LETTER})")
+ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A guide line on a link, in its coordinates; `through` is the letter from which it is set out."""
+
+    origin: complex
+    direction: float
+    through: str
+
+
+@dataclass(slots=True)
+class Draft:
+    """A link while it is being read."""
+
+    name: str
+    shape: Shape = Shape.BAR
+    points: dict[str, complex] = field(default_factory=dict)
+    placements: list[Placement] = field(default_factory=list)
+    line: Line | None = None
+    gear: Circle | None = None
+    lengths: list[Datum] = field(default_factory=list)
+
+    def link(self) -> Link:
+        """The link of the model."""
+        return Link(name=self.name, points=self.points, placements=tuple(self.placements))
+
+    def note(self, symbol: str, si: float, text: str) -> None:
+        """Remember a length for 已知."""
+        self.lengths.append(Datum(symbol=symbol, si=si, text=text))
+
+    def say(self, words: Words) -> None:
+        """Remember a given fact that has no symbol."""
+        self.lengths.append(Datum(words=words))
+
+
+def letters_of(word: str) -> tuple[str, str]:
+    """'BC' to ('B', 'C'); raises FaultError otherwise."""
+    m = TWO.fullmatch(word)
+    if m is None:
+        raise FaultError(f"'{word}' is not two letters such as BC")
+    return m[1], m[2]
+
+
+def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
+    """Base letters, start and unit vector of a ray on the link: 'BC', or along its guide line 'B' or 'line'."""
+    line = draft.line or (Line(0j, 0.0, next(iter(draft.points))) if len(draft.points) == 1 else None)
+    first, second = (word, "") if ONE.fullmatch(word) or word == "line" else letters_of(word)
+    if word == "line":
+        first = line.through if line else ""
+    if first and first not in draft.points:
+        raise FaultError(f"point '{first}' is not on link {draft.name}{meant(first, draft.points)}")
+    if second in draft.points and draft.points[second] != draft.points[first]:
+        return (
+            (first, second),
+            draft.points[first],
+            cmath.exp(1j * cmath.phase(draft.points[second] - draft.points[first])),
+        )
+    lined = draft.line is not None or draft.shape is Shape.BLOCK
+    if line is None or first != line.through or not lined:
+        raise FaultError(
+            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"
+        )
+    return (first,), draft.points[first], cmath.exp(1j * line.direction)

@@ -1,0 +1,145 @@
+"""A further point of a link: by offsets along a ray, by an angle, or by two lengths."""
+
+from __future__ import annotations
+
+import cmath
+import re
+from collections.abc import Mapping
+
+from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
+from ..words import Words
+from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
+from .faults import FaultError, meant
+from .source import Value
+from .units import Dim, Quantity, positive, read
+
+_SIDE = re.compile(rf"(left|right) of ({LETTER})({LETTER})")
+_KEYS = ("along", "at", "left", "right", "angle", "side")
+
+
+def place(draft: Draft, point: str, data: Value) -> None:
+    """A further point of the link, by offsets, by an angle, or by two lengths."""
+    if not isinstance(data, dict):
+        raise FaultError(
+            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}"
+        )
+    if point in draft.points:
+        raise FaultError(f"point {point} is already on link {draft.name}")
+    lengths = [key for key in data if TWO.fullmatch(key)]
+    for key in data:
+        if key not in (*_KEYS, *lengths):
+            raise FaultError(f"'{key}' is no key of a place{meant(key, _KEYS)}", key)
+    if "along" in data:
+        placement = _by_offsets(draft, point, data)
+    elif "angle" in data:
+        placement = _by_angle(draft, point, data, lengths)
+    elif len(lengths) == 2:
+        placement = _by_lengths(draft, point, data, lengths)
+    else:
+        raise FaultError(
+            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, "
+            "or two lengths and a side"
+        )
+    draft.placements.append(placement[0])
+    draft.points[point] = placement[1]
+
+
+def _by_offsets(draft: Draft, point: str, data: Mapping[str, Value]) -> tuple[Placement, complex]:
+    for key in data:
+        if key not in ("along", "at", "left", "right"):
+            raise FaultError("does not go together with 'along'; write along, at and left or right", key)
+    base, start, unit = ray(draft, str(data["along"]))
+    at = read(data.get("at"), Dim.LENGTH)
+    left = (
+        read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
+    )
+    _note_offsets(draft, point, data, start + unit * at.si, base[0], at)
+    return ByOffsets(point=point, base=base, along=at.si, left=left), start + unit * complex(at.si, left)
+
+
+def _note_offsets(
+    draft: Draft, point: str, data: Mapping[str, Value], foot: complex, origin: str, at: Quantity
+) -> None:
+    """l_BD = 50 mm on the ray; l_DE = 40 mm where a point D is the foot of E; words otherwise."""
+    side = "left" if "left" in data else "right"
+    below = next((letter for letter, place in draft.points.items() if abs(place - foot) < 1e-12), "")
+    if side not in data:
+        draft.note(f"l_{origin}{point}", at.si, at.text)
+    elif below:
+        draft.note(f"l_{below}{point}", read(data[side], Dim.LENGTH).si, str(data[side]))
+    else:
+        zh, along = "左" if side == "left" else "右", data["along"]
+        draft.say(
+            Words(
+                f"${point}$：沿 ${along}$ 方向 {at.text}，向{zh} {data[side]}",
+                f"${point}$: {at.text} along ${along}$, {data[side]} to the {side}",
+            )
+        )
+
+
+def _by_angle(
+    draft: Draft, point: str, data: Mapping[str, Value], lengths: list[str]
+) -> tuple[Placement, complex]:
+    m = ANGLE_FROM.fullmatch(str(data["angle"]))
+    if m is None or len(lengths) != 1:
+        raise FaultError(
+            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}", "angle"
+        )
+    ends = letters_of(lengths[0])
+    base, start, unit = ray(draft, m[2])
+    if set(ends) != {base[0], point}:
+        raise FaultError(f"the length must be {base[0]}{point}, from the start of the ray {m[2]}", lengths[0])
+    angle, distance = read(m[1], Dim.ANGLE).si, positive(data[lengths[0]])
+    draft.note(f"l_{lengths[0]}", distance.si, distance.text)
+    if len(base) == 2:
+        draft.note(f"∠{base[1]}{base[0]}{point}", angle, m[1])
+    else:
+        draft.say(
+            Words(
+                f"${ends[0]}{ends[1]}$ 与导路方向成 {m[1]}", f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide"
+            )
+        )
+    return (
+        ByAngle(point=point, base=base, distance=distance.si, angle=angle),
+        start + unit * cmath.rect(distance.si, angle),
+    )
+
+
+def _by_lengths(
+    draft: Draft, point: str, data: Mapping[str, Value], lengths: list[str]
+) -> tuple[Placement, complex]:
+    m = _SIDE.fullmatch(str(data.get("side", "")))
+    if m is None:
+        raise FaultError(f"on which side is {point}? write e.g. side: left of BC")
+    base = (m[2], m[3])
+    (_, start, unit) = ray(draft, m[2] + m[3])
+    found: dict[str, float] = {}
+    for key in lengths:
+        other = [letter for letter in letters_of(key) if letter != point]
+        if len(other) != 1 or other[0] not in base:
+            raise FaultError(f"the length must join {point} with {base[0]} or {base[1]}", key)
+        length = positive(data[key])
+        found[other[0]] = length.si
+        draft.note(f"l_{key}", length.si, length.text)
+    if set(found) != set(base):
+        raise FaultError(f"two lengths are needed: {base[0]}{point} and {base[1]}{point}")
+    apex = _apex(point, base, abs(draft.points[base[1]] - start), found[base[0]], found[base[1]])
+    side = Side(m[1])
+    local = apex if side is Side.LEFT else apex.conjugate()
+    return ByLengths(
+        point=point, base=base, lengths=(found[base[0]], found[base[1]]), side=side
+    ), start + unit * local
+
+
+def _apex(point: str, base: tuple[str, str], c: float, p: float, q: float) -> complex:
+    """Apex left of the base of length c at distances p and q from its ends."""
+    x = (p * p - q * q + c * c) / (2 * c)
+    square = p * p - x * x
+    if square < -1e-12 * c * c:
+        a, b = base
+        raise FaultError(
+            f"no triangle: {a}{point} = {p * 1e3:g} mm, {b}{point} = {q * 1e3:g} mm and {a}{b} = {c * 1e3:g} mm; "
+            f"the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > "
+            f"{(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"
+        )
+    return complex(x, max(square, 0.0) ** 0.5)
