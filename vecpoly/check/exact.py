@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from .. import oracle
 from ..mechanism.model import Mechanism
 from ..names import Kind, Rel
@@ -34,5 +36,7 @@ def _place(motion: oracle.Motion, ask: AskPoint) -> complex:
 
 
 def _vector(motion: oracle.Motion, link: str, place: complex, rel: Rel) -> complex:
-    field = motion.velocity_at if rel.kind is Kind.V else motion.acceleration_at
-    return complex(field(link, place))
+    """v or a of the point of this link that is at this place."""
+    if rel.kind is Kind.V:
+        return complex(motion.moving(link).velocity_at(np.array([place]))[0])
+    return complex(motion.moving(link, 2).acceleration_at(np.array([place]))[0])

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..errors import MobilityError
 from .assur import hinges, is_held
-from .model import FRAME, Mechanism, Prismatic, Rolling
+from .model import Mechanism, Prismatic, Rolling
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,7 +21,6 @@ class Mobility:
     lower: int
     higher: int
     drives: int
-    redundant: int = 0
 
     @property
     def freedom(self) -> int:
@@ -51,7 +50,7 @@ def check(mech: Mechanism) -> Mobility:
         return count
     said = f"{count}, but {count.drives} drive{'s are' if count.drives != 1 else ' is'} given"
     if count.freedom < 1:
-        raise MobilityError(f"{said}: nothing can move; remove a link or a redundant joint, or add the missing link")
+        raise MobilityError(f"{said}: nothing can move; remove a redundant joint, or add the missing link")
     if count.freedom > count.drives:
         loose = [li.name for li in mech.links if _joints_at(mech, li.name) < 2]
         hint = f" (links with a single joint: {', '.join(loose)})" if loose else ""
@@ -67,5 +66,3 @@ def _joints_at(mech: Mechanism, name: str) -> int:
     rolls = sum(name in (j.gear.link, j.on.link) for j in mech.joints if isinstance(j, Rolling))
     return pins + slides + rolls
 
-
-__all__ = ["FRAME", "Mobility", "check", "mobility"]

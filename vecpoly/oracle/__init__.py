@@ -1,0 +1,36 @@
+"""The stranger: exact kinematics of a mechanism over all positions of its drive, sharing nothing with the drawing.
+
+    motion = solve(mech, np.radians(np.arange(0.0, 360.0)))
+    motion.value(parse_rel("a_E"))
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..mechanism.model import Mechanism
+from .motion import Motion
+from .plan import plan_for
+
+
+def solve(
+    mech: Mechanism, position: ArrayLike | None = None, *, order: int = 2, strict: bool = True
+) -> Motion:
+    """The mechanism's motion at one or many positions of its drive.
+
+    position: of the drive (rad, or m of travel), one number or a row of them; None is the problem's own. Rate and
+    acceleration of the drive are the same at each. order: 0 positions, 1 velocities too, 2 accelerations too.
+    strict: the first position that fails raises AssemblyError or DeadPointError; else such positions give NaN.
+    Also raises MobilityError, and UnknownNameError for an unknown letter in a branch statement.
+    """
+    asked = np.asarray(mech.drive.position if position is None else position, dtype=np.float64)
+    return Motion(mech, plan_for(mech).bodies(np.atleast_1d(asked), order, strict), asked.shape, order)
+
+
+def feasible(mech: Mechanism) -> tuple[str, ...]:
+    """The ranges of the drive in which the mechanism can be assembled, as text."""
+    return plan_for(mech).ranges()
+
+
+__all__ = ["Motion", "feasible", "solve"]

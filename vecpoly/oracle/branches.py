@@ -6,11 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
-import numpy as np
-
 from ..errors import AssemblyError, UnknownNameError
 from ..mechanism.branch import margin
-from ..mechanism.model import Mechanism, Revolute, Side, SideOf
+from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from .dyads import Hinged, Swinging
 from .run import Run
 from .state import Bodies
@@ -57,7 +55,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
             f"links {names}: neither assembly fulfils {statement} where the drive stands at "
             f"{run.text(float(run.q[-1]))}{_advice(mech, step, before, after)}")
     if isinstance(step, Swinging):
-        return options[_ahead(options)]
+        return _ahead(step, bodies)
     raise AssemblyError(
         f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
 
@@ -72,10 +70,11 @@ def _words(statement: SideOf) -> str:
     return f"{statement.point} {statement.side.value} {'of ' if of else ''}{'-'.join(statement.ref)}"
 
 
-def _ahead(options: list[Step]) -> int:
+def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
     """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
-    signs = [option.sign for option in options]
-    return signs.index(1.0)
+    options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
+    forward = [option for option in options if option.reach(bodies)[-1] + option.shift > 0]
+    return forward[0] if forward else options[0]
 
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> str:
@@ -93,12 +92,13 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:
     """Sentences a lecturer may say about the group, the plainest first."""
     outer = [out.joint.point for out in step.group.outer if isinstance(out.joint, Revolute)]
-    gears = [out.joint.gear.centre for out in step.group.outer if not isinstance(out.joint, Revolute)
-             and hasattr(out.joint, "gear")]
+    gears = [end.centre for out in step.group.outer if isinstance(out.joint, Rolling)
+             for end in (out.joint.gear, out.joint.on) if isinstance(end, Circle) and end.link == out.parent]
     points = [step.joint, *(p for p in after if p not in before and p != step.joint)]
     refs = [p for p in (*outer, *gears) if p in before]
     others = [p for p in before if p not in refs]
-    pairs = [(a, b) for a, b in product((*refs, *others), repeat=2) if abs(before[a] - before[b]) > 1e-9 * mech.scale]
+    apart = 1e-9 * mech.scale
+    pairs = [(a, b) for a, b in product((*refs, *others), repeat=2) if abs(before[a] - before[b]) > apart]
     for point in points:
         if len(refs) == 2:
             yield SideOf(point=point, side=Side.LEFT, ref=(refs[0], refs[1]))
@@ -107,7 +107,3 @@ def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str,
         for pair in pairs:
             yield SideOf(point=point, side=Side.LEFT, ref=pair)
 
-
-def distinct(values: list[float], scale: float) -> bool:
-    """Whether two margins differ in sign beyond rounding."""
-    return bool(np.prod(np.sign(values)) < 0 and min(map(abs, values)) > 1e-9 * scale)

@@ -25,15 +25,14 @@ class Driver:
     def body(self, q: Reals) -> Body:
         """The driving link at the positions q (rad, or m of travel along the guide)."""
         rate, accel = np.full(1, self.drive.rate), np.full(1, self.drive.accel)
-        STILL, none = np.zeros(1, np.complex128), np.zeros(1)
         if self.line is None:
             unit: Points = np.empty(q.shape, np.complex128)
             unit.real, unit.imag = np.cos(q), np.sin(q)
             return Body(self.pin, np.full(1, self.pivot, np.complex128), unit, q, STILL, rate, STILL, accel)
         line = self.line
-        turn = np.full(1, np.angle(line.turn))
-        return Body(line.start, line.base_local + line.along * q, np.full(1, line.turn, np.complex128), turn,
-                    line.along * rate, NONE, line.along * accel, NONE)
+        at: Points = np.asarray(line.base_local + line.along * q, np.complex128)
+        unit, turn = np.full(1, line.turn, np.complex128), np.full(1, np.angle(line.turn))
+        return Body(line.start, at, unit, turn, line.along * rate, NONE, line.along * accel, NONE)
 
 
 def driver(mech: Mechanism, drive: Drive) -> Driver:

@@ -1,7 +1,7 @@
-"""Dyads in closed form: two loci of the inner hinge (RRR, RRP, PRP and with gears), a swinging slider, a cross slider.
+"""Dyads in closed form: two loci of an inner hinge (RRR, RRP, PRP, and with gears), RPR, and RPP.
 
-Every step places its links at order 0 (`place`), then gives them rates (`move`), and says by how much it fails to
-close (`miss`). Where two assemblies exist, `sign` tells them apart over the whole motion.
+Every step places its links (`place`), then gives them rates (`move`), and says by how much it fails to close
+(`miss`). Where two assemblies exist, `sign` tells them apart over the whole motion.
 """
 
 from __future__ import annotations
@@ -80,7 +80,8 @@ class Hinged:
                 apart = np.abs(k.base(bodies) - j.base(bodies))
                 return np.maximum(apart - (j.size + k.size), abs(j.size - k.size) - apart)
             case (Arc() as arc, Line() as line) | (Line() as line, Arc() as arc):
-                return np.abs(cross(line.direction(bodies), arc.base(bodies) - line.base(bodies))) - arc.size
+                away = cross(line.direction(bodies), arc.base(bodies) - line.base(bodies))
+                return np.abs(away) - arc.size
         return np.full(1, np.inf)
 
 
@@ -118,7 +119,7 @@ def _line_line(base: Points, along: Points, other: Points, across: Points) -> Po
 class Swinging:
     """RPR: guide pinned at G, block pinned at K: K - G = u (σ + ie), u the guide line's direction, e constant.
 
-    shift: the pin's travel from the line's `origin` is s = σ + shift.
+    The block's travel from the guide's letter is s = σ + shift.
     """
 
     group: Group
@@ -155,8 +156,7 @@ class Swinging:
         """u = (K - G) / (σ + ie)."""
         here, there = self._ray(bodies)
         reach = self.reach(bodies)
-        unit = (there - here) / np.where(reach == 0, np.nan, reach) if self.across == 0.0 else (
-            (there - here) / (reach + 1j * self.across))
+        unit = (there - here) / (reach + 1j * self.across if self.across else np.where(reach, reach, np.nan))
         return {
             self.guide: Body(self.guide_pin, here, unit * self.guide_unit),
             self.block: Body(self.block_pin, there, unit * self.block_unit),
@@ -190,8 +190,8 @@ class Swinging:
 class Crossed:
     """RPP: link j keeps the angle of k's parent; k slides along j and along its own parent: two lines meet.
 
-    pivot: j's outer hinge on its parent, pin: on j; turn: unit of j's direction against k's. outer: the line of a
-    point of k on its parent; inner: the line of the same point on j.
+    pivot: j's outer hinge on its parent, pin: on j; turn: unit of j's direction against k's. outer: the line of
+    a point of k on its parent; inner: the line of the same point on j.
     """
 
     group: Group
@@ -227,7 +227,8 @@ class Crossed:
         q_o = self.outer.acceleration(both, own, d_o, rate_o)
         q_i = self.inner.acceleration(both, own, d_i, rate_i)
         rate2, _ = _split(q_i - q_o, d_o, d_i, det)
-        return {self.inner.parent: j, self.outer.link: self.outer.moving(both, own, w_o, q_o, d_o, rate_o, rate2)}
+        k = self.outer.moving(both, own, w_o, q_o, d_o, rate_o, rate2)
+        return {self.inner.parent: j, self.outer.link: k}
 
     def miss(self, bodies: Bodies) -> Reals:
         """Parallel guides never meet."""

@@ -158,7 +158,7 @@ class Newton:
             solved = np.linalg.solve(matrix, -right[..., None])
         except np.linalg.LinAlgError:
             solved = np.linalg.pinv(matrix) @ -right[..., None]
-        steps = solved.reshape(len(right), -1, 3)
+        steps: States = np.reshape(solved, (len(right), -1, 3)).astype(np.float64)
         steps[..., 2] /= self.mech.scale
         return steps
 

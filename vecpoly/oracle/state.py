@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 import numpy as np
@@ -42,10 +42,10 @@ class Body:
     at: Points
     unit: Points
     turn: Reals | None = None
-    velocity: Points = STILL
-    omega: Reals = NONE
-    acceleration: Points = STILL
-    alpha: Reals = NONE
+    velocity: Points = field(default_factory=lambda: STILL)
+    omega: Reals = field(default_factory=lambda: NONE)
+    acceleration: Points = field(default_factory=lambda: STILL)
+    alpha: Reals = field(default_factory=lambda: NONE)
 
     def moving(self, velocity: Points, omega: Reals, acceleration: Points, alpha: Reals) -> Body:
         """The same pose with these rates."""

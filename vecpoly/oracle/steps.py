@@ -64,7 +64,7 @@ def _swinging(
         group, guide.name, block.name, g_parent, b_parent,
         mech.link(g_parent).points[g], mech.link(b_parent).points[b], guide.points[g], block.points[b],
         complex(np.exp(-1j * slider.direction)), turn,
-        across=_clean(line.imag + slider.offset - pin.imag, mech.scale), shift=pin.real - line.real,
+        across=_clean(line.imag + slider.offset - pin.imag, mech.scale), shift=pin.real - line.real if slider.through else 0.0,
         joint=f"slider {slider.pin}",
     )
 
@@ -98,10 +98,3 @@ def is_followed(step: Step) -> bool:
             return j.gearing is not None or k.gearing is not None
     return False
 
-
-def reach(step: Step) -> tuple[Arc, Arc] | None:
-    """Both arms, where the group is hinged on two circles."""
-    match step:
-        case Hinged(j=Arc() as j, k=Arc() as k):
-            return j, k
-    return None

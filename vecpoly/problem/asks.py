@@ -16,7 +16,7 @@ class AskRel:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AskPoint:
-    """The point `name` of the link that has this velocity (m/s) or this acceleration (m/s²); exactly one is given.
+    """The point `name` of the link with this velocity (m/s) or acceleration (m/s²); one of them is given.
 
     `name` is letter and link number, as in the textbook: M2 is the point M of link 2.
     """

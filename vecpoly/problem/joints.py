@@ -1,4 +1,4 @@
-"""Joints: pins from shared letters; sliding and rolling as written (``4 slides in 5``, ``3 rolls on y = 0 mm at D``)."""
+"""Joints: pins from shared letters; sliding and rolling as written: ``4 slides in 5``, ``4 rolls on 3 at H``."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ _THROUGH = re.compile(rf"(?P<guide>{_LINK}) passes through (?P<block>{_LINK})")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{_GUIDE})")
 _ROLLS = re.compile(
     rf"(?P<gear>{_LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
-    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{_LINK}) at (?P<point>{LETTER})"
+    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{_LINK}) "
+    rf"at (?P<point>{LETTER})"
 )
 EXAMPLES = (
     "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
@@ -169,7 +170,8 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
             return text, _along(draft.points, *list(draft.points)[:2])
         if draft.line is None:
             raise FaultError(
-                f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"
+                f"link {text} has no guide line; write slot: {next(iter(draft.points))} "
+                f"(or rod:) in link {text}"
             )
         return text, draft.line
     letters, _, on = text.partition(" of ")

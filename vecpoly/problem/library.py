@@ -24,7 +24,7 @@ class Entry:
 
 
 def library(folder: Path | None = None) -> tuple[Entry, ...]:
-    """All problems, in the order of chapter and number. Raises ProblemFileError where two files have one id."""
+    """All problems, by chapter and number. Raises ProblemFileError where two files have one id."""
     found = sorted(entries(folder), key=lambda entry: (entry.path.parent.name, natural(entry.id)))
     by_id: dict[str, Entry] = {}
     for entry in found:

@@ -96,7 +96,7 @@ def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
 
 
 def _line(draft: Draft, data: Mapping[str, Value]) -> None:
-    """slot: {through: D, angle: 60 deg from CD, left: 10 mm}: a slot that is no plain line through the one pin."""
+    """slot: {through: D, angle: 60 deg from CD, left: 10 mm}: no plain line through the one pin."""
     for key in data:
         if key not in ("through", "angle", "left", "right"):
             raise FaultError(

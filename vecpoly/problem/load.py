@@ -15,7 +15,7 @@ from .source import Tree, overlay, parse, read_text
 def load(where: str | Path) -> Problem:
     """The problem with this id ('3-9', 'ch3/3-9') or in this file.
 
-    Raises ProblemFileError (file, line, YAML path, cause, remedy), UnknownNameError for an id that does not exist,
+    Raises ProblemFileError (file, line, YAML path, cause, remedy), UnknownNameError for an unknown id,
     MobilityError where inputs and degrees of freedom disagree.
     """
     path = locate(where)

@@ -94,7 +94,7 @@ def _turning(
 
 
 def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
-    """'127 deg from AD' to the angle and the direction from which it is counted (the x axis where none is named)."""
+    """'127 deg from AD' to the angle and the direction from which it counts (else the x axis)."""
     m = _FROM.fullmatch(text)
     if m is None:
         return _read("phi", text, Dim.ANGLE), 0.0

@@ -138,7 +138,7 @@ def _apex(point: str, base: tuple[str, str], c: float, p: float, q: float) -> co
     if square < -1e-12 * c * c:
         a, b = base
         raise FaultError(
-            f"no triangle: {a}{point} = {p * 1e3:g} mm, {b}{point} = {q * 1e3:g} mm and {a}{b} = {c * 1e3:g} mm; "
+            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; "
             f"the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > "
             f"{(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"
         )

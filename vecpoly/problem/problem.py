@@ -28,7 +28,7 @@ class Shape(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Datum:
-    """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), its SI value, and the value as written (`30 mm`).
+    """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
 
     Where no symbol is usual, the symbol is empty and `words` say it all.
     """
@@ -63,9 +63,10 @@ class Scales:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Printed:
-    """One printed answer: value in SI (signed where the print has a sign), as written, and what is known about it.
+    """One printed answer: value in SI (signed where the print has a sign), as written, and its remarks.
 
-    `paper_mm` and `scale` (SI per mm) are set where the print gives a length on paper. `rel` is None for a length (`l_BC`).
+    `paper_mm` and `scale` (SI per mm) are set where the print gives a length on paper. `rel` is None for
+    the length of a link (`l_BC`).
     """
 
     symbol: str

@@ -94,7 +94,7 @@ class _Reader:
         self.tree.places.setdefault(path, place)
         if id(node) in self.seen or len(path) > _DEEP:
             raise ProblemFileError(
-                f"{place.file}, line {place.line}: YAML aliases and deep nesting are not used here; write the value out"
+                f"{place.file}, line {place.line}: no YAML aliases or deep nesting here; write the value out"
             )
         self.seen.add(id(node))
         match node.id:
@@ -122,7 +122,7 @@ class _Reader:
 
 
 def overlay(base: Tree, over: Tree) -> Tree:
-    """`over` laid on `base`: mappings are merged key by key, anything else is replaced, and null takes a key away."""
+    """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away."""
     places = dict(base.places)
     return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, over.text)
 

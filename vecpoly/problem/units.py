@@ -1,4 +1,4 @@
-"""Quantities with written units. Pint reads them, from a small list of units of our own; the commonest are known by heart."""
+"""Quantities with written units: read by pint from our own small list, the commonest known by heart."""
 
 from __future__ import annotations
 

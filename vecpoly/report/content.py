@@ -76,9 +76,8 @@ def structure(solution: Solution, lang: Lang) -> str:
     count, groups = mobility(mech), decompose(mech)
     moving = len(mech.links)
     names = {"zh": "、".join(f"{g.kind}（{'、'.join(g.links)}）" for g in groups), "en": ", ".join(f"{g.kind} ({', '.join(g.links)})" for g in groups)}
-    f = count if isinstance(count, int) else count.freedom
-    words = Words(f"机构有 {moving} 个活动构件（加机架共 {moving + 1} 个构件），自由度 $F$ = {f}；原动件 {mech.drive.link}，所含杆组：{names['zh']}。",
-                  f"The mechanism has {moving} moving links ({moving + 1} with the frame) and $F$ = {f}; link {mech.drive.link} drives, and the Assur groups are {names['en']}.")
+    words = Words(f"机构有 {moving} 个活动构件（加机架共 {moving + 1} 个构件），自由度 $F$ = {count.freedom}；原动件 {mech.drive.link}，所含杆组：{names['zh']}。",
+                  f"The mechanism has {moving} moving links ({moving + 1} with the frame) and $F$ = {count.freedom}; link {mech.drive.link} drives, and the Assur groups are {names['en']}.")
     return words.of(lang)
 
 

@@ -70,6 +70,18 @@ def place(parts: Iterable[tuple[float, float, Box]], width: float) -> Box:
     return Box(width, ascent, descent, tuple(items))
 
 
+def scaled(box: Box, factor: float) -> Box:
+    """The box at another size."""
+    items: list[Item] = []
+    for item in box.items:
+        match item:
+            case Glyphs(font, size, x, y, text):
+                items.append(Glyphs(font, size * factor, x * factor, y * factor, text))
+            case Rule(x, y, width, height):
+                items.append(Rule(x * factor, y * factor, width * factor, height * factor))
+    return Box(box.width * factor, box.ascent * factor, box.descent * factor, tuple(items))
+
+
 def beside(boxes: Iterable[Box]) -> Box:
     """Boxes side by side on one baseline."""
     parts: list[tuple[float, float, Box]] = []

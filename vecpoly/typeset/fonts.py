@@ -33,6 +33,7 @@ class Face(StrEnum):
 
 
 MISSING = "VP-missing"
+_BLANKS = "\t\n\r\u00a0\u2009"
 
 _OURS = {
     Face.SONG: "VecpolySong-GB2312.ttf",
@@ -100,12 +101,12 @@ def chain(face: Face) -> Iterable[Face]:
 @cache
 def glyph(char: str, face: Face) -> Glyph:
     """The character in the first face of the chain that has it."""
-    code = ord(char)
+    code = ord(" " if char in _BLANKS else char)
     for candidate in chain(face):
         metrics = load(candidate).face
         if code in metrics.charToGlyph:
             width = metrics.charWidths.get(code, metrics.defaultWidth) / 1000
-            return Glyph(candidate.value, char, width, *_ink(metrics, metrics.charToGlyph[code]))
+            return Glyph(candidate.value, chr(code), width, *_ink(metrics, metrics.charToGlyph[code]))
     return _missing(char)
 
 

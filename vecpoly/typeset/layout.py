@@ -31,7 +31,7 @@ def run(text: str, face: Face, em: float) -> Box:
             items.append(Glyphs(font, em * MM, start, 0.0, chars))
             start, chars = x, ""
         font = g.font
-        chars += char
+        chars += g.text
         x += g.width * em
         top, bottom = max(top, g.top), min(bottom, g.bottom)
     if chars:

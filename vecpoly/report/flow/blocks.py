@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from ...formula import plain, row, split_words
-from ...typeset.box import MM
+from ...typeset.box import MM, Box, scaled
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
 from ...words import Lang
@@ -81,10 +81,16 @@ class TitleBlock(Block):
             for i, (label, value) in enumerate(zip(labels, values, strict=True)):
                 y = self.height - (i + 0.5) * self._ROW - 0.36 * BODY.size
                 ink.box(label, left + (edge - left - label.width * MM) / 2, y)
-                ink.box(value, edge + 2.0 * MM, y)
+                ink.box(_within(value, left + step - edge - 3.0 * MM), edge + 2.0 * MM, y)
         canv.setLineWidth(0.9)
         canv.rect(0.0, 0.0, self.width, self.height)
         ink.flush()
+
+
+def _within(box: Box, width: float) -> Box:
+    """The box, made smaller if it is wider than `width` (pt)."""
+    factor = min(1.0, width / MM / box.width) if box.width else 1.0
+    return box if factor == 1.0 else scaled(box, factor)
 
 
 class Callout(Block):

@@ -78,7 +78,8 @@ class DataTable(Block):
         return tuple(tuple(break_lines(p, room, em)) for p, room in zip(parts, rooms, strict=True))
 
     def _height(self, row: _Row) -> float:
-        return max((sum(map(self._advance, cell)) for cell in row), default=0.0) + 2 * _VERTICAL
+        tallest = max((sum(map(self._advance, cell)) for cell in row), default=0.0)
+        return max(tallest, self.style.leading) + 2 * _VERTICAL
 
     def _advance(self, line: Line) -> float:
         return max(self.style.leading, line.ascent * MM + line.descent * MM + 2.0)

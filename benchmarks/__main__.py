@@ -1,0 +1,9 @@
+"""Run all benchmarks together: `python -m benchmarks`."""
+
+from __future__ import annotations
+
+from . import cold_start, oracle_sixbar, pencil_hands, report_pages
+
+if __name__ == "__main__":
+    for module in (oracle_sixbar, pencil_hands, report_pages, cold_start):
+        print(module.run(), flush=True)

@@ -1,0 +1,93 @@
+"""A figure of the construction drawn in mm: its marks, its lettering in place, its title with the scale under it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..board.construction import Figure, Scale
+from ..formula import Power, Row, Txt, row
+from ..typeset import Box, layout, layout_words
+from ..words import Lang
+from .labels import Placed, place
+from .obstacles import Obstacles
+from .scene import Fill, Item, Layer, Rect, Scene, Stroke, TextBox
+from .style import NOTE, TITLE
+from .symbols import Surroundings, draw
+from .wants import wants
+
+TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """A drawn figure with what its lettering was placed against."""
+
+    scene: Scene
+    labels: tuple[Placed, ...]
+    obstacles: tuple[Item, ...]
+    drawn: Rect  # the extents of lines and lettering without the title
+
+    @property
+    def label_boxes(self) -> tuple[Rect, ...]:
+        """The rectangles that the labels cover."""
+        return tuple(label.rect for label in self.labels)
+
+
+def draw_figure(figure: Figure, *, lang: Lang = "zh", upto_step: int | None = None, highlight: int | None = None,
+                caption: bool = True, frame: Rect | None = None) -> Scene:
+    """The scene of a figure; `upto_step` shows the board after that step, `highlight` fades all other steps."""
+    scene = drawing(figure, lang=lang, caption=caption, frame=frame).scene
+    if upto_step is not None:
+        scene = scene.upto(upto_step)
+    return scene if highlight is None else scene.highlighted(highlight)
+
+
+def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: Rect | None = None) -> Drawing:
+    """The figure drawn, with its labels and obstacles; letters stay within `frame` where one is given."""
+    around = Surroundings.of(figure.view, figure.marks)
+    items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
+    bare = Scene.of(items)
+    placed = place(wants(figure.view, figure.marks), Obstacles.of(items), bare.extents, frame)
+    lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
+    scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
+    return Drawing(scene, placed, items, lettered.extents)
+
+
+def unique(items: tuple[Item, ...]) -> tuple[Item, ...]:
+    """Without what would be drawn twice at the same place; the earliest step keeps it."""
+    seen: dict[object, Item] = {}
+    for item in items:
+        match item:
+            case Stroke(points=points, width=width, dash=dash, hue=hue):
+                seen.setdefault((points, width, dash, hue), item)
+            case Fill(points=points, hue=hue):
+                seen.setdefault((points, hue), item)
+            case TextBox():
+                seen.setdefault(item, item)
+    return tuple(seen.values())
+
+
+def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
+    """The title and the scale, centred under a figure."""
+    title, scale = layout_words(figure.title.of(lang), TITLE), scale_box(figure.scale)
+    middle = over.centre.real
+    y = over.y0 - TITLE_GAP - title.ascent / 2
+    return (TextBox(box=title, x=middle - title.width / 2, y=y),
+            TextBox(box=scale, x=middle - scale.width / 2, y=y - LINE))
+
+
+def scale_box(scale: Scale) -> Box:
+    """A scale in type: ``μ_v = 0.006 (m/s)/mm``."""
+    name = row(f"{scale.symbol} = ")
+    value = Txt(f"{scale.value:.6g} ")
+    return layout(Row((*name.items, value, *unit_per_mm(scale.unit))), NOTE * 1.15)
+
+
+def unit_per_mm(unit: str) -> tuple[Txt | Power, ...]:
+    """A unit over the millimetre: m/mm, (m/s)/mm, (m/s²)/mm."""
+    if "/" not in unit:
+        return (Txt(f"{unit}/mm"),)
+    body, _, exponent = unit.partition("^")
+    if not exponent:
+        return (Txt(f"({unit})/mm"),)
+    return (Txt(f"({body.replace('²', '')}"[:-1]), Power(Txt(body[-1]), exponent), Txt(")/mm"))

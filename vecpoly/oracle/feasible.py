@@ -1,0 +1,58 @@
+"""Where a mechanism can be assembled: ranges of the drive, and the refusal that tells them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import AssemblyError
+from ..mechanism.model import Drive
+from .state import Reals
+from .steps import Step
+
+Ranges = tuple[str, ...]
+Closes = Callable[[Reals], NDArray[np.bool_]]
+SAMPLES, HALVINGS = 1440, 40
+
+
+def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
+    """Ranges of the drive that close, as text: degrees within 0..360, or mm along the guide.
+
+    Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
+    """
+    low, high = (drive.position - 4 * scale, drive.position + 4 * scale) if drive.slide else (0.0, 2 * np.pi)
+    q = np.linspace(low, high, SAMPLES + 1)
+    good = closes(q)
+    if not good.any():
+        return ()
+    change = np.flatnonzero(good[1:] != good[:-1])
+    inside = np.where(good[change], q[change], q[change + 1])
+    outside = np.where(good[change], q[change + 1], q[change])
+    for _ in range(HALVINGS if len(change) else 0):
+        middle = (inside + outside) / 2
+        fits = closes(middle)
+        inside, outside = np.where(fits, middle, inside), np.where(fits, outside, middle)
+    ends = [*([low] if good[0] else []), *inside.tolist(), *([high] if good[-1] else [])]
+    pairs = list(zip(ends[::2], ends[1::2], strict=True))
+    if not drive.slide and len(pairs) > 1 and good[0] and good[-1]:
+        pairs = [*pairs[1:-1], (pairs[-1][0], pairs[0][1] + 2 * np.pi)]  # one range across 0
+    return tuple(_text(a, b, drive.slide) for a, b in pairs)
+
+
+def _text(low: float, high: float, slide: bool) -> str:
+    if slide:
+        return f"{1e3 * low:.4g}..{1e3 * high:.4g} mm"
+    return f"{np.degrees(low):.4g}..{np.degrees(high):.4g} deg"
+
+
+def refusal(step: Step, where: str, gap: float, ranges: Ranges) -> AssemblyError:
+    """The error for links that do not close."""
+    links = " and ".join(step.group.links)
+    if np.isfinite(gap) and gap > 0:
+        what = f"links {links} do not meet at joint {step.joint}: {1e3 * gap:.4g} mm are missing"
+    else:
+        what = f"links {links} cannot be joined at {step.joint}"
+    room = f"they can where the drive is within {' or '.join(ranges)}" if ranges else "they can in no position"
+    return AssemblyError(f"{what} where the drive stands at {where}; {room}")

@@ -1,0 +1,141 @@
+"""The steps that solve a mechanism, group by group, with every group's assembly chosen at its own position."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from ..errors import AssemblyError
+from ..mechanism.assur import decompose
+from ..mechanism.mobility import check
+from ..mechanism.model import FRAME, Mechanism
+from .branches import check_letters, choose
+from .drive import Driver, driver
+from .feasible import Ranges, refusal, scan
+from .run import STEP, Run, track
+from .state import Body, Reals, at_rest
+from .steps import Step, is_followed, step_for
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Drives and steps in order of solution. Build it with `plan_for`."""
+
+    mech: Mechanism
+    drivers: tuple[Driver, ...]
+    steps: tuple[Step, ...] = ()
+    followed: bool = False  # angles are followed along a path from the own position
+
+    def start(self, asked: Reals, strict: bool) -> tuple[Run, dict[str, Body]]:
+        """The run over these positions, with frame and driving links in place."""
+        if not np.isfinite(asked).all():
+            raise AssemblyError("a position of the drive is not a finite number")
+        drive = self.mech.drive
+        run = Run(asked, strict, "mm" if drive.slide else "deg")
+        if self.followed:
+            path, q = track(drive.position, STEP * (self.mech.scale if drive.slide else 2 * np.pi), asked)
+            run = replace(run, q=q, track=path)
+        bodies = {FRAME: at_rest(), drive.link: self.drivers[0].body(run.q)}
+        for other in self.drivers[1:]:
+            bodies[other.drive.link] = other.body(np.full(1, other.drive.position))
+        return run, bodies
+
+    def bodies(self, asked: Reals, order: int = 2, strict: bool = True) -> dict[str, Body]:
+        """Every link at these positions of the drive (rad or m); rates where the order asks for them.
+
+        Raises AssemblyError or DeadPointError at the first failing position, or gives NaN where not strict.
+        """
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            run, bodies = self.start(asked, strict)
+            for step in self.steps:
+                bodies |= self.placed(step, bodies, run)
+            if order > 0:
+                for step in self.steps:
+                    bodies |= step.move(bodies, run)
+        if run.track is None:
+            return bodies
+        return {name: body.take(slice(run.track.size, None)) for name, body in bodies.items()}
+
+    def placed(self, step: Step, bodies: dict[str, Body], run: Run) -> dict[str, Body]:
+        """The step's links; AssemblyError where they do not close at a position asked for."""
+        new = step.place(bodies, run)
+        if run.strict:
+            for body in new.values():
+                total = body.unit.sum() + body.at.sum()
+                if total != total:
+                    self._refuse(step, bodies, new, run)
+        return new
+
+    def _refuse(self, step: Step, bodies: dict[str, Body], new: dict[str, Body], run: Run) -> None:
+        """Raise for the first position asked for that does not close."""
+        open_ = np.zeros(run.q.shape, bool)
+        for body in new.values():
+            open_ |= np.isnan(body.unit) | np.isnan(body.at)
+        if open_[run.asked :].any():
+            first = run.first(open_)
+            gap = np.broadcast_to(step.miss(bodies), run.q.shape)[first]
+            raise refusal(step, run.text(float(run.q[first])), float(gap), self.ranges(step))
+
+    def ranges(self, step: Step | None = None) -> Ranges:
+        """Ranges of the drive in which everything closes up to and including this step (all of them: None)."""
+        steps = self.steps
+        if step is not None:
+            names = [known.group for known in steps]
+            steps = (*steps[: names.index(step.group) if step.group in names else len(steps)], step)
+        partial = replace(self, steps=steps)
+
+        def closes(q: Reals) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+            bodies = partial.bodies(q, order=0, strict=False)
+            sound = np.ones(q.shape, bool)
+            for body in bodies.values():
+                sound &= ~np.isnan(body.unit) & ~np.isnan(body.at)
+            return sound
+
+        return scan(closes, self.mech.drive, self.mech.scale)
+
+
+def build(mech: Mechanism) -> Plan:
+    """Check mobility and letters, take the mechanism apart, choose every assembly at the own position.
+
+    Raises MobilityError, UnknownNameError, AssemblyError.
+    """
+    check(mech)
+    check_letters(mech)
+    raw = tuple(step_for(mech, group) for group in decompose(mech))
+    empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives), (), any(map(is_followed, raw)))
+    chosen: list[Step] = []
+    with np.errstate(invalid="ignore", divide="ignore"):
+        run, bodies = empty.start(np.array([mech.drive.position]), strict=True)
+        for step in raw:
+            partial = replace(empty, steps=tuple(chosen))
+            partial.placed(step, bodies, run)
+            chosen.append(choose(mech, step, bodies, run))
+            bodies |= chosen[-1].place(bodies, run)
+    return replace(empty, steps=tuple(chosen))
+
+
+class _Same:
+    """A mechanism as a key: the very same object."""
+
+    __slots__ = ("mech",)
+
+    def __init__(self, mech: Mechanism) -> None:
+        self.mech = mech
+
+    def __hash__(self) -> int:
+        return id(self.mech)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.mech is self.mech
+
+
+@lru_cache(maxsize=32)
+def _kept(key: _Same) -> Plan:
+    return build(key.mech)
+
+
+def plan_for(mech: Mechanism) -> Plan:
+    """The plan of the mechanism, built once for every mechanism object."""
+    return _kept(_Same(mech))

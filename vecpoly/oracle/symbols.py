@@ -1,0 +1,96 @@
+"""What a textbook's symbol means: from the key of a quantity to its value."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, assert_never
+
+from ..errors import UnknownNameError
+from ..mechanism.assur import hinges
+from ..mechanism.model import FRAME
+from ..names import At, Kind, Rel
+from .state import Points, Reals
+
+if TYPE_CHECKING:
+    from .motion import Motion
+
+
+def value(motion: Motion, rel: Rel) -> Points | Reals:
+    """The quantity's value in SI units, of the motion's shape."""
+    match rel.kind:
+        case Kind.OMEGA:
+            return motion.omega(rel.to.link)
+        case Kind.ALPHA:
+            return motion.alpha(rel.to.link)
+        case Kind.P:
+            here = motion.position(rel.to)
+            return here if rel.ref is None else here - motion.position(rel.ref)
+        case Kind.V:
+            speed = motion.velocity(_thought(motion, rel.to, rel))
+            return speed if rel.ref is None else speed - motion.velocity(_thought(motion, rel.ref, rel))
+        case Kind.A:
+            pull = motion.acceleration(_thought(motion, rel.to, rel))
+            return pull if rel.ref is None else pull - motion.acceleration(_thought(motion, rel.ref, rel))
+        case Kind.AN | Kind.AT:
+            return _component(motion, rel)
+        case Kind.AK | Kind.AR:
+            return _sliding(motion, rel)
+        case _:
+            assert_never(rel.kind)
+
+
+def _thought(motion: Motion, point: At, rel: Rel) -> At:
+    """The point on the link that carries both letters, where neither names its link."""
+    at = motion.at(point)
+    if at.link or rel.ref is None:
+        return at
+    link = _common(motion, motion.at(rel.to), motion.at(rel.ref))
+    return At(at.point, link) if link and link in motion.mech.links_at(at.point) else at
+
+
+def _common(motion: Motion, to: At, ref: At) -> str:
+    """The link that carries both points; of numbers, the one that carries the other letter; empty if none."""
+    shared = [n for n in motion.mech.links_at(to.point) if n in motion.mech.links_at(ref.point)]
+    for own, other in ((to, ref), (ref, to)):
+        if own.link and (not other.link or other.link == own.link):
+            carried = own.link in motion.mech.links_at(other.point) or other.link == own.link
+            return own.link if carried else ""
+    return shared[0] if shared else ""
+
+
+def _component(motion: Motion, rel: Rel) -> Points:
+    """a^n_CB = -ω² (C - B), a^t_CB = iα (C - B) of the link with both points; a^n_C about its frame pivot."""
+    to = motion.at(rel.to)
+    if rel.ref is None:
+        link, pivot = _pivoted(motion, to, rel)
+        ref = At(pivot)
+    else:
+        ref = motion.at(rel.ref)
+        link = _common(motion, to, ref)
+        if not link:
+            raise UnknownNameError(f"{rel.key}: no link carries both {to} and {ref}; write the link's number")
+    ray = motion.position(At(to.point, link)) - motion.position(At(ref.point, link))
+    if rel.kind is Kind.AN:
+        omega = motion.omega(link)
+        return -omega * omega * ray
+    return 1j * motion.alpha(link) * ray
+
+
+def _pivoted(motion: Motion, at: At, rel: Rel) -> tuple[str, str]:
+    """The link that carries the point and has a pivot on the frame, and the pivot's letter."""
+    names = [at.link] if at.link else [n for n in motion.mech.links_at(at.point) if n != FRAME]
+    for name in names:
+        for point, pinned in hinges(motion.mech).items():
+            if FRAME in pinned and name in pinned and point != at.point:
+                return name, point
+    raise UnknownNameError(f"{rel.key}: no link with the point {at} has a frame pivot; name a reference point")
+
+
+def _sliding(motion: Motion, rel: Rel) -> Points:
+    """a^k_B3B2 = 2iω (v_B3 - v_B2) with the reference link's ω; a^r_B3B2 = a_B3 - a_B2 - a^k."""
+    to, ref = motion.at(rel.to), None if rel.ref is None else motion.at(rel.ref)
+    if ref is None or not to.link or not ref.link:
+        raise UnknownNameError(f"{rel.key}: write both links' numbers, as in {rel.kind.value}_B3B2")
+    coriolis: Points = 2j * motion.omega(ref.link) * (motion.velocity(to) - motion.velocity(ref))
+    if rel.kind is Kind.AK:
+        return coriolis
+    return motion.acceleration(to) - motion.acceleration(ref) - coriolis
