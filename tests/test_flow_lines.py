@@ -65,7 +65,8 @@ def test_lines_fill_the_measure_and_never_exceed_it(count: int, width: float) ->
         removed = sum(g.width * setting.shrink for g in line.gaps if g.stretch > 1.0)
         total = line.indent + line.width + added - removed
         assert total <= width + 1e-6
-        assert line.last or total == pytest.approx(width)
+        loose = setting.unit == 0.0 and sum(g.stretch for g in line.gaps) * 0.5 * EM < width - total
+        assert line.last or loose or total == pytest.approx(width)
 
 
 def test_bold_is_set_in_hei() -> None:
@@ -113,3 +114,14 @@ def test_a_wide_table_fits_the_column() -> None:
     table = DataTable(("a", "b"), [("x", "很长的文字" * 60)])
     table.wrap(400, 1000)
     assert sum(table._set_widths) <= 400 / MM + 1e-6
+
+
+def test_the_exponent_of_a_unit_is_raised_in_running_text() -> None:
+    (_, unit) = cells("3.5 m/s^2", EM, True)
+    assert [(item.text, item.y > 0) for item in unit.box.items] == [("m/s", False), ("2", True)]  # type: ignore[union-attr]
+
+
+def test_a_long_address_breaks_after_a_stroke() -> None:
+    para = Para("见 https://example.com/a/long/address/that/goes/on/and/on/index.html 一文", None, "zh")
+    first, *_ = para.lines(200)
+    assert len(para.lines(200)) > 1 and first.cells[-1].text.endswith("/")

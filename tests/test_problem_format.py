@@ -145,16 +145,33 @@ def test_branch_in_words(text: str, side: Side, ref: tuple[str, ...]) -> None:
 @pytest.mark.parametrize(
     ("text", "dim", "value"),
     [
-        ("30 mm", Dim.LENGTH, 0.03), ("350 mm", Dim.LENGTH, 0.35), ("3 dm", Dim.LENGTH, 0.3), ("30毫米", Dim.LENGTH, 0.03),
-        ("1.2e-2 m", Dim.LENGTH, 0.012), ("0", Dim.LENGTH, 0.0), ("-5 mm", Dim.LENGTH, -0.005),
-        ("60°", Dim.ANGLE, math.pi / 3), ("0.5 rev", Dim.ANGLE, math.pi), ("60 度", Dim.ANGLE, math.pi / 3),
-        ("10 rad/s ccw", Dim.OMEGA, 10.0), ("10 rad/s cw", Dim.OMEGA, -10.0), ("10 rad/s 顺时针", Dim.OMEGA, -10.0),
-        ("60 rpm", Dim.OMEGA, 2 * math.pi), ("60 r/min 逆时针", Dim.OMEGA, 2 * math.pi), ("60转/分", Dim.OMEGA, 2 * math.pi),
-        ("180 deg/s", Dim.OMEGA, math.pi), ("5 rad/s²", Dim.ALPHA, 5.0), ("0.5 m/s", Dim.SPEED, 0.5),
-        ("2 米/秒", Dim.SPEED, 2.0), ("5 mm/s^2", Dim.ACCEL, 0.005), ("0.002 m/mm", Dim.MU_L, 0.002),
-        ("0.006 (m/s)/mm", Dim.MU_V, 0.006), ("0.006 m/s/mm", Dim.MU_V, 0.006), ("0.1 (m/s²)/mm", Dim.MU_A, 0.1),
+        ("30 mm", Dim.LENGTH, 0.03),
+        ("350 mm", Dim.LENGTH, 0.35),
+        ("3 dm", Dim.LENGTH, 0.3),
+        ("30毫米", Dim.LENGTH, 0.03),
+        ("1.2e-2 m", Dim.LENGTH, 0.012),
+        ("0", Dim.LENGTH, 0.0),
+        ("-5 mm", Dim.LENGTH, -0.005),
+        ("60°", Dim.ANGLE, math.pi / 3),
+        ("0.5 rev", Dim.ANGLE, math.pi),
+        ("60 度", Dim.ANGLE, math.pi / 3),
+        ("10 rad/s ccw", Dim.OMEGA, 10.0),
+        ("10 rad/s cw", Dim.OMEGA, -10.0),
+        ("10 rad/s 顺时针", Dim.OMEGA, -10.0),
+        ("60 rpm", Dim.OMEGA, 2 * math.pi),
+        ("60 r/min 逆时针", Dim.OMEGA, 2 * math.pi),
+        ("60转/分", Dim.OMEGA, 2 * math.pi),
+        ("180 deg/s", Dim.OMEGA, math.pi),
+        ("5 rad/s²", Dim.ALPHA, 5.0),
+        ("0.5 m/s", Dim.SPEED, 0.5),
+        ("2 米/秒", Dim.SPEED, 2.0),
+        ("5 mm/s^2", Dim.ACCEL, 0.005),
+        ("0.002 m/mm", Dim.MU_L, 0.002),
+        ("0.006 (m/s)/mm", Dim.MU_V, 0.006),
+        ("0.006 m/s/mm", Dim.MU_V, 0.006),
+        ("0.1 (m/s²)/mm", Dim.MU_A, 0.1),
     ],
-)  # fmt: skip
+)
 def test_written_units(text: str, dim: Dim, value: float) -> None:
     assert read(text, dim).si == pytest.approx(value, rel=1e-15, abs=0)
 
@@ -167,7 +184,9 @@ def test_units_known_by_heart_agree_with_pint(unit: str) -> None:
 
 def test_sliding_input() -> None:
     text = FOUR_BAR.replace("3: {CD: 80 mm}", "3: {block: C}\njoints: [3 slides on y = 0 mm]")
-    text = text.replace("{link: 1, phi: 60 deg, omega: 10 rad/s ccw}", "{link: 3, s: 120 mm, v: -0.5 m/s, a: 1 m/s^2}")
+    text = text.replace(
+        "{link: 1, phi: 60 deg, omega: 10 rad/s ccw}", "{link: 3, s: 120 mm, v: -0.5 m/s, a: 1 m/s^2}"
+    )
     drive = loads(text).mechanism.drive
     assert (drive.slide, drive.link, drive.position, drive.rate, drive.accel) == (True, "3", 0.12, -0.5, 1.0)
 
@@ -201,4 +220,6 @@ def test_assignment_with_title_block_and_overrides(tmp_path: Path) -> None:
     assert is_assignment(path) and not is_assignment(load("3-9").path or path)
     assert [problem.id for problem in sheet.problems] == ["3-8", "3-9", "3-9-ccw"]
     assert sheet.problems[2].mechanism.drive.rate == 10 and sheet.problems[1].mechanism.drive.rate == -10
-    assert sheet.block["course"] == "机械原理" and sheet.block["class"] == "ME-21" and sheet.block["grade"] == ""
+    assert (
+        sheet.block["course"] == "机械原理" and sheet.block["class"] == "ME-21" and sheet.block["grade"] == ""
+    )

@@ -16,8 +16,9 @@ from vecpoly.problem.problem import Problem, Shape
 from vecpoly.problem.template import template_text
 
 IDS = [entry.id for entry in library()]
-CH3 = ["3-4a", "3-4a-straight", "3-4b", "3-5", "3-5-xD400", "3-6", "3-7a", "3-7b", "3-7c", "3-7d", "3-7e", "3-8",
-       "3-9", "3-10", "3-11", "3-12", "3-13", "3-14", "C-conveyor", "ex10"]  # fmt: skip
+CH3 = """\
+3-4a 3-4a-straight 3-4b 3-5 3-5-xD400 3-6 3-7a 3-7b 3-7c 3-7d 3-7e 3-8 3-9 3-10 3-11 3-12 3-13 3-14
+C-conveyor ex10""".split()
 
 
 def sliding(problem: Problem) -> list[Prismatic]:
@@ -26,7 +27,9 @@ def sliding(problem: Problem) -> list[Prismatic]:
 
 def test_every_exercise_of_chapter_3_is_there() -> None:
     assert set(CH3) <= set(IDS)
-    assert [i for i in IDS if i.startswith("3-")] == sorted((i for i in IDS if i.startswith("3-")), key=natural)
+    assert [i for i in IDS if i.startswith("3-")] == sorted(
+        (i for i in IDS if i.startswith("3-")), key=natural
+    )
 
 
 @pytest.mark.parametrize("name", IDS)

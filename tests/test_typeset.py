@@ -145,6 +145,13 @@ def test_a_wide_formula_is_cut_before_its_equality_signs() -> None:
     assert [text(s)[0] for s in segments(row("a = b = c"), EM, before=True)] == ["a", "=", "="]
 
 
+def test_brackets_grow_with_the_fraction_inside() -> None:
+    plain, tall = (
+        layout(Row((Txt("("), node, Txt(")"))), EM) for node in (Txt("1"), Frac(Txt("1"), Txt("2")))
+    )
+    assert runs(plain)[0].size < runs(tall)[0].size == runs(tall)[-1].size
+
+
 def test_chinese_in_a_formula_is_set_in_song() -> None:
     assert face_of("导", layout(Txt("∥ 导路"), EM)) == Face.SONG
 

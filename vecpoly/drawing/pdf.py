@@ -34,7 +34,9 @@ def _item(item: Item, canvas: Any, x: float, y: float, state: tuple[object, ...]
             out.append(f"{_rgb(hue)} rg {_path(points, x, y)} f")
         case TextBox(box=box, hue=hue):
             out.append(f"{_rgb(hue)} rg")
-            type_canvas.show(canvas, box.items, x + item.x * MM, y + item.y * MM, out)
+            canvas._code.append("\n".join(out))
+            out.clear()
+            type_canvas.draw(canvas, box, x + item.x * MM, y + item.y * MM)
     return state
 
 

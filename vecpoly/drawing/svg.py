@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import groupby
 from typing import assert_never
 
-from ..typeset import canvas as type_canvas
+from ..typeset.svg import svg_group
 from .scene import Fill, Item, Scene, Stroke, TextBox
 
 
@@ -37,7 +37,7 @@ def _item(item: Item, dx: float, top: float) -> str:
         case Fill(points=points, hue=hue):
             return f'<path d="{_path(points, dx, top)}Z" fill="{hue.hex}"/>'
         case TextBox(box=box, hue=hue):
-            return type_canvas.svg(box, item.x + dx, top - item.y, hue.hex)
+            return svg_group(box, item.x + dx, top - item.y, hue.hex)
     assert_never(item)
 
 

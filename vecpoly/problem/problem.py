@@ -11,7 +11,7 @@ from typing import Literal
 
 from ..mechanism.model import Mechanism
 from ..names import Rel
-from ..words import Words
+from ..words import Lang, Words
 from .asks import Ask
 
 
@@ -37,6 +37,10 @@ class Datum:
     si: float = 0.0
     text: str = ""
     words: Words | None = None
+
+    def of(self, lang: Lang) -> str:
+        """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
+        return self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

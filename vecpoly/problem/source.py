@@ -47,10 +47,10 @@ def read_text(path: FilePath) -> str:
 def parse(text: str, name: str) -> Tree:
     """Text to values with places. Raises ProblemFileError for anything that is no plain YAML mapping."""
     node = _compose(text, name)
-    if node is None:
-        raise ProblemFileError(f"{name}, line 1: the file is empty; 'vecpoly new' writes one to start from")
     tree = Tree(name, {}, text=text)
-    data = _Reader(tree).value(node, ())
+    data = None if node is None else _Reader(tree).value(node, ())
+    if data is None:
+        raise ProblemFileError(f"{name}, line 1: the file is empty; 'vecpoly new' writes one to start from")
     if not isinstance(data, dict):
         raise ProblemFileError(f"{name}, line 1: the file must be a mapping (key: value), not {_kind(data)}")
     tree.data = data
@@ -113,6 +113,8 @@ class _Reader:
             where = f"{place.file}, line {place.line}, column {place.column}"
             if key.id != "scalar":
                 raise ProblemFileError(f"{where}: a key must be a plain word")
+            if ":" in key.value:
+                raise ProblemFileError(f"{where}: '{key.value}': write a space and a value after the ':'")
             if key.value in data:
                 first = self.tree.places[(*path, key.value)].line
                 raise ProblemFileError(f"{where}: key '{key.value}' occurs twice (first in line {first})")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -50,7 +51,18 @@ def _best(error: ValidationError) -> list[Any]:
     items: list[Any] = list(error.errors())
     wrong_branch = ("string_type", "list_type", "model_type")
     kept = [item for item in items if item["type"] not in wrong_branch or not _UNION & set(item["loc"])]
-    return kept or items
+    return _without_echo(kept or items)
+
+
+def _without_echo(items: list[Any]) -> list[Any]:
+    """A misspelt key is one fault: not also the missing key that it was meant to be."""
+    unknown = {item["loc"] for item in items if item["type"] == "extra_forbidden"}
+
+    def echoed(loc: tuple[Any, ...]) -> bool:
+        near = [str(other[-1]) for other in unknown if other[:-1] == loc[:-1]]
+        return bool(get_close_matches(str(loc[-1]), near, cutoff=0.6))
+
+    return [item for item in items if item["type"] != "missing" or not echoed(item["loc"])]
 
 
 def _say(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> str:

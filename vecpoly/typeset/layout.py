@@ -9,63 +9,12 @@ from typing import assert_never
 
 from ..formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec
 from .atoms import Atom, Kind, atoms, space
-from .box import EMPTY, MM, Box, Glyphs, Item, Rule, place
+from .box import EMPTY, MM, Box, Glyphs, Rule, place, scaled
 from .fonts import Face, glyph
+from .runs import SCRIPT, SHOWN, SUB, SUB_BOTH, SUP, letters, roman_or_italic, run
 
 AXIS = 0.26  # height of the bar of a fraction and of the minus sign, em
 BAR = 0.05  # thickness of bars, em
-SCRIPT = 0.7  # size of sub- and superscripts, em
-SUP, SUB, SUB_BOTH = 0.38, 0.17, 0.25  # shifts of the script baselines, em
-_SHOWN = str.maketrans({"-": "−", "'": "′", "µ": "μ", "⋅": "·"})
-_UPRIGHT = frozenset("π∞Σ")
-
-
-def run(text: str, face: Face, em: float) -> Box:
-    """A text in one face (each character in the first face that has it), without kerning."""
-    items: list[Item] = []
-    x = start = top = bottom = 0.0
-    font, chars = "", ""
-    for char in text:
-        g = glyph(char, face)
-        if g.font != font and chars:
-            items.append(Glyphs(font, em * MM, start, 0.0, chars))
-            start, chars = x, ""
-        font = g.font
-        chars += g.text
-        x += g.width * em
-        top, bottom = max(top, g.top), min(bottom, g.bottom)
-    if chars:
-        items.append(Glyphs(font, em * MM, start, 0.0, chars))
-    return Box(x, top * em, -bottom * em, tuple(items))
-
-
-def letters(text: str, em: float, bold: bool) -> Box:
-    """Symbols' letters: Latin and Greek italic; digits, primes and everything else upright."""
-    parts: list[tuple[float, float, Box]] = []
-    x = 0.0
-    for italic, piece in _by_slope(text.translate(_SHOWN)):
-        box = run(piece, _face(italic, bold), em)
-        parts.append((x, 0.0, box))
-        x += box.width
-    return place(parts, x) if len(parts) != 1 else parts[0][2]
-
-
-def _face(italic: bool, bold: bool) -> Face:
-    if italic:
-        return Face.BOLD_ITALIC if bold else Face.ITALIC
-    return Face.BOLD if bold else Face.STIX
-
-
-@lru_cache(maxsize=4096)
-def _by_slope(text: str) -> tuple[tuple[bool, str], ...]:
-    pieces: list[tuple[bool, str]] = []
-    for char in text:
-        italic = char.isalpha() and ord(char) < 0x400 and char not in _UPRIGHT
-        if pieces and pieces[-1][0] is italic:
-            pieces[-1] = (italic, pieces[-1][1] + char)
-        else:
-            pieces.append((italic, char))
-    return tuple(pieces)
 
 
 def layout(node: Node, em_mm: float, bold: bool = False) -> Box:
@@ -103,7 +52,7 @@ def _sym(node: Sym, em: float, bold: bool, arrow: bool = False) -> Box:
 
 def _overhang(text: str, em: float, bold: bool) -> float:
     """How far the ink of the last letter leans out of its width."""
-    last = glyph(text[-1].translate(_SHOWN), _face(text[-1].isalpha(), bold))
+    last = glyph(text[-1].translate(SHOWN), roman_or_italic(text[-1].isalpha(), bold))
     return max(0.0, last.right - last.width) * em
 
 
@@ -129,14 +78,37 @@ def _set(row: Sequence[Atom], em: float, bold: bool) -> Box:
     parts: list[tuple[float, float, Box]] = []
     x = 0.0
     last: Atom | None = None
-    for atom in row:
+    boxes = [_atom(atom, em, bold) for atom in row]
+    if any(box.ascent > em for box in boxes):
+        _grow_brackets(row, boxes, em)
+    for atom, box in zip(row, boxes, strict=True):
         if last is not None:
             x += space(last, atom) * em
-        box = _atom(atom, em, bold)
         parts.append((x, 0.0, box))
         x += box.width
         last = atom
     return place(parts, x)
+
+
+def _grow_brackets(row: Sequence[Atom], boxes: list[Box], em: float) -> None:
+    """Make brackets as high as what they enclose, centred on the axis."""
+    opened: list[int] = []
+    for i, atom in enumerate(row):
+        if atom.kind is Kind.OPEN:
+            opened.append(i)
+        elif atom.kind is Kind.CLOSE and opened:
+            start = opened.pop()
+            inner = boxes[start + 1 : i]
+            above = max((box.ascent for box in inner), default=0.0) - AXIS * em
+            below = max((box.descent for box in inner), default=0.0) + AXIS * em
+            if above > 0.7 * em:
+                boxes[start], boxes[i] = (_tall(boxes[j], 2 * max(above, below), em) for j in (start, i))
+
+
+def _tall(bracket: Box, height: float, em: float) -> Box:
+    grown = scaled(bracket, height / bracket.height)
+    shift = AXIS * em - (grown.ascent - grown.descent) / 2
+    return place([(0.0, shift, grown)], grown.width)
 
 
 def segments(
@@ -157,13 +129,13 @@ def _atom(atom: Atom, em: float, bold: bool) -> Box:
 
 @lru_cache(maxsize=8192)
 def _piece(text: str, exponent: str, han: bool, em: float, bold: bool) -> Box:
-    face = _face(False, bold)
+    face = roman_or_italic(False, bold)
     if han and ord(text[0]) >= 0x2E80:
         face = Face.HEI_BOLD if bold else Face.SONG
-    base = run(text.translate(_SHOWN), face, em)
+    base = run(text.translate(SHOWN), face, em)
     if not exponent:
         return base
-    return _scripts(base, run(exponent.translate(_SHOWN), face, em * SCRIPT), EMPTY, em)
+    return _scripts(base, run(exponent.translate(SHOWN), face, em * SCRIPT), EMPTY, em)
 
 
 def _power(body: Node, exponent: str, em: float, bold: bool) -> Box:
@@ -190,7 +162,7 @@ def _over(body: Box, em: float) -> Box:
 
 def _arrow(base: Box, text: str, em: float, bold: bool) -> Box:
     """U+20D7 over the middle of the base's ink."""
-    first = glyph(text[0], _face(text[0].isalpha(), bold))
+    first = glyph(text[0], roman_or_italic(text[0].isalpha(), bold))
     mark = glyph("\u20d7", Face.STIX)
     lean = 0.08 if first.top > 0.5 else 0.04
     x = ((first.left + first.right) / 2 + lean - (mark.left + mark.right) / 2) * em

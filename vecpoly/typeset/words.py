@@ -5,7 +5,8 @@ from __future__ import annotations
 from ..formula import row, split_words
 from .box import Box, beside
 from .fonts import Face
-from .layout import layout, run
+from .layout import layout
+from .runs import latin, run
 
 _QUOTES = frozenset("“”‘’—…·")
 
@@ -30,7 +31,9 @@ def layout_words(text: str, em_mm: float, bold: bool = False) -> Box:
         if formula:
             boxes.append(layout(row(piece), em_mm, bold))
         else:
-            boxes.extend(run(part, face, em_mm) for face, part in _by_face(piece, bold, chinese))
+            for face, part in _by_face(piece, bold, chinese):
+                roman = face in (Face.STIX, Face.BOLD)
+                boxes.append(latin(part, em_mm, bold) if roman else run(part, face, em_mm))
     return beside(boxes)
 
 

@@ -12,7 +12,8 @@ from ...formula import row, split_words
 from ...typeset.atoms import THICK
 from ...typeset.box import Box, beside
 from ...typeset.fonts import Face, glyph
-from ...typeset.layout import run, segments
+from ...typeset.layout import segments
+from ...typeset.runs import latin, run
 from ...typeset.words import is_han
 
 NO_START = frozenset("，。、；：？！）〕］｝》〉」』】”’…—·～℃％")
@@ -22,6 +23,7 @@ _LATIN_NO_END = frozenset("([{")
 _AMBIGUOUS = frozenset("“”‘’—…·")  # full width in Chinese text, narrow in English
 _BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 AUTO = 0.2  # space between Chinese and Latin, em
+_ADDRESS = 30  # letters
 BLANK = 0.25  # a blank between words, em
 
 
@@ -124,15 +126,16 @@ def _han(char: str, em: float, bold: bool, spaced: bool) -> Cell:
 
 @lru_cache(maxsize=16384)
 def _word(text: str, em: float, bold: bool, spaced: bool) -> Cell:
-    return Cell(Kind.WORD, run(text, Face.BOLD if bold else Face.STIX, em), text, spaced)
+    return Cell(Kind.WORD, latin(text, em, bold), text, spaced)
 
 
 def chopped(cell: Cell, width: float, em: float, bold: bool) -> list[Cell]:
-    """A word wider than the line, cut where it must be."""
-    if cell.kind is not Kind.WORD or cell.box.width <= width:
+    """A word wider than the line, cut where it must be; a long address, after its strokes."""
+    if cell.kind is not Kind.WORD or (cell.box.width <= width and len(cell.text) < _ADDRESS):
         return [cell]
     count = max(1, int(len(cell.text) * width / cell.box.width * 0.9))
-    parts = [cell.text[i : i + count] for i in range(0, len(cell.text), count)]
+    pieces = re.findall(r"[^/]*/|[^/]+", cell.text)
+    parts = [piece[i : i + count] for piece in pieces for i in range(0, len(piece), count)]
     first, *rest = (_word(part, em, bold, False) for part in parts)
     return [replace(first, spaced=cell.spaced), *(replace(part, joined=True) for part in rest)]
 
@@ -142,7 +145,7 @@ def gap(a: Cell, b: Cell, em: float) -> Gap:
     latin_a, latin_b = a.kind in (Kind.WORD, Kind.FORMULA), b.kind in (Kind.WORD, Kind.FORMULA)
     if latin_a and latin_b:
         if b.joined:
-            return Gap(THICK * em if b.kind is Kind.FORMULA else 0.0, 1.0, True)
+            return Gap(THICK * em, 1.0, True) if b.kind is Kind.FORMULA else Gap(0.0, 0.0, True)
         return Gap(BLANK * em, 3.0, True) if b.spaced else Gap(0.0, 0.0, False)
     allowed = not (_no_end(a) or _no_start(b))
     if latin_a or latin_b:

@@ -9,7 +9,8 @@ from ...formula import Node, Row, Txt, Vec, row, sym
 from ...typeset.box import MM, Box
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
-from ...typeset.layout import layout, run
+from ...typeset.layout import layout
+from ...typeset.runs import run
 from ...typeset.words import layout_words
 from ...words import Lang, Words
 from .base import Block

@@ -11,6 +11,7 @@ from ...typeset.canvas import Ink
 from ...typeset.fonts import Face
 from .cells import BLANK, Cell, Gap, Kind, gap
 
+_LOOSEST = 0.5  # em added to a gap beyond which a line is rather left ragged
 _LEAST_GAP = 0.75  # how far blanks may shrink before a line is broken earlier
 
 
@@ -22,6 +23,7 @@ class Line:
     gaps: tuple[Gap, ...]
     indent: float
     width: float
+    em: float
     last: bool
 
     @property
@@ -43,7 +45,7 @@ def break_lines(cells: Sequence[Cell], width: float, em: float, first: float = 0
     while start < len(cells):
         indent = first if start == 0 else 0.0
         end = _fill(cells, gaps, start, width - indent)
-        lines.append(_line(cells, gaps, start, end, indent))
+        lines.append(_line(cells, gaps, start, end, indent, em))
         start = end
     return lines
 
@@ -67,11 +69,11 @@ def _fill(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, width: float) 
     return len(cells)
 
 
-def _line(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, end: int, indent: float) -> Line:
+def _line(cells: Sequence[Cell], gaps: Sequence[Gap], start: int, end: int, indent: float, em: float) -> Line:
     inner = tuple(gaps[start : end - 1])
     width = sum(c.box.width for c in cells[start:end]) + sum(g.width for g in inner)
     width -= cells[start].lead + cells[end - 1].trail
-    return Line(tuple(cells[start:end]), inner, indent, width, end == len(cells))
+    return Line(tuple(cells[start:end]), inner, indent, width, em, end == len(cells))
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +97,8 @@ def fit(line: Line, width: float, align: str) -> Setting:
     if align == "right":
         return Setting(x + spare, 0.0, 0.0)
     stretch = sum(g.stretch for g in line.gaps)
-    if align != "justify" or line.last or not stretch:
+    loose = _LOOSEST * line.em * stretch
+    if align != "justify" or line.last or not stretch or spare > loose:
         return Setting(x, 0.0, 0.0)
     return Setting(x, spare / stretch, 0.0)
 

@@ -1,0 +1,75 @@
+"""How a refusal sounds: 'vecpoly: ...' on stderr, exit code 2; 130 after Ctrl-C; silence where the reader went away."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+
+import typer
+
+from ..errors import VecpolyError
+
+REFUSED, INTERRUPTED = 2, 130
+
+
+@contextmanager
+def told() -> Iterator[None]:
+    """Turn the errors of a command into words and an exit code."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _hush()
+        raise typer.Exit(0) from None
+    except (VecpolyError, OSError) as error:
+        tell(error)
+        raise typer.Exit(REFUSED) from None
+    except KeyboardInterrupt:
+        typer.echo("vecpoly: interrupted", err=True)
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def tell(error: Exception) -> None:
+    """One line on stderr for each thing that is wrong."""
+    for line in worded(error).splitlines():
+        typer.echo(f"vecpoly: {line}", err=True)
+
+
+def worded(error: Exception) -> str:
+    """What went wrong, with the file's name where there is one."""
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    return str(error) or type(error).__name__
+
+
+def _hush() -> None:
+    """Let Python's own flush at exit go nowhere."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+@dataclass(slots=True)
+class Tally:
+    """Several jobs of which some may fail: the others are still done, and every failure is told at the end."""
+
+    failed: list[Exception] = field(default_factory=list)
+
+    @contextmanager
+    def job(self) -> Iterator[None]:
+        """One of them."""
+        try:
+            yield
+        except BrokenPipeError:
+            raise
+        except (VecpolyError, OSError) as error:
+            self.failed.append(error)
+
+    def settle(self) -> None:
+        """Tell the failures, if there were any, and leave."""
+        if self.failed:
+            for error in self.failed:
+                tell(error)
+            raise typer.Exit(REFUSED)

@@ -1,0 +1,53 @@
+"""Files written whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import typer
+
+
+def parent_of(path: Path) -> Path:
+    """The path, its folder made."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return path
+
+
+def write_bytes(path: Path, data: bytes) -> Path:
+    """Write beside the place, then move there: nobody ever sees half a file."""
+    target = parent_of(path)
+    if target.is_dir():
+        raise IsADirectoryError(21, "is a folder; name a file in it", str(target))
+    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        Path(name).chmod(0o666 & ~_umask())
+        Path(name).replace(target)
+    finally:
+        Path(name).unlink(missing_ok=True)
+    return target
+
+
+def write_text(path: Path, text: str) -> Path:
+    """Text as UTF-8 with plain newlines, whole or not at all."""
+    return write_bytes(path, text.encode())
+
+
+def write_json(data: Any, where: str) -> None:
+    """JSON to a file, or to stdout where it is '-'; NaN and infinity are no JSON and are refused."""
+    text = json.dumps(data, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+    if where == "-":
+        typer.echo(text, nl=False)
+    else:
+        write_text(Path(where), text)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

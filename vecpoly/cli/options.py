@@ -1,0 +1,28 @@
+"""The options that several commands share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+Lang = Literal["zh", "en"]
+Hand = Literal["exact", "drafting", "pencil"]
+Style = Literal["solution", "question"]
+
+Problems = Annotated[
+    list[str], typer.Argument(metavar="ID_OR_PATH...", help="Problems: ids such as 3-9, or problem files.", show_default=False)
+]
+HandOption = Annotated[
+    Hand, typer.Option("--hand", help="How accurately is drawn: exact; drafting (0.1 mm); pencil (0.5 mm, with scatter).")
+]
+SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the hand's scatter.")]
+LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help="Chinese or English.")]
+JsonOption = Annotated[
+    str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON to this file, or to stdout with -.", show_default=False)
+]
+StyleOption = Annotated[Style, typer.Option("--style", help="The solution, or the question with blank frames to draw in.")]
+OutOption = Annotated[
+    Path | None, typer.Option("-o", "--output", help="File or folder to write; missing folders are made.", show_default=False)
+]

@@ -1,0 +1,67 @@
+"""The terminal: UTF-8 everywhere, tables as wide as they need to be, progress only where somebody watches."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from io import TextIOWrapper
+from typing import TYPE_CHECKING, Literal
+
+import typer
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+Align = Literal["left", "right"]
+
+
+def speak_utf8() -> None:
+    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page)."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="replace")
+
+
+def show(table: Table) -> None:
+    """Print a table; in a pipe, with no frame cut off at 80 columns."""
+    from rich.console import Console
+
+    console = Console()
+    if not console.is_terminal:
+        console = Console(width=200)
+    console.print(table)
+
+
+def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
+    """An empty table in the style of the house."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    made = Table(title=Text(title), title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    for name, justify in columns:
+        made.add_column(Text(name), justify=justify)
+    return made
+
+
+def add(to: Table, cells: Iterable[str]) -> None:
+    """A row of plain text: square brackets are letters here, not markup."""
+    from rich.text import Text
+
+    to.add_row(*(Text(cell) for cell in cells))
+
+
+def progress[T](items: Sequence[T], doing: str) -> Iterator[T]:
+    """The items, with a bar on stderr where a person watches and there is more than one."""
+    if len(items) < 2 or not sys.stderr.isatty():
+        yield from items
+        return
+    from rich.console import Console
+    from rich.progress import track
+
+    yield from track(items, description=doing, console=Console(stderr=True), transient=True)
+
+
+def say(text: str) -> None:
+    """A remark that is not part of the output."""
+    typer.echo(text, err=True)

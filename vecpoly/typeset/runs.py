@@ -1,0 +1,77 @@
+"""Runs of letters: each character in the first face that has it, symbols italic, exponents of units raised."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+from .box import MM, Box, Glyphs, Item, beside, place
+from .fonts import Face, glyph
+
+SCRIPT = 0.7  # size of sub- and superscripts, em
+SUP, SUB, SUB_BOTH = 0.38, 0.17, 0.25  # shifts of the script baselines, em
+SHOWN = str.maketrans({"-": "−", "'": "′", "µ": "μ", "⋅": "·"})
+_UPRIGHT = frozenset("π∞Σ")
+
+
+def run(text: str, face: Face, em: float) -> Box:
+    """A text in one face (each character in the first face that has it), without kerning."""
+    items: list[Item] = []
+    x = start = top = bottom = 0.0
+    font, chars = "", ""
+    for char in text:
+        g = glyph(char, face)
+        if g.font != font and chars:
+            items.append(Glyphs(font, em * MM, start, 0.0, chars))
+            start, chars = x, ""
+        font = g.font
+        chars += g.text
+        x += g.width * em
+        top, bottom = max(top, g.top), min(bottom, g.bottom)
+    if chars:
+        items.append(Glyphs(font, em * MM, start, 0.0, chars))
+    return Box(x, top * em, -bottom * em, tuple(items))
+
+
+_RAISED = re.compile(r"\^\{?([-−]?\d+)\}?")
+
+
+def latin(text: str, em: float, bold: bool) -> Box:
+    """A word of running text; the exponent of a unit (``m/s^2``) is raised."""
+    if "^" not in text:
+        return run(text, roman_or_italic(False, bold), em)
+    parts: list[Box] = []
+    for i, piece in enumerate(_RAISED.split(text)):
+        shown = piece.translate(SHOWN) if i % 2 else piece
+        box = run(shown, roman_or_italic(False, bold), em * (SCRIPT if i % 2 else 1.0))
+        parts.append(place([(0.0, SUP * em, box)], box.width) if i % 2 else box)
+    return beside(parts)
+
+
+def letters(text: str, em: float, bold: bool) -> Box:
+    """Symbols' letters: Latin and Greek italic; digits, primes and everything else upright."""
+    parts: list[tuple[float, float, Box]] = []
+    x = 0.0
+    for italic, piece in _by_slope(text.translate(SHOWN)):
+        box = run(piece, roman_or_italic(italic, bold), em)
+        parts.append((x, 0.0, box))
+        x += box.width
+    return place(parts, x) if len(parts) != 1 else parts[0][2]
+
+
+def roman_or_italic(italic: bool, bold: bool) -> Face:
+    if italic:
+        return Face.BOLD_ITALIC if bold else Face.ITALIC
+    return Face.BOLD if bold else Face.STIX
+
+
+@lru_cache(maxsize=4096)
+def _by_slope(text: str) -> tuple[tuple[bool, str], ...]:
+    pieces: list[tuple[bool, str]] = []
+    for char in text:
+        italic = char.isalpha() and ord(char) < 0x400 and char not in _UPRIGHT
+        if pieces and pieces[-1][0] is italic:
+            pieces[-1] = (italic, pieces[-1][1] + char)
+        else:
+            pieces.append((italic, char))
+    return tuple(pieces)
