@@ -198,7 +198,10 @@ def test_crank_written_from_its_far_end_keeps_the_angle_of_the_crank() -> None:
 
 def test_schema_is_json_and_forbids_unknown_keys() -> None:
     schema = json.loads(json.dumps(json_schema()))
-    assert schema["additionalProperties"] is False and "frame" in schema["required"]
+    assert (
+        schema["additionalProperties"] is False
+        and {"required": ["frame", "links", "input"]} in schema["anyOf"]
+    )
 
 
 def test_byte_order_mark_is_accepted(tmp_path: Path) -> None:
@@ -223,3 +226,14 @@ def test_assignment_with_title_block_and_overrides(tmp_path: Path) -> None:
     assert (
         sheet.block["course"] == "机械原理" and sheet.block["class"] == "ME-21" and sheet.block["grade"] == ""
     )
+
+
+def test_the_documented_examples_load(tmp_path: Path) -> None:
+    text = (Path(__file__).parent.parent / "docs" / "problem-file.md").read_text(encoding="utf-8")
+    six_bar = text.split("```yaml\n")[1].split("```")[0]
+    assert loads(six_bar).mechanism == load("A-27").mechanism
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text(
+        text.split("```yaml\n")[-1].split("```")[0].replace("  - mine/four-bar.yaml\n", ""), encoding="utf-8"
+    )
+    assert [problem.id for problem in load_assignment(sheet).problems] == ["3-8", "3-9-ccw"]

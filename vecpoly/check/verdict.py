@@ -49,7 +49,7 @@ class Checked:
 def check_printed(printed: Printed, exact: float) -> Checked:
     """Weigh one printed value; signs count only where the print has one."""
     value = printed.value
-    truth = exact if value < 0 or exact < 0 and _signed(printed) else abs(exact)
+    truth = exact if value < 0 or (exact < 0 and _signed(printed)) else abs(exact)
     deviation = (value - truth) / abs(truth) if truth else (0.0 if value == 0 else float("inf"))
     verdict = _verdict(printed, value, truth, deviation)
     slip = _slip(value, truth) if verdict is Verdict.WRONG else None

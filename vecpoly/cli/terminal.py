@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from io import TextIOWrapper
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
 Align = Literal["left", "right"]
+T = TypeVar("T")
 
 
 def speak_utf8() -> None:
@@ -51,7 +52,7 @@ def add(to: Table, cells: Iterable[str]) -> None:
     to.add_row(*(Text(cell) for cell in cells))
 
 
-def progress[T](items: Sequence[T], doing: str) -> Iterator[T]:
+def progress(items: Sequence[T], doing: str) -> Iterator[T]:
     """The items, with a bar on stderr where a person watches and there is more than one."""
     if len(items) < 2 or not sys.stderr.isatty():
         yield from items

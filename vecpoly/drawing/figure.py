@@ -10,7 +10,7 @@ from ..typeset import Box, layout, layout_words
 from ..words import Lang
 from .labels import Placed, place
 from .obstacles import Obstacles
-from .scene import Fill, Item, Layer, Rect, Scene, Stroke, TextBox
+from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
 from .symbols import Surroundings, draw
 from .wants import wants

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import Any
 
@@ -99,7 +100,7 @@ def _pieces(stroke: Stroke) -> list[tuple[complex, complex, float, float]]:
         line = shapely.simplify(shapely.LineString([(z.real, z.imag) for z in points]), COARSE)
         points = tuple(complex(x, y) for x, y in line.coords)
     weight = 1.0 if stroke.width <= THIN else 1.6
-    return [(a, b, stroke.width / 2, weight) for a, b in zip(points, points[1:], strict=False)]
+    return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
 
 
 def _boxes(centre: Complexes, width: float, height: float, by: float) -> Any:

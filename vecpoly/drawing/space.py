@@ -30,7 +30,7 @@ def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
     wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
     if n_figures < 3:
         return ((wide, deep),) * n_figures
-    return ((wide, deep), (half, deep), (half, deep)) + slots(n_figures - 3)
+    return ((wide, deep), (half, deep), (half, deep), *slots(n_figures - 3))
 
 
 FIGURE_SPACE = slots(3)

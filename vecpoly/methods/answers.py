@@ -7,7 +7,7 @@ import numpy as np
 from ..board.construction import Reading, View
 from ..errors import NoMethodError
 from ..formula import Row, Txt, sym
-from ..names import At, Kind, Rel
+from ..names import Kind, Rel
 from ..plane import Points, Reals, nominal
 from ..quantity import magnitude, stated, worked
 from ..words import Words
@@ -43,8 +43,8 @@ def _turn(desk: Desk, rel: Rel) -> tuple[Reading, None, Reals]:
 
 def _position(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
     name = str(rel.to)
-    place = desk.at[name] if name in desk.at else desk.at[rel.to.point]
-    read = desk.board.hand.read(np.real(place)) + 1j * desk.board.hand.read(np.imag(place))
+    place: Points = desk.at[name] if name in desk.at else desk.at[rel.to.point]
+    read = desk.board.hand.read(np.asarray(place).real) + 1j * desk.board.hand.read(np.asarray(place).imag)
     scale = desk.board.scales[View.MECHANISM]
     metres = read * scale.value
     vector = complex(nominal(metres))
@@ -58,7 +58,7 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
     board, scale = desk.board, desk.board.scales[view]
     on_paper = board.measure(start, end, line)
     direction = board.hand.gauge(np.angle(end - start))
-    sign = symbol(desk, Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None), rel.to.link)
+    sign = symbol(desk, Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None))
     size = on_paper.value * scale.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < 1e-9

@@ -5,6 +5,7 @@ Every number here was laid off, met, measured or computed on the board. Lengths 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -39,7 +40,7 @@ class Desk:
 
     board: Board
     mech: Mechanism
-    coincident: frozenset[str] = frozenset()  # letters that stand for points of several links here
+    coincident: Mapping[str, str] = field(default_factory=dict)  # letter under which links slide over each other -> the block
     at: dict[str, Points] = field(default_factory=dict)
     pose: dict[str, Pose] = field(default_factory=dict)
     tips: dict[tuple[View, At], Points] = field(default_factory=dict)
@@ -56,24 +57,21 @@ class Desk:
         carried = at.link and at.point in self.mech.link(at.link).points
         return At(at.point) if carried else at
 
-    def show(self, at: At, link: str = "") -> str:
+    def show(self, at: At) -> str:
         """The letter as printed: with a link's number where several links' points coincide here."""
         if at.link and at == self.canonical(at):
             return at.point + at.link
-        if at.point not in self.coincident:
-            return at.point
-        carriers = [name for name in self.mech.links_at(at.point) if name != FRAME]
-        return at.point + (link if link in carriers else (carriers[-1] if carriers else ""))
+        return at.point + self.coincident.get(at.point, "")
 
-    def name(self, at: At, link: str = "") -> str:
+    def name(self, at: At) -> str:
         """The letter in a sentence: C_2."""
-        text = self.show(at, link)
+        text = self.show(at)
         letter = text.rstrip("0123456789")
         return f"{letter}_{text[len(letter):]}" if text != letter else letter
 
-    def tip_label(self, view: View, at: At, link: str = "") -> str:
+    def tip_label(self, view: View, at: At) -> str:
         """The letter of a tip on a polygon: b, b_3, b′_3."""
-        letter, _, digits = self.name(at, link).lower().partition("_")
+        letter, _, digits = self.name(at).lower().partition("_")
         prime = "′" if view is View.ACCELERATION else ""
         return f"{letter}{prime}_{digits}" if digits else letter + prime
 

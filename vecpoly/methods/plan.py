@@ -17,7 +17,7 @@ from ..board.hand import Hand, hand
 from ..board.scales import round_scale
 from ..errors import AssemblyError, DeadPointError
 from ..mechanism.assur import Group, decompose
-from ..mechanism.model import Mechanism, Prismatic, Revolute
+from ..mechanism.model import FRAME, Prismatic, Revolute
 from ..names import At, Kind
 from ..problem.asks import AskPoint, AskRel
 from ..problem.problem import Problem
@@ -89,7 +89,7 @@ def _scale(view: View, value: float) -> Scale:
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups))
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(groups))
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
@@ -146,21 +146,20 @@ def _ensure(desk: Desk, view: View, at: At) -> None:
         imaged(desk, view, at.link, desk.canonical(at))
 
 
-def _coincident(mech: Mechanism, groups: Iterable[Group]) -> frozenset[str]:
-    """Letters under which points of two links are told apart by their numbers."""
-    letters: set[str] = set()
-    for group in groups:
-        if group.dyad is None:
-            continue
-        d = group.dyad
-        for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k)):
-            if isinstance(joint, Prismatic) and parent != "0":
-                letters |= {d.inner.point} if isinstance(d.inner, Revolute) else {d.outer_j.point} if isinstance(d.outer_j, Revolute) else set()
+def _coincident(groups: Iterable[Group]) -> dict[str, str]:
+    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first."""
+    letters: dict[str, str] = {}
+    for d in (group.dyad for group in groups if group.dyad is not None):
         if isinstance(d.inner, Prismatic):
-            pins = [j.point for j, li in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))
-                    if isinstance(j, Revolute) and (li == d.inner.block or d.kind == "RPP")]
-            letters |= set(pins)
-    return frozenset(letters)
+            pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
+            pin = d.outer_j if d.kind == "RPP" else pins[d.inner.block]
+            letters |= {pin.point: d.link_j if d.kind == "RPP" else d.inner.block} if isinstance(pin, Revolute) else {}
+        elif isinstance(d.inner, Revolute):
+            moving = [link for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
+                      if isinstance(joint, Prismatic) and parent != FRAME]
+            if moving:
+                letters[d.inner.point] = moving[0]
+    return letters
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

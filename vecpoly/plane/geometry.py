@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-Points = complex | npt.NDArray[np.complex128]
-Reals = float | npt.NDArray[np.float64]
+Points = complex | npt.NDArray[Any]
+Reals = float | npt.NDArray[Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +36,12 @@ def unit(vector: Points) -> Points:
 
 def dot(u: Points, v: Points) -> Reals:
     """u · v."""
-    return (np.conj(u) * v).real  # type: ignore[no-any-return]
+    return (np.conj(u) * v).real
 
 
 def cross(u: Points, v: Points) -> Reals:
     """u × v, positive when v lies to the left of u."""
-    return (np.conj(u) * v).imag  # type: ignore[no-any-return]
+    return (np.conj(u) * v).imag
 
 
 def distance(p: Points, q: Points) -> Reals:

@@ -1,4 +1,4 @@
-"""Joints: pins from shared letters; sliding and rolling in words: ``4 slides in 5``, ``4 rolls on 3 at H``."""
+"""Pins from shared letters; sliding and rolling joints in words: ``4 slides in 5``, ``4 rolls on 3 at H``."""
 
 from __future__ import annotations
 

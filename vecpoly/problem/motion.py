@@ -5,13 +5,12 @@ from __future__ import annotations
 import cmath
 import re
 from collections.abc import Iterable, Mapping
-from math import pi
 
 from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, SideOf
 from .draft import LETTER, Draft, letters_of
 from .faults import FaultError, meant
 from .joints import Bodies
-from .problem import Datum
+from .problem import Datum, Shape
 from .schema import InputSpec
 from .units import Dim, Quantity, read
 
@@ -81,7 +80,7 @@ def _turning(
     phi, zero = _angle(spec.phi, bodies.frame)
     rate, accel = _read("omega", spec.omega, Dim.OMEGA), _read("alpha", spec.alpha, Dim.ALPHA)
     arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
-    lean = 0.0 if draft.line is not None and draft.line.direction == 0.0 else cmath.phase(arm)
+    lean = cmath.phase(arm) if draft.shape in (Shape.BAR, Shape.GEAR) else 0.0  # else x lies along the line
     name = draft.name
     data = [
         Datum(symbol=f"φ_{name}", si=phi.si, text=phi.text),
@@ -103,7 +102,7 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
         if letter not in frame:
             raise FaultError(f"point '{letter}' is not on the frame{meant(letter, frame)}", "phi")
     zero = cmath.phase(frame[second] - frame[first])
-    return _read("phi", m[1], Dim.ANGLE), 0.0 if abs(zero) == 2 * pi else zero
+    return _read("phi", m[1], Dim.ANGLE), zero
 
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:

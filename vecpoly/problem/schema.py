@@ -178,7 +178,10 @@ class AssignmentSpec(Spec):
 
 
 def json_schema() -> dict[str, Any]:
-    """The JSON Schema of a problem file, for editors."""
+    """The JSON Schema of a problem file, for editors; a file that extends another may leave much out."""
     schema = ProblemSpec.model_json_schema()
+    schema["required"] = ["id", "title"]
+    schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}]
+    schema["$defs"]["InputSpec"].pop("required")
     schema["title"] = "vecpoly problem file"
     return schema

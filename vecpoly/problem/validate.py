@@ -51,7 +51,7 @@ def _best(error: ValidationError) -> list[Any]:
     items: list[Any] = list(error.errors())
     wrong_branch = ("string_type", "list_type", "model_type")
     kept = [item for item in items if item["type"] not in wrong_branch or not _UNION & set(item["loc"])]
-    return _without_echo(kept or items)
+    return _without_echo(kept or items[:1])
 
 
 def _without_echo(items: list[Any]) -> list[Any]:
@@ -80,6 +80,8 @@ def _say(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> str:
         return str(item["msg"]).removeprefix("Value error, ")
     if kind == "literal_error":
         return f"'{item['input']}' is not one of {item['ctx']['expected']}"
+    if kind == "list_type" and isinstance(item["input"], str):
+        return f"a list is expected here; write [{item['input']}]"
     return _SAID.get(kind, str(item["msg"]))
 
 

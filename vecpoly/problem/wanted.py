@@ -102,6 +102,11 @@ def read_scales(spec: ScalesSpec) -> Scales:
     )
 
 
+def _is_length(text: str) -> bool:
+    words = text.split()
+    return bool(words) and unit_of(words[-1])[1] == Dim.LENGTH.dimension
+
+
 def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Printed:
     """One entry of `printed`: a value with its unit, or a length on paper with its scale."""
     rel = None if spec.symbol.startswith("l_") else read_key(spec.symbol, bodies, named)
@@ -110,7 +115,7 @@ def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Prin
     if spec.scale is None:
         value, paper, scale = read(spec.value, _DIM.get(kind, Dim.ACCEL)).si, None, None
     else:
-        if unit_of(spec.value.split()[-1])[1] != Dim.LENGTH.dimension:
+        if not _is_length(spec.value):
             raise FaultError(
                 f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm", "value"
             )

@@ -1,4 +1,4 @@
-"""Runs of letters: each character in the first face that has it, symbols italic, exponents of units raised."""
+"""Runs of letters: each character in the first face that has it, symbols italic, exponents raised."""
 
 from __future__ import annotations
 

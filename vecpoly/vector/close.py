@@ -12,8 +12,11 @@ from dataclasses import dataclass
 from ..board.board import Board
 from ..board.construction import View
 from ..board.marks import Role
-from ..plane import Line, Points
+from ..names import Kind, Rel
+from ..plane import Line, Points, nominal, unit
 from .equation import Equation, Term
+
+RIGHT_ANGLE_FROM = 6.0  # mm: shorter sides carry no mark
 
 Choice = Callable[[Points, Points], Points]
 
@@ -49,7 +52,18 @@ def close(board: Board, view: View, pole: Points, eq: Equation, choose: Choice |
         meeting = corner
     for term, _ in unknown:
         board.arrow(view, *ends[term.rel.key], Role.RESULT)
+        _right_angle(board, view, term, ends)
     return Closed(ends, meeting)
+
+
+def _right_angle(board: Board, view: View, term: Term, ends: dict[str, tuple[Points, Points]]) -> None:
+    """Mark the right angle between a normal and the tangential component that follows it."""
+    normal = ends.get(Rel(Kind.AN, term.rel.to, term.rel.ref).key)
+    if term.rel.kind is not Kind.AT or normal is None:
+        return
+    (foot, corner), (tail, _) = ends[term.rel.key], normal
+    if min(abs(nominal(corner - foot)), abs(nominal(tail - foot))) > RIGHT_ANGLE_FROM:
+        board.right_angle(view, foot, unit(tail - foot), unit(corner - foot))
 
 
 def _known_chain(

@@ -18,14 +18,14 @@ _STILL = Turn(0.0, never=True)
 def turning_chain(desk: Desk, view: View, at: At, about: str, link: str) -> tuple[Term, ...]:
     """Over a turning link: v_P + v_CP, or a_P + a^n_CP + a^t_CP; P falls away where it is fixed."""
     rest = desk.at_rest(view, At(about))
-    front = () if rest else (known(desk, view, At(about), link),)
+    front = () if rest else (known(desk, view, At(about)),)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), None if rest else At(about))
-        return (*front, across(desk, rel, about, at.point, link))
-    return (*front, normal(desk, at, about, link), tangential(desk, at, about, link))
+        return (*front, across(desk, rel, about, at.point))
+    return (*front, normal(desk, at, about, link), tangential(desk, at, about))
 
 
-def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, parent: str, link: str) -> tuple[Term, ...]:
+def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, parent: str) -> tuple[Term, ...]:
     """Over a guide: v_base + v^r, or a_base + a^k + a^r, base being the coincident point of the other link.
 
     On a guide that is part of the frame the point's own vector lies along the guide.
@@ -33,14 +33,14 @@ def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, pa
     to, ref = desk.canonical(at), desk.canonical(base)
     kind = Kind.V if view is View.VELOCITY else Kind.A
     if parent == FRAME:
-        return (sliding(desk, Rel(kind, to), joint, link),)
-    front = known(desk, view, base, parent)
+        return (sliding(desk, Rel(kind, to), joint),)
+    front = known(desk, view, base)
     if view is View.VELOCITY:
-        return (front, sliding(desk, Rel(Kind.V, to, ref), joint, link))
+        return (front, sliding(desk, Rel(Kind.V, to, ref), joint))
     if desk.turns[omega(parent)].never:
-        return (front, sliding(desk, Rel(Kind.A, to, ref), joint, link))
+        return (front, sliding(desk, Rel(Kind.A, to, ref), joint))
     _, start, end = desk.ends[Rel(Kind.V, to, ref).key]
-    return (front, coriolis(desk, to, ref, parent, (start, end), link), sliding(desk, Rel(Kind.AR, to, ref), joint, link))
+    return (front, coriolis(desk, to, ref, parent, (start, end)), sliding(desk, Rel(Kind.AR, to, ref), joint))
 
 
 def coincident_tip(desk: Desk, view: View, point: str, parent: str) -> At:
@@ -51,23 +51,23 @@ def coincident_tip(desk: Desk, view: View, point: str, parent: str) -> At:
     return at
 
 
-def solve(desk: Desk, view: View, eq: Equation, to: At, link: str) -> Closed:
+def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     """Write the equation into the step, draw it, letter the meeting point, keep the ends of all its vectors."""
     board = desk.board
     board.equate(eq.table())
     closed = close(board, view, 0j, eq)
     desk.tips[view, desk.canonical(to)] = closed.meeting
-    board.plot(view, closed.meeting, desk.tip_label(view, to, link))
+    board.plot(view, closed.meeting, desk.tip_label(view, to))
     board.arrow_once(view, 0j, closed.meeting)
     desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
     return closed
 
 
-def letters(desk: Desk, view: View, start: At | None, end: At, link: str) -> str:
+def letters(desk: Desk, view: View, start: At | None, end: At) -> str:
     """Letters of a paper length: ``p c_2`` or ``b c_2``."""
     pole = "p" if view is View.VELOCITY else "p′"
-    first = pole if start is None or desk.at_rest(view, start) else desk.tip_label(view, start, link)
-    return f"{first} {desk.tip_label(view, end, link)}"
+    first = pole if start is None or desk.at_rest(view, start) else desk.tip_label(view, start)
+    return f"{first} {desk.tip_label(view, end)}"
 
 
 def never_turns(desk: Desk, link: str) -> None:

@@ -47,6 +47,8 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
     for name in links:
         body = desk.mech.link(name)
         desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)))
+    for late in _late_guides(desk, links):
+        desk.board.mark(View.MECHANISM, *_guide_body(desk, desk.mech.link(late.guide), late, shapes.get(late.guide, Shape.SLOT)))
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
             if {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN:
@@ -62,9 +64,25 @@ def draw_drive_arrow(desk: Desk) -> None:
     if drive.slide:
         return
     pivot = next(p for p in desk.mech.link(drive.link).points if p in desk.mech.frame)
-    start = drive.position + (0.6 if drive.rate > 0 else -0.6)
-    desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=9.0, start=float(start), ccw=drive.rate > 0,
+    middle = _free_side(drive.position)
+    start = middle - 0.9 if drive.rate > 0 else middle + 0.9
+    desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=10.0, start=start, ccw=drive.rate > 0,
                                               label=f"ω_{drive.link}"))
+
+
+def _free_side(phi: float) -> float:
+    """The direction from the pivot that is farthest from the link, its angle mark and the ground below."""
+    around = np.linspace(0, 2 * np.pi, 72, endpoint=False)
+    sweep = (phi + np.pi) % (2 * np.pi) - np.pi
+    taken = np.array([phi, -np.pi / 2 - 0.4, -np.pi / 2 + 0.4, *np.linspace(0.0, sweep, 9)])
+    away = np.abs(np.angle(np.exp(1j * (around[:, None] - taken))))
+    return float(around[int(np.argmax(away.min(axis=1)))])
+
+
+def _late_guides(desk: Desk, links: tuple[str, ...]) -> list[Prismatic]:
+    """Guides on links drawn before, whose blocks are only now located."""
+    return [j for j in desk.mech.joints if isinstance(j, Prismatic)
+            and j.block in links and j.guide not in links and j.guide != FRAME]
 
 
 def _spot(desk: Desk, name: str) -> complex:
@@ -93,18 +111,22 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
             yield Segment(a=spots[0], b=spot, role=Role.LINK)
     guide = next((j for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == body.name), None)
     if shape in (Shape.SLOT, Shape.ROD) and guide is not None:
-        yield from _guide_body(desk, body, guide, shape)
+        if guide.block == FRAME or guide.block in desk.pose:
+            yield from _guide_body(desk, body, guide, shape)
     elif len(spots) >= 2 and shape is not Shape.BLOCK:
         yield from _bar(spots)
     if spots and shape is not Shape.BLOCK:
-        end = spots[1] if len(spots) > 1 else _mid_guide(desk, guide, spots[0])
-        yield LinkNumber(a=spots[0], b=end, number=body.name)
+        yield LinkNumber(a=spots[0], b=_other_end(desk, shape, guide, spots), number=body.name)
     elif spots:
         yield LinkNumber(a=spots[0], b=spots[0], number=body.name)
 
 
-def _mid_guide(desk: Desk, guide: Prismatic | None, start: complex) -> complex:
-    return start if guide is None or guide.pin not in desk.at else (start + _spot(desk, guide.pin)) / 2
+def _other_end(desk: Desk, shape: Shape, guide: Prismatic | None, spots: list[complex]) -> complex:
+    """The far end of the line beside which a link's number stands: along its guide where it has one."""
+    if shape in (Shape.SLOT, Shape.ROD) and guide is not None and guide.pin in desk.at:
+        along = complex(nominal(desk.guide_line(guide).along))
+        return spots[0] + along * float((np.conj(along) * (_spot(desk, guide.pin) - spots[0])).real)
+    return spots[1] if len(spots) > 1 else spots[0]
 
 
 def _bar(spots: list[complex]) -> Iterator[Mark]:

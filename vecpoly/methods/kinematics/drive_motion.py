@@ -8,6 +8,7 @@ from ...board.construction import View
 from ...board.marks import Role
 from ...mechanism.model import FRAME, Drive, Prismatic
 from ...names import At, Kind, Rel, alpha, omega
+from ...plane import Points, Reals
 from ...quantity import magnitude
 from ...words import Words
 from ..desk import Desk, Turn
@@ -35,7 +36,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     speed = board.compute(f"v_{b}", w * desk.length(pivot, b), "m/s")
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
-    _first_vector(desk, View.VELOCITY, b, along, speed.value, drive.link)
+    _first_vector(desk, View.VELOCITY, b, along, speed.value)
     desk.ends[f"v_{b}"] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
     images_of_link(desk, View.VELOCITY, drive.link)
 
@@ -57,7 +58,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
     along = desk.towards(b, pivot)
-    _first_vector(desk, View.ACCELERATION, b, along, size.value, drive.link, last=not drive.accel)
+    _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
     tip = desk.tip(View.ACCELERATION, At(b))
     desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
     if drive.accel:
@@ -65,7 +66,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
         size_t = board.compute(f"a^t_{b}", eps * desk.length(pivot, b), "m/s^2")
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))
         board.arrow(View.ACCELERATION, tip, end, Role.GIVEN)
-        board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b), drive.link))
+        board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
         board.arrow(View.ACCELERATION, 0j, end, Role.RESULT)
         desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
         desk.tips[View.ACCELERATION, At(b)] = end
@@ -93,14 +94,14 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
     desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${stem}_{b}$：",
                           f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${stem}_{b}$:"), view)
     desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
-    _first_vector(desk, view, b, along, abs(value), drive.link)
+    _first_vector(desk, view, b, along, abs(value))
     images_of_link(desk, view, drive.link)
 
 
-def _first_vector(desk: Desk, view: View, b: str, along: complex, size: float, link: str, last: bool = True) -> None:
+def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, last: bool = True) -> None:
     """Lay the first vector off from the pole."""
     board = desk.board
     tip = board.lay_off(0j, along, board.to_paper(view, size))
     board.arrow(view, 0j, tip, Role.GIVEN)
-    board.plot(view, tip, desk.tip_label(view, At(b), link) if last else "n′")
+    board.plot(view, tip, desk.tip_label(view, At(b)) if last else "n′")
     desk.tips[view, At(b)] = tip

@@ -33,7 +33,7 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     tip = board.to_paper(view, 1.0) * wanted
     prime = "′" if view is View.ACCELERATION else ""
     letter = f"{low}{prime}_{ask.link}"
-    board.step(_words(ask, view, p, q, [desk.tip_label(view, a, ask.link) for a in (p_at, q_at)], letter), view)
+    board.step(_words(ask, view, p, q, [desk.tip_label(view, a) for a in (p_at, q_at)], letter), view)
     desk.at[ask.name] = similar(tips[0], tips[1], tip, desk.at[p], desk.at[q]) + board.hand.carry(0.0)
     desk.tips[view, At(ask.name[0], ask.link)] = tip
     for corner in (p, q):

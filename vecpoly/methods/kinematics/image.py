@@ -7,7 +7,7 @@ import numpy as np
 from ...board.construction import View
 from ...board.marks import Role
 from ...names import At, Kind, Rel, alpha, omega
-from ...plane import Points, nominal, similar
+from ...plane import Reals, nominal, similar
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
@@ -52,7 +52,7 @@ def images_of_link(desk: Desk, view: View, link: str) -> None:
 def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, At]]) -> None:
     (p, p_at), (q, q_at) = held[0], held[1]
     board, x = desk.board, at.point
-    letters = [desk.tip_label(view, a, link) for a in (p_at, q_at, at)]
+    letters = [desk.tip_label(view, a) for a in (p_at, q_at, at)]
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
     board.step(
         Words(f"用{kind}影像求 ${x}$：作 △${letters[0]} {letters[1]} {letters[2]}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${letters[2]}$。",
@@ -76,14 +76,14 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
     p, p_at = held
     board = desk.board
-    label = desk.tip_label(view, at, link)
+    label = desk.tip_label(view, at)
     board.step(Words(f"由构件 {link} 的转动求 ${at.point}$ 点：", f"Point ${at.point}$ from the turning of link {link}:"), view)
-    base = known(desk, view, p_at, link)
+    base = known(desk, view, p_at)
     about_pole = p in desk.mech.frame
     terms = list(_turning_terms(desk, view, link, at, p))
     kind = Kind.V if view is View.VELOCITY else Kind.A
     rel = Rel(kind, desk.canonical(at))
-    left = Term(rel=rel, symbol=symbol(desk, rel, link), direction=UNKNOWN, magnitude="?", tip="")
+    left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
     eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
     board.equate(eq.table())
     closed = close(board, view, 0j, eq)
@@ -106,13 +106,13 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[T
     return (n, _laid(desk, view, rel, link, p, x, f"α_{link} l_{p}{x}", accel.value))
 
 
-def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Points) -> Term:
+def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:
     """A vector perpendicular to PX of known magnitude and sense: ω l or α l."""
     length = desk.length(p, x)
     way = np.sign(rate)
     size = np.abs(rate) * length.value
     along = 1j * way * desk.towards(p, x)
     along = np.where(way == 0, 1.0, along)
-    return Term(rel=rel, symbol=symbol(desk, rel, link), direction=Words(f"⊥$ {p}{x}$", f"⊥$ {p}{x}$"), magnitude=text,
+    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {p}{x}$", f"⊥$ {p}{x}$"), magnitude=text,
                 along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
 

@@ -8,7 +8,7 @@ from ...board.construction import View
 from ...errors import AssemblyError
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic, Rack, Revolute, Rolling
-from ...plane import Line, distance, lines_meet, nominal, unit
+from ...plane import Line, Points, distance, lines_meet, nominal, unit
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
@@ -79,8 +79,8 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
         words = Words(f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向。",
                       f"The tangent from ${q}$ to the circle about ${p}$ with the offset $e/μ_l$ as radius is the guide of link {joint.guide}.")
     desk.board.step(words, View.MECHANISM)
-    along = unit(desk.at[p] - desk.at[q]) * np.exp(-1j * np.arcsin(offset / span))
-    along = desk.board.hand.tilt(along)
+    direct = unit(desk.at[p] - desk.at[q]) * np.exp(-1j * np.arcsin(offset / span))
+    along = desk.board.hand.tilt(direct)
     desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))
     desk.settle_turned(joint.block, p, along * np.exp(1j * joint.turn))
 
@@ -93,7 +93,7 @@ def position_prp(desk: Desk, d: Dyad) -> None:
     b, board = d.inner.point, desk.board
     board.step(Words(f"两导路线的交点为 ${b}$。", f"The two guide lines cross at ${b}$."), View.MECHANISM)
     lines = [desk.locus(joint, link, b) for joint, link in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))]
-    desk.at[b] = board.meet(*lines, f"guides of links {d.link_j} and {d.link_k}")
+    desk.at[b] = board.meet(lines[0], lines[1], f"guides of links {d.link_j} and {d.link_k}")
     for joint, link, line in zip((d.outer_j, d.outer_k), (d.link_j, d.link_k), lines, strict=True):
         desk.settle_turned(link, b, _slider_axis(desk, joint, link, line))
 
@@ -152,9 +152,10 @@ def position_rrg(desk: Desk, d: Dyad) -> None:
     desk.at[joint.point] = desk.contact(joint)
 
 
-def _slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> complex:
+def _slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
     """Direction of the x axis of the link that slides, from the line of the guide."""
     turn = joint.turn if link == joint.block else -joint.direction
-    return line.along * np.exp(1j * turn)  # type: ignore[return-value]
+    axis: Points = line.along * np.exp(1j * turn)
+    return axis
 
 

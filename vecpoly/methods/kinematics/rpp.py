@@ -38,13 +38,13 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     b, k = d.outer_j.point, d.link_k
     to = At(b, k)
     base = coincident_tip(desk, view, b, d.parent_k)
-    desk.board.step(opening(view, desk.name(to, k), k), view)
+    desk.board.step(opening(view, desk.name(to), k), view)
     if d.parent_k == FRAME:
         never_turns(desk, k)
     else:
         same_turn(desk, k, d.parent_k, view)
-    led = sliding_chain(desk, view, to, base, d.outer_k, d.parent_k, k)
-    solve(desk, view, Equation(left=led, right=_from_block(desk, view, d, to)), to, k)
+    led = sliding_chain(desk, view, to, base, d.outer_k, d.parent_k)
+    solve(desk, view, Equation(left=led, right=_from_block(desk, view, d, to)), to)
     if desk.turns[omega(k)].never:
         desk.board.remark(Words(f"构件 {k} 只作平动（$ω_{k}$ ≡ 0），不存在哥氏加速度。", f" Link {k} only translates ($ω_{k}$ ≡ 0): there is no Coriolis term.")
                           if view is View.ACCELERATION else Words("", ""))
@@ -57,10 +57,10 @@ def _from_block(desk: Desk, view: View, d: Dyad, to: At) -> tuple[Term, ...]:
     """v_Bj + v_BkBj, or a_Bj + a^k + a^r."""
     assert isinstance(d.inner, Prismatic)
     tail = desk.canonical(At(to.point, d.link_j))
-    front = known(desk, view, tail, d.link_j)
+    front = known(desk, view, tail)
     if view is View.VELOCITY:
-        return (front, sliding(desk, Rel(Kind.V, to, tail), d.inner, d.link_j))
+        return (front, sliding(desk, Rel(Kind.V, to, tail), d.inner))
     if desk.turns[omega(d.link_k)].never:
-        return (front, sliding(desk, Rel(Kind.AR, to, tail), d.inner, d.link_j))
+        return (front, sliding(desk, Rel(Kind.AR, to, tail), d.inner))
     _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
-    return (front, coriolis(desk, to, tail, d.link_k, (start, end), d.link_j), sliding(desk, Rel(Kind.AR, to, tail), d.inner, d.link_j))
+    return (front, coriolis(desk, to, tail, d.link_k, (start, end)), sliding(desk, Rel(Kind.AR, to, tail), d.inner))

@@ -45,8 +45,8 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     to, ref = At(p, g), At(p, b)
     desk.board.step(_opening(desk, view, to, ref, joint), view)
     swung = turning_chain(desk, view, to, q, g)
-    eq = Equation(left=swung, right=_slid(desk, view, to, ref, joint), total=_total(desk, view, to, g, len(swung)))
-    closed = solve(desk, view, eq, to, g)
+    eq = Equation(left=swung, right=_slid(desk, view, to, ref, joint), total=_total(desk, view, to, len(swung)))
+    closed = solve(desk, view, eq, to)
     _turn(desk, view, closed.ends, to, q, g)
     same_turn(desk, b, g, view)
     for link in (g, b):
@@ -55,12 +55,12 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
 
 def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Term, ...]:
     """v_Pb + v_PgPb, or a_Pb + a^k + a^r."""
-    front, tail = known(desk, view, ref, joint.block), desk.canonical(ref)
+    front, tail = known(desk, view, ref), desk.canonical(ref)
     if view is View.VELOCITY:
-        return (_from_block(front, tail), sliding(desk, Rel(Kind.V, to, tail), joint, joint.guide))
+        return (_from_block(front, tail), sliding(desk, Rel(Kind.V, to, tail), joint))
     _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
-    return (_from_block(front, tail), coriolis(desk, to, tail, joint.guide, (start, end), joint.block),
-            sliding(desk, Rel(Kind.AR, to, tail), joint, joint.block))
+    return (_from_block(front, tail), coriolis(desk, to, tail, joint.guide, (start, end)),
+            sliding(desk, Rel(Kind.AR, to, tail), joint))
 
 
 def _from_block(front: Term, tail: At) -> Term:
@@ -73,20 +73,20 @@ def _turn(desk: Desk, view: View, ends: dict, to: At, q: str, g: str) -> None:  
     kind = Kind.V if view is View.VELOCITY else Kind.AT
     rel = Rel(kind, to, ref)
     if view is View.VELOCITY:
-        angular_velocity(desk, g, q, to.point, ends[rel.key], letters(desk, view, ref, to, g), symbol(desk, rel, g))
+        angular_velocity(desk, g, q, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))
     else:
-        name = f"n′_{g} {desk.tip_label(view, to, g)}"
-        angular_acceleration(desk, g, q, to.point, ends[rel.key], name, symbol(desk, rel, g))
+        name = f"n′_{g} {desk.tip_label(view, to)}"
+        angular_acceleration(desk, g, q, to.point, ends[rel.key], name, symbol(desk, rel))
 
 
-def _total(desk: Desk, view: View, to: At, g: str, terms: int) -> str:
+def _total(desk: Desk, view: View, to: At, terms: int) -> str:
     kind = Kind.V if view is View.VELOCITY else Kind.A
-    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, to), g)
+    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, to))
 
 
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
-    a, b = desk.name(to, joint.guide), desk.name(ref, joint.block)
+    a, b = desk.name(to), desk.name(ref)
     words = Words(f"取构件 {joint.guide} 与构件 {joint.block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图：",
                   f"Links {joint.guide} and {joint.block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it:")
     if view is View.VELOCITY and abs(desk.offset(joint, joint.block, to.point)) > 1e-12:

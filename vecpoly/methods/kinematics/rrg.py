@@ -32,8 +32,8 @@ def velocity_rrg(desk: Desk, d: Dyad) -> None:
     desk.board.step(opening(view, c, d.link_j, d.link_k), view)
     sides = [turning_chain(desk, view, At(c), about, link) for about, link in ((h, d.link_k), (p, d.link_j))]
     sides.sort(key=len)
-    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, d.link_k, len(sides[0])))
-    closed = solve(desk, view, eq, At(c), d.link_k)
+    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, len(sides[0])))
+    closed = solve(desk, view, eq, At(c))
     turn_of_link(desk, view, closed.ends, c, h, d.link_k)
     turn_of_link(desk, view, closed.ends, c, p, d.link_j)
     for link in (d.link_j, d.link_k):

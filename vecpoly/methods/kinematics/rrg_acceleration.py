@@ -40,8 +40,8 @@ def acceleration_rrg(desk: Desk, d: Dyad) -> None:
     desk.board.step(opening(_VIEW, c, d.link_j, d.link_k), _VIEW)
     centre = _along_rack(desk, joint, c) if isinstance(joint.on, Rack) else _about_gear(desk, joint, joint.on, c)
     swung = turning_chain(desk, _VIEW, At(c), p, d.link_j)
-    front = "" if len(centre) == 1 else total(desk, _VIEW, c, d.link_j, 2)
-    closed = solve(desk, _VIEW, Equation(left=centre, right=swung, total=front), At(c), d.link_j)
+    front = "" if len(centre) == 1 else total(desk, _VIEW, c, 2)
+    closed = solve(desk, _VIEW, Equation(left=centre, right=swung, total=front), At(c))
     turn_of_link(desk, _VIEW, closed.ends, c, p, d.link_j)
     images_of_link(desk, _VIEW, d.link_j)
     if isinstance(joint.on, Circle):
@@ -85,12 +85,12 @@ def _pitch_point(desk: Desk, joint: Rolling, other: Circle, c: str) -> None:
                           f"Pitch point ${h}$: the accelerations of the two gears there differ only along the line of centres; for $α_{gear}$:"), _VIEW)
     at = At(h, gear)
     rel = Rel(Kind.AT, at, At(c))
-    tangent = Term(rel=rel, symbol=symbol(desk, rel, gear), direction=Words(f"⊥$ {h}{c}$", f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
+    tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {h}{c}$", f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
     slide = Rel(Kind.AR, at, base)
-    along = Term(rel=slide, symbol=symbol(desk, slide, gear), direction=Words(f"∥$ {o}{c}$", f"∥$ {o}{c}$"), magnitude="?", along=desk.towards(o, c))
+    along = Term(rel=slide, symbol=symbol(desk, slide), direction=Words(f"∥$ {o}{c}$", f"∥$ {o}{c}$"), magnitude="?", along=desk.towards(o, c))
     left = (known(desk, _VIEW, At(c)), normal(desk, at, c, gear), tangent)
-    closed = solve(desk, _VIEW, Equation(left=left, right=(known(desk, _VIEW, base), along)), at, gear)
-    angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n′_{gear} {desk.tip_label(_VIEW, at, gear)}", symbol(desk, rel, gear))
+    closed = solve(desk, _VIEW, Equation(left=left, right=(known(desk, _VIEW, base), along)), at)
+    angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n′_{gear} {desk.tip_label(_VIEW, at)}", symbol(desk, rel))
 
 
 def _alpha_known(desk: Desk, link: str) -> None:

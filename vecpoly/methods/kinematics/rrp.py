@@ -37,12 +37,12 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     c, p = d.inner.point, d.outer_j.point
     base = coincident_tip(desk, view, c, d.parent_k)
     desk.board.step(opening(view, c, d.link_j, d.link_k), view)
-    led = sliding_chain(desk, view, At(c), base, d.outer_k, d.parent_k, d.link_k)
+    led = sliding_chain(desk, view, At(c), base, d.outer_k, d.parent_k)
     swung = turning_chain(desk, view, At(c), p, d.link_j)
     own = len(led) == 1 or (view is View.VELOCITY and len(swung) == 1)
     left, right = (led, swung) if len(led) <= len(swung) else (swung, led)
-    closed = solve(desk, view, Equation(left=left, right=right, total="" if own else total(desk, view, c, d.link_k, 2)),
-                   At(c), d.link_k)
+    eq = Equation(left=left, right=right, total="" if own else total(desk, view, c, 2))
+    closed = solve(desk, view, eq, At(c))
     turn_of_link(desk, view, closed.ends, c, p, d.link_j)
     if d.parent_k == FRAME:
         never_turns(desk, d.link_k)

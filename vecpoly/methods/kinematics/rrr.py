@@ -6,6 +6,7 @@ from ...board.construction import View
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Revolute
 from ...names import At, Kind, Rel
+from ...vector.equation import Equation
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
@@ -13,7 +14,6 @@ from .chains import letters, solve, turning_chain
 from .image import images_of_link
 from .terms import symbol
 from .turning import angular_acceleration, angular_velocity
-from ...vector.equation import Equation
 
 _SOURCE = "机械原理, relative motion of two points of one link"
 
@@ -40,18 +40,18 @@ def _hinge_polygon(desk: Desk, view: View, d: Dyad, p: str, q: str) -> None:
     desk.board.step(opening(view, c, f"{d.link_j}", f"{d.link_k}"), view)
     sides = [turning_chain(desk, view, At(c), about, link) for about, link in ((p, d.link_j), (q, d.link_k))]
     sides.sort(key=len)
-    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, d.link_j, len(sides[0])))
-    closed = solve(desk, view, eq, At(c), d.link_j)
+    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, len(sides[0])))
+    closed = solve(desk, view, eq, At(c))
     for about, link in ((p, d.link_j), (q, d.link_k)):
         turn_of_link(desk, view, closed.ends, c, about, link)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)
 
 
-def total(desk: Desk, view: View, c: str, link: str, terms: int) -> str:
+def total(desk: Desk, view: View, c: str, terms: int) -> str:
     """The sought vector's own symbol, where neither side of the equation is that vector alone."""
     kind = Kind.V if view is View.VELOCITY else Kind.A
-    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, At(c)), link)
+    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, At(c)))
 
 
 def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: str) -> None:  # type: ignore[type-arg]
@@ -60,12 +60,12 @@ def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: s
     ref = None if rest else At(about)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(At(c)), ref)
-        name = letters(desk, view, ref, At(c), link)
-        angular_velocity(desk, link, about, c, ends[rel.key], name, symbol(desk, rel, link))
+        name = letters(desk, view, ref, At(c))
+        angular_velocity(desk, link, about, c, ends[rel.key], name, symbol(desk, rel))
     else:
         rel = Rel(Kind.AT, desk.canonical(At(c)), ref)
-        name = f"n′_{link} {desk.tip_label(view, At(c), link)}"
-        angular_acceleration(desk, link, about, c, ends[rel.key], name, symbol(desk, rel, link))
+        name = f"n′_{link} {desk.tip_label(view, At(c))}"
+        angular_acceleration(desk, link, about, c, ends[rel.key], name, symbol(desk, rel))
 
 
 def opening(view: View, c: str, *links: str) -> Words:

@@ -17,32 +17,32 @@ _STEM = {Kind.V: "v", Kind.A: "a", Kind.AN: "a^n", Kind.AT: "a^t", Kind.AK: "a^k
 ABSENT = Words("—", "—")
 
 
-def symbol(desk: Desk, rel: Rel, link: str = "") -> str:
-    """The printed symbol of a vector: v_{C2B}, a^n_{CB}; `link` is the link about which the equation speaks."""
-    to = desk.show(rel.to, link)
-    ref = desk.show(rel.ref, link) if rel.ref else ""
+def symbol(desk: Desk, rel: Rel) -> str:
+    """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""
+    to = desk.show(rel.to)
+    ref = desk.show(rel.ref) if rel.ref else ""
     return f"{_STEM[rel.kind]}_{{{to}{ref}}}"
 
 
-def known(desk: Desk, view: View, at: At, link: str = "") -> Term:
+def known(desk: Desk, view: View, at: At) -> Term:
     """A vector already on the polygon: direction and magnitude both known."""
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.A, desk.canonical(at))
     vector = desk.tip(view, at)
     zero = desk.at_rest(view, at)
-    return Term(rel=rel, symbol=symbol(desk, rel, link), vector=vector, drawn=True,
+    return Term(rel=rel, symbol=symbol(desk, rel), vector=vector, drawn=True,
                 direction=ABSENT if zero else KNOWN, magnitude="0" if zero else "✓")
 
 
-def across(desk: Desk, rel: Rel, p: str, q: str, link: str) -> Term:
+def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
     """A vector perpendicular to the drawn line PQ, its magnitude unknown: v_QP or a^t_QP of a turning link."""
-    return Term(rel=rel, symbol=symbol(desk, rel, link), direction=Words(f"⊥$ {p}{q}$", f"⊥$ {p}{q}$"), magnitude="?",
+    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {p}{q}$", f"⊥$ {p}{q}$"), magnitude="?",
                 along=1j * desk.towards(p, q))
 
 
-def sliding(desk: Desk, rel: Rel, joint: Prismatic, link: str) -> Term:
+def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
     """A vector along the drawn guide, its magnitude unknown: v^r or a^r of a sliding pair."""
     name = guide_name(desk, joint)
-    return Term(rel=rel, symbol=symbol(desk, rel, link), direction=name, magnitude="?",
+    return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?",
                 along=desk.guide_line(joint).along)
 
 
@@ -65,29 +65,29 @@ def normal(desk: Desk, at: At, about: str, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
     turn, q = desk.turns[omega(link)], at.point
     rel = Rel(Kind.AN, desk.canonical(at), _ref(desk, about))
-    sign = symbol(desk, rel, link)
+    sign = symbol(desk, rel)
     length = desk.length(about, q)
-    w = magnitude(f"ω_{link}", abs(turn.value), "rad/s")
+    w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     size = desk.board.compute(sign, w.squared() * length, "m/s^2")
     return Term(rel=rel, symbol=sign, direction=Words(f"${q}→{about}$", f"${q}→{about}$"), magnitude=f"ω_{link}^2 l_{about}{q}",
                 along=desk.towards(q, about), mm=desk.board.to_paper(View.ACCELERATION, size.value),
                 tip=_n_tip(desk, link))
 
 
-def tangential(desk: Desk, at: At, about: str, link: str) -> Term:
+def tangential(desk: Desk, at: At, about: str) -> Term:
     """a^t = α l: perpendicular to the line, magnitude unknown."""
-    return across(desk, Rel(Kind.AT, desk.canonical(at), _ref(desk, about)), about, at.point, link)
+    return across(desk, Rel(Kind.AT, desk.canonical(at), _ref(desk, about)), about, at.point)
 
 
-def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points], shown: str) -> Term:
+def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
     """a^k = 2 ω v_r: v_r turned by 90° in the sense of ω; it does not exist where ω or v_r is zero."""
     board, turn = desk.board, desk.turns[omega(link)]
     rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
-    sign = symbol(desk, rel, shown)
+    sign = symbol(desk, rel)
     relative = Rel(Kind.V, rel.to, rel.ref)
-    on_paper = board.measure(*v_rel, f"{_start_letter(desk, ref)} {desk.tip_label(View.VELOCITY, to, link)}")
-    vr = board.compute(symbol(desk, relative, shown), board.mu(View.VELOCITY) * on_paper, "m/s")
-    expr = Times(2, magnitude(f"ω_{link}", abs(turn.value), "rad/s") * vr)
+    on_paper = board.measure(*v_rel, f"{_start_letter(desk, ref)} {desk.tip_label(View.VELOCITY, to)}")
+    vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
+    expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
     board.write(worked(magnitude(sign, 0, "").node, expr, "m/s^2"))
     vanishes = abs(nominal(expr.value)) < 1e-12
     along = _turned(v_rel[1] - v_rel[0], turn)

@@ -1,0 +1,61 @@
+"""From what stands on the command line to problems, with every bad name told before any work is done."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..words import Words
+from .errors import Tally
+
+if TYPE_CHECKING:
+    from ..problem.problem import Problem
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Job:
+    """One document to write: a problem, or an assignment with its title block."""
+
+    name: str
+    problems: tuple[Problem, ...]
+    title: Words | None = None
+    fields: Mapping[str, str] | None = None
+
+
+def problems(names: Sequence[str]) -> list[Problem]:
+    """All problems named."""
+    from ..problem.load import load
+
+    tally = Tally()
+    found = []
+    for name in dict.fromkeys(names):
+        with tally.job():
+            found.append(load(name))
+    tally.settle()
+    return found
+
+
+def jobs(names: Sequence[str]) -> list[Job]:
+    """All documents named: a problem by id or file, an assignment by file."""
+    tally = Tally()
+    found: list[Job] = []
+    for name in dict.fromkeys(names):
+        with tally.job():
+            found.append(job(name))
+    tally.settle()
+    return found
+
+
+def job(name: str) -> Job:
+    """The document of a problem or of an assignment file."""
+    from ..problem.assignment import is_assignment, load_assignment
+    from ..problem.load import load, locate
+
+    path = locate(name)
+    if not is_assignment(path):
+        problem = load(path)
+        return Job(name=problem.id, problems=(problem,))
+    sheet = load_assignment(path)
+    return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block)

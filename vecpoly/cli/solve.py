@@ -1,0 +1,63 @@
+"""vecpoly solve: the answers in the terminal, or as JSON."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .errors import Tally
+from .files import write_json
+from .jobs import problems
+from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
+from .terminal import add, progress, show, table
+from .wording import drawn, exact, gap, reach, symbol, way
+
+if TYPE_CHECKING:
+    from ..solution import Solution
+
+_COLUMNS = {
+    "zh": ("量", "量得值", "精确值", "偏差", "预期误差", "方向（转向）", "图上 mm"),
+    "en": ("quantity", "drawn", "exact", "deviation", "expected error", "direction, sense", "mm on paper"),
+}
+_HANDS = {
+    "exact": {"zh": "精确作图", "en": "exact hand"}, "drafting": {"zh": "绘图仪器", "en": "drafting hand"},
+    "pencil": {"zh": "铅笔手绘", "en": "pencil hand"},
+}  # fmt: skip
+
+
+def solve(
+    names: Problems,
+    hand: HandOption = "drafting",
+    seed: SeedOption = 0,
+    json: JsonOption = None,
+    lang: LangOption = "en",
+) -> None:
+    """Draw the solution, read it off and set the exact answers beside it."""
+    found = problems(names)
+    from ..solution import solve as solved
+
+    tally = Tally()
+    solutions: list[Solution] = []
+    for problem in progress(found, "solving"):
+        with tally.job():
+            solutions.append(solved(problem, by=hand, seed=seed))
+    if json != "-":
+        for solution in solutions:
+            _print(solution, lang)
+    if json is not None and not tally.failed:
+        data = [solution.as_json() for solution in solutions]
+        write_json(data if len(names) > 1 else data[0], json)
+    tally.settle()
+
+
+def _print(solution: Solution, lang: Lang) -> None:
+    problem = solution.problem
+    title = f"{problem.id}  {problem.title.of(lang)}  ({_HANDS[solution.construction.hand][lang]})"
+    left = {0, 5}
+    made = table(title, [(name, "left" if i in left else "right") for i, name in enumerate(_COLUMNS[lang])])
+    for answer in solution.answers.values():
+        mm = answer.reading.mm
+        add(made, (
+            symbol(answer.key), drawn(answer), exact(answer), gap(answer), reach(answer), way(answer, lang),
+            "—" if mm is None else f"{mm:.2f}",
+        ))  # fmt: skip
+    show(made)

@@ -1,0 +1,79 @@
+"""Answers in the letters a terminal has."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from .options import Lang
+
+if TYPE_CHECKING:
+    from ..solution import Answer
+
+_SENSE = {"ccw": {"zh": "↺ 逆时针", "en": "↺ ccw"}, "cw": {"zh": "↻ 顺时针", "en": "↻ cw"}}
+_GREEK = {"omega": "ω", "alpha": "α"}
+_NOISE = 1e-9  # a value below this is rounding of a zero
+
+
+def symbol(key: str) -> str:
+    """omega_3 → ω_3, an_CB → aⁿ_CB, the rest as it is."""
+    stem, _, rest = key.partition("_")
+    if stem in _GREEK:
+        return f"{_GREEK[stem]}_{rest}"
+    return f"a^{stem[1]}_{rest}" if stem in ("an", "at", "ak", "ar") else key
+
+
+def unit(text: str) -> str:
+    """m/s^2 → m/s²."""
+    return text.replace("^2", "²")
+
+
+def number(value: float, digits: int = 5) -> str:
+    """A number for reading, with a zero that is a zero and a real minus."""
+    return "0" if abs(value) < _NOISE else f"{value:.{digits}g}".replace("-", "−")
+
+
+def drawn(answer: Answer) -> str:
+    """The value read off the drawing, with its unit."""
+    return _value(answer, answer.drawn, answer.drawn_vector)
+
+
+def exact(answer: Answer) -> str:
+    """The exact value, with its unit."""
+    return _value(answer, answer.exact, answer.exact_vector)
+
+
+def _value(answer: Answer, size: float, vector: complex | None) -> str:
+    name = unit(answer.reading.unit)
+    if answer.key.startswith("p_") and vector is not None:
+        return f"({number(vector.real)}, {number(vector.imag)}) {name}"
+    return f"{number(size)} {name}"
+
+
+def gap(answer: Answer) -> str:
+    """How far the drawn value is off, in per cent of the exact one."""
+    if answer.key.startswith("p_") and answer.drawn_vector is not None and answer.exact_vector is not None:
+        return number(abs(answer.drawn_vector - answer.exact_vector), 2)
+    if abs(answer.exact) < _NOISE:
+        return number(answer.deviation, 2)
+    return percent(answer.deviation / abs(answer.exact))
+
+
+def percent(part: float) -> str:
+    """+0.13 %."""
+    text = f"{100 * part:+.2f} %".replace("-", "−")
+    return "0.00 %" if text[1:] == "0.00 %" else text
+
+
+def reach(answer: Answer) -> str:
+    """±3σ of repeated hands."""
+    return f"±{number(answer.expected_error, 2)}"
+
+
+def way(answer: Answer, lang: Lang) -> str:
+    """Direction in degrees, or the sense of turning."""
+    if answer.key.startswith("p_"):
+        return "—"
+    if answer.drawn_vector is not None:
+        turn = answer.direction
+        return "—" if turn is None else f"{turn:.1f}°".replace("-", "−")
+    return _SENSE[answer.sense][lang] if answer.sense and abs(answer.drawn) >= _NOISE else "—"

@@ -1,0 +1,125 @@
+"""A report from solutions: Jinja2 fills a template of our small XML, which is set with drawn figures, tables and formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined, TemplateNotFound
+
+from ..check.printed import PrintedCheck, check_problem
+from ..check.verdict import Verdict
+from ..data import data_dir
+from ..drawing.figure import draw_figure
+from ..drawing.pdf import draw_pdf
+from ..drawing.sheet import Sheet, sheets
+from ..errors import UnknownNameError
+from ..solution import REPEATS, Solution
+from ..typeset.box import MM
+from ..words import Lang, Words
+from .content import Objects, blank_equations, sections, statement
+from .flow.blocks import Drawing
+from .flow.doc import Metadata, ReportDoc, SheetPage
+from .flow.xml import to_flowables
+from .picture import frames, sketch
+from .tables import empty_table, printed_table, readings_table
+
+FIELDS: dict[Lang, tuple[str, ...]] = {
+    "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
+    "en": ("Class", "Name", "Student no.", "Mark", "Lecturer", "Marked on"),
+}
+TITLE = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
+STYLES = ("solution", "question")
+PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
+
+
+def write_report(
+    solutions: Sequence[Solution], path: str | Path, *, lang: Lang = "zh", style: str = "solution",
+    fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+) -> Path:
+    """Write one PDF of these solutions; the file appears whole or not at all.
+
+    fields: values of the title block by their label; templates: a folder whose templates come before the built-in ones.
+    Raises UnknownNameError for a style without a template.
+    """
+    document, objects = markup(solutions, lang, style, fields or {}, title, templates)
+    head = (title or _title(solutions)).of(lang)
+    story = to_flowables(document, objects.named, lang)
+    meta = Metadata(title=head, subject=TITLE.of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
+    return ReportDoc(story, meta).write(path).path
+
+
+def markup(
+    solutions: Sequence[Solution], lang: Lang, style: str, fields: Mapping[str, str], title: Words | None, templates: Path | None
+) -> tuple[str, Objects]:
+    """The filled template, and the things it names."""
+    objects = Objects()
+    context = {
+        "title": (title or _title(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
+        "problems": [_problem(s, lang, style, objects) for s in solutions],
+    }
+    try:
+        template = _environment(templates).get_template(f"{style}.{lang}.xml.j2")
+    except TemplateNotFound:
+        raise UnknownNameError(f"no report style '{style}': there are {', '.join(STYLES)}") from None
+    return template.render(context), objects
+
+
+def _environment(own: Path | None) -> Environment:
+    loaders = [FileSystemLoader(folder) for folder in (own, data_dir("templates")) if folder]
+    return Environment(loader=ChoiceLoader(loaders), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+
+
+def _title(solutions: Sequence[Solution]) -> Words:
+    if len(solutions) != 1:
+        return TITLE
+    problem = solutions[0].problem
+    return Words(f"题 {problem.id}　{problem.title.zh}", f"Problem {problem.id}: {problem.title.en}")
+
+
+def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
+    """All that a template may say of one problem."""
+    picture = sketch(solution.construction, *PICTURE)
+    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(picture, solution, lang))}
+    if style == "question":
+        blank = frames(solution.construction)
+        return common | {
+            "blanks": blank_equations(solution, objects), "empty": objects.add("tab", empty_table(solution, lang)),
+            "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title)],
+        }
+    checked = check_problem(solution.problem)
+    return common | {
+        "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
+        "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
+        "verdicts": verdicts(solution, checked, lang),
+        "sheets": [objects.add("sheet", _page(s, solution, lang))
+                   for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
+    }
+
+
+def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tuple[str, str]]:
+    """What is to be said of the printed answers, as (kind of box, text)."""
+    wrong = [c for c in checked.answers if c.verdict is Verdict.WRONG]
+    said: list[tuple[str, str]] = []
+    if checked.whole is not None:
+        said.append(("fail", checked.whole.of(lang)))
+    for c in wrong:
+        if c.printed.note is not None or c.slip is not None:
+            reason = (c.printed.note or c.slip or Words("", "")).of(lang)
+            said.append(("warn", f"${c.printed.symbol}$: {reason}"))
+    if not wrong and checked.answers:
+        said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
+    return said + [("note", e.of(lang)) for e in solution.problem.errata]
+
+
+def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+    scene = draw_figure(figure, lang=lang, caption=False)
+    e = scene.extents
+    alt = Words(f"题 {solution.problem.id} 机构简图", f"Sketch of the mechanism of problem {solution.problem.id}").of(lang)
+    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), alt, figure.title.of(lang))
+
+
+def _page(sheet: Sheet, solution: Solution, lang: Lang) -> SheetPage:
+    name = Words(f"图纸：题 {solution.problem.id}", f"Sheet: problem {solution.problem.id}").of(lang)
+    return SheetPage(lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name)
