@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from statistics import median
 
 from .. import oracle
 from ..errors import UnknownNameError
+from ..names import Kind
 from ..problem.problem import Printed, Problem
 from ..words import Words
 from .possible import BestFit, best_fit
-from .verdict import SLIP, Checked, Verdict, check_printed
+from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
+
+_RATES = (Kind.V, Kind.OMEGA)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PrintedCheck:
-    """The verdict on every printed answer, and on the whole (empty words where nothing is to be said)."""
+    """The verdict on every printed answer, and on the whole (None where nothing is to be said)."""
 
     answers: tuple[Checked, ...]
     unchecked: tuple[Printed, ...]
@@ -27,7 +31,7 @@ def check_problem(problem: Problem) -> PrintedCheck:
     motion = oracle.solve(problem.mechanism)
     checked, skipped = [], []
     for printed in problem.printed:
-        exact = _exact(problem, motion, printed)
+        exact = _exact(motion, printed)
         if exact is None:
             skipped.append(printed)
         else:
@@ -36,7 +40,7 @@ def check_problem(problem: Problem) -> PrintedCheck:
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
 
 
-def _exact(problem: Problem, motion: oracle.Motion, printed: Printed) -> float | None:
+def _exact(motion: oracle.Motion, printed: Printed) -> float | None:
     if printed.rel is None:
         letters = printed.symbol.removeprefix("l_")
         if len(letters) != 2:
@@ -50,15 +54,32 @@ def _exact(problem: Problem, motion: oracle.Motion, printed: Printed) -> float |
 
 
 def _together(problem: Problem, checked: list[Checked]) -> tuple[Words | None, BestFit | None]:
-    """Several numbers far off at once: is there any position or assembly to which they would belong?"""
-    drawn = [c.printed for c in checked if c.printed.kind == "graphical"]
-    wrong = [c for c in checked if c.verdict is Verdict.WRONG and c.printed.kind == "graphical"]
-    if len(wrong) < 2:
+    """Several velocities far off at once: one common factor, another position or assembly, or no position at all?
+
+    Only velocities and angular velocities are tried: accelerations magnify a drawing error too much to tell.
+    """
+    rates = [c for c in checked if c.printed.rel is not None and c.printed.rel.kind in _RATES and c.exact]
+    far = [c for c in rates if c.verdict is Verdict.WRONG]
+    if len(far) < 2:
         return None, None
-    fit = best_fit(problem, drawn)
+    if (common := _common_factor(rates)) is not None:
+        return common, None
+    fit = best_fit(problem, [c.printed for c in rates])
     if fit is None or fit.misfit <= SLIP:
         return None, fit
     percent = f"{100 * fit.misfit:.0f} %"
-    return Words(f"按题给数据，所有曲柄转角与所有装配形式中，与这些印刷答案最接近者仍相差 {percent}：题给数据与印刷答案矛盾，这组答案不可能成立。",
-                 f"With the data as given, the best of all crank angles and assemblies still misses these printed answers by {percent}: "
+    return Words(f"按题给数据，所有曲柄转角与所有装配形式中，与这组印刷速度最接近者仍有一项相差 {percent}：题给数据与印刷答案矛盾，这组答案不可能成立。",
+                 f"With the data as given, the best of all crank angles and assemblies still misses one of these printed velocities by {percent}: "
                  f"data and printed answers contradict each other, the printed solution is impossible."), fit
+
+
+def _common_factor(rates: list[Checked]) -> Words | None:
+    """Most velocities differ from the exact ones by one and the same known factor."""
+    ratios = [abs(c.printed.value / c.exact) for c in rates]
+    middle = median(ratios)
+    alike = sum(abs(r / middle - 1) < GRAPHICAL for r in ratios)
+    words = next((w for factor, w in FACTORS if abs(middle / factor - 1) < GRAPHICAL), None)
+    if words is None or 2 * alike <= len(ratios):
+        return None
+    return Words(f"{len(ratios)} 个印刷速度中有 {alike} 个同为精确值的 {middle:.4g} 倍：{words.zh}。",
+                 f"{alike} of {len(ratios)} printed velocities are {middle:.4g} times the exact ones: {words.en}.")

@@ -47,12 +47,13 @@ class Checked:
 
 
 def check_printed(printed: Printed, exact: float) -> Checked:
-    """Weigh one printed value; signs count only where the print has one."""
-    value = printed.value
-    truth = exact if value < 0 or (exact < 0 and _signed(printed)) else abs(exact)
-    deviation = (value - truth) / abs(truth) if truth else (0.0 if value == 0 else float("inf"))
+    """Weigh one printed value; signs count only for ω and α, and only where the print has one."""
+    turning = printed.rel is not None and not printed.rel.kind.is_vector
+    value = printed.value if turning else abs(printed.value)
+    truth = exact if turning and (value < 0 or _signed(printed)) else abs(exact)
+    deviation = (value - truth) / truth if truth else (0.0 if value == 0 else float("inf"))
     verdict = _verdict(printed, value, truth, deviation)
-    slip = _slip(value, truth) if verdict is Verdict.WRONG else None
+    slip = _slip(value, truth, printed.kind == "graphical") if verdict is Verdict.WRONG else None
     return Checked(printed=printed, exact=truth, deviation=deviation, verdict=verdict, slip=slip)
 
 
@@ -81,7 +82,7 @@ def _last_digit(text: str, value: float) -> float:
     return unit * abs(value / written) if written else unit
 
 
-_FACTORS: tuple[tuple[float, Words], ...] = (
+FACTORS: tuple[tuple[float, Words], ...] = (
     (2 * pi / 60, Words("把 r/min 当作 rad/s（或相反）", "r/min taken for rad/s")),
     (60 / (2 * pi), Words("把 rad/s 当作 r/min（或相反）", "rad/s taken for r/min")),
     (1 / (2 * pi), Words("少乘 2π（把 r/s 当作 rad/s）", "2π left out (rev/s taken for rad/s)")),
@@ -91,7 +92,7 @@ _FACTORS: tuple[tuple[float, Words], ...] = (
 )
 
 
-def _slip(value: float, truth: float) -> Words | None:
+def _slip(value: float, truth: float, graphical: bool) -> Words | None:
     """The usual slip that reproduces a wrong value: sign, power of ten, r/min, 2π, 2."""
     if not truth or not value:
         return None
@@ -101,5 +102,5 @@ def _slip(value: float, truth: float) -> Words | None:
     power = log10(abs(ratio))
     if round(power) and abs(power - round(power)) < 0.005:
         n = round(power)
-        return Words(f"数字对，差 10 的 {n} 次方：检查单位或比例尺", f"digits right, off by 10^{n}: check the units or the scale")
-    return next((words for factor, words in _FACTORS if isclose(abs(ratio), factor, rel_tol=0.01)), None)
+        return Words(f"数字对，大小差 {10.0**n:g} 倍：检查单位或比例尺", f"digits right, but {10.0**n:g} times the exact value: check the units or the scale")
+    return next((words for factor, words in FACTORS if isclose(abs(ratio), factor, rel_tol=GRAPHICAL if graphical else 0.01)), None)

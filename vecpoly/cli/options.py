@@ -26,3 +26,7 @@ StyleOption = Annotated[Style, typer.Option("--style", help="The solution, or th
 OutOption = Annotated[
     Path | None, typer.Option("-o", "--output", help="File or folder to write; missing folders are made.", show_default=False)
 ]
+Documents = Annotated[
+    list[str],
+    typer.Argument(metavar="ID_OR_FILE...", help="Problems or assignments: ids such as 3-9, or files.", show_default=False),
+]

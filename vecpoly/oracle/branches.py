@@ -73,7 +73,8 @@ def _words(statement: SideOf) -> str:
 def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
     """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
-    forward = [option for option in options if option.reach(bodies)[-1] + option.shift > 0]
+    here, there = step.ends(bodies)
+    forward = [option for option in options if option.reach(there - here)[-1] + option.shift > 0]
     return forward[0] if forward else options[0]
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..mechanism.assur import Group
-from .loci import Arc, Line, Locus
+from .loci import Arc, Line, Locus, Share
 from .run import Run
 from .state import Bodies, Body, Points, Reals, cross, dot
 
@@ -43,34 +43,32 @@ class Hinged:
 
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """The inner hinge where both loci meet, and both links there."""
-        at = self._meet(bodies)
-        return {self.j.link: self.j.body(at, bodies, run), self.k.link: self.k.body(at, bodies, run)}
+        from_j, from_k = self.j.base(bodies), self.k.base(bodies)
+        at = self._meet(bodies, from_j, from_k)
+        return {
+            self.j.link: self.j.body(at, from_j, bodies, run),
+            self.k.link: self.k.body(at, from_k, bodies, run),
+        }
 
-    def _meet(self, bodies: Bodies) -> Points:
+    def _meet(self, bodies: Bodies, from_j: Points, from_k: Points) -> Points:
         match self.j, self.k:
             case Arc() as j, Arc() as k:
-                return _arc_arc(j.base(bodies), j.size, k.base(bodies), k.size, self.sign)
+                return _arc_arc(from_j, j.size, from_k, k.size, self.sign)
             case Arc() as j, Line() as k:
-                return _arc_line(j.base(bodies), j.size, k.base(bodies), k.direction(bodies), self.sign)
+                return _arc_line(from_j, j.size, from_k, k.direction(bodies), self.sign)
             case Line() as j, Arc() as k:
-                return _arc_line(k.base(bodies), k.size, j.base(bodies), j.direction(bodies), self.sign)
+                return _arc_line(from_k, k.size, from_j, j.direction(bodies), self.sign)
             case Line() as j, Line() as k:
-                return _line_line(j.base(bodies), j.direction(bodies), k.base(bodies), k.direction(bodies))
+                return _line_line(from_j, j.direction(bodies), from_k, k.direction(bodies))
         raise AssertionError
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """w_j + λ_j d_j = w_k + λ_k d_k, then q_j + μ_j d_j = q_k + μ_k d_k."""
         own_j, own_k = bodies[self.j.link], bodies[self.k.link]
-        w_j, d_j = self.j.velocity(bodies, own_j)
-        w_k, d_k = self.k.velocity(bodies, own_k)
-        det = run.alive(cross(d_j, d_k), self.j.size * self.k.size, self.group.links)
-        rate_j, rate_k = _split(w_k - w_j, d_j, d_k, det)
-        q_j = self.j.acceleration(bodies, own_j, d_j, rate_j)
-        q_k = self.k.acceleration(bodies, own_k, d_k, rate_k)
-        rate2_j, rate2_k = _split(q_k - q_j, d_j, d_k, det)
+        v_j, v_k, a_j, a_k = _shares(bodies, run, self.group.links, (self.j, own_j), (self.k, own_k))
         return {
-            self.j.link: self.j.moving(bodies, own_j, w_j, q_j, d_j, rate_j, rate2_j),
-            self.k.link: self.k.moving(bodies, own_k, w_k, q_k, d_k, rate_k, rate2_k),
+            self.j.link: self.j.moving(bodies, own_j, v_j, a_j),
+            self.k.link: self.k.moving(bodies, own_k, v_k, a_k),
         }
 
     def miss(self, bodies: Bodies) -> Reals:
@@ -85,10 +83,26 @@ class Hinged:
         return np.full(1, np.inf)
 
 
-def _split(w: Points, d_j: Points, d_k: Points, det: Reals) -> tuple[Reals, Reals]:
-    """λ_j, λ_k with λ_j d_j - λ_k d_k = w, det = d_j × d_k."""
+def _shares(
+    bodies: Bodies, run: Run, links: tuple[str, ...], one: tuple[Locus, Body], two: tuple[Locus, Body]
+) -> tuple[Share, Share, Share, Share]:
+    """Velocity and acceleration of the common point by either locus: v_j, v_k, a_j, a_k."""
+    (j, own_j), (k, own_k) = one, two
+    w_j, d_j = j.velocity(bodies, own_j)
+    w_k, d_k = k.velocity(bodies, own_k)
+    inverse = 1 / run.alive(cross(d_j, d_k), j.size * k.size, links)
+    rate_j, rate_k = _split(w_k - w_j, d_j, d_k, inverse)
+    b_j, q_j = j.acceleration(bodies, own_j, d_j, rate_j)
+    b_k, q_k = k.acceleration(bodies, own_k, d_k, rate_k)
+    bend_j, bend_k = _split(q_k - q_j, d_j, d_k, inverse)
+    return (Share(w_j, w_j, rate_j, d_j), Share(w_k, w_k, rate_k, d_k),
+            Share(b_j, q_j, bend_j, d_j), Share(b_k, q_k, bend_k, d_k))
+
+
+def _split(w: Points, d_j: Points, d_k: Points, inverse: Reals) -> tuple[Reals, Reals]:
+    """λ_j, λ_k with λ_j d_j - λ_k d_k = w; inverse = 1 / (d_j × d_k)."""
     conj = w.conj()
-    return (conj * d_k).imag / det, (conj * d_j).imag / det
+    return (conj * d_k).imag * inverse, (conj * d_j).imag * inverse
 
 
 def _arc_arc(centre: Points, radius: float, other: Points, reach: float, sign: float) -> Points:
@@ -119,7 +133,7 @@ def _line_line(base: Points, along: Points, other: Points, across: Points) -> Po
 class Swinging:
     """RPR: guide pinned at G, block pinned at K: K - G = u (σ + ie), u the guide line's direction, e constant.
 
-    The block's travel from the guide's letter is s = σ + shift.
+    The block's travel from the guide's letter is s = σ + shift. size: the mechanism's scale (m).
     """
 
     group: Group
@@ -135,28 +149,29 @@ class Swinging:
     block_unit: complex
     across: float
     shift: float
+    size: float
     joint: str
     sign: float = 1.0
     two: bool = True
 
-    def _ray(self, bodies: Bodies) -> tuple[Points, Points]:
-        here = bodies[self.guide_parent].point(self.guide_at)
-        return here, bodies[self.block_parent].point(self.block_at)
-
-    def reach(self, bodies: Bodies) -> Reals:
-        """σ (m)."""
-        here, there = self._ray(bodies)
-        ray = there - here
+    def reach(self, ray: Points) -> Reals:
+        """σ (m) from K - G."""
         square = dot(ray, ray)
-        if self.across == 0.0:
-            return self.sign * np.sqrt(square)
-        return self.sign * np.sqrt(square) * _root(1 - self.across * self.across / square)
+        if self.across:
+            square = square * _root(1 - self.across * self.across / square) ** 2
+        return self.sign * np.sqrt(square)
+
+    def ends(self, bodies: Bodies) -> tuple[Points, Points]:
+        """G and K."""
+        return (bodies[self.guide_parent].point(self.guide_at),
+                bodies[self.block_parent].point(self.block_at))
 
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
-        """u = (K - G) / (σ + ie)."""
-        here, there = self._ray(bodies)
-        reach = self.reach(bodies)
-        unit = (there - here) / (reach + 1j * self.across if self.across else np.where(reach, reach, np.nan))
+        """u = (K - G) / (σ + ie) = (K - G) (σ - ie) / (K - G)²."""
+        here, there = self.ends(bodies)
+        ray = there - here
+        reach = self.reach(ray)
+        unit = ray * (1 / (reach + 1j * self.across if self.across else np.where(reach, reach, np.nan)))
         return {
             self.guide: Body(self.guide_pin, here, unit * self.guide_unit),
             self.block: Body(self.block_pin, there, unit * self.block_unit),
@@ -169,12 +184,11 @@ class Swinging:
         back = guide.unit.conj() * self.guide_unit
         v_g, v_k = here.velocity_of(self.guide_at), there.velocity_of(self.block_at)
         a_g, a_k = here.acceleration_of(self.guide_at), there.acceleration_of(self.block_at)
-        ray = back * (block.at - guide.at)
-        reach = run.alive(ray.real, np.abs(self.across) + np.abs(ray.real).max(), self.group.links)
+        inverse = 1 / run.alive((back * (block.at - guide.at)).real, self.size, self.group.links)
         slip, pull = back * (v_k - v_g), back * (a_k - a_g)
-        omega = slip.imag / reach
-        speed = slip.real + omega * self.across
-        alpha = (pull.imag + omega * (omega * self.across - 2 * speed)) / reach
+        omega = slip.imag * inverse
+        speed = slip.real + omega * self.across if self.across else slip.real
+        alpha = (pull.imag + omega * (omega * self.across - 2 * speed)) * inverse
         return {
             self.guide: guide.moving(v_g, omega, a_g, alpha),
             self.block: block.moving(v_k, omega, a_k, alpha),
@@ -182,7 +196,7 @@ class Swinging:
 
     def miss(self, bodies: Bodies) -> Reals:
         """How far the block's pin is nearer to the guide's pivot than the guide's offset (m)."""
-        here, there = self._ray(bodies)
+        here, there = self.ends(bodies)
         return abs(self.across) - np.abs(there - here)
 
 
@@ -210,9 +224,9 @@ class Crossed:
         unit = bodies[self.outer.parent].unit * self.outer.turn * self.turn
         j = Body(self.pin, bodies[self.parent].point(self.pivot), unit)
         both = {**bodies, self.inner.parent: j}
-        at = _line_line(self.outer.base(both), self.outer.direction(both),
-                        self.inner.base(both), self.inner.direction(both))
-        return {self.inner.parent: j, self.outer.link: self.outer.body(at, both, run)}
+        base = self.outer.base(both)
+        at = _line_line(base, self.outer.direction(both), self.inner.base(both), self.inner.direction(both))
+        return {self.inner.parent: j, self.outer.link: self.outer.body(at, base, both, run)}
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """One ω for all; two sliding speeds from w_o + λ_o d_o = w_i + λ_i d_i."""
@@ -220,15 +234,8 @@ class Crossed:
         j = bodies[self.inner.parent].moving(
             parent.velocity_of(self.pivot), turning.omega, parent.acceleration_of(self.pivot), turning.alpha)
         both, own = {**bodies, self.inner.parent: j}, bodies[self.outer.link]
-        w_o, d_o = self.outer.velocity(both, own)
-        w_i, d_i = self.inner.velocity(both, own)
-        det = run.alive(cross(d_o, d_i), 1.0, self.group.links)
-        rate_o, rate_i = _split(w_i - w_o, d_o, d_i, det)
-        q_o = self.outer.acceleration(both, own, d_o, rate_o)
-        q_i = self.inner.acceleration(both, own, d_i, rate_i)
-        rate2, _ = _split(q_i - q_o, d_o, d_i, det)
-        k = self.outer.moving(both, own, w_o, q_o, d_o, rate_o, rate2)
-        return {self.inner.parent: j, self.outer.link: k}
+        v, _, a, _ = _shares(both, run, self.group.links, (self.outer, own), (self.inner, own))
+        return {self.inner.parent: j, self.outer.link: self.outer.moving(both, own, v, a)}
 
     def miss(self, bodies: Bodies) -> Reals:
         """Parallel guides never meet."""

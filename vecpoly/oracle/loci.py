@@ -1,9 +1,9 @@
-"""What an outer joint leaves free: the inner hinge of a dyad moves on a circle or on a line about the known parent.
+"""What an outer joint leaves free: the inner hinge of a dyad moves on a circle or a line of the known parent.
 
 With the parent's motion known, the hinge C has
     v_C = w + λ d,    a_C = q(λ) + μ d,
 with one unknown λ (the arm's ω, or the sliding speed) and, from it, one unknown μ (the arm's α, or the sliding
-acceleration). A gear whose centre is the hinge rolls as it goes: its own ω and α follow from λ and μ (`Gearing`).
+acceleration). A gear whose centre is the hinge rolls as it goes: its ω and α follow from λ and μ (`Gearing`).
 """
 
 from __future__ import annotations
@@ -15,6 +15,20 @@ import numpy as np
 from ..mechanism.model import Circle, Link, Prismatic, Rack, Rolling, Side
 from .run import Run
 from .state import Bodies, Body, Points, Reals
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """The hinge's velocity or acceleration: full = lead + rate d. base: that of the outer hinge or the guide."""
+
+    base: Points
+    lead: Points
+    rate: Reals
+    d: Points
+
+    @property
+    def full(self) -> Points:
+        return self.lead + self.rate * self.d
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +45,17 @@ class Gearing:
         value = self.a * np.broadcast_to(turned, run.q.shape) + self.b * coordinate
         return np.asarray(value - value[run.track.own])
 
+    def moving(self, parent: Body, own: Body, v: Share, a: Share) -> Body:
+        """The gear's rates: those of its centre, and ω and α by the same law."""
+        omega = self.a * parent.omega + self.b * v.rate
+        return own.moving(v.full, omega, a.full, self.a * parent.alpha + self.b * a.rate)
+
 
 @dataclass(frozen=True, slots=True)
 class Arc:
     """The hinge at distance |arm| from the parent's point `centre`: a link pinned there, or a gear on a gear.
 
-    arm: from the outer hinge to the inner, in the link's coordinates (for a gear: its centre distance, as a length).
+    arm: from the outer hinge to the inner, in the link's coordinates (for a gear: its centre distance).
     """
 
     link: str
@@ -53,9 +72,8 @@ class Arc:
     def base(self, bodies: Bodies) -> Points:
         return bodies[self.parent].point(self.centre)
 
-    def body(self, at: Points, bodies: Bodies, run: Run) -> Body:
+    def body(self, at: Points, base: Points, bodies: Bodies, run: Run) -> Body:
         """The link with the inner hinge at this place."""
-        base = self.base(bodies)
         if self.gearing is None:
             return Body(self.start, base, (at - base) * (1 / self.arm))
         assert run.track is not None
@@ -67,18 +85,16 @@ class Arc:
         ray = own.unit * (1j * self.arm) if self.gearing is None else 1j * (own.at - self.base(bodies))
         return bodies[self.parent].velocity_of(self.centre), ray
 
-    def acceleration(self, bodies: Bodies, own: Body, d: Points, rate: Reals) -> Points:
-        """q = a_B - λ² (C - B)."""
-        return bodies[self.parent].acceleration_of(self.centre) + 1j * (rate * rate) * d
+    def acceleration(self, bodies: Bodies, own: Body, d: Points, rate: Reals) -> tuple[Points, Points]:
+        """a_B, and q = a_B - λ² (C - B)."""
+        base = bodies[self.parent].acceleration_of(self.centre)
+        return base, base + 1j * (rate * rate) * d
 
-    def moving(self, bodies: Bodies, own: Body, w: Points, q: Points, d: Points, rate: Reals, rate2: Reals) -> Body:
+    def moving(self, bodies: Bodies, own: Body, v: Share, a: Share) -> Body:
         """The link's rates from the arm's ω and α."""
-        parent = bodies[self.parent]
         if self.gearing is None:
-            return own.moving(w, rate, parent.acceleration_of(self.centre), rate2)
-        a, b = self.gearing.a, self.gearing.b
-        omega, alpha = a * parent.omega + b * rate, a * parent.alpha + b * rate2
-        return own.moving(w + rate * d, omega, q + rate2 * d, alpha)
+            return own.moving(v.base, v.rate, a.base, a.rate)
+        return self.gearing.moving(bodies[self.parent], own, v, a)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,12 +122,12 @@ class Line:
     def direction(self, bodies: Bodies) -> Points:
         return bodies[self.parent].unit * self.along
 
-    def body(self, at: Points, bodies: Bodies, run: Run) -> Body:
+    def body(self, at: Points, base: Points, bodies: Bodies, run: Run) -> Body:
         """The link with the inner hinge at this place."""
         parent = bodies[self.parent]
         if self.gearing is None:
             return Body(self.start, at, parent.unit * self.turn)
-        travel = (self.direction(bodies).conj() * (at - self.base(bodies))).real
+        travel = (self.direction(bodies).conj() * (at - base)).real
         turn = self.gearing.turn(parent, travel, run)
         return Body(self.start, at, np.exp(1j * turn), turn)
 
@@ -119,19 +135,18 @@ class Line:
         """w = velocity of the parent's point at C, d = the line's direction."""
         return bodies[self.parent].velocity_at(own.at), self.direction(bodies)
 
-    def acceleration(self, bodies: Bodies, own: Body, d: Points, rate: Reals) -> Points:
-        """q = acceleration of the parent's point at C + 2 iω λ d (Coriolis)."""
+    def acceleration(self, bodies: Bodies, own: Body, d: Points, rate: Reals) -> tuple[Points, Points]:
+        """Acceleration of the parent's point at C, and q = this + 2iω λ d (Coriolis)."""
         parent = bodies[self.parent]
-        return parent.acceleration_at(own.at) + 2j * (parent.omega * rate) * d
+        base = parent.acceleration_at(own.at)
+        return base, base + 2j * (parent.omega * rate) * d
 
-    def moving(self, bodies: Bodies, own: Body, w: Points, q: Points, d: Points, rate: Reals, rate2: Reals) -> Body:
+    def moving(self, bodies: Bodies, own: Body, v: Share, a: Share) -> Body:
         """The link's rates from the sliding speed and acceleration."""
         parent = bodies[self.parent]
-        omega, alpha = parent.omega, parent.alpha
-        if self.gearing is not None:
-            a, b = self.gearing.a, self.gearing.b
-            omega, alpha = a * omega + b * rate, a * alpha + b * rate2
-        return own.moving(w + rate * d, omega, q + rate2 * d, alpha)
+        if self.gearing is None:
+            return own.moving(v.full, parent.omega, a.full, parent.alpha)
+        return self.gearing.moving(parent, own, v, a)
 
 
 Locus = Arc | Line
@@ -161,7 +176,8 @@ def roll(joint: Rolling, gear: Link, parent: Link) -> Locus | None:
         along = complex(np.exp(1j * other.direction))
         side = 1.0 if joint.side is Side.LEFT else -1.0
         law = Gearing(1.0, -side / mine.radius)
-        return Line(gear.name, parent.name, other.origin + 1j * side * mine.radius * along, along, 1, start, law)
+        base = other.origin + 1j * side * mine.radius * along
+        return Line(gear.name, parent.name, base, along, 1, start, law)
     ratio = other.radius / mine.radius * (-1 if joint.internal else 1)
     reach = abs(other.radius - mine.radius) if joint.internal else other.radius + mine.radius
     law = Gearing(-ratio, 1 + ratio)

@@ -65,7 +65,7 @@ def _swinging(
         mech.link(g_parent).points[g], mech.link(b_parent).points[b], guide.points[g], block.points[b],
         complex(np.exp(-1j * slider.direction)), turn,
         across=_clean(line.imag + slider.offset - pin.imag, mech.scale), shift=pin.real - line.real if slider.through else 0.0,
-        joint=f"slider {slider.pin}",
+        size=mech.scale, joint=f"slider {slider.pin}",
     )
 
 

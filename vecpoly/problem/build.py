@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from ..errors import VecpolyError
+from ..mechanism import mobility
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..names import At
 from .asks import Ask
@@ -151,10 +152,6 @@ def _given(bodies: Bodies, motion: tuple[Datum, ...]) -> Given:
 
 def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
     """Degrees of freedom and inputs must agree; the mechanism's own error, with the file's name in front."""
-    try:
-        from ..mechanism import mobility
-    except ImportError:
-        return
     try:
         mobility.check(mechanism)
     except VecpolyError as error:

@@ -38,7 +38,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     comma = "，" if lang == "zh" else ", "
     return {
         "id": problem.id, "title": problem.title.of(lang), "source": problem.source.of(lang) if problem.source else "",
-        "statement": problem.statement.of(lang), "given": comma.join(f"${d.symbol}$ = {d.text}" for d in data),
+        "statement": problem.statement.of(lang), "given": comma.join(d.of(lang) for d in data),
         "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)), "structure": structure(solution, lang),
         "scales": scales(solution, lang),
     }

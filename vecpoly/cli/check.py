@@ -1,0 +1,90 @@
+"""vecpoly check: printed answers against exact ones, with a verdict on each and on the whole."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from .errors import Tally
+from .files import write_json
+from .jobs import problems
+from .options import JsonOption, Lang, LangOption, Problems
+from .terminal import add, progress, show, table
+from .wording import number, percent, symbol, unit
+
+if TYPE_CHECKING:
+    from ..check.printed import PrintedCheck
+    from ..check.verdict import Checked
+    from ..problem.problem import Printed, Problem
+
+_COLUMNS = {
+    "zh": ("量", "原书", "国际单位", "精确值", "偏差", "结论", "缘由"),
+    "en": ("quantity", "printed", "in SI", "exact", "deviation", "verdict", "by which slip"),
+}
+_NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
+
+
+def check(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
+    """Check printed answers: verdict and likely slip for each, and whether together they are possible at all."""
+    found = problems(names)
+    from ..check.printed import check_problem
+
+    tally = Tally()
+    checked: list[tuple[Problem, PrintedCheck]] = []
+    for problem in progress(found, "checking"):
+        with tally.job():
+            checked.append((problem, check_problem(problem)))
+    if json != "-":
+        for problem, result in checked:
+            _print(problem, result, lang)
+    if json is not None and not tally.failed:
+        data = [_as_json(problem, result) for problem, result in checked]
+        write_json(data if len(names) > 1 else data[0], json)
+    tally.settle()
+
+
+def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
+    title = f"{problem.id}  {problem.title.of(lang)}"
+    if not problem.printed:
+        typer.echo(f"{title}: {_NOTHING[lang]}\n")
+        return
+    right = {2, 3, 4}
+    made = table(title, [(name, "right" if i in right else "left") for i, name in enumerate(_COLUMNS[lang])])
+    for line in result.answers:
+        add(made, _row(line, lang))
+    for printed in result.unchecked:
+        add(made, (symbol(printed.symbol), printed.text, number(printed.value), "—", "—", "—", ""))
+    show(made)
+    if result.whole is not None:
+        typer.echo(f"{result.whole.of(lang)}\n")
+
+
+def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
+    printed, name = line.printed, _unit(line.printed)
+    gap = percent(line.deviation) if isfinite(line.deviation) else "∞"
+    return (
+        symbol(printed.symbol), printed.text, f"{number(printed.value)} {name}", f"{number(line.exact)} {name}", gap,
+        line.verdict.words.of(lang), line.slip.of(lang) if line.slip else "",
+    )  # fmt: skip
+
+
+def _unit(printed: Printed) -> str:
+    return unit(printed.rel.kind.unit if printed.rel is not None else "m")
+
+
+def _as_json(problem: Problem, result: PrintedCheck) -> dict[str, Any]:
+    data: dict[str, Any] = {"id": problem.id, "answers": [_line(line) for line in result.answers]}
+    data["unchecked"] = [printed.symbol for printed in result.unchecked]
+    data["possible"] = result.whole is None
+    data["misfit"] = None if result.fit is None else result.fit.misfit
+    return data
+
+
+def _line(line: Checked) -> dict[str, Any]:
+    return {
+        "symbol": line.printed.symbol, "printed": line.printed.text, "value": line.printed.value, "exact": line.exact,
+        "deviation": line.deviation if isfinite(line.deviation) else None, "verdict": line.verdict.value,
+        "slip": line.slip.en if line.slip else None,
+    }  # fmt: skip

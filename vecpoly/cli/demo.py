@@ -1,0 +1,27 @@
+"""vecpoly demo: the velocity and acceleration exercises of chapter 3 as one assignment, in both languages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from .jobs import job
+from .options import Lang
+from .report import draw, write
+from .terminal import progress, say
+
+ASSIGNMENT = "assignment-ch3"
+LANGS: tuple[Lang, ...] = ("zh", "en")
+Folder = Annotated[Path, typer.Option("-o", "--output", help="The folder to write to.")]
+
+
+def demo(output: Folder = Path("out")) -> None:
+    """Render the assignment of chapter 3 as PDF, in Chinese and in English."""
+    from ..data import data_dir
+
+    sheet = job(str(data_dir("problems") / f"{ASSIGNMENT}.yaml"))
+    solutions = draw(list(progress(sheet.problems, "drawing")), "drafting", 0)
+    for lang in progress(LANGS, "writing"):
+        say(f"wrote {write(sheet, solutions, output / f'{ASSIGNMENT}.{lang}.pdf', lang, 'solution')}")

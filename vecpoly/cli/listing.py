@@ -1,0 +1,40 @@
+"""vecpoly list: the library of problems, and the methods on file."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import typer
+
+from .options import Lang, LangOption
+from .terminal import add, show, table
+
+What = Annotated[Literal["problems", "methods"], typer.Argument(help="What to list.")]
+
+
+def listing(what: What = "problems", lang: LangOption = "en") -> None:
+    """List the problems of the library, or the methods on file."""
+    if what == "problems":
+        _problems(lang)
+    else:
+        _methods(lang)
+
+
+def _problems(lang: Lang) -> None:
+    from ..problem.library import library
+
+    names = {"zh": ("题号", "题目", "所在"), "en": ("id", "title", "in")}[lang]
+    made = table("", [(name, "left") for name in names])
+    for entry in library():
+        add(made, (entry.id, entry.title.of(lang), entry.path.parent.name))
+    show(made)
+
+
+def _methods(lang: Lang) -> None:
+    from ..methods.registry import methods
+
+    names = {"zh": ("步骤", "杆组", "方法", "例题", "出处"), "en": ("stage", "group", "method", "example", "source")}[lang]
+    made = table("", [(name, "left") for name in names])
+    for method in methods():
+        add(made, (method.stage.value, method.group, method.title.of(lang), method.example, method.source))
+    show(made)

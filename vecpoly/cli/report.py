@@ -1,0 +1,82 @@
+"""vecpoly report: one PDF for a problem, an assignment, or each of many files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..errors import VecpolyError
+from .errors import Tally
+from .files import parent_of
+from .jobs import Job, jobs
+from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
+from .terminal import progress, say
+
+if TYPE_CHECKING:
+    from ..problem.problem import Problem
+    from ..solution import Solution
+
+
+def report(
+    names: Documents,
+    output: OutOption = None,
+    lang: LangOption = "zh",
+    style: StyleOption = "solution",
+    hand: HandOption = "drafting",
+    seed: SeedOption = 0,
+) -> None:
+    """Write reports as PDF: into the file -o x.pdf all in one, into a folder one each."""
+    plan = _plan(jobs(names), output, lang, style)
+    tally = Tally()
+    for job, path in progress(plan, "writing"):
+        with tally.job():
+            inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
+            solutions = draw(list(inner), hand, seed)
+            say(f"wrote {write(job, solutions, path, lang, style)}")
+    tally.settle()
+
+
+def draw(problems: Sequence[Problem], hand: Hand, seed: int) -> list[Solution]:
+    """Solve these problems by one hand."""
+    from ..solution import solve
+
+    return [solve(problem, by=hand, seed=seed) for problem in problems]
+
+
+def write(job: Job, solutions: Sequence[Solution], path: Path, lang: Lang, style: Style) -> Path:
+    """Write the document of a job."""
+    from ..report.document import write_report
+
+    block = labelled(job.fields or {}, lang)
+    return write_report(solutions, parent_of(path), lang=lang, style=style, fields=block, title=job.title)
+
+
+def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
+    """The title block of an assignment under the labels of the report's language."""
+    from ..problem.assignment import FIELDS
+    from ..report.document import FIELDS as LABELS
+
+    label = dict(zip(LABELS["zh"], LABELS[lang], strict=True))
+    return {label[FIELDS[key]]: value for key, value in block.items() if FIELDS[key] in label}
+
+
+def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -> list[tuple[Job, Path]]:
+    """Which document goes where."""
+    if output is not None and output.suffix.lower() == ".pdf" and not output.is_dir():
+        return [(found[0] if len(found) == 1 else _joined(found), output)]
+    ending = f".{lang}.pdf" if style == "solution" else f".{style}.{lang}.pdf"
+    plan: dict[Path, Job] = {}
+    for job in found:
+        path = (output or Path()) / f"{job.name}{ending}"
+        if path in plan:
+            raise VecpolyError(f"two of the documents would be written to {path}; change the id of one of the problems")
+        plan[path] = job
+    return [(job, path) for path, job in plan.items()]
+
+
+def _joined(found: Sequence[Job]) -> Job:
+    """All in one document; title block and title are those of the first assignment among them."""
+    first = next((job for job in found if job.fields is not None), found[0])
+    everything = tuple(problem for job in found for problem in job.problems)
+    return Job(name=first.name, problems=everything, title=first.title, fields=first.fields)
