@@ -1,0 +1,64 @@
+"""vecpoly: the graphical methods of planar mechanisms, drawn to scale.
+
+    import vecpoly
+    vecpoly.load("3-9").solve().report("3-9.pdf")
+
+Names are imported when they are first used, so that `import vecpoly` costs nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .check.printed import PrintedCheck, check_problem
+    from .errors import VecpolyError
+    from .problem.assignment import Assignment, load_assignment
+    from .problem.load import load, loads
+    from .problem.problem import Problem
+    from .report.document import write_report
+    from .solution import Answer, Solution, solve
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "Answer": ("solution", "Answer"),
+    "Assignment": ("problem.assignment", "Assignment"),
+    "PrintedCheck": ("check.printed", "PrintedCheck"),
+    "Problem": ("problem.problem", "Problem"),
+    "Solution": ("solution", "Solution"),
+    "VecpolyError": ("errors", "VecpolyError"),
+    "check_problem": ("check.printed", "check_problem"),
+    "load": ("problem.load", "load"),
+    "load_assignment": ("problem.assignment", "load_assignment"),
+    "loads": ("problem.load", "loads"),
+    "solve": ("solution", "solve"),
+    "write_report": ("report.document", "write_report"),
+}
+
+__all__ = [
+    "Answer",
+    "Assignment",
+    "PrintedCheck",
+    "Problem",
+    "Solution",
+    "VecpolyError",
+    "check_problem",
+    "load",
+    "load_assignment",
+    "loads",
+    "solve",
+    "write_report",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'vecpoly' has no attribute '{name}'")
+    module, inside = _HOMES[name]
+    return getattr(import_module(f".{module}", __name__), inside)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from math import degrees
 from pathlib import Path
 from typing import Any
@@ -93,15 +92,12 @@ class Solution:
 
         return write_report([self], path, lang=lang, style=style)
 
-    @cached_property
-    def _svg(self) -> str:
-        from .drawing.svg import sheet_svg
-
-        return sheet_svg(self.construction)
-
     def _repr_svg_(self) -> str:
-        """The picture in Jupyter."""
-        return self._svg
+        """The first sheet as a picture, in Jupyter."""
+        from .drawing.sheet import sheets
+        from .drawing.svg import to_svg
+
+        return to_svg(sheets(self.construction)[0].scene, self.problem.title.zh)
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS) -> Solution:

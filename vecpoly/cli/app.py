@@ -7,8 +7,15 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from . import check, demo, draw, listing, new, report, schema, solve
+from .check import check
+from .demo import demo
+from .draw import draw
 from .errors import told
+from .listing import listing
+from .new import new
+from .report import report
+from .schema import schema
+from .solve import solve
 from .terminal import speak_utf8
 
 
@@ -44,14 +51,14 @@ def vecpoly(
     """Velocity and acceleration polygons, drawn to scale, from a problem file to a printed report."""
 
 
-app.command("solve")(solve.solve)
-app.command("report")(report.report)
-app.command("check")(check.check)
-app.command("draw")(draw.draw)
-app.command("list")(listing.listing)
-app.command("new")(new.new)
-app.command("schema")(schema.schema)
-app.command("demo")(demo.demo)
+app.command("solve")(solve)
+app.command("report")(report)
+app.command("check")(check)
+app.command("draw")(draw)
+app.command("list")(listing)
+app.command("new")(new)
+app.command("schema")(schema)
+app.command("demo")(demo)
 
 
 def main() -> None:

@@ -27,7 +27,11 @@ _NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to
 
 
 def check(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
-    """Check printed answers: verdict and likely slip for each, and whether together they are possible at all."""
+    """Check printed answers against exact ones.
+
+    Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies
+    are tried, to see whether the numbers are possible at all.
+    """
     found = problems(names)
     from ..check.printed import check_problem
 

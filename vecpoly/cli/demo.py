@@ -18,10 +18,10 @@ Folder = Annotated[Path, typer.Option("-o", "--output", help="The folder to writ
 
 
 def demo(output: Folder = Path("out")) -> None:
-    """Render the assignment of chapter 3 as PDF, in Chinese and in English."""
+    """Render chapter 3 as an assignment, in both languages."""
     from ..data import data_dir
 
     sheet = job(str(data_dir("problems") / f"{ASSIGNMENT}.yaml"))
-    solutions = draw(list(progress(sheet.problems, "drawing")), "drafting", 0)
+    solutions = draw(progress(sheet.problems, "drawing"), "drafting", 0)
     for lang in progress(LANGS, "writing"):
         say(f"wrote {write(sheet, solutions, output / f'{ASSIGNMENT}.{lang}.pdf', lang, 'solution')}")

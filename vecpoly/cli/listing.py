@@ -13,7 +13,7 @@ What = Annotated[Literal["problems", "methods"], typer.Argument(help="What to li
 
 
 def listing(what: What = "problems", lang: LangOption = "en") -> None:
-    """List the problems of the library, or the methods on file."""
+    """List the library of problems, or the methods."""
     if what == "problems":
         _problems(lang)
     else:

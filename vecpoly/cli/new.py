@@ -17,7 +17,7 @@ NewFile = Annotated[Path, typer.Argument(metavar="FILE", help="The file to write
 
 
 def new(path: NewFile) -> None:
-    """Write a commented problem file to start from; an existing file is never overwritten."""
+    """Write a commented problem file to start from."""
     from ..problem.template import template_text
 
     target = parent_of(path if path.suffix else path.with_suffix(".yaml"))

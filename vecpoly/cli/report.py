@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,18 +26,22 @@ def report(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
 ) -> None:
-    """Write reports as PDF: into the file -o x.pdf all in one, into a folder one each."""
+    """Write reports as PDF.
+
+    With -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem or assignment gets a file there.
+    Without -o the files are written here.
+    """
     plan = _plan(jobs(names), output, lang, style)
     tally = Tally()
     for job, path in progress(plan, "writing"):
         with tally.job():
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
-            solutions = draw(list(inner), hand, seed)
+            solutions = draw(inner, hand, seed)
             say(f"wrote {write(job, solutions, path, lang, style)}")
     tally.settle()
 
 
-def draw(problems: Sequence[Problem], hand: Hand, seed: int) -> list[Solution]:
+def draw(problems: Iterable[Problem], hand: Hand, seed: int) -> list[Solution]:
     """Solve these problems by one hand."""
     from ..solution import solve
 

@@ -11,7 +11,7 @@ from .options import OutOption
 
 
 def schema(output: OutOption = None) -> None:
-    """Print the JSON Schema of a problem file, or write it with -o."""
+    """Print the JSON Schema of a problem file."""
     from ..problem.schema import json_schema
 
     text = json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"

@@ -31,7 +31,7 @@ def solve(
     json: JsonOption = None,
     lang: LangOption = "en",
 ) -> None:
-    """Draw the solution, read it off and set the exact answers beside it."""
+    """Print the answers: as drawn, exact, and how far off."""
     found = problems(names)
     from ..solution import solve as solved
 

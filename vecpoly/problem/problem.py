@@ -101,3 +101,15 @@ class Problem:
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
     text: str = ""  # the file as written
+
+    def solve(self, *, by: str = "drafting", seed: int = 0) -> Solution:
+        """Draw the solution of this problem by a hand: exact, drafting or pencil."""
+        from ..solution import solve
+
+        return solve(self, by=by, seed=seed)
+
+    def _repr_svg_(self) -> str:
+        """The kinematic diagram in Jupyter."""
+        from ..drawing.notebook import problem_svg
+
+        return problem_svg(self)
