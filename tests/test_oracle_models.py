@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import exp
-from math import cos, pi, radians, sqrt
+from math import cos, pi, radians
 
 from vecpoly.mechanism.model import (
     Circle,
@@ -164,11 +164,9 @@ def conveyor() -> Mechanism:
 
 
 def class_three() -> Mechanism:
-    """A ternary link C D E on crank, rocker and slider: links 2, 3, 4 with 5 form one group of class III."""
-    return make({"A": 0, "F": 0.20 + 0.12j, "G": 0.22 - 0.06j},
-                [link("1", A=0, B=0.03), link("2", B=0, C=0.09), link("3", C=0, D=0.08, E=0.05 - 0.06j), link("4", F=0, D=0.05), link("5", G=0, E=0.075)],
+    """A ternary link C D E on crank (by link 2) and on two rockers: links 2, 3, 4, 5 form one group of class III."""
+    return make({"A": 0, "F": 0.18 + 0.11j, "G": 0.12 - 0.13j},
+                [link("1", A=0, B=0.02), link("2", B=0, C=0.09), link("3", C=0, D=0.085, E=-0.04j), link("4", F=0, D=0.08),
+                 link("5", G=0, E=0.08)],
                 pins("A 0 1, B 1 2, C 2 3, D 3 4, F 4 0, E 3 5, G 5 0"), (20.0, 4.0),
-                C=0.11 + 0.03j, D=0.18 + 0.07j, E=0.16 - 0.02j)
-
-
-ROOT2 = sqrt(2.0)
+                C=0.1, D=0.18 + 0.03j, E=0.12 - 0.05j)

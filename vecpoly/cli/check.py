@@ -12,7 +12,7 @@ from .files import write_json
 from .jobs import problems
 from .options import JsonOption, Lang, LangOption, Problems
 from .terminal import add, progress, show, table
-from .wording import number, percent, symbol, unit
+from .wording import bare, number, percent, symbol, unit
 
 if TYPE_CHECKING:
     from ..check.printed import PrintedCheck
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from ..problem.problem import Printed, Problem
 
 _COLUMNS = {
-    "zh": ("量", "原书", "国际单位", "精确值", "偏差", "结论", "缘由"),
-    "en": ("quantity", "printed", "in SI", "exact", "deviation", "verdict", "by which slip"),
+    "zh": ("量", "原书", "精确值", "偏差", "结论", "缘由"),
+    "en": ("quantity", "printed", "exact", "deviation", "verdict", "by which slip"),
 }
 _NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
 
@@ -50,27 +50,28 @@ def check(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
 
 
 def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
-    title = f"{problem.id}  {problem.title.of(lang)}"
+    title = f"{problem.id}  {bare(problem.title.of(lang))}"
     if not problem.printed:
         typer.echo(f"{title}: {_NOTHING[lang]}\n")
         return
-    right = {2, 3, 4}
+    right = {2, 3}
     made = table(title, [(name, "right" if i in right else "left") for i, name in enumerate(_COLUMNS[lang])])
     for line in result.answers:
         add(made, _row(line, lang))
     for printed in result.unchecked:
-        add(made, (symbol(printed.symbol), printed.text, number(printed.value), "—", "—", "—", ""))
+        add(made, (symbol(printed.symbol), printed.text, "—", "—", "—", ""))
     show(made)
     if result.whole is not None:
-        typer.echo(f"{result.whole.of(lang)}\n")
+        typer.echo(f"{bare(result.whole.of(lang))}\n")
 
 
 def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
     printed, name = line.printed, _unit(line.printed)
+    text = printed.text if printed.paper_mm is None else f"{printed.text} = {number(printed.value)} {name}"
     gap = percent(line.deviation) if isfinite(line.deviation) else "∞"
     return (
-        symbol(printed.symbol), printed.text, f"{number(printed.value)} {name}", f"{number(line.exact)} {name}", gap,
-        line.verdict.words.of(lang), line.slip.of(lang) if line.slip else "",
+        symbol(printed.symbol), text, f"{number(line.exact)} {name}", gap, line.verdict.words.of(lang),
+        bare(line.slip.of(lang)) if line.slip else "",
     )  # fmt: skip
 
 

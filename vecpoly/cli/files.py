@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -17,20 +19,31 @@ def parent_of(path: Path) -> Path:
     return path
 
 
+@contextmanager
+def named(path: Path) -> Iterator[Path]:
+    """The path, its folder made; what fails inside names this file, not a temporary one beside it."""
+    try:
+        yield parent_of(path)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise OSError(error.errno, error.strerror or str(error), str(path)) from None
+
+
 def write_bytes(path: Path, data: bytes) -> Path:
     """Write beside the place, then move there: nobody ever sees half a file."""
-    target = parent_of(path)
-    if target.is_dir():
-        raise IsADirectoryError(21, "is a folder; name a file in it", str(target))
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        Path(name).chmod(0o666 & ~_umask())
-        Path(name).replace(target)
-    finally:
-        Path(name).unlink(missing_ok=True)
-    return target
+    with named(path) as target:
+        if target.is_dir():
+            raise IsADirectoryError(21, "is a folder; name a file in it", str(target))
+        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+            Path(name).chmod(0o666 & ~_umask())
+            Path(name).replace(target)
+        finally:
+            Path(name).unlink(missing_ok=True)
+    return path
 
 
 def write_text(path: Path, text: str) -> Path:

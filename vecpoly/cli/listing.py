@@ -8,6 +8,7 @@ import typer
 
 from .options import Lang, LangOption
 from .terminal import add, show, table
+from .wording import bare
 
 What = Annotated[Literal["problems", "methods"], typer.Argument(help="What to list.")]
 
@@ -26,7 +27,7 @@ def _problems(lang: Lang) -> None:
     names = {"zh": ("题号", "题目", "所在"), "en": ("id", "title", "in")}[lang]
     made = table("", [(name, "left") for name in names])
     for entry in library():
-        add(made, (entry.id, entry.title.of(lang), entry.path.parent.name))
+        add(made, (entry.id, bare(entry.title.of(lang)), entry.path.parent.name))
     show(made)
 
 
@@ -36,5 +37,5 @@ def _methods(lang: Lang) -> None:
     names = {"zh": ("步骤", "杆组", "方法", "例题", "出处"), "en": ("stage", "group", "method", "example", "source")}[lang]
     made = table("", [(name, "left") for name in names])
     for method in methods():
-        add(made, (method.stage.value, method.group, method.title.of(lang), method.example, method.source))
+        add(made, (method.stage.value, method.group, bare(method.title.of(lang)), method.example, method.source))
     show(made)

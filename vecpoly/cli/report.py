@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import VecpolyError
 from .errors import Tally
-from .files import parent_of
+from .files import named
 from .jobs import Job, jobs
 from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
 from .terminal import progress, say
@@ -53,7 +53,8 @@ def write(job: Job, solutions: Sequence[Solution], path: Path, lang: Lang, style
     from ..report.document import write_report
 
     block = labelled(job.fields or {}, lang)
-    return write_report(solutions, parent_of(path), lang=lang, style=style, fields=block, title=job.title)
+    with named(path) as target:
+        return write_report(solutions, target, lang=lang, style=style, fields=block, title=job.title)
 
 
 def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:

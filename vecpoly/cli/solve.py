@@ -9,14 +9,14 @@ from .files import write_json
 from .jobs import problems
 from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
 from .terminal import add, progress, show, table
-from .wording import drawn, exact, gap, reach, symbol, way
+from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
     from ..solution import Solution
 
 _COLUMNS = {
-    "zh": ("量", "量得值", "精确值", "偏差", "预期误差", "方向（转向）", "图上 mm"),
-    "en": ("quantity", "drawn", "exact", "deviation", "expected error", "direction, sense", "mm on paper"),
+    "zh": ("量", "量得", "精确", "单位", "偏差", "预期误差", "方向", "图上 mm"),
+    "en": ("symbol", "drawn", "exact", "unit", "deviation", "expected", "direction", "mm"),
 }
 _HANDS = {
     "exact": {"zh": "精确作图", "en": "exact hand"}, "drafting": {"zh": "绘图仪器", "en": "drafting hand"},
@@ -51,13 +51,13 @@ def solve(
 
 def _print(solution: Solution, lang: Lang) -> None:
     problem = solution.problem
-    title = f"{problem.id}  {problem.title.of(lang)}  ({_HANDS[solution.construction.hand][lang]})"
-    left = {0, 5}
+    title = f"{problem.id}  {bare(problem.title.of(lang))}  ({_HANDS[solution.construction.hand][lang]})"
+    left = {0, 3, 6}
     made = table(title, [(name, "left" if i in left else "right") for i, name in enumerate(_COLUMNS[lang])])
     for answer in solution.answers.values():
         mm = answer.reading.mm
         add(made, (
-            symbol(answer.key), drawn(answer), exact(answer), gap(answer), reach(answer), way(answer, lang),
-            "—" if mm is None else f"{mm:.2f}",
+            symbol(answer.key), drawn(answer), exact(answer), unit(answer.reading.unit), gap(answer), reach(answer),
+            way(answer, lang), "—" if mm is None else f"{mm:.2f}",
         ))  # fmt: skip
     show(made)

@@ -30,7 +30,9 @@ def show(table: Table) -> None:
     console = Console()
     if not console.is_terminal:
         console = Console(width=200)
-    console.print(table)
+    with console.capture() as shown:  # a reader that goes away is then our error, not rich's
+        console.print(table)
+    typer.echo(shown.get(), nl=False)
 
 
 def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
@@ -39,7 +41,7 @@ def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
     from rich.table import Table
     from rich.text import Text
 
-    made = Table(title=Text(title), title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    made = Table(title=Text(title) if title else None, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
     for name, justify in columns:
         made.add_column(Text(name), justify=justify)
     return made

@@ -9,17 +9,22 @@ from .options import Lang
 if TYPE_CHECKING:
     from ..solution import Answer
 
-_SENSE = {"ccw": {"zh": "↺ 逆时针", "en": "↺ ccw"}, "cw": {"zh": "↻ 顺时针", "en": "↻ cw"}}
+_SENSE = {"ccw": {"zh": "逆时针", "en": "↺ ccw"}, "cw": {"zh": "顺时针", "en": "↻ cw"}}
 _GREEK = {"omega": "ω", "alpha": "α"}
 _NOISE = 1e-9  # a value below this is rounding of a zero
 
 
 def symbol(key: str) -> str:
-    """omega_3 → ω_3, an_CB → aⁿ_CB, the rest as it is."""
+    """omega_3 → ω_3, an_CB → a^n_CB, the rest as it is."""
     stem, _, rest = key.partition("_")
     if stem in _GREEK:
         return f"{_GREEK[stem]}_{rest}"
     return f"a^{stem[1]}_{rest}" if stem in ("an", "at", "ak", "ar") else key
+
+
+def bare(text: str) -> str:
+    """Words without the dollar signs and braces of their symbols."""
+    return text.translate({ord(sign): None for sign in "${}"})
 
 
 def unit(text: str) -> str:
@@ -33,20 +38,19 @@ def number(value: float, digits: int = 5) -> str:
 
 
 def drawn(answer: Answer) -> str:
-    """The value read off the drawing, with its unit."""
+    """The value read off the drawing."""
     return _value(answer, answer.drawn, answer.drawn_vector)
 
 
 def exact(answer: Answer) -> str:
-    """The exact value, with its unit."""
+    """The exact value."""
     return _value(answer, answer.exact, answer.exact_vector)
 
 
 def _value(answer: Answer, size: float, vector: complex | None) -> str:
-    name = unit(answer.reading.unit)
     if answer.key.startswith("p_") and vector is not None:
-        return f"({number(vector.real)}, {number(vector.imag)}) {name}"
-    return f"{number(size)} {name}"
+        return f"({number(vector.real)}, {number(vector.imag)})"
+    return number(size)
 
 
 def gap(answer: Answer) -> str:

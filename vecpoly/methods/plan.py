@@ -107,14 +107,15 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     if position:
         draw_frame(desk, shapes)
         draw_links(desk, shapes, (drive.link,))
-        draw_drive_arrow(desk)
     elif (view := View.VELOCITY if stage is Stage.VELOCITY else View.ACCELERATION) and desk.board.steps:
         _pole(desk, view)
     for group in groups:
         find(stage, group.kind).draw(desk, group.dyad or group)
         if position:
             draw_links(desk, shapes, group.links)
-    if not position:
+    if position:
+        draw_drive_arrow(desk)
+    else:
         _wanted(desk, problem, stage)
 
 

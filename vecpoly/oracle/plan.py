@@ -61,9 +61,9 @@ class Plan:
     def placed(self, step: Step, bodies: dict[str, Body], run: Run) -> dict[str, Body]:
         """The step's links; AssemblyError where they do not close at a position asked for."""
         new = step.place(bodies, run)
-        last = new[step.group.links[-1]]
-        total = last.unit.sum() if len(last.unit) > 1 else 0.0
-        if run.strict and total + last.at.sum() != total + last.at.sum():
+        last = new[step.group.links[-1]]  # it shows every gap: both links of a dyad meet in it
+        total = last.unit.sum() + last.at.sum()
+        if run.strict and total != total:
             self._refuse(step, bodies, new, run)
         return new
 

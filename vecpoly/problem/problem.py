@@ -7,12 +7,15 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from ..mechanism.model import Mechanism
 from ..names import Rel
 from ..words import Lang, Words
 from .asks import Ask
+
+if TYPE_CHECKING:
+    from ..solution import Solution
 
 
 class Shape(StrEnum):
@@ -40,7 +43,20 @@ class Datum:
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
-        return self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}"
+        return self.words.of(lang) if self.words else f"${self.symbol}$ = {_printed(self.text, lang)}"
+
+
+_SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
+    "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from ", " 自 ")),
+    "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
+}
+
+
+def _printed(text: str, lang: Lang) -> str:
+    """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
+    for written, printed in _SIGNS[lang]:
+        text = text.replace(written, printed)
+    return text
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,6 +126,6 @@ class Problem:
 
     def _repr_svg_(self) -> str:
         """The kinematic diagram in Jupyter."""
-        from ..drawing.notebook import problem_svg
+        from ..notebook import problem_svg
 
         return problem_svg(self)

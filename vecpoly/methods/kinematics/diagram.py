@@ -30,6 +30,7 @@ from ..desk import Desk
 
 HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
 BEYOND = 12.0  # mm a rod sticks out behind its block
+ARROW_RADIUS = 10.0  # mm, the driving arrow
 HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
 
 
@@ -64,19 +65,24 @@ def draw_drive_arrow(desk: Desk) -> None:
     if drive.slide:
         return
     pivot = next(p for p in desk.mech.link(drive.link).points if p in desk.mech.frame)
-    middle = _free_side(drive.position)
+    middle = _free_side(desk, _spot(desk, pivot), drive.position)
     start = middle - 0.9 if drive.rate > 0 else middle + 0.9
-    desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=10.0, start=start, ccw=drive.rate > 0,
+    desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=ARROW_RADIUS, start=start, ccw=drive.rate > 0,
                                               label=f"ω_{drive.link}"))
 
 
-def _free_side(phi: float) -> float:
-    """The direction from the pivot that is farthest from the link, its angle mark and the ground below."""
-    around = np.linspace(0, 2 * np.pi, 72, endpoint=False)
+def _free_side(desk: Desk, pivot: complex, phi: float) -> float:
+    """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
     sweep = (phi + np.pi) % (2 * np.pi) - np.pi
-    taken = np.array([phi, -np.pi / 2 - 0.4, -np.pi / 2 + 0.4, *np.linspace(0.0, sweep, 9)])
-    away = np.abs(np.angle(np.exp(1j * (around[:, None] - taken))))
-    return float(around[int(np.argmax(away.min(axis=1)))])
+    ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])
+    mark = pivot + ARROW_RADIUS * np.exp(1j * np.linspace(0.0, sweep, 9))
+    lines = [m.a + (m.b - m.a) * np.linspace(0.0, 1.0, 60) for m in desk.board.marks(View.MECHANISM)
+             if isinstance(m, Segment | FixedGuide | Slot)]
+    taken = np.concatenate([ground, mark, *lines])
+    middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    arcs = pivot + ARROW_RADIUS * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
+    clear = np.abs(arcs[:, :, None] - taken).min(axis=(1, 2))
+    return float(middles[int(np.argmax(clear))])
 
 
 def _late_guides(desk: Desk, links: tuple[str, ...]) -> list[Prismatic]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.construction import View
+from ...board.marks import Arc, Role
 from ...errors import AssemblyError
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic, Rack, Revolute, Rolling
@@ -81,6 +82,8 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     desk.board.step(words, View.MECHANISM)
     direct = unit(desk.at[p] - desk.at[q]) * np.exp(-1j * np.arcsin(offset / span))
     along = desk.board.hand.tilt(direct)
+    if abs(offset) > 1e-9:
+        _offset_circle(desk, q, p, abs(offset), along)
     desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))
     desk.settle_turned(joint.block, p, along * np.exp(1j * joint.turn))
 
@@ -150,6 +153,14 @@ def position_rrg(desk: Desk, d: Dyad) -> None:
     desk.settle(d.link_j, (p, c))
     desk.settle_turned(d.link_k, c, 1 + 0j)
     desk.at[joint.point] = desk.contact(joint)
+
+
+def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> None:
+    """The circle of the offset about the pin, and the tangent to it from the guide's pivot."""
+    centre, pivot, way = (complex(nominal(z)) for z in (desk.at[p], desk.at[q], along))
+    foot = pivot + way * float((np.conj(way) * (centre - pivot)).real)
+    desk.board.mark(View.MECHANISM, Arc(centre=centre, radius=radius, start=0.0, sweep=2 * np.pi, role=Role.CONSTRUCTION))
+    desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
 
 
 def _slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:

@@ -38,6 +38,7 @@ def same_turn(desk: Desk, link: str, as_link: str, view: View) -> None:
 
 def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str) -> Reals:
     board = desk.board
+    board.step(Words(f"量取图上长度 ${letters}$，求 ${name}$。", f"Measure ${letters}$ and find ${name}$."), view)
     on_paper = board.measure(*ends, letters)
     length = desk.length(about, point)
     expr = board.mu(view) * on_paper / length

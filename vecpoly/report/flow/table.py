@@ -19,6 +19,7 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right"}
 
 _Row = tuple[tuple[Line, ...], ...]
 
+_LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
 class DataTable(Block):
     """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
@@ -91,7 +92,8 @@ class DataTable(Block):
         while count < len(self.rows) and used + self._height(self._body[count]) <= height:
             used += self._height(self._body[count])
             count += 1
-        if count == 0 or (count == 1 and len(self.rows) > 2):
+        count = min(count, len(self.rows) - _LEAST_ROWS)
+        if count < min(_LEAST_ROWS, len(self.rows)):
             return []
         head, tail = self._part(0, count), self._part(count, len(self.rows))
         head.spaceAfter = tail.spaceBefore = 0.0

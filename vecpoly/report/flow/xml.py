@@ -155,7 +155,9 @@ class _Reader:
             if child.tag != "step":
                 _fail(child, "steps hold <step n=>")
             number = child.attributes.get("n", str(i))
-            out.append(numbered(f"{number}.", _plain(child), self._lang))
+            sentence = numbered(f"{number}.", _plain(child), self._lang)
+            sentence.keepWithNext = int(bool(child.children))
+            out.append(sentence)
             out.extend(self.read(Element("step", {}, child.line, "", child.children)))
         return out
 
