@@ -44,6 +44,11 @@ _UNIT = {
     Kind.AR: "m/s^2", Kind.OMEGA: "rad/s", Kind.ALPHA: "rad/s^2",
 }
 
+_STEM = {
+    Kind.P: "r", Kind.V: "v", Kind.A: "a", Kind.AN: "a^n", Kind.AT: "a^t", Kind.AK: "a^k", Kind.AR: "a^r",
+    Kind.OMEGA: "ω", Kind.ALPHA: "α",
+}
+
 
 @dataclass(frozen=True, slots=True)
 class At:
@@ -69,6 +74,12 @@ class Rel:
         """The ASCII form, e.g. ``ak_B3B2``."""
         body = self.to.link if not self.kind.is_vector else f"{self.to}{self.ref or ''}"
         return f"{self.kind.value}_{body}"
+
+    @property
+    def symbol(self) -> str:
+        """The textbook's symbol in the notation of `formula`: ``a^n_{CB}``, ``ω_2``."""
+        body = self.to.link if not self.kind.is_vector else f"{self.to}{self.ref or ''}"
+        return f"{_STEM[self.kind]}_{{{body}}}"
 
     def __str__(self) -> str:
         return self.key

@@ -16,6 +16,7 @@ from ..mechanism.model import FRAME, Link, Mechanism, Prismatic, Rack, Rolling
 from ..names import At, Rel
 from ..plane import Line, Points, Reals, unit
 from ..quantity import Quantity, magnitude
+from ..words import Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,7 @@ class Desk:
     ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
     placed_in: dict[str, int] = field(default_factory=dict)  # link -> step that located it
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
+    known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------

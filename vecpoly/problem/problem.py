@@ -43,7 +43,7 @@ class Datum:
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
-        return self.words.of(lang) if self.words else f"${self.symbol}$ = {_printed(self.text, lang)}"
+        return self.words.of(lang) if self.words else f"${self.symbol}$ = {as_printed(self.text, lang)}"
 
 
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
@@ -52,7 +52,7 @@ _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
 }
 
 
-def _printed(text: str, lang: Lang) -> str:
+def as_printed(text: str, lang: Lang) -> str:
     """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
     for written, printed in _SIGNS[lang]:
         text = text.replace(written, printed)

@@ -66,7 +66,7 @@ def _point_asked(ask: AskPoint, symbol: str) -> Words:
     value = ask.velocity if ask.velocity is not None else ask.acceleration
     assert value is not None
     pair = f"({number(value.real)}, {number(value.imag)})"
-    unit = "m/s" if ask.velocity is not None else "m/s²"
+    unit = "m/s" if ask.velocity is not None else "m/s^2"
     return Words(f"构件 {ask.link} 上{kind.zh}为 {pair} {unit} 的点 {symbol}", f"the point {symbol} of link {ask.link} with {kind.en} {pair} {unit}")
 
 
@@ -83,7 +83,7 @@ def structure(solution: Solution, lang: Lang) -> str:
 
 def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ..."""
-    parts = [f"${f.scale.symbol}$ = {number(f.scale.value)} {_UNIT_ZH_EN[f.scale.unit]}".replace("^2", "²") for f in solution.construction.figures]
+    parts = [f"${f.scale.symbol}$ = {number(f.scale.value)} {_UNIT_ZH_EN[f.scale.unit]}" for f in solution.construction.figures]
     return ("，" if lang == "zh" else ", ").join(parts)
 
 

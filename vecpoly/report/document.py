@@ -23,7 +23,7 @@ from .flow.blocks import Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.xml import to_flowables
 from .picture import frames, sketch
-from .tables import empty_table, printed_table, readings_table
+from .tables import empty_table, percent, printed_table, readings_table, symbol_of
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
@@ -100,15 +100,17 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
 
 def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tuple[str, str]]:
     """What is to be said of the printed answers, as (kind of box, text)."""
-    wrong = [c for c in checked.answers if c.verdict is Verdict.WRONG]
     said: list[tuple[str, str]] = []
     if checked.whole is not None:
         said.append(("fail", checked.whole.of(lang)))
-    for c in wrong:
-        if c.printed.note is not None or c.slip is not None:
-            reason = (c.printed.note or c.slip or Words("", "")).of(lang)
-            said.append(("warn", f"${c.printed.symbol}$: {reason}"))
-    if not wrong and checked.answers:
+    for c in checked.answers:
+        symbol = symbol_of(c)
+        if c.verdict is Verdict.WRONG and c.printed.note is not None:
+            said.append(("warn", f"${symbol}$: {c.printed.note.of(lang)}"))
+        elif c.verdict is Verdict.OUTLIER:
+            off = percent(c.deviation, 1)
+            said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
+    if checked.answers and not said:
         said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
     return said + [("note", e.of(lang)) for e in solution.problem.errata]
 

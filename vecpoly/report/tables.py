@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..check.verdict import Checked, Verdict
+from ..check.verdict import Checked
+from ..problem.problem import as_printed
 from ..quantity import number
 from ..solution import Answer, Solution
 from ..words import Lang, Words
@@ -20,11 +21,6 @@ _EMPTY = {"zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words("—", "—")}
 
 
-def unit_text(unit: str) -> str:
-    """A unit as printed."""
-    return unit.replace("^2", "²")
-
-
 def readings_table(solution: Solution, lang: Lang) -> DataTable:
     """One line an answer: symbol, mm, scale, value, direction or sense, exact, deviation, expected error."""
     rows = [_row(answer, lang) for answer in solution.answers.values()]
@@ -38,9 +34,8 @@ def _row(answer: Answer, lang: Lang) -> tuple[str, ...]:
         drawn, exact = (f"({number(v.real, 4)}, {number(v.imag, 4)})" for v in (answer.drawn_vector, answer.exact_vector))
         gap = number(abs(answer.drawn_vector - answer.exact_vector), 2)
         return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} m", "—", exact, gap, number(answer.expected_error, 2))
-    unit = unit_text(r.unit)
     return (
-        f"${r.symbol}$", mm, f"${r.scale}$" if r.scale else "—", f"{number(answer.drawn, 4)} {unit}", way(answer, lang),
+        f"${r.symbol}$", mm, f"${r.scale}$" if r.scale else "—", f"{number(answer.drawn, 4)} {r.unit}", way(answer, lang),
         number(_clean(answer.exact, answer.expected_error), 5), _deviation(answer), number(answer.expected_error, 2),
     )
 
@@ -53,7 +48,7 @@ def _clean(exact: float, error: float) -> float:
 def _deviation(answer: Answer) -> str:
     if not _clean(answer.exact, answer.expected_error):
         return number(answer.drawn, 2)
-    return f"{100 * answer.deviation / abs(answer.exact):+.2f} %".replace("-", "−")
+    return percent(answer.deviation / abs(answer.exact), 2)
 
 
 def way(answer: Answer, lang: Lang) -> str:
@@ -75,12 +70,18 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
     for c in checked:
         verdict = c.verdict.words.of(lang)
         slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
-        rows.append((f"${c.printed.symbol}$", c.printed.text, number(c.exact, 5), f"{100 * c.deviation:+.1f} %".replace("-", "−"), verdict + slip))
+        rows.append((f"${symbol_of(c)}$", as_printed(c.printed.text, lang), number(c.exact, 5), percent(c.deviation, 1), verdict + slip))
     return DataTable(_PRINTED[lang], rows, None, "lrrrl")
 
 
-def counted(checked: Sequence[Checked]) -> dict[Verdict, int]:
-    """How many printed answers got each verdict."""
-    return {v: sum(c.verdict is v for c in checked) for v in Verdict}
+def symbol_of(checked: Checked) -> str:
+    """The textbook's symbol of a printed answer."""
+    return checked.printed.rel.symbol if checked.printed.rel else checked.printed.symbol
+
+
+def percent(ratio: float, digits: int) -> str:
+    """A signed percentage; no sign on zero."""
+    text = f"{100 * ratio:+.{digits}f}"
+    return (text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")) + " %"
 
 

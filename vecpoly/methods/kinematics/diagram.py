@@ -49,7 +49,10 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
         body = desk.mech.link(name)
         desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)))
     for late in _late_guides(desk, links):
-        desk.board.mark(View.MECHANISM, *_guide_body(desk, desk.mech.link(late.guide), late, shapes.get(late.guide, Shape.SLOT)))
+        body, shape = desk.mech.link(late.guide), shapes.get(late.guide, Shape.SLOT)
+        desk.board.mark(View.MECHANISM, *_guide_body(desk, body, late, shape))
+        if len(body.points) == 1:
+            desk.board.mark(View.MECHANISM, _number(desk, body, shape, late))
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
             if {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN:
@@ -122,9 +125,16 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
     elif len(spots) >= 2 and shape is not Shape.BLOCK:
         yield from _bar(spots)
     if spots and shape is not Shape.BLOCK:
-        yield LinkNumber(a=spots[0], b=_other_end(desk, shape, guide, spots), number=body.name)
+        if len(spots) > 1 or guide is None or guide.pin in desk.at:
+            yield _number(desk, body, shape, guide)
     elif spots:
         yield LinkNumber(a=spots[0], b=spots[0], number=body.name)
+
+
+def _number(desk: Desk, body: Link, shape: Shape, guide: Prismatic | None) -> LinkNumber:
+    """The number of a link beside its line."""
+    spots = [_spot(desk, p) for p in body.points]
+    return LinkNumber(a=spots[0], b=_other_end(desk, shape, guide, spots), number=body.name)
 
 
 def _other_end(desk: Desk, shape: Shape, guide: Prismatic | None, spots: list[complex]) -> complex:

@@ -37,6 +37,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     speed = board.compute(f"v_{b}", w * desk.length(pivot, b), "m/s")
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
+    desk.known_as[View.VELOCITY, At(b)] = (Words(f"⊥$ {pivot}{b}$", f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{pivot}{b}$")
     desk.ends[f"v_{b}"] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
     images_of_link(desk, View.VELOCITY, drive.link)
 
@@ -61,7 +62,9 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
     tip = desk.tip(View.ACCELERATION, At(b))
     desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
-    if drive.accel:
+    if not drive.accel:
+        desk.known_as[View.ACCELERATION, At(b)] = (Words(f"${b}→{pivot}$", f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{pivot}{b}$")
+    else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = board.compute(f"a^t_{b}", eps * desk.length(pivot, b), "m/s^2")
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))

@@ -7,7 +7,7 @@ import numpy as np
 from ...board.construction import View
 from ...board.marks import Role
 from ...names import At, Kind, Rel, alpha, omega
-from ...plane import Reals, nominal, similar
+from ...plane import Reals, cross, nominal, similar
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
@@ -54,11 +54,14 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board, x = desk.board, at.point
     letters = [desk.tip_label(view, a) for a in (p_at, q_at, at)]
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
-    board.step(
-        Words(f"用{kind}影像求 ${x}$：作 △${letters[0]} {letters[1]} {letters[2]}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${letters[2]}$。",
-              f"{kind_en.capitalize()} image of link {link}: triangle ${letters[0]} {letters[1]} {letters[2]}$ similar to ${p}{q}{x}$ with the letters in the same order gives ${letters[2]}$."),
-        view,
-    )
+    a, b, c = letters
+    if _in_line(desk, p_at, q_at, at):
+        words = Words(f"${x}$ 在直线 ${p}{q}$ 上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在 ${a}{b}$ 上定出 ${c}$。",
+                      f"{kind_en.capitalize()} image: ${x}$ lies on the line ${p}{q}$, so ${c}$ lies on ${a}{b}$ with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.")
+    else:
+        words = Words(f"用{kind}影像求 ${x}$：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${c}$。",
+                      f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to ${p}{q}{x}$ with the letters in the same order gives ${c}$.")
+    board.step(words, view)
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     corners = desk.where(p_at), desk.where(q_at), desk.where(at)
     spread = abs(complex(nominal(tips[1] - tips[0])))
@@ -70,6 +73,12 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
     board.arrow(view, 0j, corner, Role.RESULT)
+
+
+def _in_line(desk: Desk, p: At, q: At, x: At) -> bool:
+    """Whether three points of a link lie on one straight line."""
+    a, b, c = (complex(nominal(desk.where(at))) for at in (p, q, x))
+    return abs(float(cross(b - a, c - a))) < 1e-6 * abs(b - a) * abs(c - a)
 
 
 def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At]) -> None:
@@ -97,13 +106,13 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[T
     ref = None if p in desk.mech.frame else At(p)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
-        return (_laid(desk, view, rel, link, p, x, f"ω_{link} l_{p}{x}", desk.turns[omega(link)].value),)
+        return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
     n = normal(desk, at, p, link)
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)
     rel = Rel(Kind.AT, desk.canonical(at), ref)
-    return (n, _laid(desk, view, rel, link, p, x, f"α_{link} l_{p}{x}", accel.value))
+    return (n, _laid(desk, view, rel, link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
 
 
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:

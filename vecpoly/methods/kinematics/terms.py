@@ -28,9 +28,9 @@ def known(desk: Desk, view: View, at: At) -> Term:
     """A vector already on the polygon: direction and magnitude both known."""
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.A, desk.canonical(at))
     vector = desk.tip(view, at)
-    zero = desk.at_rest(view, at)
-    return Term(rel=rel, symbol=symbol(desk, rel), vector=vector, drawn=True,
-                direction=ABSENT if zero else KNOWN, magnitude="0" if zero else "✓")
+    unsaid = (ABSENT, "0") if desk.at_rest(view, at) else (KNOWN, "✓")
+    direction, size = desk.known_as.get((view, rel.to), unsaid)
+    return Term(rel=rel, symbol=symbol(desk, rel), vector=vector, drawn=True, direction=direction, magnitude=size)
 
 
 def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
@@ -69,7 +69,7 @@ def normal(desk: Desk, at: At, about: str, link: str) -> Term:
     length = desk.length(about, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     size = desk.board.compute(sign, w.squared() * length, "m/s^2")
-    return Term(rel=rel, symbol=sign, direction=Words(f"${q}→{about}$", f"${q}→{about}$"), magnitude=f"ω_{link}^2 l_{about}{q}",
+    return Term(rel=rel, symbol=sign, direction=Words(f"${q}→{about}$", f"${q}→{about}$"), magnitude=f"$ω_{link}^2 l_{about}{q}$",
                 along=desk.towards(q, about), mm=desk.board.to_paper(View.ACCELERATION, size.value),
                 tip=_n_tip(desk, link))
 
@@ -92,7 +92,7 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     vanishes = abs(nominal(expr.value)) < 1e-12
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
-    return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"2ω_{link} {plain_symbol(vr)}",
+    return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
                 direction=ABSENT if vanishes else Words(f"⊥$ {plain_symbol(vr)}$", f"⊥$ {plain_symbol(vr)}$"),
                 along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else "k′")
 
