@@ -332,7 +332,7 @@ def test_class_three_group_keeps_its_assembly_over_a_row_in_any_order() -> None:
     assert abs(np.diff(motion.position("D"))).max() < 0.01
     assert solve(mech, q[::-1].copy()).position("D") == pytest.approx(motion.position("D")[::-1], abs=1e-12)
     assert motion.position("E")[0] == pytest.approx(motion.position("E")[-1], abs=1e-12)
-    for a, b, length in (("B", "C", 0.09), ("F", "D", 0.05), ("G", "E", 0.075)):
+    for a, b, length in (("B", "C", 0.1), ("F", "D", 0.08), ("G", "E", 0.08)):
         assert abs(motion.position(a) - motion.position(b)) == pytest.approx(length, abs=1e-14)
 
 

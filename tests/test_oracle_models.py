@@ -165,8 +165,8 @@ def conveyor() -> Mechanism:
 
 def class_three() -> Mechanism:
     """A ternary link C D E on crank (by link 2) and on two rockers: links 2, 3, 4, 5 form one group of class III."""
-    return make({"A": 0, "F": 0.18 + 0.11j, "G": 0.12 - 0.13j},
-                [link("1", A=0, B=0.02), link("2", B=0, C=0.09), link("3", C=0, D=0.085, E=-0.04j), link("4", F=0, D=0.08),
+    return make({"A": 0, "F": 0.18 + 0.08j, "G": 0.13 - 0.13j},
+                [link("1", A=0, B=0.02), link("2", B=0, C=0.1), link("3", C=0, D=0.08, E=0.03 - 0.05j), link("4", F=0, D=0.08),
                  link("5", G=0, E=0.08)],
                 pins("A 0 1, B 1 2, C 2 3, D 3 4, F 4 0, E 3 5, G 5 0"), (20.0, 4.0),
-                C=0.1, D=0.18 + 0.03j, E=0.12 - 0.05j)
+                C=0.12, D=0.2, E=0.15 - 0.05j)

@@ -85,6 +85,8 @@ class Newton:
             index = last + way
             seed = 2 * states[last] - states[before] if before != last else states[last]
             here = {name: body.take(np.array([index])) for name, body in known.items()}
+            if not all(np.isfinite(body.at + body.unit).all() for body in here.values()):
+                return
             ago = {name: body.take(np.array([last])) for name, body in known.items()}
             states[index] = self._solve(seed[None], here, states[last][None], ago)[0]
             if np.isnan(states[index]).any():
@@ -100,6 +102,8 @@ class Newton:
         here = {name: body.take(asked) for name, body in known.items()}
         ago = {name: body.take(track.near) for name, body in known.items()}
         good = ~np.isnan(seed).any(axis=(1, 2))
+        for body in here.values():
+            good &= np.isfinite(body.at) & np.isfinite(body.unit)
         found = np.full_like(seed, np.nan)
         if good.any():
             pick = np.flatnonzero(good)
@@ -116,11 +120,11 @@ class Newton:
             now = {**known, **self._bodies(states)}
             gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(seed), loose)
             step = self._linear(self._jacobian(now, loose), gap, loose)
-            reach = np.nanmax(np.abs(step[..., 2]), axis=1)
+            reach = np.abs(step[..., 2]).max(axis=1)
             states += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
-            if np.nanmax(np.abs(step)) < 1e-13 * max(size, 1.0):
+            if np.abs(step).max() < 1e-13 * max(size, 1.0):
                 break
-        states[np.abs(gap).max(axis=1) > 1e-9 * size] = np.nan
+        states[~(np.abs(gap).max(axis=1) < 1e-9 * size)] = np.nan
         return states
 
     def _stack(self, gaps: list[Points], count: int, loose: bool = False) -> States:

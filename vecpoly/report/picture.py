@@ -8,7 +8,7 @@ from math import ceil
 from typing import Any
 
 from ..board.construction import Construction, Figure, View
-from ..board.extent import extent
+from ..board.extent import corners, extent
 from ..board.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, RightAngle, Role, Segment
 from ..words import Words
 
@@ -54,24 +54,20 @@ def _frame(figure: Figure) -> Figure:
     low = complex(min(p.real for p in points), min(p.imag for p in points)) - 4 - 4j
     high = complex(max(p.real for p in points), max(p.imag for p in points)) + 4 + 4j
     high = low + complex(ceil(high.real - low.real), ceil(high.imag - low.imag))
-    corners = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
-    border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(corners, corners[1:] + corners[:1], strict=True))
-    given = tuple(m for m in figure.marks if _given(m, figure.view))
+    box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
+    border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
+    pivots = {m.at for m in figure.marks if isinstance(m, Ground)}
+    given = tuple(m for m in figure.marks if _given(m, figure.view, pivots))
     return replace(figure, marks=border + given)
 
 
-def _given(mark: Mark, view: View) -> bool:
+def _given(mark: Mark, view: View, pivots: set[complex]) -> bool:
+    """What the question sheet shows: fixed pivots, guides and racks; the poles."""
     if view is not View.MECHANISM:
         return isinstance(mark, Point) and mark.dot is Dot.POLE
-    return isinstance(mark, (Ground, FixedGuide, RackMark)) or (isinstance(mark, Point) and mark.dot is Dot.JOINT and _fixed(mark))
-
-
-def _fixed(mark: Point) -> bool:
-    return mark.step == 1
+    return isinstance(mark, (Ground, FixedGuide, RackMark)) or (isinstance(mark, Point) and mark.at in pivots)
 
 
 def _places(marks: Iterable[Mark]) -> Iterable[complex]:
-    from ..board.extent import corners
-
     for mark in marks:
         yield from corners(mark)

@@ -18,6 +18,7 @@ _READINGS = {
 _PRINTED = {"zh": ("量", "原书", "精确值", "偏差", "结论"), "en": ("Quantity", "Printed", "Exact", "Deviation", "Verdict")}
 _EMPTY = {"zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
           "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense")}
+_BLANK = "＿＿＿＿＿"
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words("—", "—")}
 
 
@@ -60,7 +61,7 @@ def way(answer: Answer, lang: Lang) -> str:
 
 def empty_table(solution: Solution, lang: Lang) -> DataTable:
     """The answer table to be filled in by hand."""
-    rows = [(f"${a.reading.symbol}$", "", f"${a.reading.scale}$" if a.reading.scale else "", "", "") for a in solution.answers.values()]
+    rows = [(f"${a.reading.symbol}$", _BLANK if a.reading.mm is not None else "—", f"${a.reading.scale}$" if a.reading.scale else "", _BLANK, _BLANK) for a in solution.answers.values()]
     return DataTable(_EMPTY[lang], rows, (30.0, 32.0, 26.0, 44.0, 38.0), "lcccc")
 
 

@@ -87,8 +87,8 @@ def _total(desk: Desk, view: View, to: At, terms: int) -> str:
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
     a, b = desk.name(to), desk.name(ref)
-    words = Words(f"取构件 {joint.guide} 与构件 {joint.block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图：",
-                  f"Links {joint.guide} and {joint.block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it:")
+    words = Words(f"取构件 {joint.guide} 与构件 {joint.block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图。",
+                  f"Links {joint.guide} and {joint.block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it.")
     if view is View.VELOCITY and abs(desk.offset(joint, joint.block, to.point)) > 1e-12:
         words = Words(f"导路不通过 ${to.point}$，将构件 {joint.guide} 扩大至包含 ${to.point}$ 点（扩大构件法）。",
                       f"The guide passes ${to.point}$ at an offset: expand link {joint.guide} to contain ${to.point}$. ") + words

@@ -71,5 +71,5 @@ def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: s
 def opening(view: View, c: str, *links: str) -> Words:
     """The sentence before an equation."""
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
-    return Words(f"求构件 {'、'.join(links)} 上 ${c}$ 点的{kind}，列矢量方程并作图：",
-                 f"The {kind_en} of ${c}$ of links {' and '.join(links)}: write the vector equation and draw it:")
+    return Words(f"求构件 {'、'.join(links)} 上 ${c}$ 点的{kind}，列矢量方程并作图。",
+                 f"The {kind_en} of ${c}$ of links {' and '.join(links)}: write the vector equation and draw it.")
