@@ -53,7 +53,7 @@ def test_a_reader_that_goes_away_is_met_with_silence() -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
 def test_ctrl_c_leaves_with_130_and_nothing_half_written(tmp_path: Path) -> None:
     process = subprocess.Popen([sys.executable, "-m", "vecpoly", "demo", "-o", str(tmp_path)], stderr=subprocess.PIPE)
-    time.sleep(1.5)
+    time.sleep(2.5)  # past start-up, in the middle of drawing
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130 and b"Traceback" not in said

@@ -105,10 +105,10 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
 
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
+    exact = exact_values(problem)  # first: its refusals know the range of the input that does assemble
     figures = len(stages(problem))
     places = dict(zip(View, slots(figures), strict=False))
     construction, spread = construct(problem, hand(by, seed=seed, repeats=repeats), places)
-    exact = exact_values(problem)
     answers = {key: _answer(reading, exact[key], spread[key][1]) for key, reading in construction.readings.items()}
     return Solution(problem, construction, answers)
 

@@ -42,9 +42,8 @@ def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
 
 
 def _text(low: float, high: float, slide: bool) -> str:
-    if slide:
-        return f"{1e3 * low:.4g}..{1e3 * high:.4g} mm"
-    return f"{np.degrees(low):.4g}..{np.degrees(high):.4g} deg"
+    first, last = ((1e3 * q if slide else np.degrees(q)) for q in (low, high))
+    return f"{round(float(first), 2):g}..{round(float(last), 2):g} {'mm' if slide else 'deg'}"
 
 
 def refusal(step: Step, where: str, gap: float, ranges: Ranges) -> AssemblyError:

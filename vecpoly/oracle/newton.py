@@ -51,10 +51,13 @@ class Newton:
         """Velocities, then accelerations, from one Jacobian."""
         still = {**bodies, **{n: _rates(bodies[n], np.zeros((1, 3)), np.zeros((1, 3))) for n in self.group.links}}
         jacobian = self._jacobian(still)
-        sound = run.alive(1 / np.linalg.cond(jacobian), 1.0, self.group.links)
-        jacobian = np.where(np.isnan(sound)[:, None, None], np.eye(jacobian.shape[1]), jacobian)
+        blank = np.eye(jacobian.shape[1])
+        lost: NDArray[np.bool_] = np.asarray(np.isnan(jacobian).any(axis=(1, 2)))
+        jacobian = np.where(lost[:, None, None], blank, jacobian)
+        lost |= np.isnan(run.alive(1 / np.linalg.cond(jacobian), 1.0, self.group.links))
+        jacobian = np.where(lost[:, None, None], blank, jacobian)
         rates = self._linear(jacobian, self._stack([r.rate(still[r.a], still[r.b]) for r in self.rows], len(run.q)))
-        rates[np.isnan(sound)] = np.nan
+        rates[lost] = np.nan
         moved = {**bodies, **self._moving(bodies, rates, np.zeros_like(rates))}
         bends = self._linear(
             jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))

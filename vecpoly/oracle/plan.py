@@ -89,7 +89,9 @@ class Plan:
             bodies = partial.bodies(q, order=0, strict=False)
             sound = np.ones(q.shape, bool)
             for body in bodies.values():
-                sound &= ~np.isnan(body.unit) & ~np.isnan(body.at)
+                sound &= ~np.isnan(body.at)
+                if body.turn is None:  # a followed angle is lost with the path to it, not with its own position
+                    sound &= ~np.isnan(body.unit)
             return sound
 
         return scan(closes, self.mech.drive, self.mech.scale)

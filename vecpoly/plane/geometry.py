@@ -74,9 +74,9 @@ def circles_meet(c1: Points, r1: Reals, c2: Points, r2: Reals) -> tuple[Points, 
     """The two meeting points, the one to the left of the ray c1 → c2 first; NaN where the arcs do not meet."""
     span = c2 - c1
     d2 = np.square(np.abs(span))
-    along = (d2 + np.square(r1) - np.square(r2)) / (2 * d2)
-    with np.errstate(invalid="ignore"):
-        across = np.sqrt(np.square(r1) / d2 - np.square(along))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        along = np.divide(d2 + np.square(r1) - np.square(r2), 2 * d2)
+        across = np.sqrt(np.divide(np.square(r1), d2) - np.square(along))
     return c1 + span * (along + 1j * across), c1 + span * (along - 1j * across)
 
 

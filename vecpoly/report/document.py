@@ -112,7 +112,16 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
             said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
     if checked.answers and not said:
         said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
-    return said + [("note", e.of(lang)) for e in solution.problem.errata]
+    said += [("note", e.of(lang)) for e in solution.problem.errata]
+    return [(kind, _listed([text for k, text in said if k == kind], lang)) for kind in dict.fromkeys(k for k, _ in said)]
+
+
+def _listed(texts: Sequence[str], lang: Lang) -> str:
+    """One text, or several numbered ones run on."""
+    if len(texts) == 1:
+        return texts[0]
+    gap = "　" if lang == "zh" else "  "
+    return gap.join(f"({i}) {text}" for i, text in enumerate(texts, 1))
 
 
 def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
