@@ -258,8 +258,13 @@ def test_a_dead_point_names_links_and_angle() -> None:
     assert np.isfinite(solve(mech, pi, order=0).position("C"))
 
 
+def test_assemblies_that_coincide_at_the_own_position_are_a_dead_point() -> None:
+    with pytest.raises(DeadPointError, match=r"links 2 and 3 .* 180 deg: their two assemblies coincide"):
+        solve(fourbar(0.04, 0.08, 0.07, 0.11, (180.0, 10.0)))
+
+
 def test_two_assemblies_without_a_statement_are_refused_with_the_words_that_help() -> None:
-    with pytest.raises(AssemblyError, match="say which: 'C left of B-D' or 'C right of B-D'"):
+    with pytest.raises(AssemblyError, match="say which: 'C left of BD' or 'C right of BD'"):
         solve(triple(90.0, ""))
     mech = make({"A": 0}, [link("1", A=0, B=0.05), link("2", B=0, C=0.15), link("3", C=0)],
                 pins("A 0 1, B 1 2, C 2 3") + guided("0", "3", "C"), (40.0, 10.0))
@@ -367,7 +372,7 @@ CHECKED = settings(max_examples=120, deadline=None)
 
 
 def well_conditioned(mech: Mechanism) -> None:
-    """Only positions that assemble with some way to the next dead point."""
+    """Only positions that assemble, with some way to the next dead point."""
     try:
         near = solve(mech, mech.drive.position + np.linspace(-0.1, 0.1, 9))
     except (AssemblyError, NotAskedError):

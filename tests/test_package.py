@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import tomllib
@@ -78,3 +79,20 @@ def test_an_installed_wheel_solves_and_reports_away_from_the_checkout(wheel: Pat
     assert "ω_3" in run("solve", "3-9")
     run("report", "3-9", "-o", str(tmp_path / "x.pdf"))
     assert (tmp_path / "x.pdf").stat().st_size > 20_000
+
+
+@pytest.mark.parametrize("name", ["README.md", "README.zh.md"])
+def test_the_readme_file_gives_the_numbers_the_readme_prints(name: str) -> None:
+    text = (ROOT / name).read_text(encoding="utf-8")
+    (problem,) = re.findall(r"```yaml\n(.*?)```", text, re.S)
+    answers = vecpoly.loads(problem).solve().answers
+    assert f"| v_E | {answers['v_E'].reading.mm:.1f} mm | {answers['v_E'].drawn:.4g} m/s | {answers['v_E'].exact:.5g} m/s |" in text
+    assert f"| a_E | {answers['a_E'].reading.mm:.1f} mm | {answers['a_E'].drawn:.4g} m/s² | {answers['a_E'].exact:.4g} m/s² |" in text
+    assert f"{-answers['omega_3'].drawn:.5g} rad/s ↻ | {-answers['omega_3'].exact:.5g} rad/s ↻" in text
+
+
+@pytest.mark.parametrize("name", ["README.md", "README.zh.md", "docs/architecture.md"])
+def test_every_link_of_a_page_leads_somewhere(name: str) -> None:
+    page = ROOT / name
+    for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
+        assert (page.parent / target).is_file(), target

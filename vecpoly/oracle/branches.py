@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
-from ..errors import AssemblyError, UnknownNameError
+from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.branch import margin
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from .dyads import Hinged, Swinging
@@ -39,21 +39,32 @@ def check_letters(mech: Mechanism) -> None:
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     """The step with the sign of the assembly that the statements describe.
 
-    Raises AssemblyError where they describe neither, or do not tell the two apart.
+    Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two coincide.
     """
     before = places(mech, bodies)
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
+    names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
+    if isinstance(step, Hinged) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
+        raise DeadPointError(
+            f"links {names} are at a dead point where the drive stands at {where}: their two assemblies "
+            f"coincide and cannot be told apart; choose another position of the drive")
     told = [s for s in mech.branches if _letters(s) <= set(after[0]) and not _letters(s) <= set(before)]
-    fits = [all(margin(s, at) > 0 for s in told) for at in after]
+    sure = 1e-9 * mech.scale
+    fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return options[fits.index(True)]
     names = " and ".join(step.group.links)
+    together = all(abs(after[0][p] - after[-1][p]) <= 1e-7 * mech.scale for p in after[0])
+    if isinstance(step, Hinged) and len(after) == 2 and together:
+        raise DeadPointError(
+            f"links {names}: the two assemblies coincide where the drive stands at {run.text(float(run.q[-1]))}; "
+            f"this is a dead point or change point, choose another position of the drive")
     if not any(fits):
         statement = " and ".join(f"'{_words(s)}'" for s in told)
         raise AssemblyError(
-            f"links {names}: neither assembly fulfils {statement} where the drive stands at "
-            f"{run.text(float(run.q[-1]))}{_advice(mech, step, before, after)}")
+            f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}"
+            f"{_advice(mech, step, before, after)}")
     if isinstance(step, Swinging):
         return _ahead(step, bodies)
     raise AssemblyError(
@@ -65,9 +76,9 @@ def _letters(statement: SideOf) -> set[str]:
 
 
 def _words(statement: SideOf) -> str:
-    """C left of B-D."""
+    """C left of BD."""
     of = statement.side in (Side.LEFT, Side.RIGHT)
-    return f"{statement.point} {statement.side.value} {'of ' if of else ''}{'-'.join(statement.ref)}"
+    return f"{statement.point} {statement.side.value} {'of ' if of else ''}{''.join(statement.ref)}"
 
 
 def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
@@ -79,7 +90,7 @@ def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
 
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> str:
-    """; say which: 'C left of B-D' or 'C right of B-D'."""
+    """; say which: 'C left of BD' or 'C right of BD'."""
     if len(after) < 2 or not isinstance(step, Hinged):
         return ""
     for statement in _statements(mech, step, before, after[0]):
@@ -87,7 +98,7 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
             other = replace(statement, side=_OPPOSITE[statement.side])
             return f"; say which: '{_words(statement)}' or '{_words(other)}'"
-    return "; here the two coincide: choose another position of the drive"
+    return ""
 
 
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:

@@ -1,0 +1,181 @@
+"""Claims about the house: who imports whom (the table in docs/architecture.md), and that its worked example works."""
+
+from __future__ import annotations
+
+import ast
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+HOUSE = ROOT / "vecpoly"
+PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+DOORS = ("__init__", "__main__")  # the way in may know everything
+
+
+@dataclass(frozen=True)
+class Import:
+    """One import: by which file and part, of what, and whether only inside a function or for type checkers."""
+
+    file: Path
+    line: int
+    part: str
+    target: str
+    ours: bool
+    late: bool
+
+    def __str__(self) -> str:
+        return f"{self.file.relative_to(ROOT)}:{self.line}: {self.part} imports {self.target}{' late' if self.late else ''}"
+
+
+def sources() -> list[Path]:
+    return sorted(HOUSE.rglob("*.py"))
+
+
+def imports(path: Path) -> Iterator[Import]:
+    inside = path.relative_to(HOUSE).with_suffix("").parts
+    for node, late in statements(ast.parse(path.read_text(encoding="utf-8")), False):
+        for target, ours in targets(node, inside[:-1]):
+            if target != inside[0] and target not in sys.stdlib_module_names:
+                yield Import(path, node.lineno, inside[0], target, ours, late)
+
+
+def statements(tree: ast.AST, late: bool) -> Iterator[tuple[ast.Import | ast.ImportFrom, bool]]:
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            yield node, late
+        deferred = isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) or (
+            isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test))
+        yield from statements(node, late or deferred)
+
+
+def targets(node: ast.Import | ast.ImportFrom, package: tuple[str, ...]) -> Iterator[tuple[str, bool]]:
+    if isinstance(node, ast.ImportFrom) and node.level:
+        base = (*package[: len(package) - node.level + 1], *(node.module.split(".") if node.module else ()))
+        yield from ((base[0], True),) if base else ((alias.name, True) for alias in node.names)
+    else:
+        names = [node.module or ""] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
+        for name in names:
+            first, _, rest = name.partition(".")
+            yield (rest.split(".")[0], True) if first == "vecpoly" else (first, False)
+
+
+def table() -> dict[str, tuple[frozenset[str], frozenset[str], frozenset[str]]]:
+    """Part → what it imports at once, what it imports late (in brackets), which packages it uses at once or late."""
+    rows = re.findall(r"^\| (\w+) \|(.*)\|(.*)\|$", PAGE, re.M)
+    parsed = {}
+    for part, inner, outer in rows:
+        if part != "part":
+            words = {word.strip() for column in (inner, outer) for word in column.split(",") if word.strip()}
+            late = frozenset(word.strip("()") for word in words if word.startswith("("))
+            parsed[part] = (frozenset(words - {f"({word})" for word in late}), late, frozenset(outer.replace(" ", "").split(",")))
+    return parsed
+
+
+def test_every_part_of_the_house_is_in_the_table() -> None:
+    parts = {path.relative_to(HOUSE).with_suffix("").parts[0] for path in sources()} | {"fonts"}
+    assert parts - set(DOORS) == set(table())
+
+
+def test_nothing_is_imported_against_the_arrows() -> None:
+    allowed = table()
+    wrong = []
+    for one in (one for path in sources() for one in imports(path) if one.part not in DOORS):
+        at_once, late, _ = allowed[one.part]
+        if one.target not in at_once and not (one.late and one.target in late) and one.target != "__version__":
+            wrong.append(str(one))
+    assert not wrong, "\n".join(wrong)
+
+
+def test_the_table_promises_nothing_that_is_not_used() -> None:
+    used: dict[str, set[str]] = {}
+    for path in sources():
+        for one in imports(path):
+            used.setdefault(one.part, set()).add(one.target)
+    for part, (at_once, late, _) in table().items():
+        assert at_once | late == used.get(part, set()) - {"__version__"}, part
+
+
+def test_the_arrows_go_round_in_no_circle() -> None:
+    ours = table()
+    tuple(TopologicalSorter({part: at_once & set(ours) for part, (at_once, _, _) in ours.items()}).static_order())
+
+
+def test_the_oracle_is_a_stranger_and_no_method_knows_it() -> None:
+    graph = table()
+    assert graph["oracle"][0] == {"errors", "mechanism", "names", "numpy"}
+    assert graph["plane"][0] == {"numpy"}
+    for part in ("methods", "board", "vector", "plane", "quantity", "drawing"):
+        assert not reach(part) & {"oracle", "check"}
+    assert not reach("drawing") & {"methods", "mechanism", "problem"}
+
+
+def reach(part: str) -> set[str]:
+    graph, seen, todo = table(), set[str](), [part]
+    while todo:
+        for target in graph.get(todo.pop(), (frozenset(), frozenset(), frozenset()))[0]:
+            if target not in seen:
+                seen.add(target)
+                todo.append(target)
+    return seen
+
+
+def test_files_are_short_and_functions_shorter() -> None:
+    long_files = [f"{path}: {n}" for path in sources() if (n := len(path.read_text("utf-8").splitlines())) > 250]
+    long_functions = [
+        f"{path}:{node.lineno} {node.name}: {size}" for path in sources()
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.FunctionDef)
+        and (size := (node.end_lineno or 0) - node.lineno + 1) > 40
+    ]  # fmt: skip
+    assert not long_files + long_functions
+
+
+def block(kind: str) -> str:
+    found = re.findall(rf"```{kind}\n(.*?)```", PAGE, re.S)
+    assert len(found) == 1
+    return str(found[0])
+
+
+TRIAL = """
+import sys, types
+import vecpoly.methods.kinematics
+module = types.ModuleType("vecpoly.methods.kinematics.planet_gear")
+module.__package__ = "vecpoly.methods.kinematics"
+sys.modules[module.__name__] = module
+if len(sys.argv) > 2:
+    exec(compile(open(sys.argv[2], encoding="utf-8").read(), "planet_gear.py", "exec"), module.__dict__)
+import vecpoly
+for answer in vecpoly.load(sys.argv[1]).solve(by="exact").answers.values():
+    print(answer.key, answer.drawn, answer.exact)
+"""
+
+
+@pytest.fixture
+def planet(tmp_path: Path) -> tuple[Path, Path]:
+    problem, method = tmp_path / "planet.yaml", tmp_path / "planet_gear.py"
+    problem.write_text(block("yaml"), encoding="utf-8")
+    method.write_text(block("python"), encoding="utf-8")
+    return problem, method
+
+
+def test_the_worked_example_adds_a_method_that_agrees_with_the_oracle(planet: tuple[Path, Path]) -> None:
+    done = subprocess.run([sys.executable, "-c", TRIAL, *map(str, planet)], capture_output=True, text=True, check=True)
+    answers = {key: (float(drawn), float(exact)) for key, drawn, exact in map(str.split, done.stdout.splitlines())}
+    assert answers["omega_2"] == (pytest.approx(30.0, rel=1e-9), pytest.approx(30.0, rel=1e-9))
+    assert answers["v_B"] == (pytest.approx(0.6, rel=1e-9), pytest.approx(0.6, rel=1e-9))
+
+
+def test_without_the_example_the_refusal_is_the_one_the_page_quotes(planet: tuple[Path, Path]) -> None:
+    done = subprocess.run([sys.executable, "-c", TRIAL, str(planet[0])], capture_output=True, text=True, check=False)
+    assert "no graphical method on file draws the position of a group gear" in done.stderr
+
+
+def test_the_worked_example_is_clean(planet: tuple[Path, Path]) -> None:
+    words = [sys.executable, "-m", "ruff", "check", "--config", str(ROOT / "pyproject.toml"), str(planet[1])]
+    assert subprocess.run(words, capture_output=True, check=False).returncode == 0
