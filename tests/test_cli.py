@@ -211,3 +211,21 @@ def test_every_fault_of_a_file_gets_its_line(run: Run, tmp_path: Path) -> None:
     result = run("solve", "x.yaml")
     assert result.exit_code == 2 and "Traceback" not in result.stderr
     assert all(line.startswith("vecpoly: x.yaml, line ") for line in result.stderr.splitlines())
+
+
+def test_a_refusal_to_solve_names_the_problem(run: Run, tmp_path: Path) -> None:
+    run("new", "loose.yaml")
+    text = (tmp_path / "loose.yaml").read_text("utf-8").replace("CD: 80 mm", "CD: 2 mm")
+    (tmp_path / "loose.yaml").write_text(text, encoding="utf-8")
+    for words in (("solve",), ("draw",), ("report", "-o", "x.pdf")):
+        result = run(words[0], "loose.yaml", *words[1:])
+        assert result.exit_code == 2 and re.fullmatch(r"vecpoly: loose: .*\n", result.stderr)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["loose.yaml"]
+
+
+def test_one_problem_that_fails_does_not_stop_the_others(run: Run, tmp_path: Path) -> None:
+    run("new", "loose.yaml")
+    text = (tmp_path / "loose.yaml").read_text("utf-8").replace("CD: 80 mm", "CD: 2 mm")
+    (tmp_path / "loose.yaml").write_text(text, encoding="utf-8")
+    result = run("report", "loose.yaml", "3-9", "-o", "out")
+    assert result.exit_code == 2 and [p.name for p in (tmp_path / "out").iterdir()] == ["3-9.zh.pdf"]

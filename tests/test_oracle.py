@@ -371,15 +371,19 @@ angles = st.floats(-pi, pi)
 CHECKED = settings(max_examples=120, deadline=None)
 
 
-def well_conditioned(mech: Mechanism) -> None:
-    """Only positions that assemble, with some way to the next dead point."""
+def well_conditioned(mech: Mechanism, guide: float | None = None) -> None:
+    """Only positions that assemble, with some way to the next dead point: between links 2 and 3, or rod 2 and guide."""
     try:
-        near = solve(mech, mech.drive.position + np.linspace(-0.1, 0.1, 9))
+        near = solve(mech, mech.drive.position + np.linspace(-0.1, 0.1, 81))
     except (AssemblyError, NotAskedError):
         assume(False)
         return
     assume(all(abs(near.omega(li.name)).max() < 20 * abs(mech.drive.rate) for li in mech.links))
     assume(all(abs(near.alpha(li.name)).max() < 400 * mech.drive.rate**2 for li in mech.links))
+    if "D" in mech.links[2].points:
+        assume(abs(np.sin(near.angle("2") - near.angle("3"))).min() > 0.05)
+    if guide is not None:
+        assume(abs(np.cos(near.angle("2") - guide)).min() > 0.05)
 
 
 @CHECKED
@@ -404,7 +408,7 @@ def test_random_slider_crank(ab: float, bc: float, away: float, way: float, phi:
             solve(said)
         except AssemblyError:
             continue
-        well_conditioned(said)
+        well_conditioned(said, way)
         rates_agree(said, tolerance=1e-5)
         return
     assume(False)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from .errors import Tally
+from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import JsonOption, Lang, LangOption, Problems
@@ -38,7 +38,7 @@ def check(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     tally = Tally()
     checked: list[tuple[Problem, PrintedCheck]] = []
     for problem in progress(found, "checking"):
-        with tally.job():
+        with tally.job(), about(problem.id):
             checked.append((problem, check_problem(problem)))
     if json != "-":
         for problem, result in checked:

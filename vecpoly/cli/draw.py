@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from ..errors import UnknownNameError
+from .errors import about
 from .files import write_bytes
 from .jobs import problems
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
@@ -43,7 +44,8 @@ def draw(
     (problem,) = problems([name])
     from ..solution import solve
 
-    pages = scenes(solve(problem, by=hand, seed=seed, repeats=0), figure, lang)
+    with about(problem.id):
+        pages = scenes(solve(problem, by=hand, seed=seed, repeats=0), figure, lang)
     for target, data in encoded(pages, path, dpi):
         say(f"wrote {write_bytes(target, data)}")
 

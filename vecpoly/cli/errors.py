@@ -32,6 +32,17 @@ def told() -> Iterator[None]:
         raise typer.Exit(INTERRUPTED) from None
 
 
+@contextmanager
+def about(problem: str) -> Iterator[None]:
+    """Whatever is refused inside names this problem."""
+    try:
+        yield
+    except VecpolyError as error:
+        if str(error).startswith(f"{problem}: "):
+            raise
+        raise type(error)(f"{problem}: {error}") from None
+
+
 def tell(error: Exception) -> None:
     """One line on stderr for each thing that is wrong."""
     for line in worded(error).splitlines():

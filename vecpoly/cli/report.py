@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import VecpolyError
-from .errors import Tally
+from .errors import Tally, about
 from .files import named
 from .jobs import Job, jobs
 from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
@@ -45,7 +45,11 @@ def draw(problems: Iterable[Problem], hand: Hand, seed: int) -> list[Solution]:
     """Solve these problems by one hand."""
     from ..solution import solve
 
-    return [solve(problem, by=hand, seed=seed) for problem in problems]
+    solutions = []
+    for problem in problems:
+        with about(problem.id):
+            solutions.append(solve(problem, by=hand, seed=seed))
+    return solutions
 
 
 def write(job: Job, solutions: Sequence[Solution], path: Path, lang: Lang, style: Style) -> Path:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .errors import Tally
+from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
@@ -38,7 +38,7 @@ def solve(
     tally = Tally()
     solutions: list[Solution] = []
     for problem in progress(found, "solving"):
-        with tally.job():
+        with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
     if json != "-":
         for solution in solutions:

@@ -42,10 +42,10 @@ def guide(mark: FixedGuide) -> tuple[Item, ...]:
     return hatched(mark.a, mark.b, mark.step)
 
 
-def plate(mark: Plate) -> tuple[Item, ...]:
-    """A link with three or more points: tinted, outlined as one body."""
+def plate(mark: Plate, layer: Layer) -> tuple[Item, ...]:
+    """A link with three or more points: tinted, outlined as one body in `layer`."""
     return (Fill(points=mark.points, hue=Hue.PLATE, layer=Layer.TINT, step=mark.step),
-            Stroke(points=mark.points, width=LINK, closed=True, step=mark.step))
+            Stroke(points=mark.points, width=LINK, closed=True, layer=layer, step=mark.step))
 
 
 def block_corners(mark: Block) -> tuple[complex, ...]:
@@ -67,7 +67,8 @@ def slot(mark: Slot) -> tuple[Item, ...]:
     u, r = (mark.b - mark.a) / abs(mark.b - mark.a), BLOCK_HEIGHT / 2
     round_a = tuple(mark.a + r * u * cmath.exp(1j * cmath.pi * (0.5 + i / 24)) for i in range(25))
     round_b = tuple(mark.b + r * u * cmath.exp(1j * cmath.pi * (-0.5 + i / 24)) for i in range(25))
-    return (Stroke(points=round_a + round_b, width=RESULT, closed=True, step=mark.step),)
+    return (Fill(points=round_a + round_b, hue=Hue.WHITE, layer=Layer.SLOT, step=mark.step),
+            Stroke(points=round_a + round_b, width=RESULT, closed=True, layer=Layer.SLOT, step=mark.step))
 
 
 def gear(mark: GearMark) -> tuple[Item, ...]:

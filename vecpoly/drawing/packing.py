@@ -24,7 +24,15 @@ def pack(sizes: Sequence[Size], page: Size) -> Layout | None:
     """The best arrangement of all figures on one page; the first keeps the upper left place. None: they do not fit."""
     found = [layout for shelves in _arrangements(len(sizes))
              for layout in (_rows(sizes, shelves, page), _columns(sizes, shelves, page)) if layout is not None]
-    return max(found, key=lambda layout: round(layout.white, 6), default=None)
+    in_order = [layout for layout in found if _reads(sizes, layout)]
+    return max(in_order or found, key=lambda layout: round(layout.white, 6), default=None)
+
+
+def _reads(sizes: Sequence[Size], layout: Layout) -> bool:
+    """Whether each figure stands to the right of the one before it, or below it."""
+    pairs = zip(range(len(sizes)), range(1, len(sizes)), strict=False)
+    c = layout.corners
+    return all(c[j].real >= c[i].real + sizes[i][0] or c[j].imag + sizes[j][1] <= c[i].imag for i, j in pairs)
 
 
 def _arrangements(n: int) -> Iterator[tuple[tuple[int, ...], ...]]:

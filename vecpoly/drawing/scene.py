@@ -16,11 +16,12 @@ class Layer(IntEnum):
     TINT = 0
     THIN = 1
     LINE = 2  # links and vectors
-    BODY = 3  # slider blocks hide the rod that passes through them
-    OVER = 4  # links pinned to a block lie over it
-    HEAD = 5
-    JOINT = 6  # open circles hide the line ends under them
-    TEXT = 7
+    SLOT = 3  # a slot is open: it hides the lines under it
+    BODY = 4  # slider blocks hide the rod that passes through them
+    OVER = 5  # links pinned to a block lie over it
+    HEAD = 6
+    JOINT = 7  # open circles hide the line ends under them
+    TEXT = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import assert_never
 
 from ..board.construction import View
@@ -52,10 +53,10 @@ class Surroundings:
         return cls(view=view, blocks=tuple(m for m in marks if isinstance(m, Block)),
                    tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5))
 
-    def pinned(self, a: complex, b: complex) -> bool:
-        """Whether a link from a to b ends on a block's pin, across the block: it then lies over the block."""
-        return any(min(abs(a - k.at), abs(b - k.at)) < NEAR and abs(((b - a) * k.along.conjugate()).imag) > 0.02 * abs(b - a)
-                   for k in self.blocks)
+    def link_layer(self, *points: complex) -> Layer:
+        """Where a link through these points lies: over a block whose pin it carries, unless it runs along the block."""
+        pairs = tuple(pairwise(points))
+        return Layer.OVER if any(_carries(a, b, block) for a, b in pairs for block in self.blocks) else Layer.LINE
 
     def tipped(self, at: complex) -> bool:
         """Whether an arrowhead already shows the place."""
@@ -80,14 +81,23 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case LinkNumber():
             return ()
         case Plate() | Ground() | FixedGuide() | Block() | Slot() | GearMark() | RackMark():
-            return _body(mark)
+            return _body(mark, around)
     assert_never(mark)
 
 
-def _body(mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark) -> tuple[Item, ...]:
+def _carries(a: complex, b: complex, block: Block) -> bool:
+    if abs(b - a) < NEAR:
+        return False
+    u = (b - a) / abs(b - a)
+    off = (block.at - a) * u.conjugate()
+    across = abs((u * block.along.conjugate()).imag) > 0.02
+    return across and abs(off.imag) < NEAR and -NEAR < off.real < abs(b - a) + NEAR
+
+
+def _body(mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Plate():
-            return bodies.plate(mark)
+            return bodies.plate(mark, around.link_layer(*mark.points, mark.points[0]))
         case Ground():
             return bodies.ground(mark)
         case FixedGuide():
@@ -107,7 +117,7 @@ def _line(mark: Segment | Vector | Arc, around: Surroundings) -> tuple[Item, ...
     match mark:
         case Segment(a=a, b=b, role=role):
             p = pen(role, Hue.BLACK)
-            layer = Layer.THIN if p.width == THIN else Layer.OVER if around.pinned(a, b) else Layer.LINE
+            layer = Layer.THIN if p.width == THIN else around.link_layer(a, b)
             return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
             p = pen(role, Hue.BLACK)

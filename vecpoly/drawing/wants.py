@@ -111,7 +111,8 @@ def wants(view: View, marks: tuple[Mark, ...]) -> tuple[Want, ...]:
             case Vector(label=label) if label:
                 found.append(_vector(mark, kind_hue(view, label)))
             case LinkNumber(a=a, b=b, number=number):
-                found.append(_line_want(a, b, LINK / 2, (_piece(number, Hue.BLACK, mark.step),)))
+                keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, marks)
+                found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),)))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
                 hue = Hue.BLACK if view is View.MECHANISM else kind_hue(view)
                 found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, hue, mark.step)))

@@ -54,12 +54,6 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return options[fits.index(True)]
-    names = " and ".join(step.group.links)
-    together = all(abs(after[0][p] - after[-1][p]) <= 1e-7 * mech.scale for p in after[0])
-    if isinstance(step, Hinged) and len(after) == 2 and together:
-        raise DeadPointError(
-            f"links {names}: the two assemblies coincide where the drive stands at {run.text(float(run.q[-1]))}; "
-            f"this is a dead point or change point, choose another position of the drive")
     if not any(fits):
         statement = " and ".join(f"'{_words(s)}'" for s in told)
         raise AssemblyError(

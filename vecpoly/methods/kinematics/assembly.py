@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from ...errors import AssemblyError
+from ...errors import AssemblyError, DeadPointError
 from ...mechanism.branch import margin
 from ...mechanism.model import FRAME, SideOf
 from ...plane import Points, nominal
 from ...words import Words
 from ..desk import Desk
 
+HAIR = 1e-7  # of the mechanism's size: meeting points nearer than this are one point
 _SIDE = {"left": "左侧", "right": "右侧", "above": "上方", "below": "下方"}
 
 
@@ -18,13 +19,15 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     Raises AssemblyError when both or neither do: the text says which words would help.
     """
     first, second = (complex(nominal(p)) for p in pair)
-    if abs(first - second) < 1e-9:
-        return pair[0], None
+    hair = HAIR * desk.mm(desk.mech.scale)
+    if abs(first - second) < hair:
+        raise DeadPointError(f"links {' and '.join(links)}: the two meeting points for {point} coincide; this is a dead point or "
+                             f"change point, choose another input position")
     drawn = {name: complex(nominal(p)) for name, p in desk.at.items()}
     trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
     new = set(trials[0]) - set(drawn)
     about = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(trials[0]) and {s.point, *s.ref} & new]
-    fits = [all(margin(s, trial) > 0 for s in about) for trial in trials]
+    fits = [all(margin(s, trial) > 1e-2 * hair for s in about) for trial in trials]
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
     deciding = next(s for s in about if (margin(s, trials[0]) > 0) != (margin(s, trials[1]) > 0))
