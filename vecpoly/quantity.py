@@ -13,7 +13,7 @@ from .plane import Reals, nominal
 UNIT_TEXT = {"m/s": "m/s", "m/s^2": "m/s^2", "m": "m", "rad/s": "rad/s", "rad/s^2": "rad/s^2", "mm": "mm"}
 
 
-def number(value: float, digits: int = 5) -> str:
+def number(value: float, digits: int = 4) -> str:
     """A number as a hand writes it: `digits` significant digits, no exponent unless it must be."""
     if value == 0:
         return "0"

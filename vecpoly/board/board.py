@@ -190,6 +190,10 @@ class Board:
         self.write(worked(result.node, expr, unit_text))
         return result
 
+    def write_length(self, view: View, letters: str, quantity: Quantity) -> None:
+        """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
+        self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
+
     def tint(self, view: View, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""
         self.mark(view, ImageOf(points=tuple(complex(nominal(p)) for p in points)))

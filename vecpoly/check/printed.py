@@ -68,7 +68,7 @@ def _together(problem: Problem, checked: list[Checked]) -> tuple[Words | None, B
     if fit is None or fit.misfit <= SLIP:
         return None, fit
     percent = f"{100 * fit.misfit:.0f} %"
-    return Words(f"按题给数据，所有曲柄转角与所有装配形式中，与这组印刷速度最接近者仍有一项相差 {percent}：题给数据与印刷答案矛盾，这组答案不可能成立。",
+    return Words(f"按题给数据，对任意曲柄转角和装配形式，原书所给速度中至少有一项相差 {percent} 以上：题给数据与原书答案矛盾，这组答案不可能成立。",
                  f"With the data as given, the best of all crank angles and assemblies still misses one of these printed velocities by {percent}: "
                  f"data and printed answers contradict each other, the printed solution is impossible."), fit
 
@@ -81,5 +81,5 @@ def _common_factor(rates: list[Checked]) -> Words | None:
     words = next((w for factor, w in FACTORS if abs(middle / factor - 1) < GRAPHICAL), None)
     if words is None or 2 * alike <= len(ratios):
         return None
-    return Words(f"{len(ratios)} 个印刷速度中有 {alike} 个同为精确值的 {middle:.4g} 倍：{words.zh}。",
+    return Words(f"{len(ratios)} 个所给速度中有 {alike} 个同为精确值的 {middle:.4g} 倍：{words.zh}。",
                  f"{alike} of {len(ratios)} printed velocities are {middle:.4g} times the exact ones: {words.en}.")

@@ -102,5 +102,5 @@ def _slip(value: float, truth: float, graphical: bool) -> Words | None:
     power = log10(abs(ratio))
     if round(power) and abs(power - round(power)) < 0.005:
         n = round(power)
-        return Words(f"数字对，大小差 {10.0**n:g} 倍：检查单位或比例尺", f"digits right, but {10.0**n:g} times the exact value: check the units or the scale")
+        return Words(f"有效数字相同，但为精确值的 {10.0**n:g} 倍：检查单位或比例尺", f"digits right, but {10.0**n:g} times the exact value: check the units or the scale")
     return next((words for factor, words in FACTORS if isclose(abs(ratio), factor, rel_tol=GRAPHICAL if graphical else 0.01)), None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -43,9 +44,11 @@ class Datum:
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
-        return self.words.of(lang) if self.words else f"${self.symbol}$ = {as_printed(self.text, lang)}"
+        return as_printed(self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}", lang)
 
 
+_LONG = re.compile(r"\d+\.\d{4,}")  # more digits than a person writes
+_MINUS = re.compile(r"(?<![\w$}])-(?=\d)")
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
     "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from ", " 自 ")),
     "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
@@ -56,7 +59,8 @@ def as_printed(text: str, lang: Lang) -> str:
     """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
     for written, printed in _SIGNS[lang]:
         text = text.replace(written, printed)
-    return text
+    text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
+    return _MINUS.sub("−", text)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

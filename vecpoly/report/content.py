@@ -12,7 +12,7 @@ from ..mechanism.assur import decompose
 from ..mechanism.mobility import mobility
 from ..problem.asks import AskCoriolis, AskPoint
 from ..quantity import number
-from ..solution import Solution
+from ..solution import Answer, Solution
 from ..words import Lang, Words
 
 _UNIT_ZH_EN = {"m": "m/mm", "m/s": "(m/s)/mm", "m/s^2": "(m/s^2)/mm"}
@@ -36,12 +36,35 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     problem = solution.problem
     data = [*problem.given.lengths, *problem.given.motion]
     comma = "，" if lang == "zh" else ", "
+    given = [d.of(lang) for d in data]
+    given.insert(0, pivots(solution).of(lang))
     return {
         "id": problem.id, "title": problem.title.of(lang), "source": problem.source.of(lang) if problem.source else "",
-        "statement": problem.statement.of(lang), "given": comma.join(d.of(lang) for d in data),
+        "statement": problem.statement.of(lang), "given": comma.join(given),
         "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)), "structure": structure(solution, lang),
         "scales": scales(solution, lang),
     }
+
+
+def pivots(solution: Solution) -> Words:
+    """Where the fixed points are, in mm: a student cannot draw without them."""
+    places = ", ".join(f"${name}$({number(1e3 * at.real)}, {number(1e3 * at.imag)})" for name, at in solution.problem.mechanism.frame.items())
+    return Words(f"固定点坐标 {places} mm", f"fixed points {places} mm")
+
+
+def conclusions(solution: Solution, lang: Lang) -> list[str]:
+    """One sentence for each question that is not answered by a number alone."""
+    return [_coriolis(solution.answers[ask.rel.key]).of(lang) for ask in solution.problem.asks if isinstance(ask, AskCoriolis)]
+
+
+def _coriolis(answer: Answer) -> Words:
+    symbol = f"${answer.reading.symbol}$"
+    if answer.direction is None:
+        why = answer.reading.remark or Words("相对速度或角速度为零", "ω or the relative velocity is zero")
+        return Words(f"结论：{why.zh}，故无哥氏加速度，{symbol} = 0。", f"Answer: {why.en}; there is no Coriolis term, {symbol} = 0.")
+    size, way = number(answer.drawn), number(answer.direction)
+    return Words(f"结论：存在哥氏加速度，{symbol} = {size} m/s^2，方向与 $x$ 轴成 {way}°。",
+                 f"Answer: a Coriolis term exists, {symbol} = {size} m/s^2 at {way}° to the $x$ axis.")
 
 
 def asked(solution: Solution, lang: Lang) -> Iterator[str]:
@@ -52,7 +75,7 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
         if isinstance(ask, AskPoint):
             yield _point_asked(ask, symbol).of(lang)
         elif isinstance(ask, AskCoriolis):
-            yield Words(f"哥氏加速度 {symbol} 是否存在、指向何方", f"whether a Coriolis term {symbol} exists and where it points").of(lang)
+            yield Words(f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points").of(lang)
         else:
             yield symbol
 
@@ -74,11 +97,16 @@ def structure(solution: Solution, lang: Lang) -> str:
     """Number of links, degree of freedom, Assur groups."""
     mech = solution.problem.mechanism
     count, groups = mobility(mech), decompose(mech)
-    moving = len(mech.links)
-    names = {"zh": "、".join(f"{g.kind}（{'、'.join(g.links)}）" for g in groups), "en": ", ".join(f"{g.kind} ({', '.join(g.links)})" for g in groups)}
-    words = Words(f"机构有 {moving} 个活动构件（加机架共 {moving + 1} 个构件），自由度 $F$ = {count.freedom}；原动件 {mech.drive.link}，所含杆组：{names['zh']}。",
-                  f"The mechanism has {moving} moving links ({moving + 1} with the frame) and $F$ = {count.freedom}; link {mech.drive.link} drives, and the Assur groups are {names['en']}.")
-    return words.of(lang)
+    sum_up = f"$F$ = 3×{count.links} − 2×{count.lower} − {count.higher} = {count.freedom}"
+    if any("G" in g.kind for g in groups):
+        rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
+        return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links and {sum_up}") + rolls
+                + Words(f"；构件 {mech.drive.link} 为原动件。", f"; link {mech.drive.link} drives.")).of(lang)
+    zh = "、".join(f"{g.kind} 杆组（构件 {'、'.join(g.links)}）" for g in groups)
+    en = ", ".join(f"{g.kind} (links {', '.join(g.links)})" for g in groups)
+    return Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；构件 {mech.drive.link} 为原动件，其余为 {zh}，属 Ⅱ 级机构。",
+                 f"The mechanism has {count.links} moving links ({count.links + 1} with the frame) and {sum_up}; link {mech.drive.link} drives, the rest is made up of the "
+                 f"Assur groups {en}: a class II mechanism.").of(lang)
 
 
 def scales(solution: Solution, lang: Lang) -> str:

@@ -18,7 +18,7 @@ from ..errors import UnknownNameError
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words
-from .content import Objects, blank_equations, sections, statement
+from .content import Objects, blank_equations, conclusions, sections, statement
 from .flow.blocks import Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.xml import to_flowables
@@ -92,7 +92,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     return common | {
         "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
-        "verdicts": verdicts(solution, checked, lang),
+        "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang),
         "sheets": [objects.add("sheet", _page(s, solution, lang))
                    for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
     }
@@ -110,7 +110,7 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
         elif c.verdict is Verdict.OUTLIER:
             off = percent(c.deviation, 1)
             said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
-    if checked.answers and not said:
+    if checked.answers and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers):
         said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
     said += [("note", e.of(lang)) for e in solution.problem.errata]
     return [(kind, _listed([text for k, text in said if k == kind], lang)) for kind in dict.fromkeys(k for k, _ in said)]

@@ -21,7 +21,8 @@ def sketch(construction: Construction, width: float, height: float) -> Figure:
     """The mechanism without construction lines, reduced so that it fits width × height mm; symbols keep their size."""
     figure = construction.figure(View.MECHANISM)
     assert figure is not None
-    marks = [m for m in figure.marks if getattr(m, "role", None) not in _HELP]
+    drawn = max(s.number for s in construction.steps if s.section == construction.steps[0].section)
+    marks = [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= drawn]
     size = extent(marks)
     factor = min(1.0, width / max(size[0], 1.0), height / max(size[1], 1.0))
     return replace(figure, title=SKETCH, marks=tuple(scaled(m, factor) for m in marks),
@@ -51,8 +52,8 @@ def frames(construction: Construction) -> Construction:
 
 def _frame(figure: Figure) -> Figure:
     points = list(_places(figure.marks))
-    low = complex(min(p.real for p in points), min(p.imag for p in points)) - 4 - 4j
-    high = complex(max(p.real for p in points), max(p.imag for p in points)) + 4 + 4j
+    low = complex(min(p.real for p in points), min(p.imag for p in points)) - 10 - 10j
+    high = complex(max(p.real for p in points), max(p.imag for p in points)) + 10 + 10j
     high = low + complex(ceil(high.real - low.real), ceil(high.imag - low.imag))
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))

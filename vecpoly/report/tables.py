@@ -49,7 +49,7 @@ def _clean(exact: float, error: float) -> float:
 def _deviation(answer: Answer) -> str:
     if not _clean(answer.exact, answer.expected_error):
         return number(answer.drawn, 2)
-    return percent(answer.deviation / abs(answer.exact), 2)
+    return percent(answer.deviation / answer.exact, 2)
 
 
 def way(answer: Answer, lang: Lang) -> str:
@@ -71,8 +71,18 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
     for c in checked:
         verdict = c.verdict.words.of(lang)
         slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
-        rows.append((f"${symbol_of(c)}$", as_printed(c.printed.text, lang), number(c.exact, 5), percent(c.deviation, 1), verdict + slip))
+        rows.append((f"${symbol_of(c)}$", as_printed(c.printed.text, lang), _exact_like(c), percent(c.deviation, 1), verdict + slip))
     return DataTable(_PRINTED[lang], rows, None, "lrrrl")
+
+
+def _exact_like(checked: Checked) -> str:
+    """The exact value in the unit in which the print has it."""
+    printed = checked.printed
+    if printed.scale:
+        return f"{number(checked.exact / printed.scale)} mm"
+    if printed.rel is None:
+        return f"{number(1e3 * checked.exact)} mm"
+    return f"{number(checked.exact, 5)} {printed.rel.kind.unit}"
 
 
 def symbol_of(checked: Checked) -> str:

@@ -195,6 +195,8 @@ def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> 
     pin = _spot(desk, joint.pin)
     middle = at + along * float((np.conj(along) * (pin - at)).real)
     if joint.guide == FRAME:
+        if _other_side(desk, joint, middle, along):
+            along = -along
         yield FixedGuide(a=middle - along * HALF_SLOT - 1j * along * HALF_BLOCK, b=middle + along * HALF_SLOT - 1j * along * HALF_BLOCK)
     elif shapes.get(joint.guide) is Shape.ROD and joint.block == FRAME:
         for side in (1, -1):
@@ -204,6 +206,13 @@ def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> 
     yield Block(at=middle, along=along, on_rod=shapes.get(joint.guide) is Shape.ROD)
     if abs(pin - middle) > 0.3 and abs(pin - middle) > HALF_BLOCK:
         yield Segment(a=middle, b=pin, role=Role.LINK)
+
+
+def _other_side(desk: Desk, joint: Prismatic, middle: complex, along: complex) -> bool:
+    """Whether the sliding link lies to the right of the guide, where its hatching would be."""
+    spots = [_spot(desk, p) for p in desk.letters(joint.block)]
+    spots += [_spot(desk, j.pin) for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == joint.block and j.pin in desk.at]
+    return min(((np.conj(along) * (s - middle)).imag for s in spots), default=0.0) < -HALF_BLOCK
 
 
 def _rolling_pair(desk: Desk, joint: Rolling) -> Iterator[Mark]:

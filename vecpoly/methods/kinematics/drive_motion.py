@@ -30,11 +30,13 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     if not others:
         return
     b = others[0]
+    name, tip = desk.show(At(b)), desk.tip_label(View.VELOCITY, At(b))
     way, way_en = ("逆时针", "ccw") if drive.rate > 0 else ("顺时针", "cw")
-    board.step(Words(f"$v_{b}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{b.lower()}$ 代表 $v_{b}$：",
-                     f"$v_{b}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p{b.lower()}$ for $v_{b}$:"), View.VELOCITY)
+    board.step(Words(f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p {tip}$ 代表 $v_{{{name}}}$：",
+                     f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p {tip}$ for $v_{{{name}}}$:"), View.VELOCITY)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
-    speed = board.compute(f"v_{b}", w * desk.length(pivot, b), "m/s")
+    speed = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
+    board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
     desk.known_as[View.VELOCITY, At(b)] = (Words(f"⊥$ {pivot}{b}$", f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{pivot}{b}$")
@@ -52,12 +54,14 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     if not others:
         return
     b = others[0]
-    name = f"a^n_{b}" if drive.accel else f"a_{b}"
+    shown = desk.show(At(b))
+    name = f"a^n_{{{shown}}}" if drive.accel else f"a_{{{shown}}}"
     even = "" if drive.accel else "（$α$ = 0）"
     board.step(Words(f"原动件{even}的法向加速度由 ${b}$ 指向 ${pivot}$；取极点 $p′$：",
                      f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
+    board.write_length(View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size)
     along = desk.towards(b, pivot)
     _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
     tip = desk.tip(View.ACCELERATION, At(b))
@@ -66,7 +70,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
         desk.known_as[View.ACCELERATION, At(b)] = (Words(f"${b}→{pivot}$", f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{pivot}{b}$")
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
-        size_t = board.compute(f"a^t_{b}", eps * desk.length(pivot, b), "m/s^2")
+        size_t = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))
         board.arrow(View.ACCELERATION, tip, end, Role.GIVEN)
         board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))

@@ -8,6 +8,7 @@ from ...board.construction import View
 from ...board.marks import Role
 from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Reals, cross, nominal, similar
+from ...quantity import magnitude
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
@@ -51,7 +52,7 @@ def images_of_link(desk: Desk, view: View, link: str) -> None:
 
 def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, At]]) -> None:
     (p, p_at), (q, q_at) = held[0], held[1]
-    board, x = desk.board, at.point
+    board, x = desk.board, desk.name(at)
     letters = [desk.tip_label(view, a) for a in (p_at, q_at, at)]
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
     a, b, c = letters
@@ -86,7 +87,8 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     p, p_at = held
     board = desk.board
     label = desk.tip_label(view, at)
-    board.step(Words(f"由构件 {link} 的转动求 ${at.point}$ 点：", f"Point ${at.point}$ from the turning of link {link}:"), view)
+    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{kind}。", f"The {kind_en} of ${desk.name(at)}$ from the turning of link {link}."), view)
     base = known(desk, view, p_at)
     about_pole = p in desk.mech.frame
     terms = list(_turning_terms(desk, view, link, at, p))
@@ -94,7 +96,8 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     rel = Rel(kind, desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
     eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
-    board.equate(eq.table())
+    if not about_pole or len(terms) > 1:
+        board.equate(eq.table())
     closed = close(board, view, 0j, eq)
     desk.tips[view, at] = closed.meeting
     desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
@@ -122,6 +125,10 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     size = np.abs(rate) * length.value
     along = 1j * way * desk.towards(p, x)
     along = np.where(way == 0, 1.0, along)
+    greek = "ω" if view is View.VELOCITY else "α"
+    factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
+    desk.board.write_length(view, f"{'p' if rel.ref is None else p.lower()} {desk.tip_label(view, rel.to)}",
+                            desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit))
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {p}{x}$", f"⊥$ {p}{x}$"), magnitude=text,
                 along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
 

@@ -7,6 +7,7 @@ P_g, the block's P_b:  v_Pg = v_Q + v_PgQ = v_Pb + v_PgPb,  a_Q + a^n + a^t = a_
 from __future__ import annotations
 
 from ...board.construction import View
+from ...board.marks import Dot
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic, Revolute
 from ...names import At, Kind, Rel
@@ -56,6 +57,8 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
 def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Term, ...]:
     """v_Pb + v_PgPb, or a_Pb + a^k + a^r."""
     front, tail = known(desk, view, ref), desk.canonical(ref)
+    if desk.at_rest(view, ref):
+        desk.board.plot(view, 0j, desk.tip_label(view, ref), Dot.NONE)
     if view is View.VELOCITY:
         return (_from_block(front, tail), sliding(desk, Rel(Kind.V, to, tail), joint))
     _, start, end = desk.ends[Rel(Kind.V, to, tail).key]

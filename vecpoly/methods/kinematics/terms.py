@@ -8,7 +8,7 @@ from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Points, nominal
-from ...quantity import Quantity, Times, magnitude, worked
+from ...quantity import Quantity, Times, magnitude
 from ...vector.equation import KNOWN, Term
 from ...words import Words
 from ..desk import Desk, Turn
@@ -69,6 +69,9 @@ def normal(desk: Desk, at: At, about: str, link: str) -> Term:
     length = desk.length(about, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     size = desk.board.compute(sign, w.squared() * length, "m/s^2")
+    if abs(nominal(size.value)) > 0:
+        start = "p′" if desk.at_rest(View.ACCELERATION, At(about)) else desk.tip_label(View.ACCELERATION, At(about))
+        desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", size)
     return Term(rel=rel, symbol=sign, direction=Words(f"${q}→{about}$", f"${q}→{about}$"), magnitude=f"$ω_{link}^2 l_{about}{q}$",
                 along=desk.towards(q, about), mm=desk.board.to_paper(View.ACCELERATION, size.value),
                 tip=_n_tip(desk, link))
@@ -88,8 +91,11 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     on_paper = board.measure(*v_rel, f"{_start_letter(desk, ref)} {desk.tip_label(View.VELOCITY, to)}")
     vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
-    board.write(worked(magnitude(sign, 0, "").node, expr, "m/s^2"))
+    size = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
+    if not vanishes:
+        start = "p′" if desk.at_rest(View.ACCELERATION, ref) else desk.tip_label(View.ACCELERATION, ref)
+        board.write_length(View.ACCELERATION, f"{start} k′", size)
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
     return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
