@@ -60,7 +60,7 @@ def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...
     room = x1 - frame.x0 - 4
     right = layout_words(sheet, NOTE)
     return (_text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + 0.75 * STRIP),
-            _text(_fitted(f"{LABELS['hand'].of(lang)}：{hand}", NOTE, room - right.width - 3), frame.x0 + 2, frame.y0 + STRIP / 4),
+            _text(_fitted(f"{LABELS['hand'].of(lang)}{'：' if lang == 'zh' else ': '}{hand}", NOTE, room - right.width - 3), frame.x0 + 2, frame.y0 + STRIP / 4),
             _text(right, x1 - 2 - right.width, frame.y0 + STRIP / 4))
 
 

@@ -75,7 +75,9 @@ class Desk:
         """The letter of a tip on a polygon: b, b_3, b′_3."""
         letter, _, digits = self.name(at).lower().partition("_")
         prime = "′" if view is View.ACCELERATION else ""
-        return f"{letter}{prime}_{digits}" if digits else letter + prime
+        if digits:
+            return f"{letter}_{digits}^{prime}" if prime else f"{letter}_{digits}"
+        return letter + prime
 
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 

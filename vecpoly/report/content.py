@@ -69,7 +69,10 @@ def _coriolis(answer: Answer) -> Words:
 
 def asked(solution: Solution, lang: Lang) -> Iterator[str]:
     """The questions in symbols and words."""
+    coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
     for ask in solution.problem.asks:
+        if ask.rel.key in coriolis and not isinstance(ask, AskCoriolis):
+            continue
         reading = solution.construction.readings[ask.rel.key]
         symbol = f"${reading.symbol}$"
         if isinstance(ask, AskPoint):

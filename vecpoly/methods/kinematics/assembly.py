@@ -27,10 +27,11 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
     new = set(trials[0]) - set(drawn)
     about = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(trials[0]) and {s.point, *s.ref} & new]
-    fits = [all(margin(s, trial) > 1e-2 * hair for s in about) for trial in trials]
+    holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
+    fits = [all(held) for held in holds]
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
-    deciding = next(s for s in about if (margin(s, trials[0]) > 0) != (margin(s, trials[1]) > 0))
+    deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
     return (pair[0] if fits[0] else pair[1]), deciding
 
 

@@ -32,7 +32,7 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     low = ask.name[0].lower()
     tip = board.to_paper(view, 1.0) * wanted
     prime = "′" if view is View.ACCELERATION else ""
-    letter = f"{low}{prime}_{ask.link}"
+    letter = f"{low}_{ask.link}" + (f"^{prime}" if prime else "")
     board.step(_words(ask, view, p, q, [desk.tip_label(view, a) for a in (p_at, q_at)], letter), view)
     desk.at[ask.name] = similar(tips[0], tips[1], tip, desk.at[p], desk.at[q]) + board.hand.carry(0.0)
     desk.tips[view, At(ask.name[0], ask.link)] = tip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.construction import View
-from ...board.marks import Role
+from ...board.marks import Dot, Role
 from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Reals, cross, nominal, similar
 from ...quantity import magnitude
@@ -63,6 +63,9 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
         words = Words(f"用{kind}影像求 ${x}$：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${c}$。",
                       f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to ${p}{q}{x}$ with the letters in the same order gives ${c}$.")
     board.step(words, view)
+    for held_at, letter in ((p_at, a), (q_at, b)):
+        if desk.at_rest(view, held_at):
+            board.plot(view, 0j, letter, Dot.NONE)
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     corners = desk.where(p_at), desk.where(q_at), desk.where(at)
     spread = abs(complex(nominal(tips[1] - tips[0])))

@@ -78,7 +78,7 @@ def _turn(desk: Desk, view: View, ends: dict, to: At, q: str, g: str) -> None:  
     if view is View.VELOCITY:
         angular_velocity(desk, g, q, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))
     else:
-        name = f"n′_{g} {desk.tip_label(view, to)}"
+        name = f"n_{g}^′ {desk.tip_label(view, to)}"
         angular_acceleration(desk, g, q, to.point, ends[rel.key], name, symbol(desk, rel))
 
 

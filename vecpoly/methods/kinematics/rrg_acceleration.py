@@ -90,7 +90,7 @@ def _pitch_point(desk: Desk, joint: Rolling, other: Circle, c: str) -> None:
     along = Term(rel=slide, symbol=symbol(desk, slide), direction=Words(f"∥$ {o}{c}$", f"∥$ {o}{c}$"), magnitude="?", along=desk.towards(o, c))
     left = (known(desk, _VIEW, At(c)), normal(desk, at, c, gear), tangent)
     closed = solve(desk, _VIEW, Equation(left=left, right=(known(desk, _VIEW, base), along)), at)
-    angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n′_{gear} {desk.tip_label(_VIEW, at)}", symbol(desk, rel))
+    angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(_VIEW, at)}", symbol(desk, rel))
 
 
 def _alpha_known(desk: Desk, link: str) -> None:

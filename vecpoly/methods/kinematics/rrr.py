@@ -64,12 +64,13 @@ def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: s
         angular_velocity(desk, link, about, c, ends[rel.key], name, symbol(desk, rel))
     else:
         rel = Rel(Kind.AT, desk.canonical(At(c)), ref)
-        name = f"n′_{link} {desk.tip_label(view, At(c))}"
+        name = f"n_{link}^′ {desk.tip_label(view, At(c))}"
         angular_acceleration(desk, link, about, c, ends[rel.key], name, symbol(desk, rel))
 
 
 def opening(view: View, c: str, *links: str) -> Words:
     """The sentence before an equation."""
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    plural = "s" if len(links) > 1 else ""
     return Words(f"求构件 {'、'.join(links)} 上 ${c}$ 点的{kind}，列矢量方程并作图。",
-                 f"The {kind_en} of ${c}$ of links {' and '.join(links)}: write the vector equation and draw it.")
+                 f"The {kind_en} of ${c}$ of link{plural} {' and '.join(links)}: write the vector equation and draw it.")

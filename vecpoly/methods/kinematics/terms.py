@@ -68,13 +68,15 @@ def normal(desk: Desk, at: At, about: str, link: str) -> Term:
     sign = symbol(desk, rel)
     length = desk.length(about, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
-    size = desk.board.compute(sign, w.squared() * length, "m/s^2")
-    if abs(nominal(size.value)) > 0:
+    at_rest = abs(nominal(turn.value)) < 1e-12
+    size = w.squared() * length
+    if not at_rest:
         start = "p′" if desk.at_rest(View.ACCELERATION, At(about)) else desk.tip_label(View.ACCELERATION, At(about))
-        desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", size)
-    return Term(rel=rel, symbol=sign, direction=Words(f"${q}→{about}$", f"${q}→{about}$"), magnitude=f"$ω_{link}^2 l_{about}{q}$",
-                along=desk.towards(q, about), mm=desk.board.to_paper(View.ACCELERATION, size.value),
-                tip=_n_tip(desk, link))
+        laid = desk.board.compute(sign, size, "m/s^2")
+        desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
+    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words(f"${q}→{about}$", f"${q}→{about}$"),
+                magnitude="0" if at_rest else f"$ω_{link}^2 l_{about}{q}$", along=desk.towards(q, about),
+                mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else _n_tip(desk, link))
 
 
 def tangential(desk: Desk, at: At, about: str) -> Term:
@@ -138,7 +140,7 @@ def _ref(desk: Desk, about: str) -> At | None:
 
 
 def _n_tip(desk: Desk, link: str) -> str:
-    return f"n′_{link}"
+    return f"n_{link}^′"
 
 
 __all__ = ["ABSENT", "Turn", "across", "alpha", "coriolis", "guide_name", "known", "normal", "omega", "sliding", "symbol", "tangential"]

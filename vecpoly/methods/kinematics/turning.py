@@ -38,17 +38,22 @@ def same_turn(desk: Desk, link: str, as_link: str, view: View) -> None:
 
 def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str) -> Reals:
     board = desk.board
-    board.step(Words(f"量取图上长度 ${letters}$，求 ${name}$。", f"Measure ${letters}$ and find ${name}$."), view)
+    none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
+    first, last = letters.split()
+    words = (Words(f"${last}$ 与 ${first}$ 重合，故", f"${last}$ coincides with ${first}$, so") if none
+             else Words(f"量取图上长度 ${letters}$，求 ${name}$。", f"Measure ${letters}$ and find ${name}$."))
+    board.step(words, view)
     on_paper = board.measure(*ends, letters)
     length = desk.length(about, point)
     expr = board.mu(view) * on_paper / length
-    board.write(worked(magnitude(name, 0, unit).node, expr, unit))
+    if not none:
+        board.write(worked(magnitude(name, 0, unit).node, expr, unit))
     way = np.sign(cross(desk.towards(about, point), ends[1] - ends[0]))
     return np.where(np.abs(ends[1] - ends[0]) < NO_LENGTH, 0.0, expr.value * way)[()]
 
 
 def _sense(name: str, symbol: str, point: str, value: float) -> Words:
     if abs(value) < 1e-12:
-        return Words(f"$ {name}$ = 0。", f" $ {name}$ = 0.")
+        return Words(f" ${name}$ = 0。", f" ${name}$ = 0.")
     way, way_en = ("逆时针 ↺", "counter-clockwise ↺") if value > 0 else ("顺时针 ↻", "clockwise ↻")
-    return Words(f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。", f" Carrying ${symbol}$ to ${point}$ shows ${name}$ {way_en}.")
+    return Words(f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。", f" Transferred to ${point}$, ${symbol}$ shows that ${name}$ is {way_en}.")

@@ -92,7 +92,7 @@ class _Reader:
         self._objects, self._lang = objects, lang
         self._readers: dict[str, Callable[[Element], list[Any]]] = {
             "h1": self._heading, "h2": self._heading, "h3": self._heading,
-            "p": lambda e: [Para(_text(e), None, lang)],
+            "p": self._paragraph,
             "note": lambda e: [Para(_text(e), NOTE, lang)],
             "caption": lambda e: [Para(_text(e), CAPTION, lang)],
             "formula": self._formula, "equation": self._equation,
@@ -112,6 +112,11 @@ class _Reader:
                 _fail(child, f"unknown; known are {', '.join(sorted(self._readers))}")
             out.extend(reader(child))
         return out
+
+    def _paragraph(self, element: Element) -> list[Any]:
+        para = Para(_text(element), None, self._lang)
+        para.keepWithNext = int(element.attributes.get("keep") == "yes")
+        return [para]
 
     def _heading(self, element: Element) -> list[Any]:
         return [Heading(_text(element), int(element.tag[1]), self._lang)]
