@@ -98,7 +98,7 @@ def test_nothing_lies_outside_the_page(chinese: Path) -> None:
     with pdfplumber.open(chinese) as document:
         for page in document.pages:
             for char in page.chars:
-                assert 0 <= char["x0"] and char["x1"] <= page.width and 0 <= char["top"] and char["bottom"] <= page.height
+                assert char["x0"] >= 0 and char["x1"] <= page.width and char["top"] >= 0 and char["bottom"] <= page.height
 
 
 @pytest.mark.parametrize("lang", ["zh", "en"])
