@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -66,6 +67,7 @@ def markup(
     return template.render(context), objects
 
 
+@cache
 def _environment(own: Path | None) -> Environment:
     loaders = [FileSystemLoader(folder) for folder in (own, data_dir("templates")) if folder]
     return Environment(loader=ChoiceLoader(loaders), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
