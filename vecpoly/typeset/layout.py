@@ -45,9 +45,18 @@ def _sym(node: Sym, em: float, bold: bool, arrow: bool = False) -> Box:
     slope = _overhang(node.base, em, bold)
     if arrow:
         base = _arrow(base, node.base, em, bold)
-    sup = letters(node.sup, em * SCRIPT, bold) if node.sup else EMPTY
     sub = letters(node.sub, em * SCRIPT, bold) if node.sub else EMPTY
+    if node.sup and not node.sup.strip("′'"):
+        return _primed(base, letters(node.sup, em, bold), sub, em, slope)
+    sup = letters(node.sup, em * SCRIPT, bold) if node.sup else EMPTY
     return _scripts(base, sup, sub, em, slope)
+
+
+def _primed(base: Box, prime: Box, sub: Box, em: float, slope: float) -> Box:
+    """b′₂: the prime at its own height, the subscript under it."""
+    left = base.width + 0.03 * em
+    parts = [(0.0, 0.0, base), (left + slope, 0.0, prime), (left, -SUB * em, sub)]
+    return place([part for part in parts if part[2] is not EMPTY], left + max(prime.width + slope, sub.width) + 0.03 * em)
 
 
 def _overhang(text: str, em: float, bold: bool) -> float:

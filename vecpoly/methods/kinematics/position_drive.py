@@ -10,6 +10,7 @@ from ...board.construction import View
 from ...board.marks import AngleMark, Role, Segment
 from ...mechanism.model import FRAME, Drive, Prismatic
 from ...plane import nominal
+from ...quantity import number
 from ...words import Words
 from ..desk import Desk, Pose
 from ..registry import Stage, method
@@ -24,12 +25,12 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     link, board = desk.mech.link(drive.link), desk.board
     pivot = next(p for p in link.points if p in desk.mech.frame)
     others = [p for p in link.points if p != pivot]
-    phi = degrees(drive.position)
+    phi = number(degrees(drive.position))
     length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
     length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
     board.step(
-        Words(f"过固定铰链 ${pivot}$ 作与 $x$ 轴成 $φ_{drive.link}$ = {phi:g}° 的直线，为构件 {drive.link}{length}。",
-              f"Through the fixed pivot ${pivot}$ draw link {drive.link} at $φ_{drive.link}$ = {phi:g}° to the $x$ axis{length_en}."),
+        Words(f"过固定铰链 ${pivot}$ 作与 $x$ 轴成 $φ_{drive.link}$ = {phi}° 的直线，为构件 {drive.link}{length}。",
+              f"Through the fixed pivot ${pivot}$ draw link {drive.link} at $φ_{drive.link}$ = {phi}° to the $x$ axis{length_en}."),
         View.MECHANISM,
     )
     along = board.hand.tilt(complex(np.exp(1j * drive.position)))
