@@ -75,9 +75,7 @@ class Desk:
         """The letter of a tip on a polygon: b, b_3, b′_3."""
         letter, _, digits = self.name(at).lower().partition("_")
         prime = "′" if view is View.ACCELERATION else ""
-        if digits:
-            return f"{letter}_{digits}^{prime}" if prime else f"{letter}_{digits}"
-        return letter + prime
+        return letter + (f"_{digits}" if digits else "") + (f"^{prime}" if prime else "")
 
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 

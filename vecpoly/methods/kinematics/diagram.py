@@ -31,6 +31,7 @@ from ..desk import Desk
 HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
 BEYOND = 12.0  # mm a rod sticks out behind its block
 ARROW_RADIUS = 10.0  # mm, the driving arrow
+WELD = 3.0  # mm, sides of the mark of a rigid corner
 HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
 
 
@@ -179,14 +180,24 @@ def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Itera
         yield Slot(a=start, b=end)
         for p in own:
             near = min((start, end), key=lambda s: abs(s - p))
-            if abs(travel(p) - t) > HALF_SLOT or abs((np.conj(along) * (p - at)).imag) > 3:
+            off = abs((np.conj(along) * (p - at)).imag)
+            if abs(travel(p) - t) > HALF_SLOT or off > 3:
                 yield Segment(a=p, b=near, role=Role.LINK)
+            if off > 3:
+                yield _weld(near, p - near, pin - near)
         return
     back, ahead = min([*on_line, t - BEYOND]), max([*on_line, t + BEYOND])
     yield Segment(a=at + along * (back if on_line and back in on_line else t - BEYOND), b=at + along * ahead, role=Role.LINK)
     for p in own:
         if abs((np.conj(along) * (p - at)).imag) >= 0.3:
-            yield Segment(a=at + along * travel(p), b=p, role=Role.LINK)
+            foot = at + along * travel(p)
+            yield Segment(a=foot, b=p, role=Role.LINK)
+            yield _weld(foot, p - foot, pin - foot)
+
+
+def _weld(corner: complex, u: complex, v: complex) -> Plate:
+    """The small triangle that shows two bars to be one rigid link (GB/T 4460)."""
+    return Plate(points=(corner, corner + WELD * u / abs(u), corner + WELD * v / abs(v)))
 
 
 def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> Iterator[Mark]:
