@@ -14,6 +14,9 @@ from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.marks import Dot, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.scene import Fill, Rect, Stroke
+from vecpoly.problem.library import library
+from vecpoly.problem.load import load
+from vecpoly.solution import solve
 from vecpoly.words import Words
 
 SCALE = Scale(symbol="μ_v", value=0.006, unit="m/s")
@@ -117,3 +120,9 @@ def test_a_figure_is_lettered_quickly() -> None:
     for seed in range(10):
         drawing(polygon(seed))
     assert (time.process_time() - start) / 10 < 0.15  # 15 ms on a quiet machine
+
+
+@pytest.mark.parametrize("name", [entry.id for entry in library()])
+def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(name: str) -> None:
+    for each in solve(load(name), repeats=0).construction.figures:
+        assert faults(drawing(each)) == []
