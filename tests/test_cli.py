@@ -229,3 +229,11 @@ def test_one_problem_that_fails_does_not_stop_the_others(run: Run, tmp_path: Pat
     (tmp_path / "loose.yaml").write_text(text, encoding="utf-8")
     result = run("report", "loose.yaml", "3-9", "-o", "out")
     assert result.exit_code == 2 and [p.name for p in (tmp_path / "out").iterdir()] == ["3-9.zh.pdf"]
+
+
+def test_an_exercise_with_parts_stands_for_all_of_them() -> None:
+    from vecpoly.problem.library import family
+
+    assert family("3-7") == ("3-7a", "3-7b", "3-7c", "3-7d", "3-7e")
+    assert family("3-4") == ("3-4a", "3-4a-straight", "3-4b")
+    assert family("3-9") == ()

@@ -30,7 +30,7 @@ def problems(names: Sequence[str]) -> list[Problem]:
 
     tally = Tally()
     found = []
-    for name in dict.fromkeys(names):
+    for name in _parts(names):
         with tally.job():
             found.append(load(name))
     tally.settle()
@@ -41,11 +41,19 @@ def jobs(names: Sequence[str]) -> list[Job]:
     """All documents named: a problem by id or file, an assignment by file."""
     tally = Tally()
     found: list[Job] = []
-    for name in dict.fromkeys(names):
+    for name in _parts(names):
         with tally.job():
             found.append(job(name))
     tally.settle()
     return found
+
+
+def _parts(names: Sequence[str]) -> list[str]:
+    """Each name once; an exercise with several parts stands for all of them: 3-7 is 3-7a to 3-7e."""
+    from ..problem.library import family, find
+
+    parts = [part for name in names for part in ([name] if Path(name).is_file() or find(name) else family(name) or [name])]
+    return list(dict.fromkeys(parts))
 
 
 def job(name: str) -> Job:

@@ -53,6 +53,12 @@ def find(name: str) -> Path | None:
     return next((entry.path for entry in entries() if entry.id == name), None)
 
 
+def family(name: str) -> tuple[str, ...]:
+    """The parts of an exercise that has several: 3-7 → 3-7a, 3-7b ...; empty where the name has none."""
+    part = re.compile(rf"{re.escape(name)}[a-z](-\w+)?")
+    return tuple(sorted((e.id for e in entries() if part.fullmatch(e.id)), key=natural))
+
+
 def natural(text: str) -> tuple[tuple[int, str], ...]:
     """Sort key: 3-9 before 3-10."""
     return tuple(

@@ -68,11 +68,12 @@ def _note_offsets(
     elif below:
         draft.note(f"l_{below}{point}", read(data[side], Dim.LENGTH).si, str(data[side]))
     else:
-        zh, along = "左" if side == "left" else "右", data["along"]
+        zh, along = "左" if side == "left" else "右", str(data["along"])
+        line, line_en = (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$") if len(along) == 1 else (f"${along}$", f"${along}$")
         draft.say(
             Words(
-                f"${point}$：沿 ${along}$ 方向 {at.text}，向{zh} {data[side]}",
-                f"${point}$: {at.text} along ${along}$, {data[side]} to the {side}",
+                f"${point}$ 在{line}上的垂足距 ${origin}$ {at.text}，${point}$ 在该线{zh}侧 {data[side]}",
+                f"the foot of ${point}$ on {line_en} is {at.text} from ${origin}$ and ${point}$ lies {data[side]} to its {side}",
             )
         )
 
@@ -96,7 +97,8 @@ def _by_angle(
     else:
         draft.say(
             Words(
-                f"${ends[0]}{ends[1]}$ 与导路方向成 {m[1]}", f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide"
+                f"${ends[0]}{ends[1]}$ 与构件 {draft.name} 所沿导路的方向成 {m[1]}",
+                f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide of link {draft.name}",
             )
         )
     return (
