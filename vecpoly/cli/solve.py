@@ -45,7 +45,7 @@ def solve(
             _print(solution, lang)
     if json is not None and not tally.failed:
         data = [solution.as_json() for solution in solutions]
-        write_json(data if len(names) > 1 else data[0], json)
+        write_json(data if len(found) > 1 else data[0], json)
     tally.settle()
 
 

@@ -17,7 +17,7 @@ from ..board.hand import Hand, hand
 from ..board.scales import round_scale
 from ..errors import AssemblyError, DeadPointError
 from ..mechanism.assur import Group, decompose
-from ..mechanism.model import FRAME, Prismatic, Revolute
+from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import At, Kind
 from ..problem.asks import AskPoint, AskRel
 from ..problem.problem import Problem
@@ -49,9 +49,10 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
     slots: width and height in mm that each figure should fill. Returns the construction and every answer by all hands.
     Raises AssemblyError, DeadPointError, NoMethodError.
     """
-    scales = _choose_scales(problem, slots)
-    desk = _draw(problem, by, scales)
-    readings, repeats = _answers(desk, problem)
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
+        scales = _choose_scales(problem, slots)
+        desk = _draw(problem, by, scales)
+        readings, repeats = _answers(desk, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
                                 steps=tuple(desk.board.steps), readings=readings)
     return construction, repeats
@@ -89,7 +90,7 @@ def _scale(view: View, value: float) -> Scale:
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(groups))
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups))
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
@@ -147,9 +148,12 @@ def _ensure(desk: Desk, view: View, at: At) -> None:
         imaged(desk, view, at.link, desk.canonical(at))
 
 
-def _coincident(groups: Iterable[Group]) -> dict[str, str]:
-    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first."""
-    letters: dict[str, str] = {}
+def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
+    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first.
+
+    P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
+    """
+    letters = {"P": next(li.name for li in mech.links if "P" in li.points)} if any("P" in li.points for li in mech.links) else {}
     for d in (group.dyad for group in groups if group.dyad is not None):
         if isinstance(d.inner, Prismatic):
             pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
@@ -160,7 +164,8 @@ def _coincident(groups: Iterable[Group]) -> dict[str, str]:
                       if isinstance(joint, Prismatic) and parent != FRAME]
             if moving:
                 letters[d.inner.point] = moving[0]
-    return letters
+    pins = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
+    return {letter: next(n for n in mech.links_at(letter) if n not in pins) if link in pins else link for letter, link in letters.items()}
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

@@ -49,7 +49,7 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     eq = Equation(left=swung, right=_slid(desk, view, to, ref, joint), total=_total(desk, view, to, len(swung)))
     closed = solve(desk, view, eq, to)
     _turn(desk, view, closed.ends, to, q, g)
-    same_turn(desk, b, g, view)
+    same_turn(desk, b, g, view, said=not joint.pin_in_slot)
     for link in (g, b):
         images_of_link(desk, view, link)
 
@@ -90,8 +90,9 @@ def _total(desk: Desk, view: View, to: At, terms: int) -> str:
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:
     kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
     a, b = desk.name(to), desk.name(ref)
-    words = Words(f"取构件 {joint.guide} 与构件 {joint.block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图。",
-                  f"Links {joint.guide} and {joint.block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it.")
+    block = desk.coincident.get(to.point, joint.block)
+    words = Words(f"取构件 {joint.guide} 与构件 {block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图。",
+                  f"Links {joint.guide} and {block} have the coincident points ${a}$ and ${b}$ at ${to.point}$; write the {kind_en} equation and draw it.")
     if view is View.VELOCITY and abs(desk.offset(joint, joint.block, to.point)) > 1e-12:
         words = Words(f"导路不通过 ${to.point}$，将构件 {joint.guide} 扩大至包含 ${to.point}$ 点（扩大构件法）。",
                       f"The guide passes ${to.point}$ at an offset: expand link {joint.guide} to contain ${to.point}$. ") + words

@@ -26,11 +26,11 @@ def angular_acceleration(desk: Desk, link: str, about: str, point: str, ends: tu
     desk.board.remark(_sense(f"α_{link}", symbol, point, nominal(desk.turns[alpha(link)].value)))
 
 
-def same_turn(desk: Desk, link: str, as_link: str, view: View) -> None:
+def same_turn(desk: Desk, link: str, as_link: str, view: View, said: bool = True) -> None:
     """Links joined by a sliding pair turn alike."""
     kind = omega if view is View.VELOCITY else alpha
     desk.turns[kind(link)] = desk.turns[kind(as_link)]
-    if not desk.turns[kind(link)].never and as_link != "0":
+    if said and not desk.turns[kind(link)].never and as_link != "0":
         greek = "ω" if view is View.VELOCITY else "α"
         desk.board.remark(Words(f"构件 {link} 与 {as_link} 组成移动副，$ {greek}_{link}$ = $ {greek}_{as_link}$。",
                                 f" Links {link} and {as_link} form a sliding pair: $ {greek}_{link}$ = $ {greek}_{as_link}$."))
