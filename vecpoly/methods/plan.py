@@ -164,8 +164,8 @@ def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
                       if isinstance(joint, Prismatic) and parent != FRAME]
             if moving:
                 letters[d.inner.point] = moving[0]
-    pins = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
-    return {letter: next(n for n in mech.links_at(letter) if n not in pins) if link in pins else link for letter, link in letters.items()}
+    unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
+    return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:
