@@ -106,6 +106,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     position = stage is Stage.POSITION
     find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
     if position:
+        _further_points(desk, (drive.link,))
         draw_frame(desk, shapes)
         draw_links(desk, shapes, (drive.link,))
     elif (view := View.VELOCITY if stage is Stage.VELOCITY else View.ACCELERATION) and desk.board.steps:
@@ -113,11 +114,21 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     for group in groups:
         find(stage, group.kind).draw(desk, group.dyad or group)
         if position:
+            _further_points(desk, group.links)
             draw_links(desk, shapes, group.links)
     if position:
         draw_drive_arrow(desk)
     else:
         _wanted(desk, problem, stage)
+
+
+def _further_points(desk: Desk, links: tuple[str, ...]) -> None:
+    """Say that the other lettered points of these links are set out too."""
+    for name in links:
+        points = [p.point for p in desk.mech.link(name).placements]
+        if points:
+            letters = "$, $".join(points)
+            desk.board.remark(Words(f"按已知尺寸定出构件 {name} 上的 ${letters}$。", f" Set out ${letters}$ of link {name} from the given lengths."))
 
 
 def _pole(desk: Desk, view: View) -> None:

@@ -32,9 +32,9 @@ def _row(answer: Answer, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     mm = "—" if r.mm is None else f"{r.mm:.1f}"
     if r.key.startswith("p_") and answer.drawn_vector is not None and answer.exact_vector is not None:
-        drawn, exact = (f"({number(v.real, 4)}, {number(v.imag, 4)})" for v in (answer.drawn_vector, answer.exact_vector))
-        gap = number(abs(answer.drawn_vector - answer.exact_vector), 2)
-        return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} m", "—", exact, gap, number(answer.expected_error, 2))
+        drawn, exact = (f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
+        gap = f"{number(1e3 * abs(answer.drawn_vector - answer.exact_vector), 2)} mm"
+        return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap, number(1e3 * answer.expected_error, 2))
     return (
         f"${r.symbol}$", mm, f"${r.scale}$" if r.scale else "—", f"{number(answer.drawn, 4)} {r.unit}", way(answer, lang),
         number(_clean(answer.exact, answer.expected_error), 5), _deviation(answer), number(answer.expected_error, 2),

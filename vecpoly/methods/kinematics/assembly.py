@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...errors import AssemblyError, DeadPointError
 from ...mechanism.branch import margin
-from ...mechanism.model import FRAME, SideOf
+from ...mechanism.model import FRAME, Side, SideOf
 from ...plane import Points, nominal
 from ...words import Words
 from ..desk import Desk
@@ -39,7 +39,8 @@ def said(statement: SideOf | None) -> Words:
     """The deciding statement in words."""
     if statement is None:
         return Words("", "")
-    ref = "".join(statement.ref)
+    beside = statement.side in (Side.LEFT, Side.RIGHT)
+    ref = ("→" if beside else "").join(statement.ref)
     return Words(f"（取 ${statement.point}$ 在 ${ref}$ {_SIDE[statement.side]}的一点）", f" (of the two, ${statement.point}$ {_en(statement)} ${ref}$)")
 
 

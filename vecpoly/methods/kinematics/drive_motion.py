@@ -32,8 +32,8 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     b = others[0]
     name, tip = desk.show(At(b)), desk.tip_label(View.VELOCITY, At(b))
     way, way_en = ("逆时针", "ccw") if drive.rate > 0 else ("顺时针", "cw")
-    board.step(Words(f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p {tip}$ 代表 $v_{{{name}}}$：",
-                     f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p {tip}$ for $v_{{{name}}}$:"), View.VELOCITY)
+    board.step(Words(f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 $v_{{{name}}}$：",
+                     f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:"), View.VELOCITY)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     speed = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
     board.write_length(View.VELOCITY, f"p {tip}", speed)

@@ -41,7 +41,7 @@ def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, 
     none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
     first, last = letters.split()
     words = (Words(f"${last}$ 与 ${first}$ 重合，故", f"${last}$ coincides with ${first}$, so") if none
-             else Words(f"量取图上长度 ${letters}$，求 ${name}$。", f"Measure ${letters}$ and find ${name}$."))
+             else Words(f"量取图上长度 ${first}{last}$，求 ${name}$。", f"Measure ${first}{last}$ and find ${name}$."))
     board.step(words, view)
     on_paper = board.measure(*ends, letters)
     length = desk.length(about, point)
