@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .formula import Frac, Node, Over, Power, Row, Sym, Txt, sym
+from .formula import Frac, Node, Over, Power, Row, Txt, sym
 from .plane import Reals, nominal
 
 UNIT_TEXT = {"m/s": "m/s", "m/s^2": "m/s^2", "m": "m", "rad/s": "rad/s", "rad/s^2": "rad/s^2", "mm": "mm"}
@@ -165,7 +165,3 @@ def worked(result: Node, expr: Expr, unit: str) -> Row:
 def stated(quantity: Quantity) -> Row:
     """symbol = value with unit."""
     return Row((quantity.node, Txt(f" = {number(float(nominal(quantity.value)))} {quantity.unit}")))
-
-
-__all__ = ["Expr", "Product", "Quantity", "Quotient", "Squared", "Sym", "Times", "magnitude", "number", "paper", "stated",
-           "worked"]

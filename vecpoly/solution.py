@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import degrees
+from math import degrees, inf, isfinite
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +70,7 @@ class Answer:
             data["sense"] = self.sense
         if self.reading.mm is not None:
             data["reading_mm"] = self.reading.mm
-        return data | {"expected_error": self.expected_error}
+        return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None}
 
 
 @dataclass(frozen=True)
@@ -116,11 +116,9 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
 def _answer(reading: Reading, exact: complex | float, scalars: Any) -> Answer:
     vector = isinstance(exact, complex)
     repeated = np.asarray(scalars)
-    error = 3.0 * float(np.nanstd(repeated[1:])) if repeated.ndim and repeated.size > 1 else 0.0
+    found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
+    error = 3.0 * float(np.std(found)) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
     return Answer(
         key=reading.key, reading=reading, drawn=reading.scalar, exact=abs(exact) if vector else float(np.real(exact)),
         expected_error=error, drawn_vector=reading.vector, exact_vector=exact if isinstance(exact, complex) else None,
     )
-
-
-__all__ = ["REPEATS", "Answer", "Solution", "solve"]

@@ -14,6 +14,7 @@ from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.extent import extent
 from ..board.hand import Hand, hand
+from ..board.marks import Dot
 from ..board.scales import round_scale
 from ..errors import AssemblyError, DeadPointError
 from ..mechanism.assur import Group, decompose
@@ -109,8 +110,9 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         _further_points(desk, (drive.link,))
         draw_frame(desk, shapes)
         draw_links(desk, shapes, (drive.link,))
-    elif (view := View.VELOCITY if stage is Stage.VELOCITY else View.ACCELERATION) and desk.board.steps:
-        _pole(desk, view)
+    else:
+        view, pole = (View.VELOCITY, "p") if stage is Stage.VELOCITY else (View.ACCELERATION, "p′")
+        desk.board.plot(view, 0j, pole, Dot.POLE)
     for group in groups:
         find(stage, group.kind).draw(desk, group.dyad or group)
         if position:
@@ -129,12 +131,6 @@ def _further_points(desk: Desk, links: tuple[str, ...]) -> None:
         if points:
             letters = "$, $".join(points)
             desk.board.remark(Words(f"按已知尺寸定出构件 {name} 上的 ${letters}$。", f" Set out ${letters}$ of link {name} from the given lengths."))
-
-
-def _pole(desk: Desk, view: View) -> None:
-    from ..board.marks import Dot
-
-    desk.board.plot(view, 0j, "p" if view is View.VELOCITY else "p′", Dot.POLE)
 
 
 def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:

@@ -143,6 +143,3 @@ def blank_equations(solution: Solution, objects: Objects) -> list[str]:
 def _emptied(table: EquationTable) -> EquationTable:
     blank = tuple(Words("____", "____") for _ in table.symbols)
     return EquationTable(symbols=table.symbols, signs=table.signs, directions=blank, magnitudes=tuple("____" for _ in table.symbols))
-
-
-__all__ = ["Objects", "blank_equations", "sections", "statement"]

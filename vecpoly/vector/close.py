@@ -19,13 +19,14 @@ from .equation import Equation, Term
 RIGHT_ANGLE_FROM = 6.0  # mm: shorter sides carry no mark
 
 Choice = Callable[[Points, Points], Points]
+Ends = dict[str, tuple[Points, Points]]
 
 
 @dataclass(frozen=True, slots=True)
 class Closed:
     """Where every term starts and ends on the polygon, by its key; and where the two chains meet."""
 
-    ends: dict[str, tuple[Points, Points]]
+    ends: Ends
     meeting: Points
 
 
@@ -34,7 +35,7 @@ def close(board: Board, view: View, pole: Points, eq: Equation, choose: Choice |
 
     choose: which of two arc meetings is meant (cases with an unknown direction).
     """
-    ends: dict[str, tuple[Points, Points]] = {}
+    ends: Ends = {}
     left, open_left = _known_chain(board, view, pole, eq.left, ends)
     right, open_right = _known_chain(board, view, pole, eq.right, ends)
     unknown = [(t, True) for t in open_left] + [(t, False) for t in open_right]
@@ -56,7 +57,7 @@ def close(board: Board, view: View, pole: Points, eq: Equation, choose: Choice |
     return Closed(ends, meeting)
 
 
-def _right_angle(board: Board, view: View, term: Term, ends: dict[str, tuple[Points, Points]]) -> None:
+def _right_angle(board: Board, view: View, term: Term, ends: Ends) -> None:
     """Mark the right angle between a normal and the tangential component that follows it."""
     normal = ends.get(Rel(Kind.AN, term.rel.to, term.rel.ref).key)
     if term.rel.kind is not Kind.AT or normal is None:
@@ -67,7 +68,7 @@ def _right_angle(board: Board, view: View, term: Term, ends: dict[str, tuple[Poi
 
 
 def _known_chain(
-    board: Board, view: View, pole: Points, chain: tuple[Term, ...], ends: dict[str, tuple[Points, Points]]
+    board: Board, view: View, pole: Points, chain: tuple[Term, ...], ends: Ends
 ) -> tuple[Points, list[Term]]:
     """Lay the known terms of one side tip to tail; the unknown ones wait."""
     here, waiting = pole, []
@@ -90,7 +91,7 @@ def _known_chain(
 
 
 def _closing_side(
-    board: Board, view: View, left: Points, right: Points, unknown: tuple[Term, bool], ends: dict[str, tuple[Points, Points]]
+    board: Board, view: View, left: Points, right: Points, unknown: tuple[Term, bool], ends: Ends
 ) -> Closed:
     """One vector unknown altogether: it joins the ends of the two chains."""
     term, on_left = unknown

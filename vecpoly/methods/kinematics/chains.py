@@ -5,7 +5,6 @@ from __future__ import annotations
 from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, alpha, omega
-from ...plane import Points
 from ...vector.close import Closed, close
 from ...vector.equation import Equation, Term
 from ..desk import Desk, Turn
@@ -73,8 +72,3 @@ def letters(desk: Desk, view: View, start: At | None, end: At) -> str:
 def never_turns(desk: Desk, link: str) -> None:
     """A link that only translates has neither ω nor α, ever."""
     desk.turns[omega(link)] = desk.turns[alpha(link)] = _STILL
-
-
-def v_ends(closed: Closed, rel: Rel) -> tuple[Points, Points]:
-    """Start and end of one vector of a closed polygon."""
-    return closed.ends[rel.key]

@@ -39,7 +39,7 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     bases = [coincident_tip(desk, view, b, parent) for _, parent, _ in slides]
     desk.board.step(opening(view, b, d.link_j, d.link_k), view)
     sides = sorted((sliding_chain(desk, view, At(b), base, *slide[:2]) for base, slide in zip(bases, slides, strict=True)), key=len)
-    front = "" if len(sides[0]) == 1 else total(desk, view, b, 2)
+    front = "" if len(sides[0]) == 1 else total(desk, view, At(b), 2)
     solve(desk, view, Equation(left=sides[0], right=sides[1], total=front), At(b))
     for _, parent, link in slides:
         if parent == FRAME:

@@ -45,9 +45,9 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
         same_turn(desk, k, d.parent_k, view)
     led = sliding_chain(desk, view, to, base, d.outer_k, d.parent_k)
     solve(desk, view, Equation(left=led, right=_from_block(desk, view, d, to)), to)
-    if desk.turns[omega(k)].never:
-        desk.board.remark(Words(f"构件 {k} 只作平动（$ω_{k}$ ≡ 0），不存在哥氏加速度。", f" Link {k} only translates ($ω_{k}$ ≡ 0): there is no Coriolis term.")
-                          if view is View.ACCELERATION else Words("", ""))
+    if view is View.ACCELERATION and desk.turns[omega(k)].never:
+        desk.board.remark(Words(f"构件 {k} 只作平动（$ω_{k}$ ≡ 0），不存在哥氏加速度。",
+                                f" Link {k} only translates ($ω_{k}$ ≡ 0): there is no Coriolis term."))
     same_turn(desk, d.link_j, k, view)
     for link in (k, d.link_j):
         images_of_link(desk, view, link)

@@ -15,10 +15,11 @@ from ...vector.equation import Equation, Term
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
-from .chains import letters, solve, turning_chain
+from .chains import solve, turning_chain
 from .image import images_of_link
-from .terms import coriolis, known, sliding, symbol
-from .turning import angular_acceleration, angular_velocity, same_turn
+from .rrr import total, turn_of_link
+from .terms import coriolis, known, sliding
+from .turning import same_turn
 
 _SOURCE = "机械原理, coincident points of two links, Coriolis acceleration"
 
@@ -46,9 +47,9 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     to, ref = At(p, g), At(p, b)
     desk.board.step(_opening(desk, view, to, ref, joint), view)
     swung = turning_chain(desk, view, to, q, g)
-    eq = Equation(left=swung, right=_slid(desk, view, to, ref, joint), total=_total(desk, view, to, len(swung)))
+    eq = Equation(left=swung, right=_slid(desk, view, to, ref, joint), total=total(desk, view, to, len(swung)))
     closed = solve(desk, view, eq, to)
-    _turn(desk, view, closed.ends, to, q, g)
+    turn_of_link(desk, view, closed.ends, to, q, g)
     same_turn(desk, b, g, view, said=not joint.pin_in_slot)
     for link in (g, b):
         images_of_link(desk, view, link)
@@ -60,31 +61,10 @@ def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Te
     if desk.at_rest(view, ref):
         desk.board.plot(view, 0j, desk.tip_label(view, ref), Dot.NONE)
     if view is View.VELOCITY:
-        return (_from_block(front, tail), sliding(desk, Rel(Kind.V, to, tail), joint))
+        return (front, sliding(desk, Rel(Kind.V, to, tail), joint))
     _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
-    return (_from_block(front, tail), coriolis(desk, to, tail, joint.guide, (start, end)),
+    return (front, coriolis(desk, to, tail, joint.guide, (start, end)),
             sliding(desk, Rel(Kind.AR, to, tail), joint))
-
-
-def _from_block(front: Term, tail: At) -> Term:
-    assert front.rel.to == tail
-    return front
-
-
-def _turn(desk: Desk, view: View, ends: dict, to: At, q: str, g: str) -> None:  # type: ignore[type-arg]
-    ref = None if desk.at_rest(view, At(q)) else At(q)
-    kind = Kind.V if view is View.VELOCITY else Kind.AT
-    rel = Rel(kind, to, ref)
-    if view is View.VELOCITY:
-        angular_velocity(desk, g, q, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))
-    else:
-        name = f"n_{g}^′ {desk.tip_label(view, to)}"
-        angular_acceleration(desk, g, q, to.point, ends[rel.key], name, symbol(desk, rel))
-
-
-def _total(desk: Desk, view: View, to: At, terms: int) -> str:
-    kind = Kind.V if view is View.VELOCITY else Kind.A
-    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, to))
 
 
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:

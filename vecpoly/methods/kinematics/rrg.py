@@ -32,10 +32,10 @@ def velocity_rrg(desk: Desk, d: Dyad) -> None:
     desk.board.step(opening(view, c, d.link_j, d.link_k), view)
     sides = [turning_chain(desk, view, At(c), about, link) for about, link in ((h, d.link_k), (p, d.link_j))]
     sides.sort(key=len)
-    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, len(sides[0])))
+    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, At(c), len(sides[0])))
     closed = solve(desk, view, eq, At(c))
-    turn_of_link(desk, view, closed.ends, c, h, d.link_k)
-    turn_of_link(desk, view, closed.ends, c, p, d.link_j)
+    turn_of_link(desk, view, closed.ends, At(c), h, d.link_k)
+    turn_of_link(desk, view, closed.ends, At(c), p, d.link_j)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)
     _image_circle(desk, d.link_k, c, h)

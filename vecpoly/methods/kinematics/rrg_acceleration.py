@@ -40,9 +40,9 @@ def acceleration_rrg(desk: Desk, d: Dyad) -> None:
     desk.board.step(opening(_VIEW, c, d.link_j, d.link_k), _VIEW)
     centre = _along_rack(desk, joint, c) if isinstance(joint.on, Rack) else _about_gear(desk, joint, joint.on, c)
     swung = turning_chain(desk, _VIEW, At(c), p, d.link_j)
-    front = "" if len(centre) == 1 else total(desk, _VIEW, c, 2)
+    front = "" if len(centre) == 1 else total(desk, _VIEW, At(c), 2)
     closed = solve(desk, _VIEW, Equation(left=centre, right=swung, total=front), At(c))
-    turn_of_link(desk, _VIEW, closed.ends, c, p, d.link_j)
+    turn_of_link(desk, _VIEW, closed.ends, At(c), p, d.link_j)
     images_of_link(desk, _VIEW, d.link_j)
     if isinstance(joint.on, Circle):
         _pitch_point(desk, joint, joint.on, c)

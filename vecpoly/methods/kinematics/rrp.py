@@ -41,9 +41,9 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     swung = turning_chain(desk, view, At(c), p, d.link_j)
     own = len(led) == 1 or (view is View.VELOCITY and len(swung) == 1)
     left, right = (led, swung) if len(led) <= len(swung) else (swung, led)
-    eq = Equation(left=left, right=right, total="" if own else total(desk, view, c, 2))
+    eq = Equation(left=left, right=right, total="" if own else total(desk, view, At(c), 2))
     closed = solve(desk, view, eq, At(c))
-    turn_of_link(desk, view, closed.ends, c, p, d.link_j)
+    turn_of_link(desk, view, closed.ends, At(c), p, d.link_j)
     if d.parent_k == FRAME:
         never_turns(desk, d.link_k)
     else:

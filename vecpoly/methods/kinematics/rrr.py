@@ -6,6 +6,7 @@ from ...board.construction import View
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Revolute
 from ...names import At, Kind, Rel
+from ...vector.close import Ends
 from ...vector.equation import Equation
 from ...words import Words
 from ..desk import Desk
@@ -40,32 +41,29 @@ def _hinge_polygon(desk: Desk, view: View, d: Dyad, p: str, q: str) -> None:
     desk.board.step(opening(view, c, f"{d.link_j}", f"{d.link_k}"), view)
     sides = [turning_chain(desk, view, At(c), about, link) for about, link in ((p, d.link_j), (q, d.link_k))]
     sides.sort(key=len)
-    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, c, len(sides[0])))
+    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, At(c), len(sides[0])))
     closed = solve(desk, view, eq, At(c))
     for about, link in ((p, d.link_j), (q, d.link_k)):
-        turn_of_link(desk, view, closed.ends, c, about, link)
+        turn_of_link(desk, view, closed.ends, At(c), about, link)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)
 
 
-def total(desk: Desk, view: View, c: str, terms: int) -> str:
-    """The sought vector's own symbol, where neither side of the equation is that vector alone."""
+def total(desk: Desk, view: View, to: At, terms: int) -> str:
+    """The sought vector's own symbol, where no side of the equation is that vector alone."""
     kind = Kind.V if view is View.VELOCITY else Kind.A
-    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, At(c)))
+    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(kind, desk.canonical(to)))
 
 
-def turn_of_link(desk: Desk, view: View, ends: dict, c: str, about: str, link: str) -> None:  # type: ignore[type-arg]
+def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: str) -> None:
     """ω (from v) or α (from a^t) of a link that turns about one of its hinges."""
-    rest = desk.at_rest(view, At(about))
-    ref = None if rest else At(about)
+    ref = None if desk.at_rest(view, At(about)) else At(about)
+    rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, desk.canonical(to), ref)
     if view is View.VELOCITY:
-        rel = Rel(Kind.V, desk.canonical(At(c)), ref)
-        name = letters(desk, view, ref, At(c))
-        angular_velocity(desk, link, about, c, ends[rel.key], name, symbol(desk, rel))
+        angular_velocity(desk, link, about, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))
     else:
-        rel = Rel(Kind.AT, desk.canonical(At(c)), ref)
-        name = f"n_{link}^′ {desk.tip_label(view, At(c))}"
-        angular_acceleration(desk, link, about, c, ends[rel.key], name, symbol(desk, rel))
+        line = f"n_{link}^′ {desk.tip_label(view, to)}"
+        angular_acceleration(desk, link, about, to.point, ends[rel.key], line, symbol(desk, rel))
 
 
 def opening(view: View, c: str, *links: str) -> Words:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
-from ...names import At, Kind, Rel, alpha, omega
+from ...names import At, Kind, Rel, omega
 from ...plane import Points, nominal
 from ...quantity import Quantity, Times, magnitude
 from ...vector.equation import KNOWN, Term
@@ -142,5 +142,3 @@ def _ref(desk: Desk, about: str) -> At | None:
 def _n_tip(desk: Desk, link: str) -> str:
     return f"n_{link}^′"
 
-
-__all__ = ["ABSENT", "Turn", "across", "alpha", "coriolis", "guide_name", "known", "normal", "omega", "sliding", "symbol", "tangential"]
