@@ -81,5 +81,5 @@ def _common_factor(rates: list[Checked]) -> Words | None:
     words = next((w for factor, w in FACTORS if abs(middle / factor - 1) < GRAPHICAL), None)
     if words is None or 2 * alike <= len(ratios):
         return None
-    return Words(f"{len(ratios)} 个所给速度中有 {alike} 个同为精确值的 {middle:.4g} 倍：{words.zh}。",
-                 f"{alike} of {len(ratios)} printed velocities are {middle:.4g} times the exact ones: {words.en}.")
+    return Words(f"{len(ratios)} 个所给速度中有 {alike} 个约为精确值的 {middle:.2g} 倍：{words.zh}。",
+                 f"{alike} of {len(ratios)} printed velocities are about {middle:.2g} times the exact ones: {words.en}.")

@@ -175,12 +175,16 @@ class Desk:
         rolls = [j.point for j in self.mech.joints if isinstance(j, Rolling) and link in (j.gear.link, j.on.link)]
         return (*self.mech.link(link).points, *rolls)
 
+    def bar(self, link: str, p: str, q: str) -> str:
+        """Two letters of a link in the order in which the problem names them: EF, not FE."""
+        return "".join(name for name in self.mech.link(link).points if name in (p, q))
+
     def length(self, p: str, q: str) -> Quantity:
         """l_PQ: given by the problem where one link carries both points; else measured once on the diagram, × μ_l."""
         pair = frozenset((p, q))
         for link in (*self.mech.links, Link(name=FRAME, points=self.mech.frame)):
             if pair <= set(link.points):
-                return magnitude(f"l_{p}{q}", abs(link.points[p] - link.points[q]), "m")
+                return magnitude(f"l_{self.bar(link.name, p, q)}", abs(link.points[p] - link.points[q]), "m")
         if pair not in self.lengths:
             on_paper = self.board.measure(self.at[p], self.at[q], f"{p} {q}")
             mu = self.board.mu(View.MECHANISM)

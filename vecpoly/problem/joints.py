@@ -8,6 +8,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
+from math import degrees
 
 from ..mechanism.model import FRAME, Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
 from ..words import Words
@@ -107,8 +108,8 @@ def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     if m["offset"]:
         block.say(
             Words(
-                f"${pin}$ 偏在导路{zh_side}侧 {m['offset']}",
-                f"${pin}$ is {m['offset']} to the {m['side']} of the guide",
+                f"偏距 $e$ = {m['offset']}（${pin}$ 在导路{zh_side}侧）",
+                f"offset $e$ = {m['offset']} (${pin}$ to the {m['side']} of the guide)",
             )
         )
     if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
@@ -121,10 +122,12 @@ def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
             )
         )
     if m["turn"]:
+        turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
+        acute = min(turn, 180 - turn)
         block.say(
             Words(
-                f"构件 {block.name} 的槽与导路成 {m['turn']}",
-                f"the slot of link {block.name} is at {m['turn']} to the guide",
+                f"构件 {block.name} 的槽与导路成 {acute:g}°",
+                f"the slot of link {block.name} is at {acute:g}° to the guide",
             )
         )
 

@@ -61,7 +61,7 @@ def _coriolis(answer: Answer) -> Words:
     symbol = f"${answer.reading.symbol}$"
     if answer.direction is None:
         why = answer.reading.remark or Words("相对速度或角速度为零", "ω or the relative velocity is zero")
-        return Words(f"结论：{why.zh}，故无哥氏加速度，{symbol} = 0。", f"Answer: {why.en}; there is no Coriolis term, {symbol} = 0.")
+        return Words(f"结论：{why.zh}，{symbol} = 0。", f"Answer: {why.en}, so {symbol} = 0.")
     size, way = number(answer.drawn), number(answer.direction)
     return Words(f"结论：存在哥氏加速度，{symbol} = {size} m/s^2，方向与 $x$ 轴成 {way}°。",
                  f"Answer: a Coriolis term exists, {symbol} = {size} m/s^2 at {way}° to the $x$ axis.")

@@ -31,6 +31,8 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
     "en": ("Class", "Name", "Student no.", "Mark", "Lecturer", "Marked on"),
 }
 TITLE = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
+_HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
+             "note": Words("勘误：", "Errata: "), "pass": Words("", "")}
 STYLES = ("solution", "question")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
 
@@ -108,14 +110,15 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
     for c in checked.answers:
         symbol = symbol_of(c)
         if c.verdict is Verdict.WRONG and c.printed.note is not None:
-            said.append(("warn", f"${symbol}$: {c.printed.note.of(lang)}"))
-        elif c.verdict is Verdict.OUTLIER:
+            said.append(("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang)))
+        elif c.verdict is Verdict.OUTLIER and checked.fit is None:
             off = percent(c.deviation, 1)
             said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
     if checked.answers and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers):
         said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
     said += [("note", e.of(lang)) for e in solution.problem.errata]
-    return [(kind, _listed([text for k, text in said if k == kind], lang)) for kind in dict.fromkeys(k for k, _ in said)]
+    return [(kind, _HEADINGS[kind].of(lang) + _listed([text for k, text in said if k == kind], lang))
+            for kind in dict.fromkeys(k for k, _ in said)]
 
 
 def _listed(texts: Sequence[str], lang: Lang) -> str:

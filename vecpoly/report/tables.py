@@ -71,18 +71,23 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
     for c in checked:
         verdict = c.verdict.words.of(lang)
         slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
-        rows.append((f"${symbol_of(c)}$", as_printed(c.printed.text, lang), _exact_like(c), percent(c.deviation, 1), verdict + slip))
+        rows.append((f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c), percent(c.deviation, 1), verdict + slip))
     return DataTable(_PRINTED[lang], rows, None, "lrrrl")
 
 
-def _exact_like(checked: Checked) -> str:
-    """The exact value in the unit in which the print has it."""
+def _as_given(checked: Checked, lang: Lang) -> str:
+    """The printed answer as it stands there, and what it is where a length on paper is printed."""
     printed = checked.printed
+    text = as_printed(printed.text, lang)
     if printed.scale:
-        return f"{number(checked.exact / printed.scale)} mm"
-    if printed.rel is None:
-        return f"{number(1e3 * checked.exact)} mm"
-    return f"{number(checked.exact, 5)} {printed.rel.kind.unit}"
+        unit = printed.rel.kind.unit if printed.rel else "m"
+        text += f" = {number(abs(printed.value))} {unit}"
+    return text
+
+
+def _exact_like(checked: Checked) -> str:
+    """The exact value with its unit."""
+    return f"{number(checked.exact)} {checked.printed.rel.kind.unit if checked.printed.rel else 'm'}"
 
 
 def symbol_of(checked: Checked) -> str:

@@ -180,6 +180,7 @@ def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Itera
         yield Slot(a=start, b=end)
         for p in own:
             near = min((start, end), key=lambda s: abs(s - p))
+            near += HALF_BLOCK * (p - near) / abs(p - near)  # the rounded end of the slot
             off = abs((np.conj(along) * (p - at)).imag)
             if abs(travel(p) - t) > HALF_SLOT or off > 3:
                 yield Segment(a=p, b=near, role=Role.LINK)

@@ -39,7 +39,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
-    desk.known_as[View.VELOCITY, At(b)] = (Words(f"⊥$ {pivot}{b}$", f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{pivot}{b}$")
+    desk.known_as[View.VELOCITY, At(b)] = (Words(f"⊥$ {pivot}{b}$", f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{desk.bar(drive.link, pivot, b)}$")
     desk.ends[f"v_{b}"] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
     images_of_link(desk, View.VELOCITY, drive.link)
 
@@ -67,7 +67,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     tip = desk.tip(View.ACCELERATION, At(b))
     desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
     if not drive.accel:
-        desk.known_as[View.ACCELERATION, At(b)] = (Words(f"${b}→{pivot}$", f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{pivot}{b}$")
+        desk.known_as[View.ACCELERATION, At(b)] = (Words(f"${b}→{pivot}$", f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$")
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")

@@ -29,6 +29,9 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     if abs(complex(nominal(tips[1] - tips[0]))) < 1e-9:
         raise NoMethodError(f"{ask.name}: all points of link {ask.link} have the same vector at this instant")
     board = desk.board
+    for at in (p_at, q_at):
+        if desk.at_rest(view, at):
+            board.plot(view, 0j, desk.tip_label(view, at), Dot.NONE)
     low = ask.name[0].lower()
     tip = board.to_paper(view, 1.0) * wanted
     prime = "′" if view is View.ACCELERATION else ""

@@ -121,6 +121,12 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[T
     return (n, _laid(desk, view, rel, link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
 
 
+def _from(desk: Desk, view: View, rel: Rel) -> str:
+    """Letter at which a relative vector starts on the polygon."""
+    pole = "p" if view is View.VELOCITY else "p′"
+    return pole if rel.ref is None or desk.at_rest(view, rel.ref) else desk.tip_label(view, rel.ref)
+
+
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:
     """A vector perpendicular to PX of known magnitude and sense: ω l or α l."""
     length = desk.length(p, x)
@@ -130,7 +136,7 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    desk.board.write_length(view, f"{'p' if rel.ref is None else p.lower()} {desk.tip_label(view, rel.to)}",
+    desk.board.write_length(view, f"{_from(desk, view, rel)} {desk.tip_label(view, rel.to)}",
                             desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit))
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {p}{x}$", f"⊥$ {p}{x}$"), magnitude=text,
                 along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))

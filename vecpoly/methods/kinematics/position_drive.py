@@ -25,7 +25,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     link, board = desk.mech.link(drive.link), desk.board
     pivot = next(p for p in link.points if p in desk.mech.frame)
     others = [p for p in link.points if p != pivot]
-    phi = number(degrees(drive.position))
+    phi = number(degrees(drive.position), 6)
     fixed = "$, $".join(desk.mech.frame)
     length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
     length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""

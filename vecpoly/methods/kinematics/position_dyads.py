@@ -25,9 +25,10 @@ def position_rrr(desk: Desk, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
     c, p, q, board = d.inner.point, d.outer_j.point, d.outer_k.point, desk.board
     lengths = [abs(desk.body(li).points[c] - desk.body(li).points[o]) for li, o in ((d.link_j, p), (d.link_k, q))]
+    bars = desk.bar(d.link_j, p, c), desk.bar(d.link_k, q, c)
     board.step(
-        Words(f"分别以 ${p}$、${q}$ 为圆心，以 $l_{p}{c}/μ_l$、$l_{q}{c}/μ_l$ 为半径画弧，交点为 ${c}$",
-              f"Arcs about ${p}$ and ${q}$ with radii $l_{p}{c}/μ_l$ and $l_{q}{c}/μ_l$ meet at ${c}$"),
+        Words(f"分别以 ${p}$、${q}$ 为圆心，以 $l_{bars[0]}/μ_l$、$l_{bars[1]}/μ_l$ 为半径画弧，交点为 ${c}$",
+              f"Arcs about ${p}$ and ${q}$ with radii $l_{bars[0]}/μ_l$ and $l_{bars[1]}/μ_l$ meet at ${c}$"),
         View.MECHANISM,
     )
     radii = [desk.mm(length) for length in lengths]
@@ -48,8 +49,8 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
     c, p, board = d.inner.point, d.outer_j.point, desk.board
     radius = desk.mm(abs(desk.body(d.link_j).points[c] - desk.body(d.link_j).points[p]))
     board.step(
-        Words(f"以 ${p}$ 为圆心、$l_{p}{c}/μ_l$ 为半径画弧，与 ${c}$ 的导路线交于 ${c}$",
-              f"The arc about ${p}$ with radius $l_{p}{c}/μ_l$ cuts the guide line of ${c}$ at ${c}$"),
+        Words(f"以 ${p}$ 为圆心、$l_{desk.bar(d.link_j, p, c)}/μ_l$ 为半径画弧，与 ${c}$ 的导路线交于 ${c}$",
+              f"The arc about ${p}$ with radius $l_{desk.bar(d.link_j, p, c)}/μ_l$ cuts the guide line of ${c}$ at ${c}$"),
         View.MECHANISM,
     )
     line = desk.locus(d.outer_k, d.link_k, c)
@@ -134,8 +135,8 @@ def position_rrg(desk: Desk, d: Dyad) -> None:
     c, p, board = d.inner.point, d.outer_j.point, desk.board
     radius = desk.mm(abs(desk.body(d.link_j).points[c] - desk.body(d.link_j).points[p]))
     if isinstance(joint.on, Rack):
-        board.step(Words(f"齿轮 {d.link_k} 在齿条上纯滚动，轮心 ${c}$ 在距节线 $r_{d.link_k}/μ_l$ 的平行线上；以 ${p}$ 为圆心、$l_{p}{c}/μ_l$ 为半径画弧，交得 ${c}$",
-                         f"Gear {d.link_k} rolls on the rack: its centre ${c}$ keeps to the parallel at $r_{d.link_k}/μ_l$; the arc about ${p}$ with radius $l_{p}{c}/μ_l$ cuts it at ${c}$"), View.MECHANISM)
+        board.step(Words(f"齿轮 {d.link_k} 在齿条上纯滚动，轮心 ${c}$ 在距节线 $r_{d.link_k}/μ_l$ 的平行线上；以 ${p}$ 为圆心、$l_{desk.bar(d.link_j, p, c)}/μ_l$ 为半径画弧，交得 ${c}$",
+                         f"Gear {d.link_k} rolls on the rack: its centre ${c}$ keeps to the parallel at $r_{d.link_k}/μ_l$; the arc about ${p}$ with radius $l_{desk.bar(d.link_j, p, c)}/μ_l$ cuts it at ${c}$"), View.MECHANISM)
         along = desk.axis(joint.on.link) * np.exp(1j * joint.on.direction)
         left = 1 if joint.side == "left" else -1
         line = Line(desk.place(joint.on.link, joint.on.origin) + 1j * left * along * desk.mm(joint.gear.radius), along)

@@ -75,7 +75,7 @@ def normal(desk: Desk, at: At, about: str, link: str) -> Term:
         laid = desk.board.compute(sign, size, "m/s^2")
         desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
     return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words(f"${q}→{about}$", f"${q}→{about}$"),
-                magnitude="0" if at_rest else f"$ω_{link}^2 l_{about}{q}$", along=desk.towards(q, about),
+                magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
                 mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else _n_tip(desk, link))
 
 
