@@ -91,7 +91,8 @@ def _carries(a: complex, b: complex, block: Block) -> bool:
     u = (b - a) / abs(b - a)
     off = (block.at - a) * u.conjugate()
     across = abs((u * block.along.conjugate()).imag) > 0.02
-    return across and abs(off.imag) < NEAR and -NEAR < off.real < abs(b - a) + NEAR
+    ends_here = min(abs(block.at - a), abs(block.at - b)) < NEAR
+    return (across or ends_here) and abs(off.imag) < NEAR and -NEAR < off.real < abs(b - a) + NEAR
 
 
 def _body(mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark, around: Surroundings) -> tuple[Item, ...]:

@@ -129,7 +129,7 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
         if len(spots) > 1 or guide is None or guide.pin in desk.at:
             yield _number(desk, body, shape, guide)
     elif spots:
-        yield LinkNumber(a=spots[0], b=spots[0], number=body.name)
+        yield LinkNumber(a=spots[0], b=spots[-1], number=body.name)
 
 
 def _number(desk: Desk, body: Link, shape: Shape, guide: Prismatic | None) -> LinkNumber:
