@@ -21,7 +21,7 @@ from .construction import EquationTable, Figure, Scale, Step, View
 from .hand import Hand
 from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
 
-OVERRUN = 4.0  # mm a ruled line runs past its meeting point
+OVERRUN = 6.0  # mm a ruled line runs past its meeting point
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
 GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
 
@@ -127,13 +127,15 @@ class Board:
         """Rule a line through a point perpendicular to a drawn direction."""
         return Line(at, self.hand.tilt(1j * along))
 
-    def rule(self, view: View, line: Line, to: Points) -> None:
+    def rule(self, view: View, line: Line, to: Points, label: str = "") -> None:
         """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
         start, end = complex(nominal(line.at)), complex(nominal(to))
         along = complex(nominal(line.along))
         past = along if abs(end - start) < 1e-9 else (end - start) / abs(end - start)
         back = 0.0 if abs(end - start) > 2 * OVERRUN else OVERRUN
         self.mark(view, Segment(a=start - past * back, b=end + past * OVERRUN, role=Role.DIRECTION))
+        if label:
+            self.mark(view, Point(at=end + past * OVERRUN, label=label, dot=Dot.NONE))
 
     def meet(self, g: Line, h: Line, what: str) -> Points:
         """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked."""

@@ -108,8 +108,8 @@ def _corner(
     if t1.along is not None and t2.along is not None:
         g, h = board.parallel(p1, t1.along), board.parallel(p2, t2.along)
         corner = board.meet(g, h, what)
-        board.rule(view, g, corner)
-        board.rule(view, h, corner)
+        board.rule(view, g, corner, _lettered(t1))
+        board.rule(view, h, corner, _lettered(t2))
         return corner
     if t1.along is None and t2.along is None:
         assert t1.mm is not None and t2.mm is not None
@@ -124,6 +124,12 @@ def _corner(
         if term.mm is not None:
             board.swing(view, start, term.mm, corner)
     return corner
+
+
+def _lettered(term: Term) -> str:
+    """The direction of a line in letters, ⊥BC, where it has letters."""
+    text = term.direction.zh.replace("$", "").replace(" ", "")
+    return text if text.isascii() or text.lstrip("⊥∥").isascii() else ""
 
 
 def _first(a: Points, b: Points) -> Points:
