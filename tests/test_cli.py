@@ -237,3 +237,20 @@ def test_an_exercise_with_parts_stands_for_all_of_them() -> None:
     assert family("3-7") == ("3-7a", "3-7b", "3-7c", "3-7d", "3-7e")
     assert family("3-4") == ("3-4a", "3-4a-straight", "3-4b")
     assert family("3-9") == ()
+
+
+def test_exact_answers_a_class_iii_linkage_that_cannot_be_drawn(run: Run, tmp_path: Path) -> None:
+    file = tmp_path / "c3.yaml"
+    file.write_text(
+        "id: c3\ntitle: {zh: 三级机构, en: class III}\n"
+        "frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm], G: [100 mm, 250 mm]}\n"
+        "links:\n  1: {AB: 50 mm}\n  2: {BC: 120 mm}\n  3: {CE: 80 mm, F: {CF: 80 mm, EF: 80 mm, side: left of CE}}\n"
+        "  4: {ED: 110 mm}\n  5: {FG: 120 mm}\n"
+        "input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}\n"
+        "guesses: {C: [80 mm, 120 mm], E: [160 mm, 110 mm], F: [120 mm, 180 mm]}\nfind: [v_C, omega_3]\n",
+        encoding="utf-8",
+    )
+    drawn = run("solve", str(file))
+    assert drawn.exit_code == 2 and "vecpoly exact" in drawn.stderr
+    answers = json.loads(run("exact", str(file), "--json", "-").stdout)["answers"]
+    assert set(answers) == {"v_C", "omega_3"} and answers["v_C"]["exact"] > 0

@@ -11,6 +11,7 @@ from .check import check
 from .demo import demo
 from .draw import draw
 from .errors import told
+from .exact import exact
 from .listing import listing
 from .new import new
 from .report import report
@@ -52,6 +53,7 @@ def vecpoly(
 
 
 app.command("solve")(solve)
+app.command("exact")(exact)
 app.command("report")(report)
 app.command("check")(check)
 app.command("draw")(draw)

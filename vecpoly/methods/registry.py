@@ -80,5 +80,5 @@ def find(stage: Stage, group: str) -> Method:
         covered = ", ".join(sorted({g for s, g in _METHODS if s is stage}))
         raise NoMethodError(
             f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); "
-            f"the analytic answers are still to be had from the oracle"
+            f"'vecpoly exact' still gives the analytic answers"
         ) from None
