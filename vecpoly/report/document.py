@@ -59,7 +59,7 @@ def markup(
     """The filled template, and the things it names."""
     objects = Objects()
     context = {
-        "title": (title or _title(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
+        "title": (title or TITLE).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
         "problems": [_problem(s, lang, style, objects) for s in solutions],
     }
     try:
