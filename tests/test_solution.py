@@ -129,3 +129,12 @@ find: [v_C, omega_3]
 """
     with pytest.raises(NoMethodError, match="class III"):
         solve(loads(text))
+
+
+def test_the_conveyor_at_120_degrees_agrees_with_the_report_s_whole_cycle_table() -> None:
+    text = Path(str(load("C-conveyor").path)).read_text(encoding="utf-8").replace("127.35 deg", "120 deg")
+    answers = solve(loads(text), by="exact").answers
+    assert answers["omega_2"].drawn == pytest.approx(0.17035286169192615, rel=1e-9)
+    assert answers["omega_3"].drawn == pytest.approx(1.3108645229856541, rel=1e-9)
+    assert answers["alpha_3"].drawn == pytest.approx(0.5090096637699539, rel=1e-9)
+    assert answers["a_E"].drawn_vector == pytest.approx(0.10418828837077336 - 0.9801714318790871j, rel=1e-9)
