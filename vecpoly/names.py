@@ -38,12 +38,16 @@ class Kind(StrEnum):
         """SI unit as printed: m, m/s, m/s², rad/s, rad/s²."""
         return _UNIT[self]
 
+    @property
+    def stem(self) -> str:
+        """The symbol before its subscript, in the notation of `formula`: v, a^n, ω."""
+        return _STEM[self]
+
 
 _UNIT = {
     Kind.P: "m", Kind.V: "m/s", Kind.A: "m/s^2", Kind.AN: "m/s^2", Kind.AT: "m/s^2", Kind.AK: "m/s^2",
     Kind.AR: "m/s^2", Kind.OMEGA: "rad/s", Kind.ALPHA: "rad/s^2",
 }
-
 _STEM = {
     Kind.P: "r", Kind.V: "v", Kind.A: "a", Kind.AN: "a^n", Kind.AT: "a^t", Kind.AK: "a^k", Kind.AR: "a^r",
     Kind.OMEGA: "ω", Kind.ALPHA: "α",
@@ -79,7 +83,7 @@ class Rel:
     def symbol(self) -> str:
         """The textbook's symbol in the notation of `formula`: ``a^n_{CB}``, ``ω_2``."""
         body = self.to.link if not self.kind.is_vector else f"{self.to}{self.ref or ''}"
-        return f"{_STEM[self.kind]}_{{{body}}}"
+        return f"{self.kind.stem}_{{{body}}}"
 
     def __str__(self) -> str:
         return self.key

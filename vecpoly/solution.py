@@ -109,7 +109,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     figures = len(stages(problem))
     places = dict(zip(View, slots(figures), strict=False))
     construction, spread = construct(problem, hand(by, seed=seed, repeats=repeats), places)
-    answers = {key: _answer(reading, exact[key], spread[key][1]) for key, reading in construction.readings.items()}
+    answers = {key: _answer(reading, exact[key], spread[key]) for key, reading in construction.readings.items()}
     return Solution(problem, construction, answers)
 
 

@@ -19,5 +19,10 @@ class Words:
         """The sentence in one language."""
         return self.zh if lang == "zh" else self.en
 
+    @classmethod
+    def same(cls, text: str) -> Words:
+        """A text that is the same in both languages: symbols, letters of a direction."""
+        return cls(text, text)
+
     def __add__(self, other: Words) -> Words:
         return Words(self.zh + other.zh, self.en + other.en)

@@ -34,7 +34,7 @@ class Board:
         self.scales = dict(scales)
         self.steps: list[Step] = []
         self._marks: dict[View, list[Mark]] = {view: [] for view in View}
-        self._section = Words("", "")
+        self._section = Words.same("")
 
     # -- the record -------------------------------------------------------------------------------------------
 
@@ -42,9 +42,9 @@ class Board:
         """Open a part of the solution."""
         self._section = title
 
-    def step(self, words: Words, view: View | None = None, equation: EquationTable | None = None) -> None:
+    def step(self, words: Words, view: View | None = None) -> None:
         """Open the next numbered step; marks and formulas that follow belong to it."""
-        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, equation=equation, view=view))
+        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
 
     def remark(self, words: Words) -> None:
         """Add a sentence to the step."""
@@ -81,8 +81,7 @@ class Board:
     def mu(self, view: View) -> Quantity:
         """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
         scale = self.scales[view]
-        unit_text = f"({scale.unit})/mm" if "/" in scale.unit else f"{scale.unit}/mm"
-        return magnitude(scale.symbol, scale.value, unit_text)
+        return magnitude(scale.symbol, scale.value, scale.per_mm)
 
     def to_paper(self, view: View, value: Reals) -> Reals:
         """A quantity as a length on paper (mm)."""
@@ -122,10 +121,6 @@ class Board:
     def parallel(self, at: Points, along: Points) -> Line:
         """Rule a line through a point parallel to a drawn direction."""
         return Line(at, self.hand.tilt(along))
-
-    def perpendicular(self, at: Points, along: Points) -> Line:
-        """Rule a line through a point perpendicular to a drawn direction."""
-        return Line(at, self.hand.tilt(1j * along))
 
     def rule(self, view: View, line: Line, to: Points, label: str = "") -> None:
         """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
@@ -186,9 +181,9 @@ class Board:
         mm = self.hand.read(np.abs(b - a))
         return paper(letters_node(letters), mm)
 
-    def compute(self, symbol: str, expr: Expr, unit_text: str, value: Reals | None = None) -> Quantity:
+    def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""
-        result = magnitude(symbol, expr.value if value is None else value, unit_text)
+        result = magnitude(symbol, expr.value, unit_text)
         self.write(worked(result.node, expr, unit_text))
         return result
 

@@ -27,6 +27,11 @@ class Scale:
     value: float
     unit: str  # "m", "m/s", "m/s^2"
 
+    @property
+    def per_mm(self) -> str:
+        """The unit of the scale as printed: m/mm, (m/s)/mm."""
+        return f"({self.unit})/mm" if "/" in self.unit else f"{self.unit}/mm"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:

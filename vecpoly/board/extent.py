@@ -9,10 +9,16 @@ import numpy as np
 from .marks import AngleMark, Arc, GearMark, ImageOf, Mark, Plate, RightAngle, TurnArrow
 
 
-def extent(marks: Iterable[Mark]) -> tuple[float, float]:
-    """Width and height (mm) of the box round the marks' points."""
+def bounds(marks: Iterable[Mark]) -> tuple[complex, complex]:
+    """Lower left and upper right corner (mm) of the box round the marks' points."""
     points = np.array([p for m in marks for p in corners(m)] or [0j])
-    return float(np.ptp(points.real)), float(np.ptp(points.imag))
+    return complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
+
+
+def extent(marks: Iterable[Mark]) -> tuple[float, float]:
+    """Width and height (mm) of that box."""
+    low, high = bounds(marks)
+    return high.real - low.real, high.imag - low.imag
 
 
 def corners(mark: Mark) -> Iterator[complex]:

@@ -38,8 +38,6 @@ def about(problem: str) -> Iterator[None]:
     try:
         yield
     except VecpolyError as error:
-        if str(error).startswith(f"{problem}: "):
-            raise
         raise type(error)(f"{problem}: {error}") from None
 
 

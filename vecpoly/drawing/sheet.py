@@ -15,7 +15,7 @@ from .scene import Rect, Scene
 from .space import A4, FRAME, STRIP, usable
 from .titleblock import Strip, furniture
 
-NO_TITLE = Words("", "")
+NO_TITLE = Words.same("")
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,13 +12,12 @@ from ..plane import Points, Reals, nominal
 from ..quantity import magnitude, stated, worked
 from ..words import Words
 from .desk import Desk
-from .kinematics.terms import symbol
 
-Repeats = dict[str, tuple[Points | None, Reals]]  # key -> (vectors, scalars) over all hands
+Repeats = dict[str, Reals]  # key -> what the reading's `scalar` is by every hand
 
 
-def answer(desk: Desk, rel: Rel) -> tuple[Reading, Points | None, Reals]:
-    """Read one asked quantity off the paper: the reading, and its values by all hands (vector, scalar).
+def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
+    """Read one asked quantity off the paper: the reading, and its scalar by all hands.
 
     Raises NoMethodError when the construction holds no such line.
     """
@@ -29,19 +28,18 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Points | None, Reals]:
     return _vector(desk, rel)
 
 
-def _turn(desk: Desk, rel: Rel) -> tuple[Reading, None, Reals]:
+def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     if rel not in desk.turns:
         raise NoMethodError(f"{rel.key} was not found on the drawing: no method on file gives it")
     turn = desk.turns[rel]
-    greek = "ω" if rel.kind is Kind.OMEGA else "α"
-    name = f"{greek}_{rel.to.link}"
+    name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
     value = float(nominal(turn.value))
     return Reading(key=rel.key, symbol=name, unit=rel.kind.unit, scalar=value, remark=remark,
-                   formula=stated(magnitude(name, value, rel.kind.unit))), None, turn.value
+                   formula=stated(magnitude(name, value, rel.kind.unit))), turn.value
 
 
-def _position(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
+def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     name = str(rel.to)
     place: Points = desk.at[name] if name in desk.at else desk.at[rel.to.point]
     read = desk.board.hand.read(np.asarray(place).real) + 1j * desk.board.hand.read(np.asarray(place).imag)
@@ -50,30 +48,23 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
     vector = complex(nominal(metres))
     text = Row((sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
     return (Reading(key=rel.key, symbol=name[0] + (f"_{{{name[1:]}}}" if name[1:] else ""), unit="m", scalar=abs(vector),
-                    vector=vector, scale=scale.symbol, formula=text), metres, np.abs(metres))
+                    vector=vector, scale=scale.symbol, formula=text), np.abs(metres))
 
 
-def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Points, Reals]:
+def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     view, start, end, line = _line(desk, rel)
     board, scale = desk.board, desk.board.scales[view]
     on_paper = board.measure(start, end, line)
     direction = board.hand.gauge(np.angle(end - start))
-    sign = symbol(desk, Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None))
     size = on_paper.value * scale.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < 1e-9
     reading = Reading(
-        key=rel.key, symbol=_asked(rel, sign), unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
+        key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
         vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,
-        formula=worked(sym(_asked(rel, sign)), board.mu(view) * on_paper, rel.kind.unit), remark=_vanishing(desk, rel, exact_zero),
+        formula=worked(sym(rel.symbol), board.mu(view) * on_paper, rel.kind.unit), remark=_vanishing(desk, rel, exact_zero),
     )
-    return reading, values, size
-
-
-def _asked(rel: Rel, drawn: str) -> str:
-    """The symbol as the problem asks for it, with the links' numbers it names."""
-    stem = drawn.split("_")[0]
-    return f"{stem}_{{{rel.to}{rel.ref or ''}}}"
+    return reading, size
 
 
 def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
@@ -92,11 +83,9 @@ def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
 
 
 def _letters(desk: Desk, view: View, rel: Rel) -> str:
-    pole = "p" if view is View.VELOCITY else "p′"
     end = desk.tip_label(view, rel.to)
     if rel.kind in (Kind.V, Kind.A):
-        start = pole if rel.ref is None or desk.at_rest(view, rel.ref) else desk.tip_label(view, rel.ref)
-        return f"{start} {end}"
+        return f"{desk.start_label(view, rel.ref)} {end}"
     return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: "k′", Kind.AR: f"k′ {end}"}[rel.kind]
 
 

@@ -13,10 +13,14 @@ import numpy as np
 from ..board.board import Board
 from ..board.construction import View
 from ..mechanism.model import FRAME, Link, Mechanism, Prismatic, Rack, Rolling
-from ..names import At, Rel
+from ..names import At, Kind, Rel
 from ..plane import Line, Points, Reals, unit
 from ..quantity import Quantity, magnitude
 from ..words import Words
+
+POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
+VECTOR = {View.VELOCITY: Kind.V, View.ACCELERATION: Kind.A}  # what a polygon is made of
+QUANTITY = {View.VELOCITY: Words("速度", "velocity"), View.ACCELERATION: Words("加速度", "acceleration")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +51,6 @@ class Desk:
     tips: dict[tuple[View, At], Points] = field(default_factory=dict)
     turns: dict[Rel, Turn] = field(default_factory=dict)
     ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
-    placed_in: dict[str, int] = field(default_factory=dict)  # link -> step that located it
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
@@ -77,6 +80,10 @@ class Desk:
         prime = "′" if view is View.ACCELERATION else ""
         return letter + (f"_{digits}" if digits else "") + (f"^{prime}" if prime else "")
 
+    def start_label(self, view: View, at: At | None) -> str:
+        """The letter at which a vector starts on a polygon: the pole for absolute ones and for points at rest."""
+        return POLE[view] if at is None or self.at_rest(view, at) else self.tip_label(view, at)
+
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 
     def mm(self, metres: float) -> float:
@@ -86,9 +93,15 @@ class Desk:
     def place(self, link: str, local: complex) -> Points:
         """Paper point of a point given in link coordinates (m)."""
         if link == FRAME:
-            return complex(local.real, local.imag) / self.board.scales[View.MECHANISM].value
+            return self.mm(1.0) * local
         pose = self.pose[link]
         return pose.origin + pose.along * self.mm(1.0) * local
+
+    def crank(self, link: str) -> tuple[str, list[str]]:
+        """The fixed pivot of a driving link, and its other points."""
+        points = self.mech.link(link).points
+        pivot = next(p for p in points if p in self.mech.frame)
+        return pivot, [p for p in points if p != pivot]
 
     def axis(self, link: str) -> Points:
         """Paper direction of the link's x axis."""
@@ -110,7 +123,6 @@ class Desk:
 
     def settle_rest(self, link: str) -> None:
         """Letter the link's further points."""
-        self.placed_in[link] = len(self.board.steps)
         for name, local in self.mech.link(link).points.items():
             if name not in self.at:
                 self.at[name] = self.place(link, local)

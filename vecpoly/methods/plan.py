@@ -16,7 +16,6 @@ from ..board.extent import extent
 from ..board.hand import Hand, hand
 from ..board.marks import Dot
 from ..board.scales import round_scale
-from ..errors import AssemblyError, DeadPointError
 from ..mechanism.assur import Group, decompose
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import At, Kind
@@ -24,7 +23,7 @@ from ..problem.asks import AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer
-from .desk import Desk
+from .desk import POLE, Desk
 from .kinematics.diagram import draw_drive_arrow, draw_frame, draw_links
 from .kinematics.given_vector import find_point
 from .kinematics.image import imaged
@@ -95,10 +94,7 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
-        try:
-            _pass(desk, problem, stage, groups)
-        except (AssemblyError, DeadPointError) as error:
-            raise type(error)(f"{problem.id}: {error}") from None
+        _pass(desk, problem, stage, groups)
     return desk
 
 
@@ -111,8 +107,8 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         draw_frame(desk, shapes)
         draw_links(desk, shapes, (drive.link,))
     else:
-        view, pole = (View.VELOCITY, "p") if stage is Stage.VELOCITY else (View.ACCELERATION, "p′")
-        desk.board.plot(view, 0j, pole, Dot.POLE)
+        view = View(stage.value)
+        desk.board.plot(view, 0j, POLE[view], Dot.POLE)
     for group in groups:
         find(stage, group.kind).draw(desk, group.dyad or group)
         if position:
@@ -179,7 +175,7 @@ def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]
     readings: dict[str, Reading] = {}
     repeats: Repeats = {}
     for ask in problem.asks:
-        reading, vectors, scalars = answer(desk, ask.rel)
+        reading, scalars = answer(desk, ask.rel)
         readings[reading.key] = reading
-        repeats[reading.key] = (vectors, np.asarray(scalars, dtype=float))
+        repeats[reading.key] = np.asarray(scalars, dtype=float)
     return readings, repeats

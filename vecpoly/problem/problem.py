@@ -113,7 +113,7 @@ class Problem:
     mechanism: Mechanism
     asks: tuple[Ask, ...]
     source: Words | None = None
-    statement: Words = field(default_factory=lambda: Words("", ""))
+    statement: Words = field(default_factory=lambda: Words.same(""))
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()

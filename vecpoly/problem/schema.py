@@ -151,7 +151,7 @@ class ProblemSpec(Spec):
     title: Text
     extends: str | None = Field(None, description="id or path of a problem whose data are taken over")
     source: Text | None = None
-    statement: Text = Words("", "")
+    statement: Text = Words.same("")
     frame: dict[str, Pair] = Field(min_length=1)
     links: dict[str, Link] = Field(min_length=1)
     joints: list[str] = []

@@ -15,8 +15,6 @@ from ..quantity import number
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 
-_UNIT_ZH_EN = {"m": "m/mm", "m/s": "(m/s)/mm", "m/s^2": "(m/s^2)/mm"}
-
 
 @dataclass(slots=True)
 class Objects:
@@ -114,7 +112,7 @@ def structure(solution: Solution, lang: Lang) -> str:
 
 def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ..."""
-    parts = [f"${f.scale.symbol}$ = {number(f.scale.value)} {_UNIT_ZH_EN[f.scale.unit]}" for f in solution.construction.figures]
+    parts = [f"${f.scale.symbol}$ = {number(f.scale.value)} {f.scale.per_mm}" for f in solution.construction.figures]
     return ("，" if lang == "zh" else ", ").join(parts)
 
 
@@ -141,5 +139,5 @@ def blank_equations(solution: Solution, objects: Objects) -> list[str]:
 
 
 def _emptied(table: EquationTable) -> EquationTable:
-    blank = tuple(Words("____", "____") for _ in table.symbols)
+    blank = tuple(Words.same("____") for _ in table.symbols)
     return EquationTable(symbols=table.symbols, signs=table.signs, directions=blank, magnitudes=tuple("____" for _ in table.symbols))

@@ -32,7 +32,7 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 }
 TITLE = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
 _HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
-             "note": Words("勘误：", "Errata: "), "pass": Words("", "")}
+             "note": Words("勘误：", "Errata: "), "pass": Words.same("")}
 STYLES = ("solution", "question")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
 

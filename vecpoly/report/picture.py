@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import fields, replace
 from math import ceil
 from typing import Any
 
 from ..board.construction import Construction, Figure, View
-from ..board.extent import corners, extent
-from ..board.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, RightAngle, Role, Segment
+from ..board.extent import bounds, extent
+from ..board.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, Role, Segment
 from ..words import Words
 
 SKETCH = Words("机构简图（示意）", "The mechanism (sketch)")
 _HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.HIDDEN}
-_SIZED = ("radius",)
 
 
 def sketch(construction: Construction, width: float, height: float) -> Figure:
@@ -38,10 +36,8 @@ def scaled(mark: Mark, factor: float) -> Any:
             changed[f.name] = value * factor
         elif f.name == "points":
             changed[f.name] = tuple(p * factor for p in value)
-        elif f.name in _SIZED and hasattr(mark, "centre"):
+        elif f.name == "radius" and hasattr(mark, "centre"):
             changed[f.name] = value * factor
-    if isinstance(mark, RightAngle):
-        changed.pop("u", None)
     return replace(mark, **changed)
 
 
@@ -51,9 +47,7 @@ def frames(construction: Construction) -> Construction:
 
 
 def _frame(figure: Figure) -> Figure:
-    points = list(_places(figure.marks))
-    low = complex(min(p.real for p in points), min(p.imag for p in points)) - 10 - 10j
-    high = complex(max(p.real for p in points), max(p.imag for p in points)) + 10 + 10j
+    low, high = (corner + margin for corner, margin in zip(bounds(figure.marks), (-10 - 10j, 10 + 10j), strict=True))
     high = low + complex(ceil(high.real - low.real), ceil(high.imag - low.imag))
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
@@ -67,8 +61,3 @@ def _given(mark: Mark, view: View, pivots: set[complex]) -> bool:
     if view is not View.MECHANISM:
         return isinstance(mark, Point) and mark.dot is Dot.POLE
     return isinstance(mark, (Ground, FixedGuide, RackMark)) or (isinstance(mark, Point) and mark.at in pivots)
-
-
-def _places(marks: Iterable[Mark]) -> Iterable[complex]:
-    for mark in marks:
-        yield from corners(mark)

@@ -19,7 +19,7 @@ _PRINTED = {"zh": ("量", "原书", "精确值", "偏差", "结论"), "en": ("Qu
 _EMPTY = {"zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
           "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense")}
 _BLANK = "＿＿＿＿＿"
-_SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words("—", "—")}
+_SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words.same("—")}
 
 
 def readings_table(solution: Solution, lang: Lang) -> DataTable:

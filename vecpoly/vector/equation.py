@@ -18,8 +18,8 @@ from ..names import At, Kind, Rel
 from ..plane import Points, Reals
 from ..words import Words
 
-UNKNOWN = Words("?", "?")
-KNOWN = Words("✓", "✓")
+UNKNOWN = Words.same("?")
+KNOWN = Words.same("✓")
 _PARTS = {Kind.AN, Kind.AT, Kind.AK, Kind.AR}
 
 

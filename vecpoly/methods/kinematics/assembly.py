@@ -38,7 +38,7 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
 def said(statement: SideOf | None) -> Words:
     """The deciding statement in words."""
     if statement is None:
-        return Words("", "")
+        return Words.same("")
     beside = statement.side in (Side.LEFT, Side.RIGHT)
     ref = ("→" if beside else "").join(statement.ref)
     return Words(f"（取 ${statement.point}$ 在 ${ref}$ {_SIDE[statement.side]}的一点）", f" (of the two, ${statement.point}$ {_en(statement)} ${ref}$)")

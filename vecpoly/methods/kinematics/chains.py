@@ -7,7 +7,7 @@ from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, alpha, omega
 from ...vector.close import Closed, close
 from ...vector.equation import Equation, Term
-from ..desk import Desk, Turn
+from ..desk import VECTOR, Desk, Turn
 from .image import imaged
 from .terms import across, coriolis, known, normal, sliding, tangential
 
@@ -30,9 +30,8 @@ def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, pa
     On a guide that is part of the frame the point's own vector lies along the guide.
     """
     to, ref = desk.canonical(at), desk.canonical(base)
-    kind = Kind.V if view is View.VELOCITY else Kind.A
     if parent == FRAME:
-        return (sliding(desk, Rel(kind, to), joint),)
+        return (sliding(desk, Rel(VECTOR[view], to), joint),)
     front = known(desk, view, base)
     if view is View.VELOCITY:
         return (front, sliding(desk, Rel(Kind.V, to, ref), joint))
@@ -64,9 +63,7 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
 
 def letters(desk: Desk, view: View, start: At | None, end: At) -> str:
     """Letters of a paper length: ``p c_2`` or ``b c_2``."""
-    pole = "p" if view is View.VELOCITY else "p′"
-    first = pole if start is None or desk.at_rest(view, start) else desk.tip_label(view, start)
-    return f"{first} {desk.tip_label(view, end)}"
+    return f"{desk.start_label(view, start)} {desk.tip_label(view, end)}"
 
 
 def never_turns(desk: Desk, link: str) -> None:

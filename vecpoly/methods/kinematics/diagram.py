@@ -68,7 +68,7 @@ def draw_drive_arrow(desk: Desk) -> None:
     drive = desk.mech.drive
     if drive.slide:
         return
-    pivot = next(p for p in desk.mech.link(drive.link).points if p in desk.mech.frame)
+    pivot, _ = desk.crank(drive.link)
     middle = _free_side(desk, _spot(desk, pivot), drive.position)
     start = middle - 0.9 if drive.rate > 0 else middle + 0.9
     desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=ARROW_RADIUS, start=start, ccw=drive.rate > 0,

@@ -11,7 +11,7 @@ from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Points, Reals
 from ...quantity import magnitude
 from ...words import Words
-from ..desk import Desk, Turn
+from ..desk import POLE, Desk, Turn
 from ..registry import Stage, method
 from .chains import never_turns
 from .image import images_of_link
@@ -23,10 +23,9 @@ _TITLE = Words("原动件的运动", "Motion of the driving link")
 @method(stage=Stage.VELOCITY, group="crank", title=_TITLE, source=_SOURCE, example="3-9")
 def velocity_crank(desk: Desk, drive: Drive) -> None:
     """v_B = ω_1 l_AB, perpendicular to AB in the sense of ω_1: the first vector of the polygon."""
-    link, board = desk.mech.link(drive.link), desk.board
+    board = desk.board
     desk.turns[omega(drive.link)] = Turn(drive.rate)
-    pivot = next(p for p in link.points if p in desk.mech.frame)
-    others = [p for p in link.points if p != pivot]
+    pivot, others = desk.crank(drive.link)
     if not others:
         return
     b = others[0]
@@ -39,18 +38,17 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
-    desk.known_as[View.VELOCITY, At(b)] = (Words(f"⊥$ {pivot}{b}$", f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{desk.bar(drive.link, pivot, b)}$")
-    desk.ends[f"v_{b}"] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
+    desk.known_as[View.VELOCITY, At(b)] = (Words.same(f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{desk.bar(drive.link, pivot, b)}$")
+    desk.ends[Rel(Kind.V, At(b)).key] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
     images_of_link(desk, View.VELOCITY, drive.link)
 
 
 @method(stage=Stage.ACCELERATION, group="crank", title=_TITLE, source=_SOURCE, example="3-9")
 def acceleration_crank(desk: Desk, drive: Drive) -> None:
     """a_B = a_B^n (towards A) + a_B^t (perpendicular, in the sense of α_1)."""
-    link, board = desk.mech.link(drive.link), desk.board
+    board = desk.board
     desk.turns[alpha(drive.link)] = Turn(drive.accel)
-    pivot = next(p for p in link.points if p in desk.mech.frame)
-    others = [p for p in link.points if p != pivot]
+    pivot, others = desk.crank(drive.link)
     if not others:
         return
     b = others[0]
@@ -67,7 +65,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     tip = desk.tip(View.ACCELERATION, At(b))
     desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
     if not drive.accel:
-        desk.known_as[View.ACCELERATION, At(b)] = (Words(f"${b}→{pivot}$", f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$")
+        desk.known_as[View.ACCELERATION, At(b)] = (Words.same(f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$")
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
@@ -96,8 +94,7 @@ def acceleration_slide(desk: Desk, drive: Drive) -> None:
 def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_text: str) -> None:
     joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
     along = desk.guide_line(joint).along * (np.sign(value) or 1)
-    pole = "p" if view is View.VELOCITY else "p′"
-    b = joint.pin
+    pole, b = POLE[view], joint.pin
     desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${stem}_{b}$：",
                           f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${stem}_{b}$:"), view)
     desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...errors import NoMethodError
-from ...names import At, Kind, Rel
+from ...names import Rel
 from ...plane import nominal, similar
 from ...problem.asks import AskPoint
 from ...words import Words
-from ..desk import Desk
-from .image import known_tips
+from ..desk import POLE, VECTOR, Desk
+from .image import known_tips, letter_at_pole
 
 
 def find_point(desk: Desk, ask: AskPoint) -> None:
@@ -29,27 +29,23 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     if abs(complex(nominal(tips[1] - tips[0]))) < 1e-9:
         raise NoMethodError(f"{ask.name}: all points of link {ask.link} have the same vector at this instant")
     board = desk.board
-    for at in (p_at, q_at):
-        if desk.at_rest(view, at):
-            board.plot(view, 0j, desk.tip_label(view, at), Dot.NONE)
-    low = ask.name[0].lower()
+    letter_at_pole(desk, view, p_at, q_at)
     tip = board.to_paper(view, 1.0) * wanted
-    prime = "′" if view is View.ACCELERATION else ""
-    letter = f"{low}_{ask.link}" + (f"^{prime}" if prime else "")
+    letter = desk.tip_label(view, ask.at)
     board.step(_words(ask, view, p, q, [desk.tip_label(view, a) for a in (p_at, q_at)], letter), view)
     desk.at[ask.name] = similar(tips[0], tips[1], tip, desk.at[p], desk.at[q]) + board.hand.carry(0.0)
-    desk.tips[view, At(ask.name[0], ask.link)] = tip
+    desk.tips[view, ask.at] = tip
     for corner in (p, q):
         board.join(View.MECHANISM, desk.at[corner], desk.at[ask.name], Role.HIDDEN)
     board.plot(View.MECHANISM, desk.at[ask.name], f"{ask.name[0]}_{ask.name[1:]}", Dot.POINT)
     if wanted:
         board.arrow(view, 0j, tip, Role.RESULT)
     board.plot(view, tip, letter)
-    desk.ends[Rel(Kind.V if view is View.VELOCITY else Kind.A, At(ask.name[0], ask.link)).key] = (view, 0j, tip)
+    desk.ends[Rel(VECTOR[view], ask.at).key] = (view, 0j, tip)
 
 
 def _words(ask: AskPoint, view: View, p: str, q: str, tips: list[str], letter: str) -> Words:
-    pole = "p" if view is View.VELOCITY else "p′"
+    pole = POLE[view]
     name = f"{ask.name[0]}_{ask.name[1:]}"
     value = ask.velocity if view is View.VELOCITY else ask.acceleration
     if not value:

@@ -12,7 +12,7 @@ from ...quantity import magnitude
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
-from ..desk import Desk
+from ..desk import QUANTITY, VECTOR, Desk
 from .terms import known, normal, symbol
 
 
@@ -54,7 +54,7 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     (p, p_at), (q, q_at) = held[0], held[1]
     board, x = desk.board, desk.name(at)
     letters = [desk.tip_label(view, a) for a in (p_at, q_at, at)]
-    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     a, b, c = letters
     if _in_line(desk, p_at, q_at, at):
         words = Words(f"${x}$ 在直线 ${p}{q}$ 上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在 ${a}{b}$ 上定出 ${c}$。",
@@ -63,9 +63,7 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
         words = Words(f"用{kind}影像求 ${x}$：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${c}$。",
                       f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to ${p}{q}{x}$ with the letters in the same order gives ${c}$.")
     board.step(words, view)
-    for held_at, letter in ((p_at, a), (q_at, b)):
-        if desk.at_rest(view, held_at):
-            board.plot(view, 0j, letter, Dot.NONE)
+    letter_at_pole(desk, view, p_at, q_at)
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     corners = desk.where(p_at), desk.where(q_at), desk.where(at)
     spread = abs(complex(nominal(tips[1] - tips[0])))
@@ -79,6 +77,13 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board.arrow(view, 0j, corner, Role.RESULT)
 
 
+def letter_at_pole(desk: Desk, view: View, *points: At) -> None:
+    """Points at rest have their letters at the pole, once a construction speaks of them."""
+    for at in points:
+        if desk.at_rest(view, at):
+            desk.board.plot(view, 0j, desk.tip_label(view, at), Dot.NONE)
+
+
 def _in_line(desk: Desk, p: At, q: At, x: At) -> bool:
     """Whether three points of a link lie on one straight line."""
     a, b, c = (complex(nominal(desk.where(at))) for at in (p, q, x))
@@ -90,13 +95,11 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     p, p_at = held
     board = desk.board
     label = desk.tip_label(view, at)
-    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
-    board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{kind}。", f"The {kind_en} of ${desk.name(at)}$ from the turning of link {link}."), view)
+    board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
     base = known(desk, view, p_at)
     about_pole = p in desk.mech.frame
     terms = list(_turning_terms(desk, view, link, at, p))
-    kind = Kind.V if view is View.VELOCITY else Kind.A
-    rel = Rel(kind, desk.canonical(at))
+    rel = Rel(VECTOR[view], desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
     eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
     if not about_pole or len(terms) > 1:
@@ -121,12 +124,6 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[T
     return (n, _laid(desk, view, rel, link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
 
 
-def _from(desk: Desk, view: View, rel: Rel) -> str:
-    """Letter at which a relative vector starts on the polygon."""
-    pole = "p" if view is View.VELOCITY else "p′"
-    return pole if rel.ref is None or desk.at_rest(view, rel.ref) else desk.tip_label(view, rel.ref)
-
-
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:
     """A vector perpendicular to PX of known magnitude and sense: ω l or α l."""
     length = desk.length(p, x)
@@ -136,8 +133,8 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    desk.board.write_length(view, f"{_from(desk, view, rel)} {desk.tip_label(view, rel.to)}",
+    desk.board.write_length(view, f"{desk.start_label(view, rel.ref)} {desk.tip_label(view, rel.to)}",
                             desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit))
-    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {p}{x}$", f"⊥$ {p}{x}$"), magnitude=text,
+    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
                 along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
 

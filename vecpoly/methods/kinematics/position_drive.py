@@ -23,8 +23,7 @@ from ..registry import Stage, method
 def position_crank(desk: Desk, drive: Drive) -> None:
     """Lay off φ from the x axis at the fixed pivot, then l_AB / μ_l along it."""
     link, board = desk.mech.link(drive.link), desk.board
-    pivot = next(p for p in link.points if p in desk.mech.frame)
-    others = [p for p in link.points if p != pivot]
+    pivot, others = desk.crank(drive.link)
     phi = number(degrees(drive.position), 6)
     fixed = "$, $".join(desk.mech.frame)
     length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""

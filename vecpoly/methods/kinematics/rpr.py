@@ -7,16 +7,15 @@ P_g, the block's P_b:  v_Pg = v_Q + v_PgQ = v_Pb + v_PgPb,  a_Q + a^n + a^t = a_
 from __future__ import annotations
 
 from ...board.construction import View
-from ...board.marks import Dot
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic, Revolute
 from ...names import At, Kind, Rel
 from ...vector.equation import Equation, Term
 from ...words import Words
-from ..desk import Desk
+from ..desk import QUANTITY, Desk
 from ..registry import Stage, method
 from .chains import solve, turning_chain
-from .image import images_of_link
+from .image import images_of_link, letter_at_pole
 from .rrr import total, turn_of_link
 from .terms import coriolis, known, sliding
 from .turning import same_turn
@@ -58,8 +57,7 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
 def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Term, ...]:
     """v_Pb + v_PgPb, or a_Pb + a^k + a^r."""
     front, tail = known(desk, view, ref), desk.canonical(ref)
-    if desk.at_rest(view, ref):
-        desk.board.plot(view, 0j, desk.tip_label(view, ref), Dot.NONE)
+    letter_at_pole(desk, view, ref)
     if view is View.VELOCITY:
         return (front, sliding(desk, Rel(Kind.V, to, tail), joint))
     _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
@@ -68,7 +66,7 @@ def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Te
 
 
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:
-    kind, kind_en = ("速度", "velocity") if view is View.VELOCITY else ("加速度", "acceleration")
+    kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     a, b = desk.name(to), desk.name(ref)
     block = desk.coincident.get(to.point, joint.block)
     words = Words(f"取构件 {joint.guide} 与构件 {block} 在 ${to.point}$ 处的重合点 ${a}$、${b}$，列{kind}矢量方程并作图。",

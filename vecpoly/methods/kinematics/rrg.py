@@ -11,13 +11,11 @@ from ...mechanism.model import FRAME, Revolute, Rolling
 from ...names import At
 from ...plane import nominal
 from ...quantity import magnitude
-from ...vector.equation import Equation
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
-from .chains import solve, turning_chain
-from .image import imaged, images_of_link
-from .rrr import opening, total, turn_of_link
+from .image import imaged
+from .rrr import hinge_polygon, opening
 
 
 @method(stage=Stage.VELOCITY, group="RRG", source="机械原理, pure rolling: the pitch point is the instant centre", example="3-13",
@@ -30,14 +28,7 @@ def velocity_rrg(desk: Desk, d: Dyad) -> None:
     _pitch_point(desk, joint, d)
     desk.lengths[frozenset((h, c))] = magnitude(f"r_{d.link_k}", joint.gear.radius, "m")
     desk.board.step(opening(view, c, d.link_j, d.link_k), view)
-    sides = [turning_chain(desk, view, At(c), about, link) for about, link in ((h, d.link_k), (p, d.link_j))]
-    sides.sort(key=len)
-    eq = Equation(left=sides[0], right=sides[1], total=total(desk, view, At(c), len(sides[0])))
-    closed = solve(desk, view, eq, At(c))
-    turn_of_link(desk, view, closed.ends, At(c), h, d.link_k)
-    turn_of_link(desk, view, closed.ends, At(c), p, d.link_j)
-    for link in (d.link_j, d.link_k):
-        images_of_link(desk, view, link)
+    hinge_polygon(desk, view, c, (h, d.link_k), (p, d.link_j))
     _image_circle(desk, d.link_k, c, h)
 
 

@@ -11,22 +11,21 @@ from ...plane import Points, nominal
 from ...quantity import Quantity, Times, magnitude
 from ...vector.equation import KNOWN, Term
 from ...words import Words
-from ..desk import Desk, Turn
+from ..desk import VECTOR, Desk, Turn
 
-_STEM = {Kind.V: "v", Kind.A: "a", Kind.AN: "a^n", Kind.AT: "a^t", Kind.AK: "a^k", Kind.AR: "a^r"}
-ABSENT = Words("—", "—")
+ABSENT = Words.same("—")
 
 
 def symbol(desk: Desk, rel: Rel) -> str:
     """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""
     to = desk.show(rel.to)
     ref = desk.show(rel.ref) if rel.ref else ""
-    return f"{_STEM[rel.kind]}_{{{to}{ref}}}"
+    return f"{rel.kind.stem}_{{{to}{ref}}}"
 
 
 def known(desk: Desk, view: View, at: At) -> Term:
     """A vector already on the polygon: direction and magnitude both known."""
-    rel = Rel(Kind.V if view is View.VELOCITY else Kind.A, desk.canonical(at))
+    rel = Rel(VECTOR[view], desk.canonical(at))
     vector = desk.tip(view, at)
     unsaid = (ABSENT, "0") if desk.at_rest(view, at) else (KNOWN, "✓")
     direction, size = desk.known_as.get((view, rel.to), unsaid)
@@ -35,7 +34,7 @@ def known(desk: Desk, view: View, at: At) -> Term:
 
 def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
     """A vector perpendicular to the drawn line PQ, its magnitude unknown: v_QP or a^t_QP of a turning link."""
-    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words(f"⊥$ {p}{q}$", f"⊥$ {p}{q}$"), magnitude="?",
+    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{q}$"), magnitude="?",
                 along=1j * desk.towards(p, q))
 
 
@@ -51,7 +50,7 @@ def guide_name(desk: Desk, joint: Prismatic) -> Words:
     letters = [joint.pin, *desk.mech.link(joint.guide).points]
     on_line = [p for p in dict.fromkeys(letters) if _on_guide(desk, joint, p)]
     if joint.guide != FRAME and len(on_line) >= 2:
-        return Words(f"∥$ {on_line[1]}{on_line[0]}$", f"∥$ {on_line[1]}{on_line[0]}$")
+        return Words.same(f"∥$ {on_line[1]}{on_line[0]}$")
     return Words("∥导路", "∥guide")
 
 
@@ -71,10 +70,10 @@ def normal(desk: Desk, at: At, about: str, link: str) -> Term:
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
     if not at_rest:
-        start = "p′" if desk.at_rest(View.ACCELERATION, At(about)) else desk.tip_label(View.ACCELERATION, At(about))
+        start = desk.start_label(View.ACCELERATION, At(about))
         laid = desk.board.compute(sign, size, "m/s^2")
         desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
-    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words(f"${q}→{about}$", f"${q}→{about}$"),
+    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
                 magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
                 mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else _n_tip(desk, link))
 
@@ -90,23 +89,19 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
     sign = symbol(desk, rel)
     relative = Rel(Kind.V, rel.to, rel.ref)
-    on_paper = board.measure(*v_rel, f"{_start_letter(desk, ref)} {desk.tip_label(View.VELOCITY, to)}")
+    on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
     vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
     size = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
     if not vanishes:
-        start = "p′" if desk.at_rest(View.ACCELERATION, ref) else desk.tip_label(View.ACCELERATION, ref)
+        start = desk.start_label(View.ACCELERATION, ref)
         board.write_length(View.ACCELERATION, f"{start} k′", size)
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
     return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
-                direction=ABSENT if vanishes else Words(f"⊥$ {plain_symbol(vr)}$", f"⊥$ {plain_symbol(vr)}$"),
+                direction=ABSENT if vanishes else Words.same(f"⊥$ {plain_symbol(vr)}$"),
                 along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else "k′")
-
-
-def _start_letter(desk: Desk, at: At) -> str:
-    return "p" if desk.at_rest(View.VELOCITY, at) else desk.tip_label(View.VELOCITY, at)
 
 
 def plain_symbol(quantity: Quantity) -> str:
