@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import degrees, inf, isfinite
+from math import degrees, inf, isfinite, nan
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +41,11 @@ class Answer:
     def deviation(self) -> float:
         """drawn − exact."""
         return self.drawn - self.exact
+
+    @property
+    def relative_deviation(self) -> float:
+        """(drawn − exact) / exact; where the exact value vanishes there is none, and this is NaN."""
+        return self.deviation / self.exact if self.exact else nan
 
     @property
     def direction(self) -> float | None:

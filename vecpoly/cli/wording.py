@@ -59,7 +59,7 @@ def gap(answer: Answer) -> str:
         return number(abs(answer.drawn_vector - answer.exact_vector), 2)
     if abs(answer.exact) < _NOISE:
         return number(answer.deviation, 2)
-    return percent(answer.deviation / abs(answer.exact))
+    return percent(answer.relative_deviation)
 
 
 def percent(part: float) -> str:

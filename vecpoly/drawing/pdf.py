@@ -79,11 +79,6 @@ def pages_to_pdf(pages: tuple[Scene, ...], target: Any) -> None:
     canvas.save()
 
 
-def figure_to_pdf(scene: Scene, path: Path | str, margin: float = 3.0) -> None:
-    """A PDF of one figure on a page of its own size."""
-    pages_to_pdf((Scene(scene.items, scene.extents.grown(margin)),), Path(path))
-
-
 def to_pdf(*pages: Scene) -> bytes:
     """The PDF of these pages in memory."""
     target = BytesIO()

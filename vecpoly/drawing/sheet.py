@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from ..board.construction import Construction, View
 from ..errors import VecpolyError
 from ..words import Lang, Words
 from .figure import draw_figure
 from .packing import Layout, pack
-from .pdf import pages_to_pdf
 from .scene import Rect, Scene
 from .space import A4, FRAME, STRIP, usable
 from .titleblock import Strip, furniture
@@ -52,11 +50,6 @@ def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_T
         _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang)
         for n, (group, layout) in enumerate(pages, start=1)
     )
-
-
-def sheets_to_pdf(construction: Construction, path: Path | str, *, lang: Lang = "zh", title: Words = NO_TITLE) -> None:
-    """All sheets of a construction as one PDF."""
-    pages_to_pdf(tuple(sheet.scene for sheet in sheets(construction, lang=lang, title=title)), Path(path))
 
 
 Drawn = tuple[View, Scene]

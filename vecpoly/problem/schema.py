@@ -165,10 +165,6 @@ class ProblemSpec(Spec):
     guesses: dict[str, Pair] = {}
 
 
-class OverrideSpec(ProblemSpec):
-    """A problem of an assignment, with what differs from the file."""
-
-
 class AssignmentSpec(Spec):
     """An assignment file: title, title block, problems."""
 

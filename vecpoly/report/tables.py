@@ -49,7 +49,7 @@ def _clean(exact: float, error: float) -> float:
 def _deviation(answer: Answer) -> str:
     if not _clean(answer.exact, answer.expected_error):
         return number(answer.drawn, 2)
-    return percent(answer.deviation / answer.exact, 2)
+    return percent(answer.relative_deviation, 2)
 
 
 def way(answer: Answer, lang: Lang) -> str:

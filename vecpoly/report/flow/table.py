@@ -142,16 +142,3 @@ class DataTable(Block):
                 y -= advance
             x += width * MM
         return top - height
-
-
-def captioned(table: DataTable, caption: str) -> DataTable:
-    """The same table with a caption over it."""
-    return DataTable(
-        table.header,
-        table.rows,
-        table.widths,
-        table.align,
-        lang=table.lang,
-        caption=caption,
-        style=table.style,
-    )

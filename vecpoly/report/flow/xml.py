@@ -72,11 +72,6 @@ def to_flowables(xml: str, objects: Mapping[str, object], lang: Lang | None = No
     return _Reader(objects, lang or _lang(root)).read(root)
 
 
-def title_of(xml: str) -> str:
-    """The title given to the document."""
-    return parse(xml).attributes.get("title", "")
-
-
 def _lang(root: Element) -> Lang:
     return "en" if root.attributes.get("lang") == "en" else "zh"
 
