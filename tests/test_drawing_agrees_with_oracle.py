@@ -156,3 +156,16 @@ def test_a_slider_on_a_moving_guide(phi: float, rate: float, accel: float, tilt:
         drives=(drive,), branches=(SideOf(point="C", side=Side.LEFT, ref=("B", "D")), SideOf(point="H", side=Side.RIGHT, ref=("F",))),
     )
     agree(mech, "v_C v_H v_HF a_H an_HF at_HF omega_4 alpha_4 omega_5")
+
+
+def test_a_crank_in_line_but_for_the_smallest_number_there_is() -> None:
+    """The sliding velocity is then too small to have a direction; the drawing takes it for none."""
+    one, drive = crank(0.25, 2.2250738585e-313, -12.0, 0.0)
+    mech = Mechanism(
+        frame={"A": 0j, "C": complex(-0.25)},
+        links=(one, Link(name="2", points={"B": 0j, "E": 0.05 + 0.04j}), Link(name="3", points={"C": 0j})),
+        joints=(Revolute(point="A", a="0", b="1"), Revolute(point="B", a="1", b="2"), Revolute(point="C", a="0", b="3"),
+                Prismatic(guide="2", block="3", origin=0j, direction=0.0, pin="C")),
+        drives=(drive,),
+    )
+    agree(mech, "v_C2 v_C2B v_E a_E at_C2B omega_2 alpha_2")

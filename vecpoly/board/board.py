@@ -22,6 +22,7 @@ from .hand import Hand
 from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
+NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direction to each other
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
 GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
 
@@ -126,7 +127,7 @@ class Board:
         """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
         start, end = complex(nominal(line.at)), complex(nominal(to))
         along = complex(nominal(line.along))
-        past = along if abs(end - start) < 1e-9 else (end - start) / abs(end - start)
+        past = along if abs(end - start) < NO_LENGTH else (end - start) / abs(end - start)
         back = 0.0 if abs(end - start) > 2 * OVERRUN else OVERRUN
         self.mark(view, Segment(a=start - past * back, b=end + past * OVERRUN, role=Role.DIRECTION))
         if label:

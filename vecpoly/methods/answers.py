@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..board.board import NO_LENGTH
 from ..board.construction import Reading, View
 from ..errors import NoMethodError
 from ..formula import Row, Txt, sym
@@ -58,7 +59,7 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     direction = board.hand.gauge(np.angle(end - start))
     size = on_paper.value * scale.value
     values = size * np.exp(1j * direction)
-    exact_zero = abs(complex(nominal(end - start))) < 1e-9
+    exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
     reading = Reading(
         key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
         vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...errors import NoMethodError
@@ -26,7 +27,7 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
         raise NoMethodError(f"{ask.name}: fewer than two points of link {ask.link} are known on the polygon")
     (p, p_at), (q, q_at) = held[0], held[1]
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
-    if abs(complex(nominal(tips[1] - tips[0]))) < 1e-9:
+    if abs(complex(nominal(tips[1] - tips[0]))) < NO_LENGTH:
         raise NoMethodError(f"{ask.name}: all points of link {ask.link} have the same vector at this instant")
     board = desk.board
     letter_at_pole(desk, view, p_at, q_at)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...names import At, Kind, Rel, alpha, omega
@@ -67,7 +68,7 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     corners = desk.where(p_at), desk.where(q_at), desk.where(at)
     spread = abs(complex(nominal(tips[1] - tips[0])))
-    desk.tips[view, at] = similar(*corners, *tips) if spread < 1e-9 else board.image(corners, tips)
+    desk.tips[view, at] = similar(*corners, *tips) if spread < NO_LENGTH else board.image(corners, tips)
     corner = desk.tips[view, at]
     for tip in tips:
         board.join(view, tip, corner, Role.DIRECTION)

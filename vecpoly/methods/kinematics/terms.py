@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, omega
@@ -114,15 +115,15 @@ def plain_symbol(quantity: Quantity) -> str:
 def _turned(vector: Points, turn: Turn) -> Points:
     """The unit vector turned by 90° in the sense of ω."""
     size = np.abs(vector)
-    safe = np.where(size > 0, size, 1.0)
-    result = 1j * np.where(np.asarray(turn.value) < 0, -1, 1) * np.where(size > 0, vector / safe, 1.0)
+    along = np.where(size > NO_LENGTH, vector / np.maximum(size, NO_LENGTH), 1.0)
+    result = 1j * np.where(np.asarray(turn.value) < 0, -1, 1) * along
     return result if np.ndim(vector) else complex(result)
 
 
 def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Words:
     if abs(w) < 1e-12:
         return Words(f"此瞬时 $ω_{link}$ = 0，故 ${sign}$ = 0。", f" At this instant $ω_{link}$ = 0, so ${sign}$ = 0.")
-    if size < 1e-12:
+    if size < NO_LENGTH:
         return Words(f"此瞬时 ${v}$ = 0，故 ${sign}$ = 0。", f" At this instant ${v}$ = 0, so ${sign}$ = 0.")
     way, way_en = ("逆时针", "counter-clockwise") if w > 0 else ("顺时针", "clockwise")
     return Words(f"将 ${v}$ 沿 $ω_{link}$ 的转向（{way}）转过 90°，即得哥氏加速度 ${sign}$ 的方向。",

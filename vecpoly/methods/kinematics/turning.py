@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...names import alpha, omega
 from ...plane import Points, Reals, cross, nominal
 from ...quantity import magnitude, worked
 from ...words import Words
 from ..desk import Desk, Turn
-
-NO_LENGTH = 1e-9  # mm: two points nearer than this are one point
 
 
 def angular_velocity(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
