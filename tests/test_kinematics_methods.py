@@ -16,7 +16,7 @@ from vecpoly.methods.plan import construct
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Scales
 
-PLACES = dict(zip(View, slots(3), strict=True))
+PLACES = dict(zip(View, slots(3), strict=False))
 KNOWN: dict[str, dict[str, float | list[float]]] = json.loads((Path(__file__).parent / "data" / "ch3.json").read_text(encoding="utf-8"))
 
 

@@ -17,7 +17,7 @@ from vecpoly.problem.load import load, loads
 from vecpoly.problem.motion import read_branch
 from vecpoly.problem.problem import Problem, Shape
 from vecpoly.problem.schema import json_schema
-from vecpoly.problem.units import _COMMON, Dim, read, unit_by_pint
+from vecpoly.units import _COMMON, Dim, read, unit_by_pint
 
 FOUR_BAR = """\
 id: t

@@ -40,3 +40,23 @@ class NoMethodError(VecpolyError, NotImplementedError):
 
 class NotAskedError(VecpolyError, LookupError):
     """The construction holds no such reading."""
+
+
+class FaultError(Exception):
+    """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
+
+    def __init__(self, text: str, *path: str | int) -> None:
+        super().__init__(text)
+        self.text, self.path = text, path
+
+
+class EquilibriumError(VecpolyError, ValueError):
+    """Loads that no equilibrium answers: too many or too few unknowns, an unknown without a lever arm."""
+
+
+class LockedError(EquilibriumError):
+    """Self-locking: with this friction the driving load cannot move the mechanism, however large it is."""
+
+
+class NoSlipSenseError(EquilibriumError):
+    """A joint with friction whose links do not move relative to each other here: friction has no sense."""

@@ -85,8 +85,43 @@ class Rel:
         body = self.to.link if not self.kind.is_vector else f"{self.to}{self.ref or ''}"
         return f"{self.kind.stem}_{{{body}}}"
 
+    @property
+    def unit(self) -> str:
+        """SI unit as printed."""
+        return self.kind.unit
+
+    @property
+    def is_vector(self) -> bool:
+        """Whether its value is a vector."""
+        return self.kind.is_vector
+
     def __str__(self) -> str:
         return self.key
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
+
+    key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI throughout,
+    except a unit `deg`, whose value is in degrees, and `mm`.
+    """
+
+    key: str
+    symbol: str
+    unit: str
+    is_vector: bool = False
+
+    def __str__(self) -> str:
+        return self.key
+
+
+Key = Rel | Named
+
+
+def reaction(by: str, on: str) -> Named:
+    """R_12: the force of link 1 on link 2 (links by their printed numbers)."""
+    return Named(f"R_{by}{on}", f"R_{{{by}{on}}}", "N", True)
 
 
 _POINT = r"([A-Z][a-z']?)(\d*)"

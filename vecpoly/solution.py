@@ -12,9 +12,11 @@ from typing import Any
 import numpy as np
 
 from .board.construction import Construction, Reading, View
-from .board.hand import hand
+from .board.hand import Hand, hand
 from .check.exact import exact_values
+from .devices.base import Device
 from .drawing.space import slots
+from .methods.devices.plan import construct_device
 from .methods.plan import construct, stages
 from .problem.problem import Problem
 from .words import Lang
@@ -111,11 +113,17 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
     exact = exact_values(problem)  # first: its refusals know the range of the input that does assemble
-    figures = len(stages(problem))
-    places = dict(zip(View, slots(figures), strict=False))
-    construction, spread = construct(problem, hand(by, seed=seed, repeats=repeats), places)
+    construction, spread = _constructed(problem, hand(by, seed=seed, repeats=repeats))
     answers = {key: _answer(reading, exact[key], spread[key]) for key, reading in construction.readings.items()}
     return Solution(problem, construction, answers)
+
+
+def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str, Any]]:
+    """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
+    if isinstance(problem.subject, Device):
+        return construct_device(problem, by, {})
+    drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn)), strict=False)))
 
 
 def _answer(reading: Reading, exact: complex | float, scalars: Any) -> Answer:

@@ -17,7 +17,7 @@ from ..formula import Node, Row, row
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
-from .construction import EquationTable, Figure, Scale, Step, View
+from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
 from .hand import Hand
 from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
 
@@ -34,7 +34,8 @@ class Board:
         self.hand = hand
         self.scales = dict(scales)
         self.steps: list[Step] = []
-        self._marks: dict[View, list[Mark]] = {view: [] for view in View}
+        self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
+        self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
 
     # -- the record -------------------------------------------------------------------------------------------
@@ -43,7 +44,7 @@ class Board:
         """Open a part of the solution."""
         self._section = title
 
-    def step(self, words: Words, view: View | None = None) -> None:
+    def step(self, words: Words, view: Place | None = None) -> None:
         """Open the next numbered step; marks and formulas that follow belong to it."""
         self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
 
@@ -61,57 +62,66 @@ class Board:
         last = self.steps[-1]
         self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
 
-    def mark(self, view: View, *marks: Mark) -> None:
+    def mark(self, view: Place, *marks: Mark) -> None:
         """Leave marks of the step on a figure."""
         number = len(self.steps)
         self._marks[view] += [replace(m, step=m.step or number) for m in marks]
 
+    def open_pane(self, view: View, name: str, title: Words) -> Pane:
+        """Begin one of several figures of a kind; those that share a name are one."""
+        pane = Pane(view, name)
+        self._titles.setdefault(pane, title)
+        self._marks.setdefault(pane, [])
+        return pane
+
     def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
-        """The finished figures, those with marks."""
+        """The finished figures, those with marks: by kind, then as they were begun."""
+        order = list(View)
+        places = sorted((p for p in self._marks if self._marks[p]), key=lambda p: order.index(view_of(p)))
         return tuple(
-            Figure(view=v, title=titles[v], scale=self.scales[v], marks=tuple(self._marks[v]))
-            for v in View if self._marks[v]
+            Figure(view=view_of(p), title=self._titles[p] if isinstance(p, Pane) else titles[p], name=p.name if isinstance(p, Pane) else "",
+                   scale=self.scales[view_of(p)], marks=tuple(self._marks[p])) for p in places
         )
 
-    def marks(self, view: View) -> tuple[Mark, ...]:
+    def marks(self, view: Place) -> tuple[Mark, ...]:
         """What stands on a figure so far."""
         return tuple(self._marks[view])
 
     # -- scales -----------------------------------------------------------------------------------------------
 
-    def mu(self, view: View) -> Quantity:
+    def mu(self, view: Place) -> Quantity:
         """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
-        scale = self.scales[view]
+        scale = self.scales[view_of(view)]
         return magnitude(scale.symbol, scale.value, scale.per_mm)
 
-    def to_paper(self, view: View, value: Reals) -> Reals:
+    def to_paper(self, view: Place, value: Reals) -> Reals:
         """A quantity as a length on paper (mm)."""
-        return value / self.scales[view].value
+        return value / self.scales[view_of(view)].value
 
     # -- acts -------------------------------------------------------------------------------------------------
 
-    def plot(self, view: View, at: Points, label: str, dot: Dot = Dot.POINT) -> None:
+    def plot(self, view: Place, at: Points, label: str, dot: Dot = Dot.POINT) -> None:
         """Letter a point."""
         self.mark(view, Point(at=complex(nominal(at)), label=label, dot=dot))
 
-    def join(self, view: View, a: Points, b: Points, role: Role) -> None:
+    def join(self, view: Place, a: Points, b: Points, role: Role) -> None:
         """Rule a line from a to b."""
         self.mark(view, Segment(a=complex(nominal(a)), b=complex(nominal(b)), role=role))
 
-    def arrow(self, view: View, a: Points, b: Points, role: Role) -> None:
+    def arrow(self, view: Place, a: Points, b: Points, role: Role) -> None:
         """Draw the vector from a to b."""
         start, end = complex(nominal(a)), complex(nominal(b))
         if abs(end - start) > 1e-6:
             self.mark(view, Vector(a=start, b=end, role=role))
 
-    def arrow_once(self, view: View, a: Points, b: Points) -> None:
+    def arrow_once(self, view: Place, a: Points, b: Points) -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
         start, end = complex(nominal(a)), complex(nominal(b))
         there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < 1e-6 for m in self._marks[view])
         if not there:
             self.arrow(view, a, b, Role.RESULT)
 
-    def right_angle(self, view: View, at: Points, u: Points, v: Points) -> None:
+    def right_angle(self, view: Place, at: Points, u: Points, v: Points) -> None:
         """Mark a right angle."""
         self.mark(view, RightAngle(at=complex(nominal(at)), u=complex(nominal(u)), v=complex(nominal(v))))
 
@@ -123,7 +133,7 @@ class Board:
         """Rule a line through a point parallel to a drawn direction."""
         return Line(at, self.hand.tilt(along))
 
-    def rule(self, view: View, line: Line, to: Points, label: str = "") -> None:
+    def rule(self, view: Place, line: Line, to: Points, label: str = "") -> None:
         """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
         start, end = complex(nominal(line.at)), complex(nominal(to))
         along = complex(nominal(line.along))
@@ -146,7 +156,7 @@ class Board:
             self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
         return lines_meet(g, h)
 
-    def swing(self, view: View, centre: Points, radius: Reals, through: Points) -> None:
+    def swing(self, view: Place, centre: Points, radius: Reals, through: Points) -> None:
         """Leave the short compass arc about a centre near the point it passes."""
         c, p = complex(nominal(centre)), complex(nominal(through))
         size = float(nominal(radius))
@@ -188,11 +198,11 @@ class Board:
         self.write(worked(result.node, expr, unit_text))
         return result
 
-    def write_length(self, view: View, letters: str, quantity: Quantity) -> None:
+    def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
         self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
 
-    def tint(self, view: View, points: tuple[Points, ...]) -> None:
+    def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""
         self.mark(view, ImageOf(points=tuple(complex(nominal(p)) for p in points)))
 

@@ -12,11 +12,29 @@ from .marks import Mark
 
 
 class View(StrEnum):
-    """The kinds of figure on a kinematics sheet."""
+    """The kinds of figure on a sheet."""
 
     MECHANISM = "mechanism"
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
+    BODY = "body"  # a link drawn apart, with the forces on it
+    FORCE = "force"  # a force polygon
+
+
+@dataclass(frozen=True, slots=True)
+class Pane:
+    """One of several figures of a kind: the free body of link 3, the force polygon of links 2 and 3."""
+
+    view: View
+    name: str
+
+
+Place = View | Pane  # where a mark stands: the only figure of its kind, or one of several
+
+
+def view_of(place: Place) -> View:
+    """The kind of figure."""
+    return place.view if isinstance(place, Pane) else place
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,12 +53,13 @@ class Scale:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """One drawing: its marks in mm, its scale, its title."""
+    """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view."""
 
     view: View
     title: Words
     scale: Scale
     marks: tuple[Mark, ...]
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,7 +85,18 @@ class Step:
     words: Words
     equation: EquationTable | None = None
     formulas: tuple[Node, ...] = ()
-    view: View | None = None
+    view: Place | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LineOfAction:
+    """Where a reaction acts: a point of its line (m, on the diagram's axes), and the side on which it touches a friction circle.
+
+    tangent: sense of its moment about the pin, "ccw" or "cw"; "" where it passes through the centre, or there is no pin.
+    """
+
+    point: complex
+    tangent: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,6 +118,7 @@ class Reading:
     scale: str = ""
     formula: Node | None = None
     remark: Words | None = None
+    acts: LineOfAction | None = None  # of a reaction
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,6 +131,7 @@ class Construction:
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
 
-    def figure(self, view: View) -> Figure | None:
-        """The figure of this view, if drawn."""
-        return next((f for f in self.figures if f.view is view), None)
+    def figure(self, place: Place) -> Figure | None:
+        """The figure at this place (the first of a view), if drawn."""
+        name = place.name if isinstance(place, Pane) else None
+        return next((f for f in self.figures if f.view is view_of(place) and name in (None, f.name)), None)

@@ -16,6 +16,7 @@ import numpy as np
 from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.model import Mechanism, Side, SideOf
+from ..names import Rel
 from ..problem.problem import Printed, Problem
 
 POSITIONS = 721
@@ -33,7 +34,7 @@ class BestFit:
 
 def best_fit(problem: Problem, printed: Sequence[Printed]) -> BestFit | None:
     """Try all positions and assemblies against the printed magnitudes; None where fewer than two can be compared."""
-    targets = [p for p in printed if p.rel is not None and p.value]
+    targets = [p for p in printed if isinstance(p.rel, Rel) and p.value]
     if len(targets) < 2:
         return None
     fits = [fit for mech in _assemblies(problem.mechanism) if (fit := _sweep(mech, targets)) is not None]
@@ -50,7 +51,7 @@ def _sweep(mech: Mechanism, targets: Sequence[Printed]) -> BestFit | None:
     angles = np.linspace(0.0, 2 * np.pi, POSITIONS)
     try:
         motion = oracle.solve(mech, angles, strict=False)
-        misfits = [np.abs(np.abs(motion.value(t.rel)) / abs(t.value) - 1.0) for t in targets if t.rel is not None]
+        misfits = [np.abs(np.abs(motion.value(t.rel)) / abs(t.value) - 1.0) for t in targets if isinstance(t.rel, Rel)]
     except VecpolyError:
         return None
     worst = np.max(np.broadcast_arrays(*misfits), axis=0)

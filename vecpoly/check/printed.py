@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from statistics import median
 
 from .. import oracle
+from ..devices.base import Device
 from ..errors import UnknownNameError
-from ..names import Kind
+from ..names import Kind, Named, Rel
+from ..oracle.devices.registry import device_answers
+from ..oracle.forces import forces
 from ..problem.problem import Printed, Problem
 from ..words import Words
 from .possible import BestFit, best_fit
@@ -28,16 +32,31 @@ class PrintedCheck:
 
 def check_problem(problem: Problem) -> PrintedCheck:
     """Check every printed answer of the problem against the oracle."""
-    motion = oracle.solve(problem.mechanism)
     checked, skipped = [], []
+    exact_of = _truth(problem)
     for printed in problem.printed:
-        exact = _exact(motion, printed)
+        exact = exact_of(printed)
         if exact is None:
             skipped.append(printed)
         else:
             checked.append(check_printed(printed, exact))
     whole, fit = _together(problem, checked)
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
+
+
+def _truth(problem: Problem) -> Callable[[Printed], float | None]:
+    """What gives the exact value behind a printed answer (None: nothing to compare)."""
+    if isinstance(problem.subject, Device):
+        values = device_answers(problem.subject)
+        return lambda printed: _size(values[printed.rel.key]) if printed.rel else None
+    motion = oracle.solve(problem.subject)
+    result = forces(problem.subject, problem.loads) if problem.loads else None
+    return lambda printed: (_size(complex(result.value(printed.rel.key)) if printed.rel.is_vector else float(result.value(printed.rel.key).real))
+                            if isinstance(printed.rel, Named) and result else _exact(motion, printed))
+
+
+def _size(value: complex | float) -> float:
+    return abs(value) if isinstance(value, complex) else value
 
 
 def _exact(motion: oracle.Motion, printed: Printed) -> float | None:
@@ -49,6 +68,8 @@ def _exact(motion: oracle.Motion, printed: Printed) -> float | None:
             return float(abs(motion.position(letters[1]) - motion.position(letters[0])))
         except UnknownNameError:
             return None
+    if not isinstance(printed.rel, Rel):
+        return None
     value = motion.value(printed.rel)
     return float(abs(value)) if printed.rel.kind.is_vector else float(value.real)
 
@@ -58,7 +79,7 @@ def _together(problem: Problem, checked: list[Checked]) -> tuple[Words | None, B
 
     Only velocities and angular velocities are tried: accelerations magnify a drawing error too much to tell.
     """
-    rates = [c for c in checked if c.printed.rel is not None and c.printed.rel.kind in _RATES and c.exact]
+    rates = [c for c in checked if isinstance(c.printed.rel, Rel) and c.printed.rel.kind in _RATES and c.exact]
     far = [c for c in rates if c.verdict is Verdict.WRONG]
     if len(far) < 2:
         return None, None

@@ -48,7 +48,7 @@ class Checked:
 
 def check_printed(printed: Printed, exact: float) -> Checked:
     """Weigh one printed value; signs count only for ω and α, and only where the print has one."""
-    turning = printed.rel is not None and not printed.rel.kind.is_vector
+    turning = printed.rel is not None and not printed.rel.is_vector
     value = printed.value if turning else abs(printed.value)
     truth = exact if turning and (value < 0 or _signed(printed)) else abs(exact)
     deviation = (value - truth) / truth if truth else (0.0 if value == 0 else float("inf"))

@@ -76,7 +76,7 @@ def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
 
 
 def _unit(printed: Printed) -> str:
-    return unit(printed.rel.kind.unit if printed.rel is not None else "m")
+    return unit(printed.rel.unit if printed.rel is not None else "m")
 
 
 def _as_json(problem: Problem, result: PrintedCheck) -> dict[str, Any]:

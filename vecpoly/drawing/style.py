@@ -26,8 +26,10 @@ class Hue(Enum):
     GHOST = (0.78, 0.78, 0.78)  # what is not of the highlighted step
     WHITE = (1.0, 1.0, 1.0)
     PLATE = (0.91, 0.91, 0.91)
+    FORCE = (0.02, 0.33, 0.20)
     VELOCITY_TINT = (0.88, 0.92, 0.98)
     ACCELERATION_TINT = (0.98, 0.90, 0.89)
+    FORCE_TINT = (0.88, 0.95, 0.91)
 
     @property
     def hex(self) -> str:
@@ -37,7 +39,7 @@ class Hue(Enum):
     @property
     def is_tint(self) -> bool:
         """Whether the ink is a background that lettering may stand on."""
-        return self in (Hue.WHITE, Hue.PLATE, Hue.VELOCITY_TINT, Hue.ACCELERATION_TINT)
+        return self in (Hue.WHITE, Hue.PLATE, Hue.VELOCITY_TINT, Hue.ACCELERATION_TINT, Hue.FORCE_TINT)
 
 
 class Dash(StrEnum):
@@ -76,6 +78,8 @@ def kind_hue(view: View, label: str = "") -> Hue:
             return Hue.VELOCITY
         case View.ACCELERATION:
             return Hue.ACCELERATION
+        case View.FORCE | View.BODY:
+            return Hue.FORCE
         case View.MECHANISM:
             return {"v": Hue.VELOCITY, "a": Hue.ACCELERATION}.get(label[:1], Hue.BLACK)
     assert_never(view)
@@ -88,7 +92,9 @@ def tint(view: View) -> Hue:
             return Hue.VELOCITY_TINT
         case View.ACCELERATION:
             return Hue.ACCELERATION_TINT
-        case View.MECHANISM:
+        case View.FORCE:
+            return Hue.FORCE_TINT
+        case View.MECHANISM | View.BODY:
             return Hue.PLATE
     assert_never(view)
 

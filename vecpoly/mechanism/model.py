@@ -137,6 +137,28 @@ Joint = Revolute | Prismatic | Rolling
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Contact:
+    """A sliding-rolling pair (higher pair) of a disc on link `disc.link` with a disc or a flat face of link `on.link`.
+
+    It is replaced by a link (高副低代): the mechanism's `links` and `joints` hold the massless link `substitute`, pinned at
+    the disc's centre and pinned at the other disc's centre, or sliding along the face. Kinematics uses the substitute; counts
+    of links and pairs, and forces, use the contact itself. `side` (of the face's direction) is where the disc lies.
+    """
+
+    point: str
+    disc: Circle
+    on: Circle | Rack  # Rack: here the line of a flat face
+    substitute: str
+    internal: bool = False
+    side: Side = Side.LEFT
+
+    @property
+    def links(self) -> tuple[str, str]:
+        """The two links that touch, the disc's first."""
+        return self.disc.link, self.on.link
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SideOf:
     """Branch of an assembly: `point` lies on `side` of the ray ref[0] -> ref[1], or of the single point ref[0]."""
 
@@ -169,6 +191,7 @@ class Mechanism:
     joints: tuple[Joint, ...]
     drives: tuple[Drive, ...]
     branches: tuple[SideOf, ...] = ()
+    contacts: tuple[Contact, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
 
     def __post_init__(self) -> None:
@@ -179,6 +202,25 @@ class Mechanism:
     def drive(self) -> Drive:
         """The only drive (one degree of freedom)."""
         return self.drives[0]
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Names of the moving links that exist, without the substitutes of higher pairs."""
+        thought = {contact.substitute for contact in self.contacts}
+        return tuple(link.name for link in self.links if link.name not in thought)
+
+    @property
+    def frame_number(self) -> str:
+        """The frame's number as printed: one more than the highest of the links."""
+        return str(1 + max(int("".join(filter(str.isdigit, name)) or 0) for name in self.bodies))
+
+    def number(self, link: str) -> str:
+        """A link's number as printed, the frame's included."""
+        return self.frame_number if link == FRAME else link
+
+    def named(self, number: str) -> str:
+        """The link with this printed number."""
+        return FRAME if number == self.frame_number else number
 
     def link(self, name: str) -> Link:
         """The moving link with this name; the frame as a link where name is FRAME."""

@@ -19,7 +19,7 @@ from ..board.scales import round_scale
 from ..mechanism.assur import Group, decompose
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import At, Kind
-from ..problem.asks import AskPoint, AskRel
+from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer
@@ -33,11 +33,14 @@ TITLES = {
     View.MECHANISM: Words("机构运动简图", "Kinematic diagram"),
     View.VELOCITY: Words("速度多边形", "Velocity polygon"),
     View.ACCELERATION: Words("加速度多边形", "Acceleration polygon"),
+    View.BODY: Words("构件受力图", "Free body"),
+    View.FORCE: Words("力多边形", "Force polygon"),
 }
 SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
     Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
+    Stage.FORCE: Words("力分析", "Force analysis"),
 }
 _UNIT = {View.MECHANISM: ("μ_l", "m"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
 _ACCELERATIONS = {Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR, Kind.ALPHA}
@@ -60,10 +63,12 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
 
 def stages(problem: Problem) -> tuple[Stage, ...]:
     """The passes that the questions need."""
-    rels = [ask.rel for ask in problem.asks]
-    if any(r.kind in _ACCELERATIONS for r in rels) or any(isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks):
-        return tuple(Stage)
-    return (Stage.POSITION, Stage.VELOCITY)
+    rels = [ask.rel for ask in problem.asks if not isinstance(ask, AskNamed)]
+    loads = problem.loads
+    accelerated = any(r.kind in _ACCELERATIONS for r in rels) or (loads is not None and loads.dynamic) or any(
+        isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
+    last = (Stage.FORCE,) if loads is not None else ()
+    return (Stage.POSITION, Stage.VELOCITY, *((Stage.ACCELERATION,) if accelerated else ()), *last)
 
 
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict[View, Scale]:
@@ -175,6 +180,8 @@ def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]
     readings: dict[str, Reading] = {}
     repeats: Repeats = {}
     for ask in problem.asks:
+        if isinstance(ask, AskNamed):
+            continue
         reading, scalars = answer(desk, ask.rel)
         readings[reading.key] = reading
         repeats[reading.key] = np.asarray(scalars, dtype=float)

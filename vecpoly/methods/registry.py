@@ -23,6 +23,7 @@ class Stage(StrEnum):
     POSITION = "position"
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
+    FORCE = "force"
 
 
 Draw = Callable[["Desk", Any], None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..names import At, Kind, Rel
+from ..names import At, Kind, Named, Rel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,4 +44,11 @@ class AskCoriolis:
     rel: Rel
 
 
-Ask = AskRel | AskPoint | AskCoriolis
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AskNamed:
+    """A load, a reaction, an efficiency, any quantity with a name of its own."""
+
+    rel: Named
+
+
+Ask = AskRel | AskPoint | AskCoriolis | AskNamed

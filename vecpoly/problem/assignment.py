@@ -8,10 +8,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ..errors import UnknownNameError
+from ..errors import FaultError, UnknownNameError
 from ..words import Words
 from .build import build
-from .faults import FaultError, Faults, meant
+from .faults import Faults, meant
 from .load import locate, tree_of
 from .problem import Problem
 from .schema import AssignmentSpec

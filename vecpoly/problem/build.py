@@ -5,20 +5,20 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from ..errors import VecpolyError
+from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..names import At
+from ..units import Dim, read
 from .asks import Ask
 from .draft import LETTER
-from .faults import FaultError, Faults, meant
+from .faults import Faults, meant
 from .joints import Bodies, read_joint, revolutes
 from .links import read_link
 from .motion import read_branch, read_input
 from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
-from .units import Dim, read
 from .validate import validate
 from .wanted import read_find, read_point, read_printed, read_scales
 
@@ -48,7 +48,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         title=spec.title,
         source=spec.source,
         statement=spec.statement,
-        mechanism=mechanism,
+        subject=mechanism,
         asks=asks,
         scales=scales,
         printed=printed,

@@ -6,9 +6,10 @@ import cmath
 import re
 from dataclasses import dataclass, field
 
+from ..errors import FaultError
 from ..mechanism.model import Circle, Link, Placement
 from ..words import Words
-from .faults import FaultError, meant
+from .faults import meant
 from .problem import Datum, Shape
 
 LETTER = r"[A-Z][a-z'′]?"

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
-from ..errors import ProblemFileError, VecpolyError
+from ..errors import FaultError, ProblemFileError, VecpolyError
 
 Path = tuple[str | int, ...]
 
@@ -19,14 +19,6 @@ class Place:
     file: str
     line: int
     column: int
-
-
-class FaultError(Exception):
-    """One thing wrong, at a path below the one being read."""
-
-    def __init__(self, text: str, *path: str | int) -> None:
-        super().__init__(text)
-        self.text, self.path = text, path
 
 
 @dataclass(slots=True)

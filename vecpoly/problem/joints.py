@@ -10,12 +10,13 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from math import degrees
 
+from ..errors import FaultError
 from ..mechanism.model import FRAME, Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
+from ..units import Dim, positive, read
 from ..words import Words
 from .draft import LETTER, Draft, Line, letters_of
-from .faults import FaultError, meant
+from .faults import meant
 from .problem import Shape
-from .units import Dim, positive, read
 
 _LINK = r"\d+[a-z']?"
 _GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {_LINK})?|{_LINK}"

@@ -6,13 +6,14 @@ import cmath
 from collections.abc import Callable, Mapping
 from functools import partial
 
+from ..errors import FaultError
 from ..mechanism.model import Circle
+from ..units import Dim, positive, read
 from .draft import ANGLE_FROM, ONE, TWO, Draft, Line, letters_of, ray
-from .faults import FaultError, meant
+from .faults import meant
 from .places import place
 from .problem import Shape
 from .source import Value
-from .units import Dim, positive, read
 
 _SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR}
 LINK_KEYS = (*_SINGLE, "radius")

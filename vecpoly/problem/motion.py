@@ -6,13 +6,14 @@ import cmath
 import re
 from collections.abc import Iterable, Mapping
 
+from ..errors import FaultError
 from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, SideOf
+from ..units import Dim, Quantity, read
 from .draft import LETTER, Draft, letters_of
-from .faults import FaultError, meant
+from .faults import meant
 from .joints import Bodies
 from .problem import Datum, Shape
 from .schema import InputSpec
-from .units import Dim, Quantity, read
 
 _FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _BRANCH = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")

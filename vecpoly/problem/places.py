@@ -6,12 +6,13 @@ import cmath
 import re
 from collections.abc import Mapping
 
+from ..errors import FaultError
 from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
+from ..units import Dim, Quantity, positive, read
 from ..words import Words
 from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
-from .faults import FaultError, meant
+from .faults import meant
 from .source import Value
-from .units import Dim, Quantity, positive, read
 
 _SIDE = re.compile(rf"(left|right) of ({LETTER})({LETTER})")
 _KEYS = ("along", "at", "left", "right", "angle", "side")

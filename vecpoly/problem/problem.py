@@ -10,12 +10,14 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal
 
+from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
-from ..names import Rel
+from ..names import Key
 from ..words import Lang, Words
 from .asks import Ask
 
 if TYPE_CHECKING:
+    from ..devices.base import Device
     from ..solution import Solution
 
 
@@ -83,6 +85,7 @@ class Scales:
     mu_l: float | None = None  # m/mm
     mu_v: float | None = None  # (m/s)/mm
     mu_a: float | None = None  # (m/s²)/mm
+    mu_f: float | None = None  # N/mm
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +97,7 @@ class Printed:
     """
 
     symbol: str
-    rel: Rel | None
+    rel: Key | None
     value: float
     text: str
     kind: Literal["calculated", "graphical"] = "calculated"
@@ -106,14 +109,15 @@ class Printed:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """One exercise: the given mechanism, what is asked, how it was answered in print."""
+    """One exercise: the mechanism (with its loads) or the device it is about, what is asked, how it was answered in print."""
 
     id: str
     title: Words
-    mechanism: Mechanism
+    subject: Mechanism | Device
     asks: tuple[Ask, ...]
     source: Words | None = None
     statement: Words = field(default_factory=lambda: Words.same(""))
+    loads: Loads | None = None
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()
@@ -121,6 +125,18 @@ class Problem:
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
     text: str = ""  # the file as written
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism; a problem about a device has none."""
+        assert isinstance(self.subject, Mechanism), f"problem {self.id} is about a device"
+        return self.subject
+
+    @property
+    def device(self) -> Device:
+        """The device; a problem about a mechanism has none."""
+        assert not isinstance(self.subject, Mechanism), f"problem {self.id} is about a mechanism"
+        return self.subject
 
     def solve(self, *, by: str = "drafting", seed: int = 0) -> Solution:
         """Draw the solution of this problem by a hand: exact, drafting or pencil."""

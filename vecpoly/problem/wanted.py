@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from ..errors import UnknownNameError
+from ..errors import FaultError, UnknownNameError
 from ..mechanism.model import FRAME
 from ..names import At, Kind, Rel, parse_rel
+from ..units import Dim, read, unit_of
 from .asks import Ask, AskCoriolis, AskPoint, AskRel
-from .faults import FaultError, meant
+from .faults import meant
 from .joints import Bodies
 from .problem import Printed, Scales
 from .schema import FindSpec, PrintedSpec, ScalesSpec
-from .units import Dim, read, unit_of
 
 _KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")

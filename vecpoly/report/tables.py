@@ -80,14 +80,14 @@ def _as_given(checked: Checked, lang: Lang) -> str:
     printed = checked.printed
     text = as_printed(printed.text, lang)
     if printed.scale:
-        unit = printed.rel.kind.unit if printed.rel else "m"
+        unit = printed.rel.unit if printed.rel else "m"
         text += f" = {number(abs(printed.value))} {unit}"
     return text
 
 
 def _exact_like(checked: Checked) -> str:
     """The exact value with its unit."""
-    return f"{number(checked.exact)} {checked.printed.rel.kind.unit if checked.printed.rel else 'm'}"
+    return f"{number(checked.exact)} {checked.printed.rel.unit if checked.printed.rel else 'm'}"
 
 
 def symbol_of(checked: Checked) -> str:

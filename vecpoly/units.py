@@ -9,7 +9,7 @@ from enum import Enum
 from functools import lru_cache
 from typing import Any
 
-from .faults import FaultError
+from .errors import FaultError
 
 _DEFINITIONS = (
     "meter = [length] = m = metre = 米",
@@ -26,7 +26,11 @@ _DEFINITIONS = (
     f"degree = {math.pi / 180!r} * radian = deg = 度",
     f"turn = {2 * math.pi!r} * radian = r = rev = 转",
     f"rpm = {math.pi / 30!r} * radian / second = rpm",
+    "gram = 1e-3 * kilogram = g = 克",
     "newton = kilogram * meter / second ** 2 = N = 牛",
+    "kilonewton = 1e3 * newton = kN = 千牛",
+    "watt = newton * meter / second = W = 瓦",
+    "kilowatt = 1e3 * watt = kW = 千瓦",
 )
 
 _COMMON = {
@@ -43,6 +47,13 @@ _COMMON = {
     "m/mm": (1e3, ""),
     "(m/s)/mm": (1e3, "time -1"),
     "(m/s**2)/mm": (1e3, "time -2"),
+    "N": (1.0, "length 1 mass 1 time -2"),
+    "N*m": (1.0, "length 2 mass 1 time -2"),
+    "N*mm": (1e-3, "length 2 mass 1 time -2"),
+    "N/mm": (1e3, "mass 1 time -2"),
+    "kg": (1.0, "mass 1"),
+    "kg*m**2": (1.0, "length 2 mass 1"),
+    "kg/m**3": (1.0, "length -3 mass 1"),
 }  # spelling: SI factor and dimension
 
 
@@ -58,6 +69,13 @@ class Dim(Enum):
     MU_L = ("a length scale", "", "0.002 m/mm")
     MU_V = ("a velocity scale", "time -1", "0.01 (m/s)/mm")
     MU_A = ("an acceleration scale", "time -2", "0.1 (m/s^2)/mm")
+    MU_F = ("a force scale", "mass 1 time -2", "10 N/mm")
+    FORCE = ("a force", "length 1 mass 1 time -2", "1000 N")
+    MOMENT = ("a moment", "length 2 mass 1 time -2", "20 N*m ccw")
+    MASS = ("a mass", "mass 1", "3 kg")
+    INERTIA = ("a moment of inertia", "length 2 mass 1", "0.02 kg*m^2")
+    DENSITY = ("a density", "length -3 mass 1", "7800 kg/m^3")
+    POWER = ("a power", "length 2 mass 1 time -3", "5 kW")
 
     @property
     def label(self) -> str:
@@ -109,7 +127,7 @@ def read(text: object, dim: Dim) -> Quantity:
         raise FaultError(
             f"'{text}' is not {dim.label}: its unit '{m[2]}' is {_named(dimension)}; write e.g. {dim.example}"
         )
-    per_mm = 1e-3 if dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A) else 1.0
+    per_mm = 1e-3 if dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
     return Quantity(sign * _times(number, factor * per_mm), text)
 
 
@@ -161,7 +179,7 @@ def _split_sense(text: str, dim: Dim) -> tuple[str, float]:
     m = _SENSE.search(text)
     if m is None:
         return text, 1.0
-    if "angle" not in dim.dimension:
+    if "angle" not in dim.dimension and dim is not Dim.MOMENT:
         raise FaultError(f"'{text}': {dim.label} has no sense of rotation; write e.g. {dim.example}")
     bare = text[: m.start()]
     if bare.lstrip().startswith(("-", "−")):

@@ -1,0 +1,103 @@
+"""The base of every device: data read from the `data:` of a problem file, and the quantities that may be asked of it.
+
+A new device is one file here (its data), one in `methods/devices` (how it is drawn) and one in `oracle/devices` (its exact
+answers); nothing else is edited. Its `kind` is what a problem file writes after `device:`.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from collections.abc import Callable
+from functools import cache
+from typing import Annotated, Any, ClassVar
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
+
+from ..errors import FaultError, UnknownNameError
+from ..names import Named
+from ..units import Dim, Quantity, positive, read
+
+
+def _reader(dim: Dim, how: Callable[[object, Dim], Quantity]) -> Callable[[Any], Quantity]:
+    def value(text: Any) -> Quantity:
+        if isinstance(text, Quantity):
+            return text
+        try:
+            return how(text, dim)
+        except FaultError as fault:
+            raise ValueError(fault.text) from None
+
+    return value
+
+
+def _ratio(text: Any) -> Quantity:
+    """A pure number, not negative."""
+    if isinstance(text, Quantity):
+        return text
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        raise ValueError(f"'{text}' is no pure number; write e.g. 0.15") from None
+    if not 0 <= value < float("inf"):
+        raise ValueError(f"'{text}' must not be negative or infinite; write e.g. 0.15")
+    return Quantity(value, str(text))
+
+
+def _efficiency(text: Any) -> Quantity:
+    """A pure number in (0, 1]."""
+    quantity = _ratio(text)
+    if not 0 < quantity.si <= 1:
+        raise ValueError(f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97")
+    return quantity
+
+
+_QUANTITY = WithJsonSchema({"type": ["string", "number"]})
+Length = Annotated[Quantity, BeforeValidator(_reader(Dim.LENGTH, positive)), _QUANTITY]
+Angle = Annotated[Quantity, BeforeValidator(_reader(Dim.ANGLE, read)), _QUANTITY]
+ForceSize = Annotated[Quantity, BeforeValidator(_reader(Dim.FORCE, positive)), _QUANTITY]
+Speed = Annotated[Quantity, BeforeValidator(_reader(Dim.SPEED, positive)), _QUANTITY]
+Power = Annotated[Quantity, BeforeValidator(_reader(Dim.POWER, positive)), _QUANTITY]
+Ratio = Annotated[Quantity, BeforeValidator(_ratio), _QUANTITY]
+Efficiency = Annotated[Quantity, BeforeValidator(_efficiency), _QUANTITY]
+
+
+class Device(BaseModel):
+    """Data of a device, frozen; its fields are quantities in SI together with how they were written."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    kind: ClassVar[str] = ""
+
+    def quantities(self) -> tuple[Named, ...]:
+        """All that may be asked of it, in the order in which a solution gives it."""
+        raise NotImplementedError
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
+        raise NotImplementedError
+
+    @property
+    def size(self) -> float:
+        """A length typical of its sketch (m), from which a scale is guessed before it is fitted."""
+        return 0.1
+
+    @property
+    def force(self) -> float:
+        """A force typical of its polygons (N)."""
+        return 100.0
+
+
+@cache
+def kinds() -> dict[str, type[Device]]:
+    """Every device on file by the name that a problem file uses."""
+    package = importlib.import_module("vecpoly.devices")
+    for module in pkgutil.iter_modules(package.__path__, "vecpoly.devices."):
+        importlib.import_module(module.name)
+    return {sub.kind: sub for sub in sorted(Device.__subclasses__(), key=lambda s: s.kind)}
+
+
+def kind_of(name: str) -> type[Device]:
+    """The device class of this name; raises UnknownNameError."""
+    if name not in kinds():
+        raise UnknownNameError(f"no device '{name}'; known: {', '.join(kinds())}")
+    return kinds()[name]

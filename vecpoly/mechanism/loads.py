@@ -1,0 +1,104 @@
+"""What acts on the links of a mechanism: forces, moments, masses, friction. SI; angles in rad; counter-clockwise positive.
+
+One load has no size: it is the one that balances the others. Friction is Coulomb's: a pin's reaction touches the friction
+circle of radius ρ, the reaction of a slide or a contact leans by φ = arctan f from the normal, against the relative motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Force:
+    """A force on a link through one of its lettered points, in a fixed direction (rad from the x axis).
+
+    size: N, positive along `direction`; None: it balances.
+    """
+
+    name: str  # ASCII: F, Q, F_r
+    link: str
+    point: str
+    direction: float
+    size: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Moment:
+    """A couple on a link (N·m, counter-clockwise positive); size None: it balances."""
+
+    name: str  # M_1, M_d
+    link: str
+    size: float | None = None
+
+
+Load = Force | Moment
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mass:
+    """Mass (kg), moment of inertia about the centre of mass (kg·m²), and the centre's letter: a point of the link, S2."""
+
+    link: str
+    mass: float
+    inertia: float
+    centre: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Friction:
+    """Radius ρ (m) of the friction circle by pin letter; friction angle φ (rad) by (link, link) of a slide or by contact letter.
+
+    A slide's key is (block, guide) as in its joint.
+    """
+
+    pins: Mapping[str, float] = field(default_factory=dict)
+    slides: Mapping[tuple[str, str], float] = field(default_factory=dict)
+    contacts: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("pins", "slides", "contacts"):
+            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+
+    def __bool__(self) -> bool:
+        return any((*self.pins.values(), *self.slides.values(), *self.contacts.values()))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Loads:
+    """Everything that acts; exactly one force or moment has no size. `weight`: whether gravity (9.81 m/s², −y) acts on the masses."""
+
+    forces: tuple[Force, ...] = ()
+    moments: tuple[Moment, ...] = ()
+    masses: tuple[Mass, ...] = ()
+    friction: Friction = field(default_factory=Friction)
+    weight: bool = False
+    inertia: bool = True  # whether the inertia forces of the masses act
+
+    @property
+    def all(self) -> tuple[Load, ...]:
+        """Forces, then moments."""
+        return (*self.forces, *self.moments)
+
+    @property
+    def unknown(self) -> Load:
+        """The balancing load."""
+        return next(load for load in self.all if load.size is None)
+
+    @property
+    def dynamic(self) -> bool:
+        """Whether accelerations are needed."""
+        return self.inertia and bool(self.masses)
+
+    def on(self, link: str) -> tuple[Load, ...]:
+        """The forces and moments on a link, the balancing one included."""
+        return tuple(load for load in self.all if load.link == link)
+
+    def mass(self, link: str) -> Mass | None:
+        """The link's mass, if it has one."""
+        return next((m for m in self.masses if m.link == link), None)
+
+
+GRAVITY = 9.81  # m/s²

@@ -1,0 +1,53 @@
+"""What may be asked of a loaded mechanism, by key.
+
+``M_1`` the balancing load; ``M_1_0`` the same without friction; ``M_1_lever``, ``M_1_power`` without friction by the Zhukovsky
+lever and by virtual power; ``R_12`` the force of link 1 on link 2 (frame: its printed number), ``R_12_0`` without friction;
+``h`` the arm of the couple on the link that a balancing moment acts on; ``eta`` the efficiency; ``F_I2``, ``M_I2`` inertia force
+and couple of link 2, ``h_2`` the arm by which they join into one force.
+"""
+
+from __future__ import annotations
+
+from ..names import Named, reaction
+from .assur import ends, hinges
+from .loads import Force, Load, Loads
+from .model import Mechanism, Revolute
+
+
+def load_symbol(name: str) -> str:
+    """A load's name in the notation of `formula`: M_1 → M_{1}, F_r → F_{r}."""
+    stem, _, sub = name.partition("_")
+    return f"{stem}_{{{sub}}}" if sub else stem
+
+
+def load_named(load: Load) -> Named:
+    """The load as a quantity: N along its direction, or N·m counter-clockwise."""
+    return Named(load.name, load_symbol(load.name), "N" if isinstance(load, Force) else "N·m")
+
+
+def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
+    """Links that press on each other in a joint or a contact, as names; each pair once."""
+    thought = {contact.substitute for contact in mech.contacts}
+    found = [(a, b) for names in hinges(mech).values() for i, a in enumerate(names) for b in names[i + 1:]]
+    found += [ends(joint) for joint in mech.joints if not isinstance(joint, Revolute)]
+    found += [contact.links for contact in mech.contacts]
+    return tuple(dict.fromkeys(pair for pair in found if not thought & set(pair)))
+
+
+def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
+    """Every quantity of the loaded mechanism by its key."""
+    unknown = load_named(loads.unknown)
+    stem, _, sub = unknown.key.partition("_")
+    found = [unknown, Named("eta", "η", "")]
+    found += [Named(f"{unknown.key}_0", f"{stem}_{{{sub}0}}", unknown.unit)]
+    found += [Named(f"{unknown.key}_{way}", f"{stem}_{{{sub}0}}", unknown.unit) for way in ("lever", "power")]
+    if unknown.unit == "N·m":
+        found.append(Named("h", "h", "m"))
+    for a, b in pairs(mech):
+        for by, on in ((a, b), (b, a)):
+            named = reaction(mech.number(by), mech.number(on))
+            found += [named, Named(f"{named.key}_0", f"R_{{{mech.number(by)}{mech.number(on)},0}}", "N", True)]
+    for mass in loads.masses:
+        link = mass.link
+        found += [Named(f"F_I{link}", f"F_{{I{link}}}", "N", True), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m"), Named(f"h_{link}", f"h_{link}", "m")]
+    return {named.key: named for named in found}

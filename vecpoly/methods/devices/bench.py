@@ -1,0 +1,59 @@
+"""What a device's construction works on: a board, and the answers found so far. Lengths on paper are in mm."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...board.board import NO_LENGTH, Board
+from ...board.construction import LineOfAction, Place, Reading, view_of
+from ...formula import Node, sym
+from ...names import Named
+from ...plane import Points, Reals, nominal
+from ...quantity import Expr, Quantity, magnitude, stated, worked
+from ...words import Words
+
+
+@dataclass(slots=True)
+class Bench:
+    """The state of one solution of a device."""
+
+    board: Board
+    readings: dict[str, Reading] = field(default_factory=dict)
+    repeats: dict[str, Reals] = field(default_factory=dict)
+
+    def measured(self, named: Named, place: Place, start: Points, end: Points, letters: str,
+                 acts: LineOfAction | None = None, remark: Words | None = None) -> Quantity:
+        """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula."""
+        board, scale = self.board, self.board.scales[view_of(place)]
+        on_paper = board.measure(start, end, letters)
+        size = on_paper.value * scale.value
+        formula = worked(sym(named.symbol), board.mu(place) * on_paper, named.unit)
+        vector: complex | None = None
+        if named.is_vector:
+            zero = abs(complex(nominal(end - start))) < NO_LENGTH
+            vector = 0j if zero else complex(nominal(size * np.exp(1j * board.hand.gauge(np.angle(end - start)))))
+        board.write(formula)
+        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(size)), vector=vector,
+                           mm=float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=formula, acts=acts, remark=remark), size)
+        return magnitude(named.symbol, size, named.unit)
+
+    def worked(self, named: Named, expr: Expr, remark: Words | None = None) -> Quantity:
+        """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
+        result = self.board.compute(named.symbol, expr, named.unit)
+        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(result.value)),
+                           formula=worked(sym(named.symbol), expr, named.unit), remark=remark), result.value)
+        return result
+
+    def stated(self, named: Named, value: Reals, formula: Node | None = None, remark: Words | None = None) -> Quantity:
+        """Keep a value found in another way: by formula given here, or as it stands."""
+        result = magnitude(named.symbol, value, named.unit)
+        node = formula if formula is not None else stated(result)
+        self.board.write(node)
+        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node, remark=remark), value)
+        return result
+
+    def _keep(self, reading: Reading, values: Reals) -> None:
+        self.readings[reading.key] = reading
+        self.repeats[reading.key] = np.asarray(values, dtype=float)

@@ -1,0 +1,60 @@
+"""From a problem about a device to its construction; scales chosen from a sketch."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ...board.board import Board
+from ...board.construction import Construction, Scale, View
+from ...board.extent import extent
+from ...board.hand import Hand, hand
+from ...board.scales import round_scale
+from ...devices.base import Device
+from ...plane import Reals
+from ...problem.problem import Problem
+from ...words import Words
+from .bench import Bench
+from .registry import find_device
+
+TITLES = {view: Words("", "") for view in View} | {
+    View.MECHANISM: Words("简图", "Sketch"), View.FORCE: Words("力多边形", "Force polygon"), View.BODY: Words("受力图", "Free body"),
+}
+SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
+
+
+def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]]) -> tuple[Construction, dict[str, Reals]]:
+    """Solve a device on a board: the construction, and every asked answer by all hands."""
+    device = problem.device
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        bench = _draw(device, by, _scales(problem, slots))
+    keys = [ask.rel.key for ask in problem.asks]
+    construction = Construction(problem=problem.id, hand=by.name, figures=bench.board.figures(TITLES),
+                                steps=tuple(bench.board.steps), readings={key: bench.readings[key] for key in keys})
+    return construction, {key: bench.repeats[key] for key in keys}
+
+
+def _draw(device: Device, by: Hand, scales: Mapping[View, Scale]) -> Bench:
+    bench = Bench(Board(by, scales))
+    find_device(device).draw(bench, device)
+    return bench
+
+
+def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict[View, Scale]:
+    """Round scales with which the largest figure of each kind fills its place."""
+    device = problem.device
+    guess = {View.MECHANISM: device.size / 80, View.BODY: device.size / 80, View.FORCE: device.force / 60}
+    wish = {View.MECHANISM: problem.scales.mu_l, View.BODY: problem.scales.mu_l, View.FORCE: problem.scales.mu_f}
+    sketch = _draw(device, hand("exact"), {view: _scale(view, value) for view, value in guess.items()})
+    chosen: dict[View, Scale] = {}
+    for view, value in guess.items():
+        drawn = [figure.marks for figure in sketch.board.figures(TITLES) if figure.view is view]
+        fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn), default=value)
+        chosen[view] = _scale(view, wish[view] or fitted)
+    chosen[View.BODY] = chosen[View.MECHANISM] if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES)) else chosen[View.BODY]
+    return chosen
+
+
+def _scale(view: View, value: float) -> Scale:
+    return Scale(symbol="μ_F", value=value, unit="N") if view is View.FORCE else Scale(symbol="μ_l", value=value, unit="m")
