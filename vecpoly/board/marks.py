@@ -8,6 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ..words import Words
+
 
 class Role(StrEnum):
     """Why a line is there; the drawing decides width, dash and hue."""
@@ -192,7 +194,56 @@ class LinkNumber:
     step: int = 0
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FrictionCircle:
+    """The friction circle of a pin, dashed, radius ρ/μ_l in mm; `enlarged` > 1 where it is drawn larger to be seen."""
+
+    centre: complex
+    radius: float
+    label: str = ""
+    enlarged: float = 1.0
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Disc:
+    """A round cam, eccentric or tip: its profile, full line, lightly tinted."""
+
+    centre: complex
+    radius: float
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outline:
+    """The outline of a solid body (a wedge, a slide, a nut); `fixed` bodies are hatched."""
+
+    points: tuple[complex, ...]
+    fixed: bool = False
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cell:
+    """A box of a block diagram (a machine of a train) with words in it."""
+
+    at: complex
+    width: float
+    height: float
+    words: Words
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Note:
+    """A short note in small lettering beside a point."""
+
+    at: complex
+    words: Words
+    step: int = 0
+
+
 Mark = (
     Segment | Vector | Arc | Point | RightAngle | ImageOf | Plate | Ground | FixedGuide | Block | Slot | GearMark
-    | RackMark | TurnArrow | AngleMark | LinkNumber
+    | RackMark | TurnArrow | AngleMark | LinkNumber | FrictionCircle | Disc | Outline | Cell | Note
 )

@@ -13,13 +13,18 @@ from ..board.marks import (
     AngleMark,
     Arc,
     Block,
+    Cell,
+    Disc,
     Dot,
     FixedGuide,
+    FrictionCircle,
     GearMark,
     Ground,
     ImageOf,
     LinkNumber,
     Mark,
+    Note,
+    Outline,
     Plate,
     Point,
     RackMark,
@@ -78,7 +83,7 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
             return _turn(mark, around)
         case AngleMark():
             return _angle(mark)
-        case LinkNumber():
+        case LinkNumber() | FrictionCircle() | Disc() | Outline() | Cell() | Note():
             return ()
         case Plate() | Ground() | FixedGuide() | Block() | Slot() | GearMark() | RackMark():
             return _body(mark, around)
