@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
-from vecpoly.errors import DeadPointError, EquationError
-from vecpoly.names import At, Kind, Rel
+from vecpoly.board.marks import Vector
+from vecpoly.errors import DeadPointError, EquationError, EquilibriumError
+from vecpoly.names import At, Key, Kind, Named, Rel, reaction
 from vecpoly.vector.close import close
 from vecpoly.vector.equation import KNOWN, UNKNOWN, Equation, Term
 
@@ -30,7 +31,7 @@ def board() -> Board:
     return it
 
 
-def term(rel: Rel, **known: object) -> Term:
+def term(rel: Key, **known: object) -> Term:
     return Term(rel=rel, symbol=rel.key, direction=KNOWN, magnitude="?", **known)  # type: ignore[arg-type]
 
 
@@ -113,3 +114,61 @@ def test_the_table_has_a_direction_and_a_magnitude_for_every_term() -> None:
     assert table.symbols == ("v_D", "v_C", "v_B", "v_CB")
     assert table.signs == ("", "=", "=", "+")
     assert len(table.directions) == len(table.magnitudes) == 4
+
+
+Q, R12, R32 = Named("Q", "Q", "N"), reaction("1", "2"), reaction("3", "2")
+
+
+def force(named: Named, **known: object) -> Term:
+    return Term(rel=named, symbol=named.symbol, direction=KNOWN, magnitude="?", **known)  # type: ignore[arg-type]
+
+
+def test_forces_in_equilibrium_print_as_a_sum_that_is_zero() -> None:
+    eq = Equation(left=(force(R12, along=1j), force(R32, along=1 + 0j), force(Q, along=-1j, mm=10.0)))
+    assert str(eq) == "R_12 + R_32 + Q = 0"
+    table = eq.table()
+    assert table.symbols == ("R_{12}", "R_{32}", "Q", "0")
+    assert table.signs == ("", "+", "+", "=")
+    assert len(table.directions) == len(table.magnitudes) == 4
+
+
+@given(sizes, angles, angles, angles)
+def test_a_sum_of_forces_closes_at_its_start(size: float, known: float, one: float, two: float) -> None:
+    assume(abs(np.sin(one - two)) > 0.05)
+    eq = Equation(left=(force(Q, along=cmath.rect(1, known), mm=size), force(R32, along=cmath.rect(1, one)), force(R12, along=cmath.rect(1, two))))
+    ends = close(board(), View.FORCE, 3 + 4j, eq).ends
+    assert ends["Q"][0] == ends["R_12"][1] == 3 + 4j
+    assert (ends["Q"][1], ends["R_32"][1]) == (ends["R_32"][0], ends["R_12"][0])
+    assert abs(sum(b - a for a, b in ends.values())) < 1e-9 * size
+    assert all(abs(((ends[key][1] - ends[key][0]) * cmath.rect(1, -way)).imag) < 1e-7 for key, way in (("R_32", one), ("R_12", two)))
+
+
+@given(sizes, angles, sizes, angles)
+def test_one_force_unknown_altogether_closes_the_sum(size: float, a: float, other: float, b: float) -> None:
+    eq = Equation(left=(force(Q, vector=cmath.rect(size, a)), force(R32, along=cmath.rect(1, b), mm=other), force(R12)))
+    start, end = close(board(), View.FORCE, 0j, eq).ends["R_12"]
+    assert end == 0
+    assert start == pytest.approx(cmath.rect(size, a) + cmath.rect(other, b))
+
+
+def test_forces_carry_their_symbols_and_one_that_is_drawn_is_not_drawn_again() -> None:
+    eq = Equation(left=(force(Q, vector=-30j, drawn=True), force(R32, along=1 + 0j), force(R12, along=1 + 1j)))
+    sheet = board()
+    close(sheet, View.FORCE, 0j, eq)
+    assert [mark.label for mark in sheet.marks(View.FORCE) if isinstance(mark, Vector)] == ["R_{32}", "R_{12}"]
+
+
+def test_forces_on_parallel_lines_are_in_no_equilibrium() -> None:
+    eq = Equation(left=(force(Q, along=-1j, mm=10.0), force(R32, along=1 + 0j), force(R12, along=-1 + 0j)))
+    with pytest.raises(EquilibriumError, match=r"Q \+ R_32 \+ R_12 = 0.*parallel"):
+        close(board(), View.FORCE, 0j, eq)
+
+
+def test_a_sum_of_forces_needs_exactly_two_unknowns() -> None:
+    with pytest.raises(EquationError, match="has 1"):
+        Equation(left=(force(Q, along=-1j, mm=10.0), force(R32, along=1 + 0j)))
+
+
+def test_velocities_without_a_right_side_are_no_equation() -> None:
+    with pytest.raises(EquationError, match="empty side"):
+        Equation(left=(term(V_C),))

@@ -9,11 +9,12 @@ import time
 
 import pytest
 import shapely
+from label_faults import faults
 
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.marks import Dot, LinkNumber, Point, Role, Segment, Vector
-from vecpoly.drawing.figure import Drawing, drawing
-from vecpoly.drawing.scene import Fill, Rect, Stroke
+from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.scene import Rect
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
@@ -41,26 +42,6 @@ def polygon(seed: int, vectors: int = 7) -> Figure:
             marks += [Vector(a=tips[i - 1], b=tip, role=Role.GIVEN, label=f"v_{{{letter.upper()}B}}", step=i),
                       Segment(a=tips[i - 1], b=tip + 6 * u, role=Role.DIRECTION, step=i)]
     return figure(*marks)
-
-
-def faults(drawn: Drawing) -> list[str]:
-    """Every label that stands on a line, an arrowhead, a dot or another label."""
-    found: list[str] = []
-    boxes = [shapely.box(r.x0, r.y0, r.x1, r.y1) for r in drawn.label_boxes]
-    for i, box in enumerate(boxes):
-        found += [f"label {i} on label {j}" for j in range(i) if box.intersects(boxes[j])]
-        for item in drawn.obstacles:
-            shape: shapely.Geometry
-            match item:
-                case Stroke(points=points, width=width):
-                    shape = shapely.LineString([(z.real, z.imag) for z in points]).buffer(width / 2, cap_style="flat")
-                case Fill(points=points, hue=hue) if not hue.is_tint:
-                    shape = shapely.Polygon([(z.real, z.imag) for z in points])
-                case _:
-                    continue
-            if box.intersection(shape).area > 1e-6:
-                found.append(f"label {i} on {item}")
-    return found
 
 
 @pytest.mark.parametrize("seed", range(40))

@@ -73,11 +73,14 @@ class Vec:
 Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
 
 _SYMBOL = re.compile(
-    r"(?P<base>[A-Za-zμωαφρθβγλπ]['′]*)"
+    r"(?P<base>[A-Za-zμωαφρθβγληπ]['′]*)"
     r"(?:\^(?P<sup>\{[^}]*\}|[A-Za-z0-9′']))?"
     r"(?:_(?P<sub>\{[^}]*\}|[A-Za-z0-9′']+))?"
     r"(?:\^(?P<sup2>\{[^}]*\}|[A-Za-z0-9′']))?"
 )
+
+
+_PIECE = re.compile(rf"(?<![A-Za-z])(?P<function>arctan|sin|cos|tan|cot)(?![A-Za-z])|{_SYMBOL.pattern}")
 
 
 def _bare(group: str | None) -> str:
@@ -93,17 +96,22 @@ def sym(text: str) -> Sym:
 
 
 def row(text: str) -> Row:
-    """Read a run of symbols, operators and numbers: ``ω_3 = μ_v pb / l_BC``; whatever is no symbol stays upright."""
+    """Read a run of symbols, operators, functions and numbers: ``ω_3 = μ_v pb / l_BC``; whatever is no symbol stays upright."""
     items: list[Node] = []
     end = 0
-    for m in _SYMBOL.finditer(text):
+    for m in _PIECE.finditer(text):
         if m.start() > end:
             items.append(Txt(text[end : m.start()]))
-        items.append(Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"])))
+        items.append(Txt(m["function"]) if m["function"] else Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"])))
         end = m.end()
     if end < len(text):
         items.append(Txt(text[end:]))
     return Row(tuple(items))
+
+
+def named(text: str) -> Node:
+    """The name of a quantity: one symbol, or a run of them such as ``M_1/Q`` or ``α ≤ φ``."""
+    return sym(text) if _SYMBOL.fullmatch(text) else row(text)
 
 
 def split_words(text: str) -> tuple[tuple[bool, str], ...]:

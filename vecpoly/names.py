@@ -104,7 +104,7 @@ class Named:
     """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
 
     key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI throughout,
-    except a unit `deg`, whose value is in degrees, and `mm`.
+    except a unit `deg`, whose value is in degrees, `mm` and `kW`.
     """
 
     key: str
@@ -128,6 +128,12 @@ _POINT = r"([A-Z][a-z']?)(\d*)"
 _VECTOR = re.compile(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
 _NAMED_POINT = re.compile(r"^p_([A-Z][a-z']?\d*)$")
 _ANGULAR = re.compile(r"^(omega|alpha)_(\w+)$")
+
+
+def subscripted(letter: str) -> str:
+    """C2 as printed: C_2; a plain letter stays itself."""
+    bare = letter.rstrip("0123456789")
+    return f"{bare}_{letter[len(bare):]}" if letter != bare else letter
 
 
 def parse_rel(text: str) -> Rel:

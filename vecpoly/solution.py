@@ -11,24 +11,28 @@ from typing import Any
 
 import numpy as np
 
-from .board.construction import Construction, Reading, View
+from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
-from .check.exact import exact_values
+from .check.exact import exact_lines, exact_values
 from .devices.base import Device
-from .drawing.space import slots
+from .drawing.space import room, slots
 from .methods.devices.plan import construct_device
 from .methods.plan import construct, stages
 from .problem.problem import Problem
 from .words import Lang
 
 REPEATS = 200  # repeated hands behind every expected drawing error
+POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
+YES_NO = "yes/no"  # unit of an answer that is 1 or 0
+_TURNING = ("rad/s", "rad/s^2", "N·m")  # units whose sign is a sense of turning
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Answer:
     """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
 
-    drawn, exact: signed value of ω, α; magnitude of a vector. drawn_vector, exact_vector: the vectors themselves.
+    drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector, exact_vector:
+    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning.
     """
 
     key: str
@@ -38,6 +42,14 @@ class Answer:
     expected_error: float
     drawn_vector: complex | None = None
     exact_vector: complex | None = None
+    exact_acts: LineOfAction | None = None
+    turns: bool = False
+
+    @property
+    def computed(self) -> bool:
+        """Whether the value was found by formula alone: no repeated hand gives another, and it is the exact one."""
+        size = abs(self.exact)
+        return self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size
 
     @property
     def deviation(self) -> float:
@@ -58,26 +70,36 @@ class Answer:
 
     @property
     def sense(self) -> str | None:
-        """ccw or cw for ω and α; none where it is zero."""
-        if self.drawn_vector is not None or self.drawn == 0:
+        """ccw or cw for ω, α and the moments of a mechanism; none where it is zero."""
+        if not self.turns or self.drawn == 0:
             return None
         return "ccw" if self.drawn > 0 else "cw"
 
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
         data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
+        if self.reading.unit == YES_NO:
+            return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
         if self.key.startswith("p_") and self.drawn_vector is not None and self.exact_vector is not None:
-            data |= {"drawn_xy": [self.drawn_vector.real, self.drawn_vector.imag],
-                     "exact_xy": [self.exact_vector.real, self.exact_vector.imag]}
+            data |= {"drawn_xy": _xy(self.drawn_vector), "exact_xy": _xy(self.exact_vector)}
         elif self.drawn_vector is not None:
-            data["direction_deg"] = self.direction
             exact = self.exact_vector or 0j
-            data["exact_direction_deg"] = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
-        else:
+            towards = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
+            data |= {"direction_deg": self.direction, "exact_direction_deg": towards} | _line("", self.reading.acts) | _line("exact_", self.exact_acts)
+        elif self.turns:
             data["sense"] = self.sense
         if self.reading.mm is not None:
             data["reading_mm"] = self.reading.mm
         return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None}
+
+
+def _xy(at: complex) -> list[float]:
+    return [at.real, at.imag]
+
+
+def _line(which: str, acts: LineOfAction | None) -> dict[str, Any]:
+    """A point (m) of the line of action, and the sense of its moment about the pin where it touches a friction circle."""
+    return {} if acts is None else {f"{which}point": _xy(acts.point), f"{which}tangent": acts.tangent or None}
 
 
 @dataclass(frozen=True)
@@ -114,7 +136,9 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     """
     exact = exact_values(problem)  # first: its refusals know the range of the input that does assemble
     construction, spread = _constructed(problem, hand(by, seed=seed, repeats=repeats))
-    answers = {key: _answer(reading, exact[key], spread[key]) for key, reading in construction.readings.items()}
+    lines = exact_lines(problem)
+    turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
+    answers = {key: _answer(reading, exact[key], spread[key], lines.get(key), reading.unit in turning) for key, reading in construction.readings.items()}
     return Solution(problem, construction, answers)
 
 
@@ -122,11 +146,13 @@ def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str,
     """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
     if isinstance(problem.subject, Device):
         return construct_device(problem, by, {})
+    if problem.loads is not None:
+        return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View})
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
     return construct(problem, by, dict(zip(drawn, slots(len(drawn)), strict=False)))
 
 
-def _answer(reading: Reading, exact: complex | float, scalars: Any) -> Answer:
+def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[complex, str] | None, turns: bool) -> Answer:
     vector = isinstance(exact, complex)
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
@@ -134,4 +160,5 @@ def _answer(reading: Reading, exact: complex | float, scalars: Any) -> Answer:
     return Answer(
         key=reading.key, reading=reading, drawn=reading.scalar, exact=abs(exact) if vector else float(np.real(exact)),
         expected_error=error, drawn_vector=reading.vector, exact_vector=exact if isinstance(exact, complex) else None,
+        exact_acts=None if line is None else LineOfAction(point=line[0], tangent=line[1]), turns=turns,
     )

@@ -12,9 +12,10 @@ from math import asin, degrees
 
 import numpy as np
 
-from ..errors import AssemblyError, DeadPointError
+from ..errors import AssemblyError, DeadPointError, EquilibriumError
 from ..formula import Node, Row, row
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
+from ..plane.geometry import dot, inclined
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
 from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
@@ -30,9 +31,9 @@ GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
 class Board:
     """One sheet under one hand (and its repetitions)."""
 
-    def __init__(self, hand: Hand, scales: Mapping[View, Scale]) -> None:
+    def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
         self.hand = hand
-        self.scales = dict(scales)
+        self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []
         self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
         self._titles: dict[Pane, Words] = {}
@@ -67,9 +68,11 @@ class Board:
         number = len(self.steps)
         self._marks[view] += [replace(m, step=m.step or number) for m in marks]
 
-    def open_pane(self, view: View, name: str, title: Words) -> Pane:
-        """Begin one of several figures of a kind; those that share a name are one."""
+    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None) -> Pane:
+        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
         pane = Pane(view, name)
+        if scale is not None:
+            self.scales[pane] = scale
         self._titles.setdefault(pane, title)
         self._marks.setdefault(pane, [])
         return pane
@@ -80,7 +83,7 @@ class Board:
         places = sorted((p for p in self._marks if self._marks[p]), key=lambda p: order.index(view_of(p)))
         return tuple(
             Figure(view=view_of(p), title=self._titles[p] if isinstance(p, Pane) else titles[p], name=p.name if isinstance(p, Pane) else "",
-                   scale=self.scales[view_of(p)], marks=tuple(self._marks[p])) for p in places
+                   scale=self.scale_of(p), marks=tuple(self._marks[p])) for p in places
         )
 
     def marks(self, view: Place) -> tuple[Mark, ...]:
@@ -89,14 +92,18 @@ class Board:
 
     # -- scales -----------------------------------------------------------------------------------------------
 
+    def scale_of(self, place: Place) -> Scale:
+        """The scale of a figure."""
+        return self.scales.get(place) or self.scales[view_of(place)]
+
     def mu(self, view: Place) -> Quantity:
         """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
-        scale = self.scales[view_of(view)]
+        scale = self.scale_of(view)
         return magnitude(scale.symbol, scale.value, scale.per_mm)
 
     def to_paper(self, view: Place, value: Reals) -> Reals:
         """A quantity as a length on paper (mm)."""
-        return value / self.scales[view_of(view)].value
+        return value / self.scale_of(view).value
 
     # -- acts -------------------------------------------------------------------------------------------------
 
@@ -180,6 +187,31 @@ class Board:
             gap = abs(float(nominal(cross(line.along, centre - line.at))))
             raise AssemblyError(f"{what}: an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away")
         return a, b
+
+    def tangent_from(self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points) -> Points:
+        """Direction u of a force through x tangent to a friction circle: u · towards > 0, moment about the centre of sign `moment`.
+
+        The foot of the arm is centre − i u moment radius. Raises EquilibriumError where x lies inside the circle.
+        """
+        away, size = float(nominal(np.abs(x - centre))), float(nominal(radius))
+        if away <= max(size * abs(moment), NO_LENGTH):
+            raise EquilibriumError(f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius "
+                                   f"{size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ")
+        ahead, behind = inclined(x - centre, moment * radius / np.abs(x - centre))
+        return self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
+
+    def tangent_to_both(self, p: Points, rho_p: Reals, moment_p: float, q: Points, rho_q: Reals, moment_q: float, sense: float) -> Line:
+        """Line of action of a two-force body: its force along u at p, along −u at q, each with a moment of the given sign about its pin.
+
+        sense +1: u points from p towards q, −1 the other way. The line starts where it touches p's circle. Raises EquilibriumError
+        where the circles overlap too far.
+        """
+        span, arms = np.abs(q - p), moment_p * rho_p + moment_q * rho_q
+        if abs(float(nominal(arms))) >= float(nominal(span)):
+            raise EquilibriumError(f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and "
+                                   f"{float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ")
+        u = inclined(q - p, arms / span)[0 if sense > 0 else 1]
+        return Line(p - 1j * u * moment_p * rho_p, self.hand.tilt(u))
 
     def image(self, of: tuple[Points, Points, Points], on: tuple[Points, Points]) -> Points:
         """The third corner of the similar figure on `on` that keeps the letter order of `of`."""

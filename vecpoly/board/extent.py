@@ -6,7 +6,20 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from .marks import AngleMark, Arc, GearMark, ImageOf, Mark, Plate, RightAngle, TurnArrow
+from .marks import (
+    AngleMark,
+    Arc,
+    Cell,
+    Disc,
+    FrictionCircle,
+    GearMark,
+    ImageOf,
+    Mark,
+    Outline,
+    Plate,
+    RightAngle,
+    TurnArrow,
+)
 
 
 def bounds(marks: Iterable[Mark]) -> tuple[complex, complex]:
@@ -24,13 +37,15 @@ def extent(marks: Iterable[Mark]) -> tuple[float, float]:
 def corners(mark: Mark) -> Iterator[complex]:
     """Points that span the mark."""
     match mark:
-        case ImageOf(points=points) | Plate(points=points):
+        case ImageOf(points=points) | Plate(points=points) | Outline(points=points):
             yield from points
         case Arc(centre=c, radius=r, start=start, sweep=sweep):
             for t in np.linspace(start, start + sweep, 9):
                 yield complex(c + r * np.exp(1j * t))
-        case GearMark(centre=c, radius=r):
+        case GearMark(centre=c, radius=r) | Disc(centre=c, radius=r) | FrictionCircle(centre=c, radius=r):
             yield from (c + r * turn for turn in (1, 1j, -1, -1j))
+        case Cell(at=at, width=w, height=h):
+            yield from (at + complex(x * w, y * h) / 2 for x in (-1, 1) for y in (-1, 1))
         case TurnArrow(at=at) | AngleMark(at=at) | RightAngle(at=at):
             yield at
         case _:

@@ -6,12 +6,15 @@ import numpy as np
 
 from .. import oracle
 from ..devices.base import Device
+from ..mechanism.assur import hinges
 from ..mechanism.model import Mechanism
-from ..names import Kind, Rel
+from ..mechanism.quantities import given_value, pairs
+from ..names import Kind, Rel, reaction
 from ..oracle.devices.registry import device_answers
 from ..oracle.forces import forces
 from ..problem.asks import AskNamed, AskPoint
 from ..problem.problem import Problem
+from .roles import refuse_wrong_roles
 
 
 def exact_values(problem: Problem, mech: Mechanism | None = None) -> dict[str, complex | float]:
@@ -27,9 +30,43 @@ def _static(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
     asked = [ask.rel for ask in problem.asks if isinstance(ask, AskNamed)]
     if problem.loads is None or not asked:
         return {}
-    result = forces(mech, problem.loads)
-    return {named.key: complex(value) if named.is_vector else float(value.real)
-            for named in asked for value in [result.value(named.key)]}
+    data = {named.key: value for named in asked if (value := given_value(problem.loads, named.key)) is not None}
+    sought = [named for named in asked if named.key not in data]
+    result = forces(mech, problem.loads) if sought else None
+    if result is not None:
+        refuse_wrong_roles(mech, problem.loads, result)
+    return data | {named.key: complex(value) if named.is_vector else float(value.real)
+                   for named in sought if result for value in [result.value(named.key)]}
+
+
+def exact_lines(problem: Problem) -> dict[str, tuple[complex, str]]:
+    """Key of every reaction asked for → a point of its line (m), and the sense of its moment about the pin, "" where it has none."""
+    asked = {ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)}
+    if problem.loads is None or isinstance(problem.subject, Device) or not any(key.startswith("R_") for key in asked):
+        return {}
+    mech, result, motion = problem.subject, forces(problem.subject, problem.loads), oracle.solve(problem.subject)
+    found: dict[str, tuple[complex, str]] = {}
+    for by, on in ((by, on) for a, b in pairs(mech) for by, on in ((a, b), (b, a))):
+        numbers = mech.number(by), mech.number(on)
+        key = reaction(*numbers).key
+        if key in asked:
+            point, pin = complex(result.line(*numbers)), pin_of(mech, by, on)
+            force = complex(result.value(key))
+            found[key] = (point, _tangent(point - complex(motion.position(pin)), force) if pin else "")
+    return found
+
+
+def pin_of(mech: Mechanism, a: str, b: str) -> str:
+    """The letter of the hinge between two links; "" where they slide or touch."""
+    return next((point for point, names in hinges(mech).items() if a in names and b in names), "")
+
+
+def _tangent(arm: complex, force: complex) -> str:
+    """ccw or cw by the sign of the moment; "" where the force passes through the pin but for rounding."""
+    moment = (arm.conjugate() * force).imag
+    if abs(moment) <= 1e-9 * abs(force):
+        return ""
+    return "ccw" if moment > 0 else "cw"
 
 
 def _kinematic(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:

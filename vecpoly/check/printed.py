@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from statistics import median
 
 from .. import oracle
 from ..devices.base import Device
 from ..errors import UnknownNameError
-from ..names import Kind, Named, Rel
+from ..mechanism.loads import Loads
+from ..mechanism.quantities import given_value, quantities
+from ..names import Kind, Named, Rel, parse_rel
 from ..oracle.devices.registry import device_answers
-from ..oracle.forces import forces
+from ..oracle.forces import Forces, forces
 from ..problem.problem import Printed, Problem
 from ..words import Words
+from .follow import follow
 from .possible import BestFit, best_fit
 from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
 
@@ -32,14 +36,17 @@ class PrintedCheck:
 
 def check_problem(problem: Problem) -> PrintedCheck:
     """Check every printed answer of the problem against the oracle."""
-    checked, skipped = [], []
-    exact_of = _truth(problem)
+    checked: list[Checked] = []
+    skipped: list[Printed] = []
+    truth = _truth(problem)
     for printed in problem.printed:
-        exact = exact_of(printed)
+        exact = truth(printed)
         if exact is None:
             skipped.append(printed)
         else:
             checked.append(check_printed(printed, exact))
+    if problem.loads:
+        checked = follow(checked, problem.loads, _by_key(problem, truth))
     whole, fit = _together(problem, checked)
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
 
@@ -49,10 +56,31 @@ def _truth(problem: Problem) -> Callable[[Printed], float | None]:
     if isinstance(problem.subject, Device):
         values = device_answers(problem.subject)
         return lambda printed: _size(values[printed.rel.key]) if printed.rel else None
-    motion = oracle.solve(problem.subject)
-    result = forces(problem.subject, problem.loads) if problem.loads else None
-    return lambda printed: (_size(complex(result.value(printed.rel.key)) if printed.rel.is_vector else float(result.value(printed.rel.key).real))
-                            if isinstance(printed.rel, Named) and result else _exact(motion, printed))
+    mech, loads = problem.subject, problem.loads
+    motion = oracle.solve(mech)
+    balance = cache(lambda: forces(mech, loads or Loads()))
+    return lambda printed: (_of_loads(printed.rel, loads, balance) if isinstance(printed.rel, Named) and loads
+                            else _exact(motion, printed))
+
+
+def _of_loads(rel: Named, loads: Loads, balance: Callable[[], Forces]) -> float:
+    """A datum of the loads, or what equilibrium says."""
+    if (data := given_value(loads, rel.key)) is not None:
+        return data
+    value = balance().value(rel.key)
+    return abs(complex(value)) if rel.is_vector else float(value.real)
+
+
+def _by_key(problem: Problem, truth: Callable[[Printed], float | None]) -> Callable[[str], float | None]:
+    """The exact value by key, of what is not printed itself."""
+    assert problem.loads
+    named = quantities(problem.mechanism, problem.loads)
+
+    def value(key: str) -> float | None:
+        rel = named.get(key) or parse_rel(key)
+        return truth(Printed(symbol=key, rel=rel, value=0.0, text=""))
+
+    return value
 
 
 def _size(value: complex | float) -> float:

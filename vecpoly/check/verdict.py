@@ -47,10 +47,10 @@ class Checked:
 
 
 def check_printed(printed: Printed, exact: float) -> Checked:
-    """Weigh one printed value; signs count only for ω and α, and only where the print has one."""
-    turning = printed.rel is not None and not printed.rel.is_vector
-    value = printed.value if turning else abs(printed.value)
-    truth = exact if turning and (value < 0 or _signed(printed)) else abs(exact)
+    """Weigh one printed value; signs count only for scalars such as ω, α and moments, and only where the print has one."""
+    scalar = printed.rel is not None and not printed.rel.is_vector
+    value = printed.value if scalar else abs(printed.value)
+    truth = exact if scalar and (value < 0 or _signed(printed)) else abs(exact)
     deviation = (value - truth) / truth if truth else (0.0 if value == 0 else float("inf"))
     verdict = _verdict(printed, value, truth, deviation)
     slip = _slip(value, truth, printed.kind == "graphical") if verdict is Verdict.WRONG else None
@@ -62,7 +62,7 @@ def _signed(printed: Printed) -> bool:
 
 
 def _verdict(printed: Printed, value: float, truth: float, deviation: float) -> Verdict:
-    unit = _last_digit(printed.text, value)
+    unit = last_digit(printed.text, value)
     if printed.kind == "graphical":
         if abs(deviation) <= GRAPHICAL or abs(value - truth) <= unit / 2:
             return Verdict.REPRODUCED
@@ -72,7 +72,7 @@ def _verdict(printed: Printed, value: float, truth: float, deviation: float) -> 
     return Verdict.ROUNDING if abs(value - truth) <= 2 * unit else Verdict.WRONG
 
 
-def _last_digit(text: str, value: float) -> float:
+def last_digit(text: str, value: float) -> float:
     """One unit of the last printed digit, in SI: from the number as written."""
     m = re.search(r"[-+−]?(\d+)(?:\.(\d+))?(?:[eE]([-+]?\d+))?", text)
     if m is None:

@@ -49,7 +49,7 @@ def vecpoly(
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
     ] = False,
 ) -> None:
-    """Velocity and acceleration polygons, drawn to scale, from a problem file to a printed report."""
+    """Velocity, acceleration and force polygons, drawn to scale, from a problem file to a printed report."""
 
 
 app.command("solve")(solve)

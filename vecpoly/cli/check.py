@@ -12,7 +12,7 @@ from .files import write_json
 from .jobs import problems
 from .options import JsonOption, Lang, LangOption, Problems
 from .terminal import add, progress, show, table
-from .wording import bare, number, percent, symbol, unit
+from .wording import bare, beside, number, percent, symbol, unit
 
 if TYPE_CHECKING:
     from ..check.printed import PrintedCheck
@@ -67,10 +67,10 @@ def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
 
 def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
     printed, name = line.printed, _unit(line.printed)
-    text = printed.text if printed.paper_mm is None else f"{printed.text} = {number(printed.value)} {name}"
+    text = printed.text if printed.paper_mm is None else f"{printed.text} = {beside(number(printed.value), name)}"
     gap = percent(line.deviation) if isfinite(line.deviation) else "∞"
     return (
-        symbol(printed.symbol), text, f"{number(line.exact)} {name}", gap, line.verdict.words.of(lang),
+        symbol(printed.symbol), text, beside(number(line.exact), name), gap, line.verdict.words.of(lang),
         bare(line.slip.of(lang)) if line.slip else "",
     )  # fmt: skip
 

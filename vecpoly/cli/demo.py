@@ -1,4 +1,4 @@
-"""vecpoly demo: the velocity and acceleration exercises of chapter 3 as one assignment, in both languages."""
+"""vecpoly demo: the exercises of chapters 3 to 5 (kinematics, forces, efficiency), an assignment a chapter, in both languages."""
 
 from __future__ import annotations
 
@@ -12,16 +12,17 @@ from .options import Lang
 from .report import draw, write
 from .terminal import progress, say
 
-ASSIGNMENT = "assignment-ch3"
+ASSIGNMENTS = ("assignment-ch3", "assignment-ch4", "assignment-ch5")
 LANGS: tuple[Lang, ...] = ("zh", "en")
 Folder = Annotated[Path, typer.Option("-o", "--output", help="The folder to write to.")]
 
 
 def demo(output: Folder = Path("out")) -> None:
-    """Render chapter 3 as an assignment, in both languages."""
+    """Render chapters 3, 4 and 5 as assignments, in both languages."""
     from ..data import data_dir
 
-    sheet = job(str(data_dir("problems") / f"{ASSIGNMENT}.yaml"))
-    solutions = draw(progress(sheet.problems, "drawing"), "drafting", 0)
-    for lang in progress(LANGS, "writing"):
-        say(f"wrote {write(sheet, solutions, output / f'{ASSIGNMENT}.{lang}.pdf', lang, 'solution')}")
+    for name in ASSIGNMENTS:
+        sheet = job(str(data_dir("problems") / f"{name}.yaml"))
+        solutions = draw(progress(sheet.problems, f"drawing {name}"), "drafting", 0)
+        for lang in LANGS:
+            say(f"wrote {write(sheet, solutions, output / f'{name}.{lang}.pdf', lang, 'solution')}")

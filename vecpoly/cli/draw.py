@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -15,19 +15,21 @@ from .options import HandOption, Lang, LangOption, OutOption, SeedOption
 from .terminal import say
 
 if TYPE_CHECKING:
+    from ..board.construction import Construction, Place
     from ..drawing.scene import Scene
     from ..solution import Solution
 
-FigureName = Literal["mechanism", "velocity", "acceleration", "sheet"]
+SHEET = "sheet"
 FORMATS = (".svg", ".png", ".pdf")
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as 3-9, or a file.", show_default=False)]
-FigureOption = Annotated[FigureName, typer.Option("--figure", help="Which figure; sheet is the whole A4 page.")]
+FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
+                                           "force:3; sheet is the whole A4 page.")]
 Dpi = Annotated[float, typer.Option("--dpi", min=10, max=1200, help="Resolution of a PNG.")]
 
 
 def draw(
     name: Id,
-    figure: FigureOption = "sheet",
+    figure: FigureOption = SHEET,
     output: OutOption = None,
     lang: LangOption = "zh",
     hand: HandOption = "drafting",
@@ -38,7 +40,7 @@ def draw(
 
     1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
     """
-    path = output or Path(f"{Path(name).stem}-{figure}.svg")
+    path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     if path.suffix.lower() not in FORMATS:
         raise UnknownNameError(f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these")
     (problem,) = problems([name])
@@ -50,22 +52,37 @@ def draw(
         say(f"wrote {write_bytes(target, data)}")
 
 
-def scenes(solution: Solution, figure: FigureName, lang: Lang) -> tuple[Scene, ...]:
+def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     """The pages of a sheet, or the one scene of a figure."""
-    if figure == "sheet":
+    if figure == SHEET:
         from ..drawing.sheet import sheets
 
         return tuple(page.scene for page in sheets(solution.construction, lang=lang, title=solution.problem.title))
-    from ..board.construction import View
     from ..drawing.figure import draw_figure
     from ..drawing.scene import Scene
 
-    drawn = solution.construction.figure(View(figure))
+    place = placed(figure)
+    drawn = None if place is None else solution.construction.figure(place)
     if drawn is None:
-        there = ", ".join(one.view.value for one in solution.construction.figures)
-        raise UnknownNameError(f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}, sheet")
+        there = ", ".join([*named(solution.construction), SHEET])
+        raise UnknownNameError(f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}")
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
+
+
+def placed(figure: str) -> Place | None:
+    """The figure of this name: a kind (`force`, the first of several) or one by its name (`force:3`)."""
+    from ..board.construction import Pane, View
+
+    kind, _, name = figure.partition(":")
+    if kind not in {view.value for view in View}:
+        return None
+    return Pane(View(kind), name) if name else View(kind)
+
+
+def named(construction: Construction) -> list[str]:
+    """The names of all figures drawn."""
+    return [f"{one.view.value}:{one.name}" if one.name else one.view.value for one in construction.figures]
 
 
 def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path, bytes]]:

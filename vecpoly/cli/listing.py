@@ -32,10 +32,13 @@ def _problems(lang: Lang) -> None:
 
 
 def _methods(lang: Lang) -> None:
+    from ..methods.devices.registry import device_methods
     from ..methods.registry import methods
 
-    names = {"zh": ("步骤", "杆组", "方法", "例题", "出处"), "en": ("stage", "group", "method", "example", "source")}[lang]
+    names = {"zh": ("步骤", "杆组或装置", "方法", "例题", "出处"), "en": ("stage", "group or device", "method", "example", "source")}[lang]
     made = table("", [(name, "left") for name in names])
     for method in methods():
         add(made, (method.stage.value, method.group, bare(method.title.of(lang)), method.example, method.source))
+    for one in device_methods():
+        add(made, ("device", one.device.kind, bare(one.title.of(lang)), one.example, one.source))
     show(made)

@@ -1,4 +1,4 @@
-"""vecpoly new: a commented problem file to start from."""
+"""vecpoly new: a problem file to start from, commented or like one of the library."""
 
 from __future__ import annotations
 
@@ -12,21 +12,35 @@ from .files import parent_of
 from .terminal import say
 
 _ID = re.compile(r"[A-Za-z0-9][\w.\-]*", re.ASCII)
+_ID_LINE = re.compile(r"^id:[ \t]*[\w.\-'\"]+", re.M)
 _STEM = "my-problem"
+Like = Annotated[str | None, typer.Option("--like", metavar="ID", help="Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.", show_default=False)]
 NewFile = Annotated[Path, typer.Argument(metavar="FILE", help="The file to write; .yaml is added where it has no ending.")]
 
 
-def new(path: NewFile) -> None:
-    """Write a commented problem file to start from."""
-    from ..problem.template import template_text
-
+def new(path: NewFile, like: Like = None) -> None:
+    """Write a problem file to start from: a commented one, or a copy of one of the library."""
     target = parent_of(path if path.suffix else path.with_suffix(".yaml"))
-    text = template_text().replace(f"{_STEM}.yaml", target.name)
+    text = _start(target) if like is None else _copy(like)
     if _ID.fullmatch(target.stem):
-        text = text.replace(f"id: {_STEM}", f"id: {target.stem}", 1)
+        text = _ID_LINE.sub(f"id: {target.stem}", text, count=1)
     try:
         with target.open("x", encoding="utf-8", newline="\n") as file:
             file.write(text)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
     say(f"wrote {target}; now try: vecpoly solve {target}")
+
+
+def _start(target: Path) -> str:
+    """The commented file, under the name it will have."""
+    from ..problem.template import template_text
+
+    return template_text().replace(f"{_STEM}.yaml", target.name)
+
+
+def _copy(name: str) -> str:
+    """The file of a problem as it stands, for another id."""
+    from ..problem.load import locate
+
+    return locate(name).read_text(encoding="utf-8")

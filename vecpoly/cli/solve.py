@@ -57,7 +57,7 @@ def _print(solution: Solution, lang: Lang) -> None:
     for answer in solution.answers.values():
         mm = answer.reading.mm
         add(made, (
-            symbol(answer.key), drawn(answer), exact(answer), unit(answer.reading.unit), gap(answer), reach(answer),
+            symbol(answer.key), drawn(answer, lang), exact(answer, lang), unit(answer.reading.unit), gap(answer), reach(answer),
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
         ))  # fmt: skip
     show(made)

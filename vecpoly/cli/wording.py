@@ -10,15 +10,18 @@ if TYPE_CHECKING:
     from ..solution import Answer
 
 _SENSE = {"ccw": {"zh": "逆时针", "en": "↺ ccw"}, "cw": {"zh": "顺时针", "en": "↻ cw"}}
-_GREEK = {"omega": "ω", "alpha": "α"}
+_GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ"}
+_YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
+YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 _NOISE = 1e-9  # a value below this is rounding of a zero
+_HUGE = 1e9  # a value below this is written without a power of ten
 
 
 def symbol(key: str) -> str:
-    """omega_3 → ω_3, an_CB → a^n_CB, the rest as it is."""
-    stem, _, rest = key.partition("_")
+    """omega_3 → ω_3, eta → η, an_CB → a^n_CB, the rest as it is."""
+    stem, joint, rest = key.partition("_")
     if stem in _GREEK:
-        return f"{_GREEK[stem]}_{rest}"
+        return f"{_GREEK[stem]}{joint}{rest}"
     return f"a^{stem[1]}_{rest}" if stem in ("an", "at", "ak", "ar") else key
 
 
@@ -28,33 +31,46 @@ def bare(text: str) -> str:
 
 
 def unit(text: str) -> str:
-    """m/s^2 → m/s²."""
-    return text.replace("^2", "²")
+    """m/s^2 → m/s², deg → °; yes and no have none."""
+    return {"deg": "°", YES_NO: ""}.get(text, text.replace("^2", "²"))
 
 
 def number(value: float, digits: int = 5) -> str:
     """A number for reading, with a zero that is a zero and a real minus."""
-    return "0" if abs(value) < _NOISE else f"{value:.{digits}g}".replace("-", "−")
+    text = "0" if abs(value) < _NOISE else f"{value:.{digits}g}"
+    return (f"{float(text):.0f}" if "e+" in text and abs(value) < _HUGE else text).replace("-", "−")
 
 
-def drawn(answer: Answer) -> str:
+def drawn(answer: Answer, lang: Lang) -> str:
     """The value read off the drawing."""
-    return _value(answer, answer.drawn, answer.drawn_vector)
+    return _value(answer, answer.drawn, answer.drawn_vector, lang)
 
 
-def exact(answer: Answer) -> str:
+def exact(answer: Answer, lang: Lang) -> str:
     """The exact value."""
-    return _value(answer, answer.exact, answer.exact_vector)
+    return _value(answer, answer.exact, answer.exact_vector, lang)
 
 
-def _value(answer: Answer, size: float, vector: complex | None) -> str:
+def _value(answer: Answer, size: float, vector: complex | None, lang: Lang) -> str:
     if answer.key.startswith("p_") and vector is not None:
         return f"({number(vector.real)}, {number(vector.imag)})"
-    return number(size)
+    return scalar(size, answer.reading.unit, lang)
+
+
+def beside(text: str, name: str) -> str:
+    """A number with its unit: 12 N, 5.71°."""
+    return text + name if name == "°" else f"{text} {name}".rstrip()
+
+
+def scalar(size: float, unit_text: str, lang: Lang, digits: int = 5) -> str:
+    """A number, or yes and no."""
+    return _YES_NO[bool(size)][lang] if unit_text == YES_NO else number(size, digits)
 
 
 def gap(answer: Answer) -> str:
-    """How far the drawn value is off, in per cent of the exact one."""
+    """How far the drawn value is off, in per cent of the exact one; nothing to say of what a formula gave."""
+    if answer.computed:
+        return "—"
     if answer.key.startswith("p_") and answer.drawn_vector is not None and answer.exact_vector is not None:
         return number(abs(answer.drawn_vector - answer.exact_vector), 2)
     if abs(answer.exact) < _NOISE:
@@ -70,7 +86,7 @@ def percent(part: float) -> str:
 
 def reach(answer: Answer) -> str:
     """±3σ of repeated hands."""
-    return f"±{number(answer.expected_error, 2)}"
+    return "—" if answer.computed else f"±{number(answer.expected_error, 2)}"
 
 
 def way(answer: Answer, lang: Lang) -> str:

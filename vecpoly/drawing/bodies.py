@@ -14,9 +14,9 @@ FOOT_HEIGHT, FOOT_HALF, GROUND_HALF = 5.0, 2.6, 4.6
 TOOTH = 2.2  # rack: pitch line to body line
 
 
-def joint(at: complex, step: int) -> tuple[Item, ...]:
+def joint(at: complex, step: int, radius: float = JOINT_RADIUS) -> tuple[Item, ...]:
     """A revolute joint: an open circle that hides the ends of the links it joins."""
-    ring = circle(at, JOINT_RADIUS)
+    ring = circle(at, radius)
     return (Fill(points=ring, hue=Hue.WHITE, layer=Layer.JOINT, step=step),
             Stroke(points=ring, width=SYMBOL, closed=True, layer=Layer.JOINT, step=step))
 
@@ -27,14 +27,14 @@ def hatched(a: complex, b: complex, step: int, width: float = RESULT) -> tuple[I
     return (line, *(Stroke(points=pair, width=THIN, layer=Layer.THIN, step=step) for pair in hatching(a, b)))
 
 
-def ground(mark: Ground) -> tuple[Item, ...]:
+def ground(mark: Ground, pin: float = JOINT_RADIUS) -> tuple[Item, ...]:
     """A fixed pivot: circle on a small triangle over hatched ground."""
     down = mark.down / abs(mark.down)
     foot, side = mark.at + down * FOOT_HEIGHT, down * 1j
     feet = (mark.at, foot + side * FOOT_HALF, foot - side * FOOT_HALF)
     return (Stroke(points=feet, width=SYMBOL, closed=True, layer=Layer.THIN, step=mark.step),
             *hatched(foot - side * GROUND_HALF, foot + side * GROUND_HALF, mark.step, SYMBOL),
-            *joint(mark.at, mark.step))
+            *joint(mark.at, mark.step, pin))
 
 
 def guide(mark: FixedGuide) -> tuple[Item, ...]:

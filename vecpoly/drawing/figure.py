@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 from ..board.construction import Figure, Scale
 from ..formula import Power, Row, Txt, row
-from ..typeset import Box, layout, layout_words
+from ..typeset import Box, layout
 from ..words import Lang
 from .labels import Placed, place
+from .notes import LEADING, folded, lines
 from .obstacles import Obstacles
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
@@ -16,6 +17,7 @@ from .symbols import Surroundings, draw
 from .wants import wants
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
+TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,10 +46,10 @@ def draw_figure(figure: Figure, *, lang: Lang = "zh", upto_step: int | None = No
 
 def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: Rect | None = None) -> Drawing:
     """The figure drawn, with its labels and obstacles; letters stay within `frame` where one is given."""
-    around = Surroundings.of(figure.view, figure.marks)
+    around = Surroundings.of(figure.view, figure.marks, lang)
     items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
     bare = Scene.of(items)
-    placed = place(wants(figure.view, figure.marks), Obstacles.of(items), bare.extents, frame)
+    placed = place(wants(figure.view, figure.marks, lang), Obstacles.of(items), bare.extents, frame)
     lettered = Scene.of(items + tuple(item for label in placed for item in label.items()))
     scene = lettered + Scene.of(caption_items(figure, lettered.extents, lang)) if caption else lettered
     return Drawing(scene, placed, items, lettered.extents)
@@ -68,12 +70,16 @@ def unique(items: tuple[Item, ...]) -> tuple[Item, ...]:
 
 
 def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
-    """The title and the scale, centred under a figure."""
-    title, scale = layout_words(figure.title.of(lang), TITLE), scale_box(figure.scale)
-    middle = over.centre.real
+    """The title and the scale, centred under a figure; a sketch without a scale has none printed."""
+    text = folded(figure.title.of(lang), TITLE, max(over.width, TITLE_WIDTH))
+    title, middle = lines(text, TITLE), over.centre.real
     y = over.y0 - TITLE_GAP - title.ascent / 2
-    return (TextBox(box=title, x=middle - title.width / 2, y=y),
-            TextBox(box=scale, x=middle - scale.width / 2, y=y - LINE))
+    under = TextBox(box=title, x=middle - title.width / 2, y=y)
+    if not figure.scale.symbol or not figure.scale.value:
+        return (under,)
+    scale = scale_box(figure.scale)
+    below = LINE + text.count("\n") * LEADING * TITLE
+    return (under, TextBox(box=scale, x=middle - scale.width / 2, y=y - below))
 
 
 def scale_box(scale: Scale) -> Box:

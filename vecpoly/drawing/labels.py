@@ -12,6 +12,7 @@ from .style import THIN, Hue
 from .wants import Piece, Spots, Want, smaller, spots
 
 APART = 0.7  # mm between two labels
+AS_ONE, MISREAD = 1.8, 9.0  # mm side by side below which two labels are read as one, and what that costs
 OVERLAP, PER_AREA = 120.0, 8.0
 LEADER_ON_LABEL = 60.0
 OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
@@ -115,6 +116,7 @@ class _Table:
         dx = w + want.width / 2 + APART - np.abs((mine - c).real)
         dy = h + want.height / 2 + APART - np.abs((mine - c).imag)
         cost = np.where((dx > 0) & (dy > 0), OVERLAP + PER_AREA * dx * dy, 0.0)
+        cost += np.where((dx <= 0) & (dx > APART - AS_ONE) & (dy > 0), MISREAD, 0.0)
         cost += LEADER_ON_LABEL * _struck(here.foot[:, None], mine, c, w + 0.4, h + 0.4)
         cost += LEADER_ON_LABEL * _struck(f, c, mine, want.width / 2 + 0.4, want.height / 2 + 0.4)
         result: Floats = cost.sum(axis=1)

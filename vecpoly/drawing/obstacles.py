@@ -50,8 +50,9 @@ class Obstacles:
                 case Fill(points=points, hue=hue, layer=layer):
                     polygons.append(shapely.Polygon([(z.real, z.imag) for z in points]))
                     solid.append(not hue.is_tint or layer > Layer.TINT)
-                case TextBox():
-                    pass
+                case TextBox(rect=r):
+                    polygons.append(shapely.box(r.x0, r.y0, r.x1, r.y1))
+                    solid.append(True)
         a, b, half, weight = zip(*pieces, strict=True) if pieces else ((), (), (), ())
         return cls._indexed(np.array(a, dtype=complex), np.array(b, dtype=complex), np.array(half, dtype=float),
                             np.array(weight, dtype=float), polygons, np.array(solid, dtype=bool))

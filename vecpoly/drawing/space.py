@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ..board.construction import View
+
 A4 = (210.0, 297.0)
 FRAME = 10.0  # paper edge to frame
 STRIP = 16.0  # title strip at the foot, inside the frame
@@ -12,8 +14,14 @@ LETTERING = 8.0  # what letters may stand out from a figure on each side
 
 def usable(landscape: bool = False) -> tuple[float, float]:
     """Width and height inside frame and strip, with white around."""
+    width, height = room_inside(landscape)
+    return width - 2 * CLEAR, height - 2 * CLEAR
+
+
+def room_inside(landscape: bool = False) -> tuple[float, float]:
+    """Width and height inside the frame, over the strip."""
     width, height = reversed(A4) if landscape else A4
-    return width - 2 * FRAME - 2 * CLEAR, height - 2 * FRAME - STRIP - 2 * CLEAR
+    return width - 2 * FRAME, height - 2 * FRAME - STRIP
 
 
 def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
@@ -34,3 +42,16 @@ def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
 
 
 FIGURE_SPACE = slots(3)
+
+
+def room(view: View, count: int = 1) -> tuple[float, float]:
+    """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
+
+    The mechanism has the width of a page. A free body stands beside its force polygon, a page being two columns wide:
+    one or two pairs a page, half a page high; three pairs a page where there are more.
+    """
+    width, height = usable()
+    wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
+    rows = 2 if count <= 2 or view not in (View.BODY, View.FORCE) else 3
+    deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - LETTERING
+    return (wide if view is View.MECHANISM else half, deep)

@@ -47,6 +47,7 @@ class Dash(StrEnum):
 
     FULL = "full"
     DASHED = "dashed"
+    SHORT = "short"  # dashes that show on a circle of a few millimetres
     DASH_DOT = "dash-dot"
 
     @property
@@ -57,6 +58,8 @@ class Dash(StrEnum):
                 return ()
             case Dash.DASHED:
                 return (2.4, 1.0)
+            case Dash.SHORT:
+                return (1.3, 0.7)
             case Dash.DASH_DOT:
                 return (6.0, 1.0, 0.5, 1.0)
         assert_never(self)
@@ -71,17 +74,21 @@ class Pen:
     hue: Hue = Hue.BLACK
 
 
+_MOTION = {"v": Hue.VELOCITY, "a": Hue.ACCELERATION, "ω": Hue.BLACK, "α": Hue.BLACK}
+
+
 def kind_hue(view: View, label: str = "") -> Hue:
-    """The hue of a vector: that of its polygon; on the mechanism, that of the quantity its symbol names."""
+    """The hue of a vector: that of its polygon, unless its symbol names another kind of quantity: a force on a mechanism or a lever."""
+    forced = label[:1].isupper()
     match view:
         case View.VELOCITY:
-            return Hue.VELOCITY
+            return Hue.FORCE if forced else Hue.VELOCITY
         case View.ACCELERATION:
-            return Hue.ACCELERATION
+            return Hue.FORCE if forced else Hue.ACCELERATION
         case View.FORCE | View.BODY:
-            return Hue.FORCE
+            return _MOTION.get(label[:1], Hue.FORCE)
         case View.MECHANISM:
-            return {"v": Hue.VELOCITY, "a": Hue.ACCELERATION}.get(label[:1], Hue.BLACK)
+            return _MOTION.get(label[:1], Hue.FORCE if forced else Hue.BLACK)
     assert_never(view)
 
 

@@ -35,28 +35,38 @@ from ..board.marks import (
     TurnArrow,
     Vector,
 )
-from . import bodies, shapes
+from ..words import Lang
+from . import bodies, shapes, solids
 from .scene import Fill, Item, Layer, Stroke
-from .style import DOT_RADIUS, POLE_RADIUS, SYMBOL, THIN, Hue, kind_hue, pen, tint
+from .style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, SYMBOL, THIN, Hue, kind_hue, pen, tint
 
 SQUARE = 2.5  # side of a right-angle square
 TURN = math.radians(105)  # sweep of a curved arrow
 NEAR = 1e-4  # mm: places closer than this are one
+NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: an arc shorter than NARROW is pointed at from outside, from tails so long
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """What a symbol must know of its figure: the view, the blocks, the tips of its vectors."""
+    """What a symbol must know of its figure: the view, the blocks, the tips of its vectors, its friction circles, the language."""
 
     view: View
     blocks: tuple[Block, ...] = ()
     tips: tuple[complex, ...] = ()
+    circles: tuple[FrictionCircle, ...] = ()
+    lang: Lang = "zh"
 
     @classmethod
-    def of(cls, view: View, marks: tuple[Mark, ...]) -> Surroundings:
+    def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> Surroundings:
         """Gathered from the figure's marks."""
-        return cls(view=view, blocks=tuple(m for m in marks if isinstance(m, Block)),
+        return cls(view=view, blocks=tuple(m for m in marks if isinstance(m, Block)), lang=lang,
+                   circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
                    tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5))
+
+    def pin_radius(self, at: complex) -> float:
+        """Of the joint drawn here: smaller within a friction circle, so that both are seen."""
+        tight = any(abs(c.centre - at) < NEAR and c.radius < JOINT_RADIUS + 0.8 for c in self.circles)
+        return POLE_RADIUS if tight else JOINT_RADIUS
 
     def link_layer(self, *points: complex) -> Layer:
         """Where a link through these points lies: over a block whose pin it carries, unless it runs along the block."""
@@ -83,7 +93,9 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
             return _turn(mark, around)
         case AngleMark():
             return _angle(mark)
-        case LinkNumber() | FrictionCircle() | Disc() | Outline() | Cell() | Note():
+        case FrictionCircle() | Disc() | Outline() | Cell():
+            return _solid(mark, around)
+        case LinkNumber() | Note():
             return ()
         case Plate() | Ground() | FixedGuide() | Block() | Slot() | GearMark() | RackMark():
             return _body(mark, around)
@@ -105,7 +117,7 @@ def _body(mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
         case Plate():
             return bodies.plate(mark, around.link_layer(*mark.points, mark.points[0]))
         case Ground():
-            return bodies.ground(mark)
+            return bodies.ground(mark, around.pin_radius(mark.at))
         case FixedGuide():
             return bodies.guide(mark)
         case Block():
@@ -116,6 +128,19 @@ def _body(mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
             return bodies.gear(mark)
         case RackMark():
             return bodies.rack(mark)
+    assert_never(mark)
+
+
+def _solid(mark: FrictionCircle | Disc | Outline | Cell, around: Surroundings) -> tuple[Item, ...]:
+    match mark:
+        case FrictionCircle():
+            return solids.friction_circle(mark)
+        case Disc():
+            return solids.disc(mark)
+        case Outline():
+            return solids.outline(mark)
+        case Cell():
+            return solids.cell(mark, around.lang)
     assert_never(mark)
 
 
@@ -146,7 +171,8 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
     tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
     # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
     end = mark.b - u * shapes.head_length(length) * 0.75
-    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else Layer.LINE
+    solid = Layer.OVER if around.view in (View.MECHANISM, View.BODY) else Layer.LINE  # a force is seen over the block on which it acts
+    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else solid
     return (Stroke(points=(mark.a, end), width=width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),
             Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step))
 
@@ -154,7 +180,7 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
 def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:
     match mark.dot:
         case Dot.JOINT:
-            return bodies.joint(mark.at, mark.step)
+            return bodies.joint(mark.at, mark.step, around.pin_radius(mark.at))
         case Dot.POLE:
             ring = shapes.circle(mark.at, POLE_RADIUS)
             return (Fill(points=ring, hue=Hue.WHITE, layer=Layer.JOINT, step=mark.step),
@@ -185,7 +211,7 @@ def _turn(mark: TurnArrow, around: Surroundings) -> tuple[Item, ...]:
     if mark.radius < NEAR:
         return ()
     turn = 1.0 if mark.ccw else -1.0
-    hue = Hue.BLACK if around.view is View.MECHANISM else kind_hue(around.view)
+    hue = kind_hue(around.view, mark.label)
     length = shapes.head_length(mark.radius * TURN)
     bow = shapes.arc(mark.at, mark.radius, mark.start, turn * (TURN - 0.6 * length / mark.radius))
     tip = curved_head(mark.at, mark.radius, mark.start + turn * TURN, turn, length)
@@ -194,9 +220,27 @@ def _turn(mark: TurnArrow, around: Surroundings) -> tuple[Item, ...]:
 
 def _angle(mark: AngleMark) -> tuple[Item, ...]:
     bow = Stroke(points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.THIN, step=mark.step)
+    if narrow(mark):
+        return (bow, *_pointed_at(mark))
     if mark.radius * abs(mark.sweep) < 8.0:
         return (bow,)
     turn = math.copysign(1.0, mark.sweep)
     tips = (curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, 2.4),
             curved_head(mark.at, mark.radius, mark.start, -turn, 2.4))
     return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))
+
+
+def narrow(mark: AngleMark) -> bool:
+    """Whether the angle is too small to hold its letter, and is pointed at from outside: a friction angle."""
+    return mark.radius > TAIL and NEAR < mark.radius * abs(mark.sweep) < NARROW
+
+
+def _pointed_at(mark: AngleMark) -> tuple[Item, ...]:
+    """The arc carried on beyond both rays, with arrowheads that meet them."""
+    tail = math.copysign(TAIL / mark.radius, mark.sweep)
+    items: list[Item] = []
+    for ray, out in ((mark.start, -tail), (mark.start + mark.sweep, tail)):
+        turn = -math.copysign(1.0, out)
+        items.append(Stroke(points=shapes.arc(mark.at, mark.radius, ray, out), width=THIN, layer=Layer.THIN, step=mark.step))
+        items.append(Fill(points=curved_head(mark.at, mark.radius, ray, turn, INNER_HEAD), layer=Layer.HEAD, step=mark.step))
+    return tuple(items)

@@ -10,12 +10,26 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..board.construction import View
-from ..board.marks import AngleMark, Block, Dot, Ground, LinkNumber, Mark, Point, TurnArrow, Vector
+from ..board.marks import (
+    AngleMark,
+    Block,
+    Dot,
+    FrictionCircle,
+    Ground,
+    LinkNumber,
+    Mark,
+    Note,
+    Point,
+    TurnArrow,
+    Vector,
+)
 from ..formula import Txt, row
 from ..typeset import Box, layout
+from ..words import Lang
+from .notes import lines
 from .obstacles import Complexes, Floats
-from .style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
-from .symbols import NEAR, TURN
+from .style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
+from .symbols import NEAR, TAIL, TURN, narrow
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
 GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
@@ -23,6 +37,7 @@ FAR = (6.5, 9.5, 13.0, 18.0)
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 LEADER = 22.0  # what resorting to a leader line costs
 PER_DISTANCE, PER_FRACTION = 1.2, 6.0
+ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +118,7 @@ def _offset(u: Complexes, distance: float, half: complex, round_point: bool) -> 
     return u * (distance + half.real * np.abs(u.real) + half.imag * np.abs(u.imag))
 
 
-def wants(view: View, marks: tuple[Mark, ...]) -> tuple[Want, ...]:
+def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want, ...]:
     """All that is to be lettered; points at the same place share one label."""
     found = list(_points(marks))
     for mark in marks:
@@ -114,10 +129,15 @@ def wants(view: View, marks: tuple[Mark, ...]) -> tuple[Want, ...]:
                 keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, marks)
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),)))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
-                hue = Hue.BLACK if view is View.MECHANISM else kind_hue(view)
-                found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, hue, mark.step)))
+                found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, kind_hue(view, label), mark.step)))
             case AngleMark(at=at, radius=radius, start=start, sweep=sweep, label=label) if label:
-                found.append(_bow(at, radius, start, sweep, _piece(label, Hue.BLACK, mark.step)))
+                piece = _piece(label, Hue.BLACK, mark.step)
+                found.append(_outside(mark, piece) if narrow(mark) else _bow(at, radius, start, sweep, piece))
+            case FrictionCircle() if mark.label or mark.enlarged > 1:
+                found.append(_circle(mark))
+            case Note(at=at, words=words):
+                piece = Piece(lines(words.of(lang), NOTE), 0.0, Hue.BLACK, mark.step)
+                found.append(Want((piece,), (at,), (0j,), _keep(at, marks), (at, at)))
             case _:
                 pass
     return tuple(found)
@@ -158,6 +178,8 @@ def _keep(at: complex, marks: tuple[Mark, ...]) -> float:
                 found.append(radius[dot])
             case Ground(at=here) | Block(at=here) if abs(here - at) < NEAR:
                 found.append(JOINT_RADIUS)
+            case FrictionCircle(centre=here, radius=r) if abs(here - at) < NEAR and r < ROOMY:
+                found.append(r)
             case _:
                 pass
     return max(found)
@@ -178,6 +200,24 @@ def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...])
 def _bow(at: complex, radius: float, start: float, sweep: float, piece: Piece) -> Want:
     out = tuple(cmath.exp(1j * (start + sweep * f)) for f in FRACTIONS)
     return Want((piece,), tuple(at + radius * u for u in out), out, THIN, (at, at))
+
+
+def _outside(mark: AngleMark, piece: Piece) -> Want:
+    """Beyond the arc of a narrow angle, or beside the ends of its tails."""
+    turn = math.copysign(TAIL / mark.radius, mark.sweep)
+    along = (mark.start + mark.sweep / 2, mark.start + mark.sweep + turn, mark.start - turn)
+    out = tuple(cmath.exp(1j * a) for a in along)
+    normals = (out[0], out[1] * 1j * math.copysign(1, turn), out[2] * -1j * math.copysign(1, turn))
+    return Want((piece,), tuple(mark.at + mark.radius * u for u in out), normals, THIN, (mark.at, mark.at), one_sided=True)
+
+
+def _circle(mark: FrictionCircle) -> Want:
+    """The letter of a friction circle, and how much larger than true it is drawn."""
+    pieces: tuple[Piece, ...] = (_piece(mark.label, Hue.BLACK, mark.step),) if mark.label else ()
+    if mark.enlarged > 1:
+        x = pieces[0].box.width + 0.3 * LETTER if pieces else 0.0
+        pieces += (Piece(layout(Txt(f"×{mark.enlarged:g}"), NOTE), x, Hue.BLACK, mark.step),)
+    return Want(pieces, (mark.centre,), (0j,), mark.radius + THIN, (mark.centre, mark.centre))
 
 
 def smaller(want: Want, factor: float) -> Want:

@@ -8,7 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import pi, sqrt
 from types import MappingProxyType
+from typing import Literal
+
+Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,6 +27,7 @@ class Force:
     point: str
     direction: float
     size: float | None = None
+    role: Role = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,9 +37,32 @@ class Moment:
     name: str  # M_1, M_d
     link: str
     size: float | None = None
+    role: Role = ""
 
 
 Load = Force | Moment
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rod:
+    """A round bar of constant section, thin beside its length: m = ρ π d² l / 4, J = m l² / 12 (m, kg/m³)."""
+
+    diameter: float
+    density: float
+    length: float
+
+    @property
+    def mass(self) -> float:
+        """m = ρ π d² l / 4 (kg)."""
+        return self.density * pi * self.diameter**2 / 4 * self.length
+
+    def inertia(self, mass: float) -> float:
+        """J = m l² / 12 about the middle (kg·m²)."""
+        return mass * self.length**2 / 12
+
+    def diameter_of(self, mass: float) -> float:
+        """The diameter that a bar of this mass would have (m)."""
+        return sqrt(4 * mass / (pi * self.density * self.length))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +73,7 @@ class Mass:
     mass: float
     inertia: float
     centre: str
+    rod: Rod | None = None  # the round bar from which they were computed, if they were
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

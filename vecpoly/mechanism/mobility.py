@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import MobilityError
-from .assur import hinges, is_held
-from .model import Mechanism, Prismatic, Rolling
+from .assur import ends, hinges, is_held
+from .model import Joint, Mechanism, Prismatic, Revolute, Rolling
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -15,6 +15,7 @@ class Mobility:
 
     Rolling with contact and no slip fixes two coordinates and counts as a lower pair; where links hold the
     gear's centre at its distance already it counts as a higher pair. A pin in a slot counts as hinge and slide.
+    A contact is one higher pair; the link by which kinematics replaces it, and that link's joints, do not count.
     """
 
     links: int
@@ -34,13 +35,30 @@ class Mobility:
 
 def mobility(mech: Mechanism) -> Mobility:
     """The counts and F of a mechanism."""
-    pins = sum(len(names) - 1 for names in hinges(mech).values())
-    slides = sum(isinstance(joint, Prismatic) for joint in mech.joints)
+    pins = sum(len(names) - 1 for names in _pins(mech) if names)
+    slides = sum(isinstance(joint, Prismatic) for joint in _real(mech))
     rolls = [is_held(mech, joint) for joint in mech.joints if isinstance(joint, Rolling)]
     return Mobility(
-        links=len(mech.links), lower=pins + slides + rolls.count(False), higher=rolls.count(True),
+        links=len(mech.bodies), lower=pins + slides + rolls.count(False), higher=rolls.count(True) + len(mech.contacts),
         drives=len(mech.drives),
     )
+
+
+def _thought(mech: Mechanism) -> set[str]:
+    """The links that only stand for higher pairs."""
+    return {contact.substitute for contact in mech.contacts}
+
+
+def _pins(mech: Mechanism) -> list[tuple[str, ...]]:
+    """The links at each hinge, without substitutes."""
+    thought = _thought(mech)
+    return [tuple(name for name in names if name not in thought) for names in hinges(mech).values()]
+
+
+def _real(mech: Mechanism) -> list[Joint]:
+    """The joints, without those of substitutes."""
+    thought = _thought(mech)
+    return [joint for joint in mech.joints if not thought & set(ends(joint))]
 
 
 def check(mech: Mechanism) -> Mobility:
@@ -52,7 +70,7 @@ def check(mech: Mechanism) -> Mobility:
     if count.freedom < 1:
         raise MobilityError(f"{said}: nothing can move; remove a redundant joint, or add the missing link")
     if count.freedom > count.drives:
-        loose = [li.name for li in mech.links if _joints_at(mech, li.name) < 2]
+        loose = [name for name in mech.bodies if _joints_at(mech, name) < 2]
         hint = f" (links with a single joint: {', '.join(loose)})" if loose else ""
         raise MobilityError(
             f"{said}: drive {count.freedom - count.drives} more link(s), or add the missing joint{hint}")
@@ -60,9 +78,8 @@ def check(mech: Mechanism) -> Mobility:
 
 
 def _joints_at(mech: Mechanism, name: str) -> int:
-    """How many joints the link has (a hinge counts once)."""
-    pins = sum(name in names for names in hinges(mech).values())
-    slides = sum(name in (j.guide, j.block) for j in mech.joints if isinstance(j, Prismatic))
-    rolls = sum(name in (j.gear.link, j.on.link) for j in mech.joints if isinstance(j, Rolling))
-    return pins + slides + rolls
+    """How many joints the link has (a hinge counts once), contacts included."""
+    pins = sum(name in names for names in _pins(mech) if len(names) > 1)
+    others = sum(name in ends(joint) for joint in _real(mech) if not isinstance(joint, Revolute))
+    return pins + others + sum(name in contact.links for contact in mech.contacts)
 

@@ -3,7 +3,8 @@
 ``M_1`` the balancing load; ``M_1_0`` the same without friction; ``M_1_lever``, ``M_1_power`` without friction by the Zhukovsky
 lever and by virtual power; ``R_12`` the force of link 1 on link 2 (frame: its printed number), ``R_12_0`` without friction;
 ``h`` the arm of the couple on the link that a balancing moment acts on; ``eta`` the efficiency; ``F_I2``, ``M_I2`` inertia force
-and couple of link 2, ``h_2`` the arm by which they join into one force.
+and couple of link 2, ``h_2`` the arm by which they join into one force; ``m_2``, ``J_2`` its mass and its moment of inertia
+about the centre of mass, which are data (`given_value`).
 """
 
 from __future__ import annotations
@@ -50,4 +51,11 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     for mass in loads.masses:
         link = mass.link
         found += [Named(f"F_I{link}", f"F_{{I{link}}}", "N", True), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m"), Named(f"h_{link}", f"h_{link}", "m")]
+        found += [Named(f"m_{link}", f"m_{{{link}}}", "kg"), Named(f"J_{link}", f"J_{{{mass.centre}}}", "kg·m^2")]
     return {named.key: named for named in found}
+
+
+def given_value(loads: Loads, key: str) -> float | None:
+    """The value of ``m_2`` (kg) or ``J_2`` (kg·m²), which need no equilibrium; None for every other key."""
+    mass = loads.mass(key[2:]) if key[:2] in ("m_", "J_") else None
+    return None if mass is None else mass.mass if key[0] == "m" else mass.inertia

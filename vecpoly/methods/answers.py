@@ -8,7 +8,7 @@ from ..board.board import NO_LENGTH
 from ..board.construction import Reading, View
 from ..errors import NoMethodError
 from ..formula import Row, Txt, sym
-from ..names import Kind, Rel
+from ..names import Kind, Named, Rel
 from ..plane import Points, Reals, nominal
 from ..quantity import magnitude, stated, worked
 from ..words import Words
@@ -27,6 +27,13 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     if rel.kind is Kind.P:
         return _position(desk, rel)
     return _vector(desk, rel)
+
+
+def named_answer(desk: Desk, named: Named) -> tuple[Reading, Reals]:
+    """A load, reaction or efficiency that the force analysis read; raises NoMethodError where it was not found."""
+    if named.key not in desk.named:
+        raise NoMethodError(f"{named.key} was not found on the drawing: no method on file gives it for this mechanism")
+    return desk.named[named.key], desk.named_repeats[named.key]
 
 
 def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:

@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..board.board import Board
-from ..board.construction import View
-from ..mechanism.model import FRAME, Link, Mechanism, Prismatic, Rack, Rolling
-from ..names import At, Kind, Rel
-from ..plane import Line, Points, Reals, unit
+from ..board.construction import Reading, View
+from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Rolling, Side
+from ..names import At, Kind, Rel, subscripted
+from ..plane import Line, Points, Reals, foot, unit
 from ..quantity import Quantity, magnitude
 from ..words import Words
 
@@ -53,12 +53,16 @@ class Desk:
     ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
+    named: dict[str, Reading] = field(default_factory=dict)  # answers of the force analysis
+    named_repeats: dict[str, Reals] = field(default_factory=dict)
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------
 
     def canonical(self, at: At) -> At:
-        """B2 is plain B where link 2 itself carries B; B3 stays B3 where link 3 is only passed over."""
+        """B2 is plain B where link 2 itself carries B, S2 the letter S2 where it does; B3 stays B3 where link 3 is only passed over."""
+        if at.link and str(at) in self.mech.link(at.link).points:
+            return At(str(at))
         carried = at.link and at.point in self.mech.link(at.link).points
         return At(at.point) if carried else at
 
@@ -70,9 +74,7 @@ class Desk:
 
     def name(self, at: At) -> str:
         """The letter in a sentence: C_2."""
-        text = self.show(at)
-        letter = text.rstrip("0123456789")
-        return f"{letter}_{text[len(letter):]}" if text != letter else letter
+        return subscripted(self.show(at))
 
     def tip_label(self, view: View, at: At) -> str:
         """The letter of a tip on a polygon: b, b_3, b′_3."""
@@ -160,6 +162,25 @@ class Desk:
             off = (np.conj(line.along) * (centre - line.at)).imag
             return centre - 1j * line.along * off
         return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (-1 if joint.internal else 1)
+
+    def normal_of(self, contact: Contact) -> Points:
+        """Common normal of a contact as drawn: unit vector from the disc's centre through the point of contact, into the other link."""
+        if isinstance(contact.on, Rack):
+            return self.face_line(contact).along * (-1j if contact.side is Side.LEFT else 1j)
+        way = self.towards(contact.disc.centre, contact.on.centre)
+        return -way if contact.internal else way
+
+    def contact_of(self, contact: Contact) -> Points:
+        """Point of contact as drawn: foot of the disc's centre on the face, or on the line of centres at the disc's radius."""
+        centre = self.at[contact.disc.centre]
+        if isinstance(contact.on, Rack):
+            return foot(self.face_line(contact), centre)
+        return centre + self.normal_of(contact) * self.mm(contact.disc.radius)
+
+    def face_line(self, contact: Contact) -> Line:
+        """The flat face of a contact as drawn."""
+        assert isinstance(contact.on, Rack)
+        return Line(self.place(contact.on.link, contact.on.origin), self.axis(contact.on.link) * np.exp(1j * contact.on.direction))
 
     # -- what is known of the motion ------------------------------------------------------------------------------
 

@@ -18,13 +18,17 @@ from ..board.marks import Dot
 from ..board.scales import round_scale
 from ..mechanism.assur import Group, decompose
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
-from ..names import At, Kind
+from ..names import At, Kind, subscripted
 from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
-from .answers import Repeats, answer
+from .answers import Repeats, answer, named_answer
 from .desk import POLE, Desk
-from .kinematics.diagram import draw_drive_arrow, draw_frame, draw_links
+from .forces.plan import force_pass
+from .forces.readings import largest_load
+from .kinematics.cam import letter_contacts, say_replaced
+from .kinematics.diagram import draw_frame, draw_links
+from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.given_vector import find_point
 from .kinematics.image import imaged
 from .registry import Stage, find
@@ -42,7 +46,8 @@ SECTIONS = {
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
 }
-_UNIT = {View.MECHANISM: ("μ_l", "m"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
+_UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
+SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 _ACCELERATIONS = {Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR, Kind.ALPHA}
 
 
@@ -76,15 +81,17 @@ def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) 
     size = mech.scale
     speed = abs(drive.rate) * (1.0 if drive.slide else size) or 1.0
     guess = {View.MECHANISM: size / 100, View.VELOCITY: speed / 100,
-             View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0}
+             View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
+             View.FORCE: largest_load(problem) / 60, View.BODY: size / 100}
     sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
-    given = {View.MECHANISM: problem.scales.mu_l, View.VELOCITY: problem.scales.mu_v, View.ACCELERATION: problem.scales.mu_a}
+    given = {View.MECHANISM: problem.scales.mu_l, View.VELOCITY: problem.scales.mu_v, View.ACCELERATION: problem.scales.mu_a,
+             View.FORCE: problem.scales.mu_f, View.BODY: problem.scales.mu_l}
+    figures = sketch.board.figures(TITLES)
     chosen = {}
     for view, value in guess.items():
-        marks, wish = sketch.board.marks(view), given[view]
-        fitted = round_scale(value, extent(marks), slots.get(view, (150.0, 100.0))) if marks else value
-        chosen[view] = _scale(view, wish or fitted)
-    return chosen
+        fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith("lever")), default=value)
+        chosen[view] = _scale(view, given[view] or fitted)
+    return chosen | {View.BODY: chosen[View.MECHANISM]}
 
 
 def _scale(view: View, value: float) -> Scale:
@@ -99,7 +106,11 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
-        _pass(desk, problem, stage, groups)
+        if stage is Stage.FORCE:
+            statics = force_pass(desk, problem)
+            desk.named, desk.named_repeats = statics.readings, statics.repeats
+        else:
+            _pass(desk, problem, stage, groups)
     return desk
 
 
@@ -115,8 +126,10 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         view = View(stage.value)
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)
     for group in groups:
+        say_replaced(desk, stage, group)
         find(stage, group.kind).draw(desk, group.dyad or group)
         if position:
+            letter_contacts(desk, group.links)
             _further_points(desk, group.links)
             draw_links(desk, shapes, group.links)
     if position:
@@ -128,7 +141,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
 def _further_points(desk: Desk, links: tuple[str, ...]) -> None:
     """Say that the other lettered points of these links are set out too."""
     for name in links:
-        points = [p.point for p in desk.mech.link(name).placements]
+        points = [subscripted(p.point) for p in desk.mech.link(name).placements]
         if points:
             letters = "$, $".join(points)
             desk.board.remark(Words(f"按已知尺寸定出构件 {name} 上的 ${letters}$。", f" Set out ${letters}$ of link {name} from the given lengths."))
@@ -181,8 +194,9 @@ def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]
     repeats: Repeats = {}
     for ask in problem.asks:
         if isinstance(ask, AskNamed):
-            continue
-        reading, scalars = answer(desk, ask.rel)
+            reading, scalars = named_answer(desk, ask.rel)
+        else:
+            reading, scalars = answer(desk, ask.rel)
         readings[reading.key] = reading
         repeats[reading.key] = np.asarray(scalars, dtype=float)
     return readings, repeats

@@ -8,13 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..errors import NoMethodError
 from ..words import Words
-
-if TYPE_CHECKING:
-    from .desk import Desk
 
 
 class Stage(StrEnum):
@@ -26,7 +23,7 @@ class Stage(StrEnum):
     FORCE = "force"
 
 
-Draw = Callable[["Desk", Any], None]
+Draw = Callable[[Any, Any], Any]  # (desk or statics, what it is about)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +60,8 @@ def method(*, stage: Stage, group: str, title: Words, source: str, example: str)
 def _load_all() -> None:
     package = importlib.import_module("vecpoly.methods")
     for module in pkgutil.walk_packages(package.__path__, "vecpoly.methods."):
+        if module.name.startswith("vecpoly.methods.devices"):
+            continue  # they have a registry of their own
         importlib.import_module(module.name)
 
 

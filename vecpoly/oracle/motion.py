@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import NotAskedError, UnknownNameError
-from ..mechanism.model import Mechanism, Rolling
+from ..mechanism.model import Contact, Mechanism, Rolling
 from ..names import At, Rel
+from .contact import touching
 from .pitch import pitch_point
 from .state import Body, Points, Reals
 
@@ -119,7 +120,8 @@ class Motion:
         carriers = self.mech.links_at(at.point)
         if carriers:
             return carriers[0], self.mech.link(carriers[0]).points[at.point]
-        return self._pitch(at.point).gear.link, None
+        touch = self._contact(at.point)
+        return (touch.disc.link if touch else self._pitch(at.point).gear.link), None
 
     def at(self, point: str | At) -> At:
         """The letter and its link: B3 is B of link 3 unless B3 is itself a letter."""
@@ -138,16 +140,21 @@ class Motion:
         at = self.at(point)
         carriers = self.mech.links_at(at.point)
         if not carriers:
-            return pitch_point(self._pitch(at.point), self.mech, self.bodies)
+            touch = self._contact(at.point)
+            return touching(self.mech, self.bodies, touch)[0] if touch else pitch_point(self._pitch(at.point), self.mech, self.bodies)
         link = at.link if at.link in carriers else carriers[0]
         return self.bodies[link].point(self.mech.link(link).points[at.point])
 
     def _letters(self) -> set[str]:
         pitch = {joint.point for joint in self.mech.joints if isinstance(joint, Rolling)}
+        pitch.update(contact.point for contact in self.mech.contacts)
         return pitch.union(self.mech.frame, *(link.points for link in self.mech.links))
 
     def _is_letter(self, name: str) -> bool:
         return name in self._letters()
+
+    def _contact(self, letter: str) -> Contact | None:
+        return next((contact for contact in self.mech.contacts if contact.point == letter), None)
 
     def _pitch(self, letter: str) -> Rolling:
         return next(j for j in self.mech.joints if isinstance(j, Rolling) and j.point == letter)

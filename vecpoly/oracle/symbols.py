@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, assert_never
 
 from ..errors import UnknownNameError
 from ..mechanism.assur import hinges
-from ..mechanism.model import FRAME
+from ..mechanism.model import FRAME, Prismatic
 from ..names import At, Kind, Rel
 from .state import Points, Reals
 
@@ -86,11 +86,17 @@ def _pivoted(motion: Motion, at: At, rel: Rel) -> tuple[str, str]:
 
 
 def _sliding(motion: Motion, rel: Rel) -> Points:
-    """a^k_B3B2 = 2iω (v_B3 - v_B2) with the reference link's ω; a^r_B3B2 = a_B3 - a_B2 - a^k."""
+    """a^k_B3B2 = 2iω (v_B3 - v_B2) with the ω of the guide; a^r_B3B2 = a_B3 - a_B2 - a^k."""
     to, ref = motion.at(rel.to), None if rel.ref is None else motion.at(rel.ref)
     if ref is None or not to.link or not ref.link:
         raise UnknownNameError(f"{rel.key}: write both links' numbers, as in {rel.kind.value}_B3B2")
-    coriolis: Points = 2j * motion.omega(ref.link) * (motion.velocity(to) - motion.velocity(ref))
+    coriolis: Points = 2j * motion.omega(_guide(motion, to, ref)) * (motion.velocity(to) - motion.velocity(ref))
     if rel.kind is Kind.AK:
         return coriolis
     return motion.acceleration(to) - motion.acceleration(ref) - coriolis
+
+
+def _guide(motion: Motion, to: At, ref: At) -> str:
+    """The link with the guide along which B3 slides over B2: a block turns with it, a pin in a slot or a disc on a face does not."""
+    slides = (j for j in motion.mech.joints if isinstance(j, Prismatic) and j.pin == to.point == ref.point)
+    return next((j.guide for j in slides if j.guide in (to.link, ref.link)), ref.link)

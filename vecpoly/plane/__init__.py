@@ -9,6 +9,7 @@ from .geometry import (
     distance,
     dot,
     foot,
+    inclined,
     line_circle_meet,
     lines_meet,
     nominal,
@@ -17,6 +18,6 @@ from .geometry import (
 )
 
 __all__ = [
-    "Line", "Points", "Reals", "circles_meet", "cross", "distance", "dot", "foot", "line_circle_meet",
+    "Line", "Points", "Reals", "circles_meet", "cross", "distance", "dot", "foot", "inclined", "line_circle_meet",
     "lines_meet", "nominal", "similar", "unit",
 ]

@@ -83,3 +83,10 @@ def circles_meet(c1: Points, r1: Reals, c2: Points, r2: Reals) -> tuple[Points, 
 def similar(a: Points, b: Points, c: Points, a1: Points, b1: Points) -> Points:
     """The point c1 for which a1 b1 c1 is similar to a b c in the same letter order."""
     return a1 + (c - a) / (b - a) * (b1 - a1)
+
+
+def inclined(axis: Points, sine: Reals) -> tuple[Points, Points]:
+    """The two unit vectors u that make an angle of this sine with a vector, axis × u = |axis| sine: ahead, and behind; else NaN."""
+    with np.errstate(invalid="ignore"):
+        cosine = np.sqrt(1 - np.square(sine))
+    return unit(axis) * (cosine + 1j * sine), unit(axis) * (1j * sine - cosine)

@@ -3,45 +3,47 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
+from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
+from ..mechanism.quantities import quantities
 from ..names import At
 from ..units import Dim, read
 from .asks import Ask
+from .contacts import is_contact, read_contact
+from .devices import about_device, build_device
 from .draft import LETTER
 from .faults import Faults, meant
+from .friction import read_friction
 from .joints import Bodies, read_joint, revolutes
 from .links import read_link
-from .motion import read_branch, read_input
+from .loads import acts, data_of_loads, read_loads
+from .masses import read_masses
+from .motion import numbered, read_branch, read_input
 from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
-from .wanted import read_find, read_point, read_printed, read_scales
+from .wanted import default_asks, read_find, read_point, read_printed, read_scales
 
 
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
     faults = Faults(tree.name, tree.places)
+    if about_device(tree):
+        return build_device(tree, path)
     spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
     bodies = _bodies(spec, faults)
-    joints = _joints(spec, bodies, faults)
-    drives, motion = _inputs(spec, bodies, joints, faults)
-    branches = _branches(spec, bodies, faults)
-    guesses = _points("guesses", spec.guesses, faults, bodies.letters())
-    asks, printed, scales = _wanted(spec, bodies, faults)
+    masses, weights = read_masses(spec, bodies, faults)
+    mechanism, motion = _mechanism(spec, bodies, faults)
+    loads = read_loads(spec, bodies, masses, faults)
+    loads, acting = _acting(spec, mechanism, loads, weights, faults)
+    asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
     faults.settle()
-    mechanism = Mechanism(
-        frame=bodies.frame,
-        links=tuple(draft.link() for draft in bodies.drafts.values()),
-        joints=joints,
-        drives=drives,
-        branches=branches,
-        guesses=guesses,
-    )
     _check_mobility(mechanism, tree)
     return Problem(
         id=spec.id,
@@ -49,15 +51,33 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         source=spec.source,
         statement=spec.statement,
         subject=mechanism,
+        loads=loads,
         asks=asks,
         scales=scales,
         printed=printed,
         errata=tuple(spec.errata),
-        given=_given(bodies, motion),
+        given=_given(bodies, motion, acting),
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
     )
+
+
+def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
+    """The mechanism, of use only where no fault was found, and the data of its input."""
+    joints = _joints(spec, bodies, faults)
+    drives, motion = _inputs(spec, bodies, joints, faults)
+    branches = _branches(spec, bodies, faults)
+    guesses = _points("guesses", spec.guesses, faults, bodies.letters())
+    return Mechanism(
+        frame=bodies.frame,
+        links=tuple(draft.link() for draft in bodies.drafts.values()),
+        joints=joints,
+        drives=drives,
+        branches=branches,
+        contacts=tuple(bodies.contacts),
+        guesses=guesses,
+    ), motion
 
 
 def _points(
@@ -92,7 +112,7 @@ def _joints(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Joint, .
     written: list[Joint] = []
     for i, text in enumerate(spec.joints):
         with faults.at("joints", i):
-            written.append(read_joint(text, bodies))
+            written += read_contact(text, bodies) if is_contact(text) else (read_joint(text, bodies),)
     return (*revolutes(bodies), *written)
 
 
@@ -118,9 +138,23 @@ def _branches(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[SideOf
     return tuple(branches)
 
 
+def _acting(
+    spec: ProblemSpec, mechanism: Mechanism, loads: Loads | None, weights: tuple[Datum, ...], faults: Faults
+) -> tuple[Loads | None, tuple[Datum, ...]]:
+    """The loads with friction, and what is printed of them after 已知."""
+    if not acts(spec):
+        return None, ()
+    faults.settle()  # which quantities may be asked for is known only where the mechanism and its loads are right
+    assert loads is not None
+    friction, rubbing = read_friction(spec.friction, mechanism, faults)
+    faults.settle()
+    return replace(loads, friction=friction), (*data_of_loads(spec, loads), *rubbing, *weights)
+
+
 def _wanted(
-    spec: ProblemSpec, bodies: Bodies, faults: Faults
+    spec: ProblemSpec, bodies: Bodies, mechanism: Mechanism, loads: Loads | None, faults: Faults
 ) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
+    forces = quantities(mechanism, loads) if loads else {}
     named: list[At] = []
     asks: list[Ask] = []
     printed: list[Printed] = []
@@ -131,20 +165,23 @@ def _wanted(
     for i, item in enumerate(spec.find):
         if not faults.found:
             with faults.at("find", i):
-                asks.append(read_find(item, bodies, named))
+                asks.append(numbered(read_find(item, bodies, named, forces), spec))
     for i, entry in enumerate(spec.printed):
         with faults.at("printed", i):
-            printed.append(read_printed(entry, bodies, named))
+            printed.append(read_printed(entry, bodies, named, forces))
+    if loads and not spec.find:
+        asks.extend(default_asks(mechanism, loads, forces))
     scales = Scales()
     with faults.at("scales"):
         scales = read_scales(spec.scales)
     return tuple(asks), tuple(printed), scales
 
 
-def _given(bodies: Bodies, motion: tuple[Datum, ...]) -> Given:
+def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:
     return Given(
         lengths=tuple(datum for draft in bodies.drafts.values() for datum in draft.lengths),
         motion=motion,
+        loads=acting,
         letters=bodies.letters(),
         shapes={name: draft.shape for name, draft in bodies.drafts.items()},
     )

@@ -37,6 +37,8 @@ class Draft:
     placements: list[Placement] = field(default_factory=list)
     line: Line | None = None
     gear: Circle | None = None
+    disc: Circle | None = None  # a round cam, eccentric or tip
+    face: Line | None = None  # a flat face
     lengths: list[Datum] = field(default_factory=list)
 
     def link(self) -> Link:

@@ -11,29 +11,29 @@ from itertools import pairwise
 from math import degrees
 
 from ..errors import FaultError
-from ..mechanism.model import FRAME, Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
+from ..mechanism.model import FRAME, Circle, Contact, Joint, Prismatic, Rack, Revolute, Rolling, Side
 from ..units import Dim, positive, read
 from ..words import Words
 from .draft import LETTER, Draft, Line, letters_of
 from .faults import meant
 from .problem import Shape
 
-_LINK = r"\d+[a-z']?"
-_GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {_LINK})?|{_LINK}"
+LINK = r"\d+[a-z']?"
+_GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {LINK})?|{LINK}"
 _SLIDE = re.compile(
-    rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{_LINK}) slides (?:in|on|along) (?P<guide>{_GUIDE})"
+    rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{_GUIDE})"
     rf"(?: with (?P<off>{LETTER}) (?P<offset>.+?) (?P<side>left|right))?(?: turned (?P<turn>.+))?"
 )
-_THROUGH = re.compile(rf"(?P<guide>{_LINK}) passes through (?P<block>{_LINK})")
+_THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK})")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{_GUIDE})")
 _ROLLS = re.compile(
-    rf"(?P<gear>{_LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
-    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{_LINK}) "
+    rf"(?P<gear>{LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
+    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}) "
     rf"at (?P<point>{LETTER})"
 )
 EXAMPLES = (
     "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
-    "'3 rolls on y = 0 mm at D' or '4 rolls on 3 at H'"
+    "'3 rolls on y = 0 mm at D', '4 rolls on 3 at H' or '1 touches 2 at K'"
 )
 
 
@@ -43,7 +43,8 @@ class Bodies:
 
     frame: Mapping[str, complex]
     drafts: dict[str, Draft]
-    pitch: list[str] = field(default_factory=list)  # letters of pitch points
+    pitch: list[str] = field(default_factory=list)  # letters of pitch points and contacts
+    contacts: list[Contact] = field(default_factory=list)
 
     def draft(self, name: str) -> Draft:
         """The moving link `name`."""
@@ -168,7 +169,7 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
     """The guide link and its line."""
     if fixed := _fixed_line(text, bodies):
         return FRAME, fixed
-    if re.fullmatch(_LINK, text):
+    if re.fullmatch(LINK, text):
         draft = bodies.draft(text)
         if draft.line is None and len(draft.points) >= 2:
             return text, _along(draft.points, *list(draft.points)[:2])

@@ -1,4 +1,4 @@
-"""Links as written (``BC: 350 mm``, ``block: F``, ``slot: G``): their first points, guide lines and gears."""
+"""Links as written (``BC: 350 mm``, ``block: F``, ``slot: G``): their first points, guide lines, gears, discs and faces."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ from functools import partial
 from ..errors import FaultError
 from ..mechanism.model import Circle
 from ..units import Dim, positive, read
+from ..words import Words
 from .draft import ANGLE_FROM, ONE, TWO, Draft, Line, letters_of, ray
 from .faults import meant
 from .places import place
 from .problem import Shape
 from .source import Value
 
-_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR}
+_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "disc": Shape.BAR, "face": Shape.BAR}
+_PLACED = ("gear", "disc", "face")  # what may name a point that is set out further on
 LINK_KEYS = (*_SINGLE, "radius")
 
 
@@ -27,16 +29,36 @@ def read_link(name: str, data: Value) -> Draft:
     for key in data:
         _known(key)
     _base(draft, data)
+    early = "face" in data and _through(data["face"]) in draft.points
+    if early:
+        _within("face", lambda: _face(draft, data["face"]))
     for key, value in data.items():
         if ONE.fullmatch(key):
             _within(key, partial(place, draft, key, value))
     if isinstance(data.get("slot"), dict):
-        _within("slot", lambda: _line(draft, data["slot"]))
-    if "gear" in data:
-        _gear(draft, data)
-    elif "radius" in data:
-        raise FaultError("a radius belongs to a gear; write gear: C, radius: 60 mm", "radius")
+        _within("slot", lambda: _slot(draft, data["slot"]))
+    if "face" in data and not early:
+        _within("face", lambda: _face(draft, data["face"]))
+    _round(draft, data)
     return draft
+
+
+def _through(data: Value) -> str:
+    """The letter of `face: C` or `face: {through: C}`."""
+    return str(data.get("through")) if isinstance(data, dict) else str(data)
+
+
+def _slot(draft: Draft, data: Mapping[str, Value]) -> None:
+    draft.line = _line(draft, data, "slot")
+
+
+def _face(draft: Draft, data: Value) -> None:
+    """The face, and the direction of a link that has but one point and no guide."""
+    if not isinstance(data, dict):
+        data = {"through": str(data)}
+    draft.face = _line(draft, data, "face")
+    if draft.shape is Shape.BAR and len(draft.points) == 1:
+        draft.line = draft.face
 
 
 def _within(key: str, act: Callable[[], None]) -> None:
@@ -74,17 +96,18 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             raise FaultError(f"'{letter}' is no letter of a point, such as C", key)
         if not bases and not draft.points:
             draft.shape, draft.points[letter] = _SINGLE[key], 0j
-        elif letter not in draft.points and key != "gear":
+        elif letter not in draft.points and key not in _PLACED:
             raise FaultError(f"point '{letter}' is not on link {draft.name}", key)
         if key in ("slot", "rod"):
             draft.line = Line(draft.points[letter], 0.0, letter)
-    slot = data.get("slot")
-    if not draft.points and isinstance(slot, dict) and ONE.fullmatch(str(slot.get("through"))):
-        draft.shape, draft.points[str(slot["through"])] = Shape.SLOT, 0j
+    for key in ("slot", "face"):
+        led = data.get(key)
+        if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
+            draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
     if not draft.points:
         raise FaultError(
             f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, "
-            "or the one pin of a block, slot, rod or gear, e.g. {block: C}"
+            "or the one pin of a block, slot, rod, gear, disc or face, e.g. {block: C}"
         )
 
 
@@ -96,17 +119,17 @@ def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
     draft.note(f"l_{first}{second}", length.si, length.text)
 
 
-def _line(draft: Draft, data: Mapping[str, Value]) -> None:
-    """slot: {through: D, angle: 60 deg from CD, left: 10 mm}: no plain line through the one pin."""
+def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
+    """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, or of a face."""
     for key in data:
         if key not in ("through", "angle", "left", "right"):
             raise FaultError(
-                f"'{key}' is no key of a slot{meant(key, ('through', 'angle', 'left', 'right'))}", key
+                f"'{key}' is no key of a {what}{meant(key, ('through', 'angle', 'left', 'right'))}", key
             )
     letter = str(data.get("through", ""))
     if not ONE.fullmatch(letter):
         raise FaultError(
-            "through which point does the slot pass? write e.g. slot: {through: D, angle: 60 deg from CD}"
+            f"through which point does the {what} pass? write e.g. {what}: {{through: D, angle: 60 deg from CD}}"
         )
     if letter not in draft.points:
         raise FaultError(
@@ -121,17 +144,33 @@ def _line(draft: Draft, data: Mapping[str, Value]) -> None:
     left = (
         read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
     )
-    draft.line = Line(draft.points[letter] + 1j * left * turn, cmath.phase(turn), letter)
+    if what == "face":
+        _note_face(draft, letter, data)
+    return Line(draft.points[letter] + 1j * left * turn, cmath.phase(turn), letter)
 
 
-def _gear(draft: Draft, data: Mapping[str, Value]) -> None:
-    centre = str(data["gear"])
-    if centre not in draft.points:
-        raise FaultError(
-            f"the centre '{centre}' is not on link {draft.name}{meant(centre, draft.points)}", "gear"
-        )
-    if "radius" not in data:
-        raise FaultError("a gear needs its pitch radius; write gear: C, radius: 60 mm")
-    radius = positive(data["radius"])
-    draft.gear = Circle(link=draft.name, centre=centre, radius=radius.si)
-    draft.note(f"r_{draft.name}", radius.si, radius.text)
+def _note_face(draft: Draft, letter: str, data: Mapping[str, Value]) -> None:
+    """The distance of the face from its letter for 已知."""
+    side = next((key for key in ("left", "right") if key in data), "")
+    if side:
+        zh = "左" if side == "left" else "右"
+        draft.say(Words(f"构件 {draft.name} 的平底在 ${letter}$ {zh}侧 {data[side]}", f"the face of link {draft.name} lies {data[side]} to the {side} of ${letter}$"))
+
+
+def _round(draft: Draft, data: Mapping[str, Value]) -> None:
+    """A gear with its pitch circle, or a disc with its profile."""
+    kinds = [key for key in ("gear", "disc") if key in data]
+    if len(kinds) > 1:
+        raise FaultError(f"link {draft.name} is a gear and a disc at once; one of them, with its radius", "disc")
+    if not kinds and "radius" in data:
+        raise FaultError("a radius belongs to a gear or a disc; write gear: C, radius: 60 mm or disc: O, radius: 40 mm", "radius")
+    for kind in kinds:
+        centre = str(data[kind])
+        if centre not in draft.points:
+            raise FaultError(f"the centre '{centre}' is not on link {draft.name}{meant(centre, draft.points)}", kind)
+        if "radius" not in data:
+            raise FaultError(f"a {kind} needs its {'pitch ' if kind == 'gear' else ''}radius; write {kind}: {centre}, radius: 60 mm")
+        radius = positive(data["radius"])
+        circle = Circle(link=draft.name, centre=centre, radius=radius.si)
+        draft.gear, draft.disc = (circle, None) if kind == "gear" else (None, circle)
+        draft.note(f"r_{draft.name}", radius.si, radius.text)

@@ -8,16 +8,21 @@ from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
 from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, SideOf
+from ..names import Kind
 from ..units import Dim, Quantity, read
+from ..words import Words
+from .asks import Ask, AskCoriolis, AskPoint, AskRel
 from .draft import LETTER, Draft, letters_of
 from .faults import meant
 from .joints import Bodies
 from .problem import Datum, Shape
-from .schema import InputSpec
+from .schema import InputSpec, ProblemSpec
 
 _FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _BRANCH = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
 _BRANCH_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
+_CCW, _CW = (1.0, Words("逆时针", "counter-clockwise")), (-1.0, Words("顺时针", "clockwise"))
+_TURNS = {**dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆时针"), _CCW), **dict.fromkeys(("cw", "clockwise", "顺时针"), _CW)}
 _SIDES = {
     "left of": Side.LEFT,
     "right of": Side.RIGHT,
@@ -64,6 +69,29 @@ def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tupl
     return _sliding(spec, draft, joints) if sliding else _turning(spec, draft, bodies, joints)
 
 
+def sense_only(spec: ProblemSpec) -> bool:
+    """Whether an input has only a sense of rotation (omega: ccw), and so no angular velocity as a number."""
+    inputs = spec.input if isinstance(spec.input, list) else [spec.input]
+    return any(one.omega in _TURNS for one in inputs)
+
+
+def numbered(ask: Ask, spec: ProblemSpec) -> Ask:
+    """The question, unless it asks for a rate of a motion of which only the sense is given; raises FaultError."""
+    rate = isinstance(ask, AskPoint | AskCoriolis) or (isinstance(ask, AskRel) and ask.rel.kind is not Kind.P)
+    if rate and sense_only(spec):
+        raise FaultError(f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw")
+    return ask
+
+
+def _rate(name: str, text: str | None) -> tuple[float, Datum]:
+    """ω of the input: a number, or its sense alone, which is taken as 1 rad/s."""
+    if text in _TURNS:
+        sign, words = _TURNS[text]
+        return sign, Datum(words=Words(f"$ω_{name}$ {words.zh}", f"$ω_{name}$ {words.en}"))
+    rate = _read("omega", text, Dim.OMEGA)
+    return rate.si, Datum(symbol=f"ω_{name}", si=rate.si, text=rate.text)
+
+
 def _turning(
     spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]
 ) -> tuple[Drive, tuple[Datum, ...]]:
@@ -79,18 +107,18 @@ def _turning(
     if spec.phi is None or spec.omega is None:
         raise FaultError("a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw")
     phi, zero = _angle(spec.phi, bodies.frame)
-    rate, accel = _read("omega", spec.omega, Dim.OMEGA), _read("alpha", spec.alpha, Dim.ALPHA)
+    (rate, told), accel = _rate(draft.name, spec.omega), _read("alpha", spec.alpha, Dim.ALPHA)
     arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
     lean = cmath.phase(arm) if draft.shape in (Shape.BAR, Shape.GEAR) else 0.0  # else x lies along the line
     name = draft.name
     data = [
         Datum(symbol=f"φ_{name}", si=phi.si, text=phi.text),
-        Datum(symbol=f"ω_{name}", si=rate.si, text=rate.text),
+        told,
     ]
     if spec.alpha is not None:
         data.append(Datum(symbol=f"α_{name}", si=accel.si, text=accel.text))
     position = phi.si + zero - lean
-    return Drive(link=name, position=position, rate=rate.si, accel=accel.si), tuple(data)
+    return Drive(link=name, position=position, rate=rate, accel=accel.si), tuple(data)
 
 
 def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 
 from ..errors import FaultError
 from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
+from ..names import subscripted
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
 from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
@@ -69,7 +70,7 @@ def _note_offsets(
     elif below:
         draft.note(f"l_{below}{point}", read(data[side], Dim.LENGTH).si, str(data[side]))
     else:
-        zh, along = "左" if side == "left" else "右", str(data["along"])
+        zh, along, point = "左" if side == "left" else "右", str(data["along"]), subscripted(point)
         line, line_en = (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$") if len(along) == 1 else (f"${along}$", f"${along}$")
         draft.say(
             Words(

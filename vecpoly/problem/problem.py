@@ -67,10 +67,11 @@ def as_printed(text: str, lang: Lang) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Given:
-    """What is printed after 已知: lengths in order, the input's data, and how the links look."""
+    """What is printed after 已知: lengths in order, the input's data, what acts (or a device's data), how the links look."""
 
     lengths: tuple[Datum, ...] = ()
     motion: tuple[Datum, ...] = ()
+    loads: tuple[Datum, ...] = ()
     letters: tuple[str, ...] = ()  # frame's letters first, then by link
     shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
 

@@ -5,88 +5,13 @@ All scalars arrive as text; quantities are read later, by `units`, at their own 
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
+from pydantic import BaseModel, ConfigDict, Field
 
+from ..devices.base import kinds
 from ..words import Words
-
-_LETTER = "[A-Z][a-z'′]?"
-_QUANTITY = {"type": ["string", "number"], "description": "a number with its unit, e.g. 30 mm"}
-
-
-def _words(value: Any) -> Words:
-    match value:
-        case Words():
-            return value
-        case str():
-            return Words(value, value)
-        case {"zh": str(zh), "en": str(en), **rest} if not rest:
-            return Words(zh.strip(), en.strip())
-    raise ValueError("write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes")
-
-
-Text = Annotated[
-    Words,
-    BeforeValidator(_words),
-    WithJsonSchema(
-        {
-            "anyOf": [
-                {"type": "string"},
-                {
-                    "type": "object",
-                    "required": ["zh", "en"],
-                    "additionalProperties": False,
-                    "properties": {"zh": {"type": "string"}, "en": {"type": "string"}},
-                },
-            ]
-        }
-    ),
-]
-Number = Annotated[str, WithJsonSchema(_QUANTITY)]
-Name = Annotated[str, WithJsonSchema({"type": ["string", "integer"]})]
-_PLACE = {
-    "type": "object",
-    "properties": {
-        "along": {"type": "string"},
-        "at": _QUANTITY,
-        "left": _QUANTITY,
-        "right": _QUANTITY,
-        "angle": {"type": "string"},
-        "side": {"type": "string", "pattern": "^(left|right) of "},
-    },
-    "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY},
-    "additionalProperties": False,
-}
-_SLOT = {
-    "anyOf": [
-        {"type": "string", "pattern": f"^{_LETTER}$"},
-        {
-            "type": "object",
-            "required": ["through"],
-            "additionalProperties": False,
-            "properties": {
-                "through": {"type": "string"},
-                "angle": {"type": "string"},
-                "left": _QUANTITY,
-                "right": _QUANTITY,
-            },
-        },
-    ]
-}
-_ONE = {"type": "string", "pattern": f"^{_LETTER}$"}
-Link = Annotated[
-    Any,
-    WithJsonSchema(
-        {
-            "type": "object",
-            "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "gear": _ONE, "radius": _QUANTITY},
-            "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY, f"^{_LETTER}$": _PLACE},
-            "additionalProperties": False,
-        }
-    ),
-]
-Pair = tuple[Number, Number]
+from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 
 
 class Spec(BaseModel):
@@ -107,12 +32,51 @@ class InputSpec(Spec):
     a: Number | None = None
 
 
+class LoadSpec(Spec):
+    """A force (with point and direction) or a moment on a link; the size of one load is '?'."""
+
+    on: Name
+    at: str | None = Field(None, description="the lettered point of the link at which a force acts")
+    size: Number | None = Field(None, description="1000 N, 20 N*m ccw, or ? for the load that balances")
+    direction: Number | None = Field(None, description="of a force, from the x axis: 180 deg")
+    role: Literal["driving", "resisting"] | None = None
+
+
+class FrictionSpec(Spec):
+    """Friction of a pin (rho, or f and r), of a slide (phi, or f, or f and V) or of a contact (phi or f)."""
+
+    rho: Number | None = Field(None, description="radius of a pin's friction circle, 6 mm")
+    f: Number | None = Field(None, description="coefficient of friction, 0.1")
+    f_v: Number | None = Field(None, description="equivalent coefficient, in the place of f")
+    r: Number | None = Field(None, description="radius of the pin, 20 mm; rho = f r")
+    phi: Number | None = Field(None, description="friction angle, 8 deg")
+    V: Number | None = Field(None, description="half the angle of a V-groove: f_v = f / sin V")
+
+
+class RodSpec(Spec):
+    """A round bar: mass and inertia follow from its section."""
+
+    diameter: Number
+    density: Number
+    along: str | None = Field(None, description="two points of the link, its first two where nothing is said")
+
+
+class MassSpec(Spec):
+    """Mass, moment of inertia about the centre of mass, and that centre; or a round bar."""
+
+    mass: Number | None = None
+    inertia: Number | None = None
+    centre: Centre = None
+    rod: RodSpec | None = None
+
+
 class ScalesSpec(Spec):
     """Scales of the drawings: given, or auto."""
 
     mu_l: Number = "auto"
     mu_v: Number = "auto"
     mu_a: Number = "auto"
+    mu_F: Number = "auto"
 
 
 class FindSpec(Spec):
@@ -147,7 +111,7 @@ class SheetSpec(Spec):
 class ProblemSpec(Spec):
     """A problem file."""
 
-    id: str = Field(pattern=r"^[A-Za-z0-9][\w.\-]*$")
+    id: str = Field(pattern=ID)
     title: Text
     extends: str | None = Field(None, description="id or path of a problem whose data are taken over")
     source: Text | None = None
@@ -163,6 +127,28 @@ class ProblemSpec(Spec):
     errata: list[Text] = []
     sheet: SheetSpec | None = None
     guesses: dict[str, Pair] = {}
+    loads: dict[str, LoadSpec] = {}
+    friction: dict[str, FrictionSpec] = {}
+    masses: dict[str, MassSpec] = {}
+    weight: YesNo = False
+    inertia: YesNo = True
+
+
+class DeviceSpec(Spec):
+    """A problem file about a device: wedge, screw, clamp, train of machines."""
+
+    id: str = Field(pattern=ID)
+    title: Text
+    extends: str | None = None
+    source: Text | None = None
+    statement: Text = Words.same("")
+    device: str
+    data: dict[str, Any] = {}
+    scales: ScalesSpec = ScalesSpec()
+    find: list[str] = []
+    printed: list[PrintedSpec] = []
+    errata: list[Text] = []
+    sheet: SheetSpec | None = None
 
 
 class AssignmentSpec(Spec):
@@ -177,7 +163,22 @@ def json_schema() -> dict[str, Any]:
     """The JSON Schema of a problem file, for editors; a file that extends another may leave much out."""
     schema = ProblemSpec.model_json_schema()
     schema["required"] = ["id", "title"]
-    schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}]
+    schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
     schema["$defs"]["InputSpec"].pop("required")
+    for spec in ("LoadSpec", "RodSpec"):
+        schema["$defs"][spec].pop("required")
+    _with_devices(schema)
     schema["title"] = "vecpoly problem file"
     return schema
+
+
+def _with_devices(schema: dict[str, Any]) -> None:
+    """Add `device` and, for each device on file, what its `data` hold."""
+    schema["properties"] |= {"device": {"enum": list(kinds())}, "data": {"type": "object"}}
+    schema["allOf"] = []
+    for name, kind in kinds().items():
+        data = kind.model_json_schema()
+        schema["$defs"] |= data.pop("$defs", {})
+        data.pop("required", None)  # a file may extend another
+        schema["allOf"].append({"if": {"properties": {"device": {"const": name}}, "required": ["device"]},
+                                "then": {"properties": {"data": data}}})

@@ -8,7 +8,17 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from .faults import Faults, meant
-from .schema import FindSpec, InputSpec, PrintedSpec, ScalesSpec, SheetSpec
+from .schema import (
+    FindSpec,
+    FrictionSpec,
+    InputSpec,
+    LoadSpec,
+    MassSpec,
+    PrintedSpec,
+    RodSpec,
+    ScalesSpec,
+    SheetSpec,
+)
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -18,6 +28,9 @@ _MODELS: dict[str, type[BaseModel]] = {
     "find": FindSpec,
     "printed": PrintedSpec,
     "sheet": SheetSpec,
+    "loads": LoadSpec,
+    "friction": FrictionSpec,
+    "masses": MassSpec,
 }
 _SAID = {
     "string_type": "a text is expected here",
@@ -31,8 +44,8 @@ _SAID = {
 _UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "dict[str,any]"}
 
 
-def validate(model: type[Model], data: Any, faults: Faults) -> Model:
-    """The data as this model; raises ProblemFileError with every fault."""
+def validate(model: type[Model], data: Any, faults: Faults, *below: str) -> Model:
+    """The data, found below this path of the file, as this model; raises ProblemFileError with every fault."""
     try:
         return model.model_validate(data)
     except ValidationError as error:
@@ -40,7 +53,7 @@ def validate(model: type[Model], data: Any, faults: Faults) -> Model:
             path = tuple(
                 step for step in item["loc"] if step not in _UNION and not str(step).startswith("tuple[")
             )
-            faults.found.append((path, _say(model, path, item)))
+            faults.found.append(((*below, *path), _say(model, path, item)))
     faults.found[:] = list(dict.fromkeys(faults.found))
     faults.settle()
     raise AssertionError("validation failed without a fault")  # pragma: no cover
@@ -86,4 +99,6 @@ def _say(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> str:
 
 
 def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:
-    return _MODELS.get(str(path[0]), model) if path else model
+    if not path or str(path[0]) not in model.model_fields:
+        return model
+    return RodSpec if path[-1] == "rod" else _MODELS.get(str(path[0]), model)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
-from ..mechanism.model import FRAME
-from ..names import At, Kind, Rel, parse_rel
+from ..mechanism.loads import Loads
+from ..mechanism.model import FRAME, Mechanism
+from ..mechanism.quantities import pairs
+from ..names import At, Key, Kind, Named, Rel, parse_rel
 from ..units import Dim, read, unit_of
-from .asks import Ask, AskCoriolis, AskPoint, AskRel
+from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .faults import meant
 from .joints import Bodies
 from .problem import Printed, Scales
@@ -17,14 +19,17 @@ from .schema import FindSpec, PrintedSpec, ScalesSpec
 
 _KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
+_FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
+_PERCENT = re.compile(r"\s*([-+−]?[\d.]+)\s*[%％]\s*")
 _DIM = {Kind.P: Dim.LENGTH, Kind.V: Dim.SPEED, Kind.OMEGA: Dim.OMEGA, Kind.ALPHA: Dim.ALPHA}
 _MU = {Kind.P: Dim.MU_L, Kind.V: Dim.MU_V, Kind.OMEGA: Dim.MU_V}
 
 
-def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At]) -> Ask:
-    """One entry of `find`; `named` are points the problem itself names, such as M2."""
+def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Ask:
+    """One entry of `find`; `named` are points the problem itself names, such as M2; `forces` what may be asked of its loads."""
     if isinstance(spec, str):
-        return AskRel(rel=read_key(spec, bodies, named))
+        key = read_any(spec, bodies, named, forces)
+        return AskNamed(rel=key) if isinstance(key, Named) else AskRel(rel=key)
     if spec.coriolis is not None:
         return AskCoriolis(rel=read_key(f"ak_{spec.coriolis}", bodies, named))
     return read_point(spec, bodies)
@@ -61,16 +66,40 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
     return complex(read(value[0], dim).si, read(value[1], dim).si)
 
 
+def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Key:
+    """A key of motion (v_E) or of forces (R_12); raises FaultError."""
+    if text in forces:
+        return forces[text]
+    if _FORCES.fullmatch(text):
+        raise FaultError(f"'{text}' is no quantity of these loads{meant(text, forces)}" if forces else
+                         f"'{text}' needs loads; say under 'loads' what acts on the mechanism")
+    return read_key(text, bodies, named)
+
+
+def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> tuple[AskNamed, ...]:
+    """What is asked where the file does not say: the unknown load, with friction also without it and η, and every reaction."""
+    name = loads.unknown.name
+    keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
+    keys += [f"R_{mech.number(by)}{mech.number(on)}" for by, on in pairs(mech)]
+    return tuple(AskNamed(rel=forces[key]) for key in keys)
+
+
 def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
     """A key whose letters and links exist."""
     try:
         rel = parse_rel(text.translate(_KEY_SPELLING))
     except UnknownNameError as error:
         raise FaultError(str(error)) from None
+    rel = Rel(rel.kind, _lettered(rel.to, bodies), _lettered(rel.ref, bodies) if rel.ref else None)
     for at in (rel.to, *([rel.ref] if rel.ref else [])):
         if at not in named and rel.key not in {f"p_{at}" for at in named}:
             _known(at, text, bodies)
     return rel
+
+
+def _lettered(at: At, bodies: Bodies) -> At:
+    """S2 is the letter S2 where there is one, not a point S thought on link 2."""
+    return At(str(at)) if str(at) in bodies.letters() else at
 
 
 def _known(at: At, text: str, bodies: Bodies) -> None:
@@ -99,6 +128,7 @@ def read_scales(spec: ScalesSpec) -> Scales:
         mu_l=one("mu_l", spec.mu_l, Dim.MU_L),
         mu_v=one("mu_v", spec.mu_v, Dim.MU_V),
         mu_a=one("mu_a", spec.mu_a, Dim.MU_A),
+        mu_f=one("mu_F", spec.mu_F, Dim.MU_F),
     )
 
 
@@ -107,20 +137,26 @@ def _is_length(text: str) -> bool:
     return bool(words) and unit_of(words[-1])[1] == Dim.LENGTH.dimension
 
 
-def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Printed:
+def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Printed:
     """One entry of `printed`: a value with its unit, or a length on paper with its scale."""
-    rel = None if spec.symbol.startswith("l_") else read_key(spec.symbol, bodies, named)
-    kind = rel.kind if rel else Kind.P
+    rel = None if spec.symbol.startswith("l_") else read_any(spec.symbol, bodies, named, forces)
+    return as_given(spec, rel)
+
+
+def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
+    """The printed value of this quantity (None: of a length on the diagram)."""
+    kind = rel.kind if isinstance(rel, Rel) else Kind.P
     direction = read(spec.direction, Dim.ANGLE).si if spec.direction is not None else None
     if spec.scale is None:
-        value, paper, scale = read(spec.value, _DIM.get(kind, Dim.ACCEL)).si, None, None
+        value = _named_value(spec.value, rel) if isinstance(rel, Named) else read(spec.value, _DIM.get(kind, Dim.ACCEL)).si
+        paper, scale = None, None
     else:
         if not _is_length(spec.value):
             raise FaultError(
                 f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm", "value"
             )
         paper = read(spec.value, Dim.LENGTH).si * 1e3
-        scale = read(spec.scale, _MU.get(kind, Dim.MU_A)).si
+        scale = read(spec.scale, Dim.MU_F if isinstance(rel, Named) else _MU.get(kind, Dim.MU_A)).si
         value = paper * scale
     return Printed(
         symbol=spec.symbol,
@@ -133,3 +169,16 @@ def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At]) -> Prin
         direction=direction,
         note=spec.note,
     )
+
+
+def _named_value(text: str, named: Named) -> float:
+    """A printed force, moment, length, angle, power or pure number, in the unit in which the quantity is kept."""
+    if not named.unit:
+        m = _PERCENT.fullmatch(text)
+        try:
+            return float(m[1].replace("−", "-")) / 100 if m else float(text.replace("−", "-"))
+        except ValueError:
+            raise FaultError(f"'{text}' is no pure number; write e.g. 0.85 or 85 %", "value") from None
+    factor, dimension = unit_of(named.unit.replace("·", "*").replace("^", "**"))
+    dim = next(dim for dim in Dim if dim.dimension == dimension)
+    return read(text, dim).si / factor

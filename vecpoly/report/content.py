@@ -8,12 +8,13 @@ from itertools import groupby
 from typing import Any
 
 from ..board.construction import EquationTable, Step
-from ..mechanism.assur import decompose
-from ..mechanism.mobility import mobility
-from ..problem.asks import AskCoriolis, AskPoint
+from ..mechanism.model import Mechanism
+from ..problem.asks import AskCoriolis, AskNamed, AskPoint
 from ..quantity import number
-from ..solution import Answer, Solution
+from ..solution import YES_NO, Answer, Solution
 from ..words import Lang, Words
+from .structure import numbering, structure
+from .values import asked_load, called
 
 
 @dataclass(slots=True)
@@ -32,27 +33,35 @@ class Objects:
 def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     """Title, source, statement, given and asked in words."""
     problem = solution.problem
-    data = [*problem.given.lengths, *problem.given.motion]
+    data = [*problem.given.lengths, *problem.given.motion, *problem.given.loads]
     comma = "，" if lang == "zh" else ", "
     given = [d.of(lang) for d in data]
-    given.insert(0, pivots(solution).of(lang))
+    if isinstance(problem.subject, Mechanism):
+        given.insert(0, pivots(problem.subject).of(lang))
     return {
         "id": problem.id, "title": problem.title.of(lang), "source": problem.source.of(lang) if problem.source else "",
         "statement": problem.statement.of(lang), "given": comma.join(given),
-        "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)), "structure": structure(solution, lang),
-        "scales": scales(solution, lang),
+        "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)), "structure": structure(problem).of(lang),
+        "numbering": numbering(problem).of(lang), "scales": scales(solution, lang),
     }
 
 
-def pivots(solution: Solution) -> Words:
+def pivots(mech: Mechanism) -> Words:
     """Where the fixed points are, in mm: a student cannot draw without them."""
-    places = ", ".join(f"${name}$({number(1e3 * at.real)}, {number(1e3 * at.imag)})" for name, at in solution.problem.mechanism.frame.items())
+    places = ", ".join(f"${name}$({number(1e3 * at.real)}, {number(1e3 * at.imag)})" for name, at in mech.frame.items())
     return Words(f"固定点坐标 {places} mm", f"fixed points {places} mm")
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:
     """One sentence for each question that is not answered by a number alone."""
-    return [_coriolis(solution.answers[ask.rel.key]).of(lang) for ask in solution.problem.asks if isinstance(ask, AskCoriolis)]
+    coriolis = [_coriolis(solution.answers[ask.rel.key]).of(lang) for ask in solution.problem.asks if isinstance(ask, AskCoriolis)]
+    named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
+    return coriolis + [_told(answer.reading.remark).of(lang) for answer in named if answer.reading.remark is not None]
+
+
+def _told(remark: Words) -> Words:
+    """A method's own conclusion, as a sentence."""
+    return Words(f"结论：{remark.zh.strip().rstrip('。')}。", f"Answer: {remark.en.strip().rstrip('.')}.")
 
 
 def _coriolis(answer: Answer) -> Words:
@@ -77,8 +86,15 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
             yield _point_asked(ask, symbol).of(lang)
         elif isinstance(ask, AskCoriolis):
             yield Words(f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points").of(lang)
+        elif reading.key.startswith("p_"):
+            yield Words(f"{symbol} 的位置", f"the position of {symbol}").of(lang)
+        elif reading.unit == YES_NO:
+            name = called(reading.symbol, reading.key, lang)
+            yield Words(f"是否{name}", f"whether {name}").of(lang)
+        elif (kind := asked_load(solution.problem, reading.key)) is not None:
+            yield (kind.of(lang) if lang == "zh" else f"{kind.en} ") + called(reading.symbol, reading.key, lang)
         else:
-            yield symbol
+            yield called(reading.symbol, reading.key, lang)
 
 
 def _point_asked(ask: AskPoint, symbol: str) -> Words:
@@ -94,25 +110,10 @@ def _point_asked(ask: AskPoint, symbol: str) -> Words:
     return Words(f"构件 {ask.link} 上{kind.zh}为 {pair} {unit} 的点 {symbol}", f"the point {symbol} of link {ask.link} with {kind.en} {pair} {unit}")
 
 
-def structure(solution: Solution, lang: Lang) -> str:
-    """Number of links, degree of freedom, Assur groups."""
-    mech = solution.problem.mechanism
-    count, groups = mobility(mech), decompose(mech)
-    sum_up = f"$F$ = 3×{count.links} − 2×{count.lower} − {count.higher} = {count.freedom}"
-    if any("G" in g.kind for g in groups):
-        rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
-        return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links and {sum_up}") + rolls
-                + Words(f"；构件 {mech.drive.link} 为原动件。", f"; link {mech.drive.link} drives.")).of(lang)
-    zh = "、".join(f"{g.kind} 杆组（构件 {'、'.join(g.links)}）" for g in groups)
-    en = ", ".join(f"{g.kind} (links {', '.join(g.links)})" for g in groups)
-    return Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；构件 {mech.drive.link} 为原动件，其余为 {zh}，属 Ⅱ 级机构。",
-                 f"The mechanism has {count.links} moving links ({count.links + 1} with the frame) and {sum_up}; link {mech.drive.link} drives, the rest is made up of the "
-                 f"Assur groups {en}: a class II mechanism.").of(lang)
-
-
 def scales(solution: Solution, lang: Lang) -> str:
-    """μ_l = 0.001 m/mm, ..."""
-    parts = [f"${f.scale.symbol}$ = {number(f.scale.value)} {f.scale.per_mm}" for f in solution.construction.figures]
+    """μ_l = 0.001 m/mm, ...; each scale once, block diagrams have none."""
+    drawn = [figure.scale for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
+    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm}" for scale in drawn)
     return ("，" if lang == "zh" else ", ").join(parts)
 
 

@@ -23,14 +23,15 @@ from .content import Objects, blank_equations, conclusions, sections, statement
 from .flow.blocks import Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.xml import to_flowables
-from .picture import frames, sketch
+from .lines import lines_table
+from .picture import frames, picture
 from .tables import empty_table, percent, printed_table, readings_table, symbol_of
+from .titles import subject
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
     "en": ("Class", "Name", "Student no.", "Mark", "Lecturer", "Marked on"),
 }
-TITLE = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
 _HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
              "note": Words("勘误：", "Errata: "), "pass": Words.same("")}
 STYLES = ("solution", "question")
@@ -49,7 +50,7 @@ def write_report(
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
     story = to_flowables(document, objects.named, lang)
-    meta = Metadata(title=head, subject=TITLE.of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
+    meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
     return ReportDoc(story, meta).write(path).path
 
 
@@ -59,7 +60,7 @@ def markup(
     """The filled template, and the things it names."""
     objects = Objects()
     context = {
-        "title": (title or TITLE).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
+        "title": (title or subject(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
         "problems": [_problem(s, lang, style, objects) for s in solutions],
     }
     try:
@@ -77,24 +78,26 @@ def _environment(own: Path | None) -> Environment:
 
 def _title(solutions: Sequence[Solution]) -> Words:
     if len(solutions) != 1:
-        return TITLE
+        return subject(solutions)
     problem = solutions[0].problem
     return Words(f"题 {problem.id}　{problem.title.zh}", f"Problem {problem.id}: {problem.title.en}")
 
 
 def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
     """All that a template may say of one problem."""
-    picture = sketch(solution.construction, *PICTURE)
-    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(picture, solution, lang))}
+    drawn = picture(solution.problem, solution.construction, *PICTURE)
+    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else ""}
     if style == "question":
         blank = frames(solution.construction)
         return common | {
             "blanks": blank_equations(solution, objects), "empty": objects.add("tab", empty_table(solution, lang)),
             "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title)],
         }
-    checked = check_problem(solution.problem)
+    checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     return common | {
+        "lines": objects.add("tab", lines) if lines else "",
         "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
+        "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang),
         "sheets": [objects.add("sheet", _page(s, solution, lang))
@@ -109,12 +112,12 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
         said.append(("fail", checked.whole.of(lang)))
     for c in checked.answers:
         symbol = symbol_of(c)
-        if c.verdict is Verdict.WRONG and c.printed.note is not None:
+        if c.verdict in (Verdict.WRONG, Verdict.ROUNDING) and c.printed.note is not None:
             said.append(("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang)))
         elif c.verdict is Verdict.OUTLIER and checked.fit is None:
             off = percent(c.deviation, 1)
             said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
-    if checked.answers and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers):
+    if checked.answers and not said and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers):
         said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
     said += [("note", e.of(lang)) for e in solution.problem.errata]
     return [(kind, _HEADINGS[kind].of(lang) + _listed([text for k, text in said if k == kind], lang))
@@ -132,7 +135,7 @@ def _listed(texts: Sequence[str], lang: Lang) -> str:
 def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
-    alt = Words(f"题 {solution.problem.id} 机构简图", f"Sketch of the mechanism of problem {solution.problem.id}").of(lang)
+    alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)
     return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), alt, figure.title.of(lang))
 
 

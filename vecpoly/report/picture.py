@@ -1,29 +1,84 @@
-"""Pictures for the text: the mechanism alone, reduced to fit, and the blank frames of a question sheet."""
+"""Pictures for the text: the mechanism or device alone, reduced to fit, and the blank frames of a question sheet."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields, replace
 from math import ceil
 from typing import Any
 
 from ..board.construction import Construction, Figure, View
 from ..board.extent import bounds, extent
-from ..board.marks import Dot, FixedGuide, Ground, Mark, Point, RackMark, Role, Segment
+from ..board.marks import (
+    AngleMark,
+    Cell,
+    Dot,
+    FixedGuide,
+    Ground,
+    Mark,
+    Note,
+    Point,
+    RackMark,
+    Role,
+    Segment,
+    Vector,
+)
+from ..mechanism.model import Mechanism
+from ..problem.problem import Problem
 from ..words import Words
+from .acting import acting
 
 SKETCH = Words("机构简图（示意）", "The mechanism (sketch)")
+DEVICE = Words("简图（示意）", "Sketch")
+BLOCKS = 165.0  # mm, width of a block diagram
 _HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.HIDDEN}
 
 
-def sketch(construction: Construction, width: float, height: float) -> Figure:
-    """The mechanism without construction lines, reduced so that it fits width × height mm; symbols keep their size."""
+def picture(problem: Problem, construction: Construction, width: float, height: float) -> Figure | None:
+    """The sketch beside the statement: as given, with what acts on it; none where nothing given was drawn."""
     figure = construction.figure(View.MECHANISM)
-    assert figure is not None
-    drawn = max(s.number for s in construction.steps if s.section == construction.steps[0].section)
-    marks = [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= drawn]
+    if figure is None:
+        return None
+    if not isinstance(problem.subject, Mechanism):
+        return _device(figure, width, height)
+    position = construction.steps[0].section
+    marks = _given_links(figure, max(step.number for step in construction.steps if step.section == position))
+    if problem.loads is None:
+        return reduced(figure, marks, width, height)
+    plain = reduced(figure, marks, width - 30.0, height - 20.0)
+    return replace(plain, marks=plain.marks + acting(problem.subject, problem.loads, plain))
+
+
+def to_scale(figure: Figure) -> bool:
+    """Whether lengths mean anything on it; on a block diagram they don't."""
+    return bool(figure.scale.symbol and figure.scale.value)
+
+
+def _given_links(figure: Figure, upto: int) -> list[Mark]:
+    """The mechanism as it stands after this step, without construction lines and their letters, and without the pressure angle."""
+    return [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= upto and not _drawn_on(m)]
+
+
+def _drawn_on(mark: Mark) -> bool:
+    """Whether a mark belongs to a construction line: the letter at its end, the pressure angle α beside it."""
+    return (isinstance(mark, Point) and mark.dot is Dot.NONE) or (isinstance(mark, AngleMark) and not mark.label.startswith("φ"))
+
+
+def _device(figure: Figure, width: float, height: float) -> Figure:
+    """A device as its first step draws it; a block diagram without the powers noted in it."""
+    first = min(m.step for m in figure.marks)
+    marks = [m for m in figure.marks if m.step == first and not (isinstance(m, Vector) and m.role is Role.RESULT)]
+    blocks = any(isinstance(m, Cell) for m in marks)
+    shown = [m for m in marks if not isinstance(m, Note)] if blocks else marks
+    drawn = reduced(figure, shown, BLOCKS if blocks else width, height)
+    return drawn if figure.name else replace(drawn, title=DEVICE)
+
+
+def reduced(figure: Figure, marks: Sequence[Mark], width: float, height: float) -> Figure:
+    """These marks of a figure, reduced so that they fit width × height mm; symbols keep their size."""
     size = extent(marks)
     factor = min(1.0, width / max(size[0], 1.0), height / max(size[1], 1.0))
-    return replace(figure, title=SKETCH, marks=tuple(scaled(m, factor) for m in marks),
+    return replace(figure, title=SKETCH if not figure.name else figure.title, marks=tuple(scaled(m, factor) for m in marks),
                    scale=replace(figure.scale, value=figure.scale.value / factor))
 
 
@@ -36,14 +91,14 @@ def scaled(mark: Mark, factor: float) -> Any:
             changed[f.name] = value * factor
         elif f.name == "points":
             changed[f.name] = tuple(p * factor for p in value)
-        elif f.name == "radius" and hasattr(mark, "centre"):
+        elif f.name in ("width", "height") or (f.name == "radius" and hasattr(mark, "centre")):
             changed[f.name] = value * factor
     return replace(mark, **changed)
 
 
 def frames(construction: Construction) -> Construction:
-    """The blank sheet: for each figure a frame of its size with what is given in it: pivots, guides, poles."""
-    return replace(construction, figures=tuple(_frame(f) for f in construction.figures))
+    """The blank sheet: for each figure to be drawn a frame of its size with what is given in it: pivots, guides, poles."""
+    return replace(construction, figures=tuple(_frame(f) for f in construction.figures if to_scale(f) or f.view is View.BODY))
 
 
 def _frame(figure: Figure) -> Figure:
@@ -52,8 +107,8 @@ def _frame(figure: Figure) -> Figure:
     box = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
     border = tuple(Segment(a=a, b=b, role=Role.DIRECTION, step=1) for a, b in zip(box, box[1:] + box[:1], strict=True))
     pivots = {m.at for m in figure.marks if isinstance(m, Ground)}
-    given = tuple(m for m in figure.marks if _given(m, figure.view, pivots))
-    return replace(figure, marks=border + given)
+    marks = tuple(m for m in figure.marks if _given(m, figure.view, pivots))
+    return replace(figure, marks=border + marks)
 
 
 def _given(mark: Mark, view: View, pivots: set[complex]) -> bool:

@@ -3,41 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import degrees
 
 from ..check.verdict import Checked
-from ..problem.problem import as_printed
+from ..problem.problem import Problem, as_printed
 from ..quantity import number
-from ..solution import Answer, Solution
+from ..solution import YES_NO, Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
+from .values import called, direction_of_load, printed_unit, rough, value
 
 _READINGS = {
-    "zh": ("量", "图上长度 /mm", "比例尺", "量得值", "方向（转向）", "精确值", "偏差", "预期误差"),
-    "en": ("Quantity", "mm on paper", "Scale", "Drawn", "Direction, sense", "Exact", "Deviation", "Expected error"),
+    "zh": ("量", "图上长度 /mm", "比例尺", "量得值", "方向", "精确值", "偏差", "预期误差"),
+    "en": ("Quantity", "On paper, mm", "Scale", "Drawn", "Direction", "Exact", "Deviation", "Exp. error"),
 }
 _PRINTED = {"zh": ("量", "原书", "精确值", "偏差", "结论"), "en": ("Quantity", "Printed", "Exact", "Deviation", "Verdict")}
 _EMPTY = {"zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
           "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense")}
-_BLANK = "＿＿＿＿＿"
+_BLANK, _NONE = "＿＿＿＿＿", "—"
+_COMPUTED = {"zh": "计算值", "en": "Computed"}
+_DRAWN = 3  # column of the value in _READINGS
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words.same("—")}
 
 
 def readings_table(solution: Solution, lang: Lang) -> DataTable:
     """One line an answer: symbol, mm, scale, value, direction or sense, exact, deviation, expected error."""
-    rows = [_row(answer, lang) for answer in solution.answers.values()]
-    return DataTable(_READINGS[lang], rows, None, "lccrccrr")
+    rows = [_row(answer, solution.problem, lang) for answer in solution.answers.values()]
+    header = list(_READINGS[lang])
+    if all(answer.computed for answer in solution.answers.values()):
+        header[_DRAWN] = _COMPUTED[lang]
+    return trimmed(header, rows, (), "lccrccrr")
 
 
-def _row(answer: Answer, lang: Lang) -> tuple[str, ...]:
+def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[float], align: str) -> DataTable:
+    """The table without columns in which nothing stands."""
+    kept = [i for i in range(len(header)) if not rows or any(row[i] != _NONE for row in rows)]
+    return DataTable([header[i] for i in kept], [[row[i] for i in kept] for row in rows], [widths[i] for i in kept] if widths else None,
+                     "".join(align[i] for i in kept))
+
+
+def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     mm = "—" if r.mm is None else f"{r.mm:.1f}"
     if r.key.startswith("p_") and answer.drawn_vector is not None and answer.exact_vector is not None:
         drawn, exact = (f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
         gap = f"{number(1e3 * abs(answer.drawn_vector - answer.exact_vector), 2)} mm"
         return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap, number(1e3 * answer.expected_error, 2))
+    factor = printed_unit(r.unit)[0]
+    clean = _clean(answer.exact, answer.expected_error)
+    exact = value(clean, YES_NO, lang) if r.unit == YES_NO else number(factor * clean, 5)
     return (
-        f"${r.symbol}$", mm, f"${r.scale}$" if r.scale else "—", f"{number(answer.drawn, 4)} {r.unit}", way(answer, lang),
-        number(_clean(answer.exact, answer.expected_error), 5), _deviation(answer), number(answer.expected_error, 2),
+        called(r.symbol, r.key, lang), mm, f"${r.scale}$" if r.scale else "—", value(answer.drawn, r.unit, lang, r.key), way(answer, problem, lang),
+        exact, _deviation(answer, factor), _NONE if answer.computed else rough(factor * answer.expected_error),
     )
 
 
@@ -46,23 +63,39 @@ def _clean(exact: float, error: float) -> float:
     return 0.0 if abs(exact) < 1e-9 * max(1.0, abs(error)) else exact
 
 
-def _deviation(answer: Answer) -> str:
+def _deviation(answer: Answer, factor: float) -> str:
+    """In per cent; nothing where a formula gave the exact value, or where yes is right."""
+    if answer.computed:
+        return "—"
     if not _clean(answer.exact, answer.expected_error):
-        return number(answer.drawn, 2)
+        return number(factor * answer.drawn, 2)
     return percent(answer.relative_deviation, 2)
 
 
-def way(answer: Answer, lang: Lang) -> str:
-    """Direction in degrees, or the sense of turning."""
+def way(answer: Answer, problem: Problem, lang: Lang) -> str:
+    """Direction in degrees, the sense of turning, or the line along which a force is counted."""
     if answer.drawn_vector is not None:
-        return "—" if answer.direction is None else f"{answer.direction:.1f}°".replace("-", "−")
+        return "—" if answer.direction is None else _angle(answer.direction)
+    fixed = direction_of_load(problem, answer.key)
+    if fixed is not None:
+        return Words(f"沿 {_angle(degrees(fixed))}", f"along {_angle(degrees(fixed))}").of(lang)
     return _SENSE[answer.sense].of(lang)
+
+
+def _angle(turn: float) -> str:
+    return f"{turn:.1f}°".replace("-", "−")
 
 
 def empty_table(solution: Solution, lang: Lang) -> DataTable:
     """The answer table to be filled in by hand."""
-    rows = [(f"${a.reading.symbol}$", _BLANK if a.reading.mm is not None else "—", f"${a.reading.scale}$" if a.reading.scale else "", _BLANK, _BLANK) for a in solution.answers.values()]
-    return DataTable(_EMPTY[lang], rows, (30.0, 32.0, 26.0, 44.0, 38.0), "lcccc")
+    rows = [_empty_row(answer, lang) for answer in solution.answers.values()]
+    return trimmed(_EMPTY[lang], rows, (40.0, 30.0, 24.0, 40.0, 36.0), "lcccc")
+
+
+def _empty_row(answer: Answer, lang: Lang) -> tuple[str, ...]:
+    r = answer.reading
+    directed = answer.drawn_vector is not None or answer.turns
+    return (called(r.symbol, r.key, lang), _BLANK if r.mm is not None else "—", f"${r.scale}$" if r.scale else "—", _BLANK, _BLANK if directed else "—")
 
 
 def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
@@ -71,7 +104,7 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
     for c in checked:
         verdict = c.verdict.words.of(lang)
         slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
-        rows.append((f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c), percent(c.deviation, 1), verdict + slip))
+        rows.append((f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c, lang), percent(c.deviation, 1 if c.printed.kind == "graphical" else 2), verdict + slip))
     return DataTable(_PRINTED[lang], rows, None, "lrrrl")
 
 
@@ -85,9 +118,12 @@ def _as_given(checked: Checked, lang: Lang) -> str:
     return text
 
 
-def _exact_like(checked: Checked) -> str:
+def _exact_like(checked: Checked, lang: Lang) -> str:
     """The exact value with its unit."""
-    return f"{number(checked.exact)} {checked.printed.rel.unit if checked.printed.rel else 'm'}"
+    rel = checked.printed.rel
+    if rel is None or rel.key.startswith("p_"):
+        return f"{number(checked.exact, 5)} m"
+    return value(checked.exact, rel.unit, lang, digits=5)
 
 
 def symbol_of(checked: Checked) -> str:

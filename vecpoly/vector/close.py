@@ -10,13 +10,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..board.board import Board
-from ..board.construction import View
-from ..board.marks import Role
-from ..names import Kind, Rel
+from ..board.construction import Place
+from ..board.marks import Role, Vector
+from ..errors import DeadPointError, EquilibriumError
+from ..names import Kind, Named, Rel
 from ..plane import Line, Points, nominal, unit
 from .equation import Equation, Term
 
 RIGHT_ANGLE_FROM = 6.0  # mm: shorter sides carry no mark
+NO_ARROW = 1e-6  # mm: shorter vectors are not drawn
 
 Choice = Callable[[Points, Points], Points]
 Ends = dict[str, tuple[Points, Points]]
@@ -30,8 +32,8 @@ class Closed:
     meeting: Points
 
 
-def close(board: Board, view: View, pole: Points, eq: Equation, choose: Choice | None = None) -> Closed:
-    """Draw the equation as a polygon from the pole and give the ends of all its vectors.
+def close(board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None) -> Closed:
+    """Draw the equation as a polygon from the pole (without a right side: back to it) and give the ends of all its vectors.
 
     choose: which of two arc meetings is meant (cases with an unknown direction).
     """
@@ -52,23 +54,34 @@ def close(board: Board, view: View, pole: Points, eq: Equation, choose: Choice |
         ends[one.rel.key], ends[two.rel.key] = (left, corner), (right, corner)
         meeting = corner
     for term, _ in unknown:
-        board.arrow(view, *ends[term.rel.key], Role.RESULT)
+        _arrow(board, view, term, ends, Role.RESULT)
         _right_angle(board, view, term, ends)
     return Closed(ends, meeting)
 
 
-def _right_angle(board: Board, view: View, term: Term, ends: Ends) -> None:
+def _right_angle(board: Board, view: Place, term: Term, ends: Ends) -> None:
     """Mark the right angle between a normal and the tangential component that follows it."""
+    if isinstance(term.rel, Named) or term.rel.kind is not Kind.AT:
+        return
     normal = ends.get(Rel(Kind.AN, term.rel.to, term.rel.ref).key)
-    if term.rel.kind is not Kind.AT or normal is None:
+    if normal is None:
         return
     (foot, corner), (tail, _) = ends[term.rel.key], normal
     if min(abs(nominal(corner - foot)), abs(nominal(tail - foot))) > RIGHT_ANGLE_FROM:
         board.right_angle(view, foot, unit(tail - foot), unit(corner - foot))
 
 
+def _arrow(board: Board, view: Place, term: Term, ends: Ends, role: Role) -> None:
+    """Draw the vector; a force carries its symbol, a velocity or an acceleration is told by its letters."""
+    start, end = (complex(nominal(p)) for p in ends[term.rel.key])
+    if isinstance(term.rel, Named) and abs(end - start) > NO_ARROW:
+        board.mark(view, Vector(a=start, b=end, role=role, label=term.symbol))
+    else:
+        board.arrow(view, start, end, role)
+
+
 def _known_chain(
-    board: Board, view: View, pole: Points, chain: tuple[Term, ...], ends: Ends
+    board: Board, view: Place, pole: Points, chain: tuple[Term, ...], ends: Ends
 ) -> tuple[Points, list[Term]]:
     """Lay the known terms of one side tip to tail; the unknown ones wait."""
     here, waiting = pole, []
@@ -81,9 +94,9 @@ def _known_chain(
         else:
             assert term.along is not None and term.mm is not None
             tip = board.lay_off(here, term.along, term.mm)
-        if not term.drawn:
-            board.arrow(view, here, tip, Role.GIVEN)
         ends[term.rel.key] = (here, tip)
+        if not term.drawn:
+            _arrow(board, view, term, ends, Role.GIVEN)
         here = tip
         if term.tip:
             board.plot(view, here, term.tip)
@@ -91,23 +104,23 @@ def _known_chain(
 
 
 def _closing_side(
-    board: Board, view: View, left: Points, right: Points, unknown: tuple[Term, bool], ends: Ends
+    board: Board, view: Place, left: Points, right: Points, unknown: tuple[Term, bool], ends: Ends
 ) -> Closed:
     """One vector unknown altogether: it joins the ends of the two chains."""
     term, on_left = unknown
     ends[term.rel.key] = (left, right) if on_left else (right, left)
-    board.arrow(view, *ends[term.rel.key], Role.RESULT)
+    _arrow(board, view, term, ends, Role.RESULT)
     return Closed(ends, right if on_left else left)
 
 
 def _corner(
-    board: Board, view: View, one: tuple[Term, Points], two: tuple[Term, Points], what: str, choose: Choice | None
+    board: Board, view: Place, one: tuple[Term, Points], two: tuple[Term, Points], what: str, choose: Choice | None
 ) -> Points:
     """The common corner of the two unknown vectors drawn from their known ends."""
     (t1, p1), (t2, p2) = one, two
     if t1.along is not None and t2.along is not None:
         g, h = board.parallel(p1, t1.along), board.parallel(p2, t2.along)
-        corner = board.meet(g, h, what)
+        corner = _meet(board, g, h, t1, what)
         board.rule(view, g, corner, _lettered(t1))
         board.rule(view, h, corner, _lettered(t2))
         return corner
@@ -124,6 +137,17 @@ def _corner(
         if term.mm is not None:
             board.swing(view, start, term.mm, corner)
     return corner
+
+
+def _meet(board: Board, g: Line, h: Line, term: Term, what: str) -> Points:
+    """Where two direction lines meet; forces on parallel lines are in no equilibrium."""
+    try:
+        return board.meet(g, h, what)
+    except DeadPointError:
+        if not isinstance(term.rel, Named):
+            raise
+        raise EquilibriumError(f"{what}: the two forces of unknown size act along parallel lines, so the polygon cannot close; "
+                               "change a direction, or the friction") from None
 
 
 def _lettered(term: Term) -> str:

@@ -5,7 +5,8 @@
      ?       ω₁l_AB    ?
 
 Two chains of terms start at the pole and end at one point. A term is known wholly (already on the paper), or its line of
-action is known, or its length. Exactly two scalars are unknown.
+action is known, or its length. Exactly two scalars are unknown. Forces in equilibrium have no right side: their sum closes at
+its start, R_12 + R_32 + Q = 0; being no relative vectors, they make no chain of points.
 """
 
 from __future__ import annotations
@@ -14,12 +15,13 @@ from dataclasses import dataclass
 
 from ..board.construction import EquationTable
 from ..errors import EquationError
-from ..names import At, Kind, Rel
+from ..names import At, Key, Kind, Named
 from ..plane import Points, Reals
 from ..words import Words
 
 UNKNOWN = Words.same("?")
 KNOWN = Words.same("✓")
+NOTHING = Words.same("")
 _PARTS = {Kind.AN, Kind.AT, Kind.AK, Kind.AR}
 
 
@@ -31,7 +33,7 @@ class Term:
     vector: the whole vector where it is already drawn; tip: letter of its end on the polygon; drawn: no new line needed.
     """
 
-    rel: Rel
+    rel: Key
     symbol: str
     direction: Words
     magnitude: str
@@ -49,27 +51,28 @@ class Term:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Equation:
-    """[total =] left = right: two chains from the pole to one point.
+    """[total =] left = right: two chains from the pole to one point; an empty right side is zero.
 
     total: symbol printed in front where neither chain is the sought vector itself.
     Raises EquationError when a chain is broken or the unknowns are not two.
     """
 
     left: tuple[Term, ...]
-    right: tuple[Term, ...]
+    right: tuple[Term, ...] = ()
     total: str = ""
 
     def __post_init__(self) -> None:
-        ends = {_end(self.left), _end(self.right)}
-        if len(ends) != 1:
-            raise EquationError(f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}")
+        if not any(isinstance(term.rel, Named) for term in (*self.left, *self.right)):
+            ends = {_end(self.left), _end(self.right)}
+            if len(ends) != 1:
+                raise EquationError(f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}")
         count = sum(t.unknowns for t in (*self.left, *self.right))
         if count != 2:
             raise EquationError(f"a plane vector equation is closed by exactly two unknown scalars; '{self}' has {count}")
 
     def __str__(self) -> str:
-        sides = [" + ".join(t.symbol for t in side) for side in (self.left, self.right)]
-        return " = ".join([self.total, *sides] if self.total else sides)
+        sides = [" + ".join(t.symbol for t in side) or "0" for side in (self.left, self.right)]
+        return " = ".join([self.total, *sides] if self.total else sides).replace("{", "").replace("}", "")
 
     def table(self) -> EquationTable:
         """The equation with its two rows, ready to be typeset."""
@@ -80,6 +83,9 @@ class Equation:
             for i, term in enumerate(side):
                 cells.append((term.symbol, term.direction, term.magnitude))
                 signs.append("+" if i else ("=" if signs else ""))
+        if not self.right:
+            cells.append(("0", NOTHING, ""))
+            signs.append("=")
         return EquationTable(
             symbols=tuple(c[0] for c in cells), signs=tuple(signs),
             directions=tuple(c[1] for c in cells), magnitudes=tuple(c[2] for c in cells),
@@ -91,6 +97,7 @@ def _end(chain: tuple[Term, ...]) -> At:
     here: At | None = None
     last: tuple[At, At | None] | None = None
     for term in chain:
+        assert not isinstance(term.rel, Named)
         move = (term.rel.to, term.rel.ref)
         if term.rel.kind in _PARTS and move == last:
             continue

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ...board.board import NO_LENGTH, Board
-from ...board.construction import LineOfAction, Place, Reading, view_of
-from ...formula import Node, sym
+from ...board.construction import LineOfAction, Place, Reading
+from ...formula import Node
+from ...formula import named as name_of
 from ...names import Named
 from ...plane import Points, Reals, nominal
 from ...quantity import Expr, Quantity, magnitude, stated, worked
@@ -26,10 +27,10 @@ class Bench:
     def measured(self, named: Named, place: Place, start: Points, end: Points, letters: str,
                  acts: LineOfAction | None = None, remark: Words | None = None) -> Quantity:
         """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula."""
-        board, scale = self.board, self.board.scales[view_of(place)]
+        board, scale = self.board, self.board.scale_of(place)
         on_paper = board.measure(start, end, letters)
         size = on_paper.value * scale.value
-        formula = worked(sym(named.symbol), board.mu(place) * on_paper, named.unit)
+        formula = worked(name_of(named.symbol), board.mu(place) * on_paper, named.unit)
         vector: complex | None = None
         if named.is_vector:
             zero = abs(complex(nominal(end - start))) < NO_LENGTH
@@ -43,8 +44,13 @@ class Bench:
         """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
         result = self.board.compute(named.symbol, expr, named.unit)
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(result.value)),
-                           formula=worked(sym(named.symbol), expr, named.unit), remark=remark), result.value)
+                           formula=worked(name_of(named.symbol), expr, named.unit), remark=remark), result.value)
         return result
+
+    def read_off(self, named: Named, place: Place, on_paper: Quantity, letters: str) -> None:
+        """Note the length on paper from which a quantity was computed."""
+        mm, scale = float(nominal(on_paper.value)), self.board.scale_of(place).symbol
+        self.readings[named.key] = replace(self.readings[named.key], mm=mm, line=letters, scale=scale)
 
     def stated(self, named: Named, value: Reals, formula: Node | None = None, remark: Words | None = None) -> Quantity:
         """Keep a value found in another way: by formula given here, or as it stands."""
@@ -53,6 +59,12 @@ class Bench:
         self.board.write(node)
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node, remark=remark), value)
         return result
+
+    def judged(self, named: Named, yes: Reals, remark: Words) -> None:
+        """Keep the answer to a question, 1 yes and 0 no; the sentence that answers it goes into the step."""
+        self.board.remark(remark)
+        value = np.where(np.asarray(yes), 1.0, 0.0)
+        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), remark=remark), value)
 
     def _keep(self, reading: Reading, values: Reals) -> None:
         self.readings[reading.key] = reading

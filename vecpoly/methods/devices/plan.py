@@ -49,12 +49,15 @@ def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict
     sketch = _draw(device, hand("exact"), {view: _scale(view, value) for view, value in guess.items()})
     chosen: dict[View, Scale] = {}
     for view, value in guess.items():
-        drawn = [figure.marks for figure in sketch.board.figures(TITLES) if figure.view is view]
-        fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn), default=value)
+        drawn = [figure.marks for figure in sketch.board.figures(TITLES) if figure.view is view and figure.scale.value == value]
+        fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn if value), default=value)
         chosen[view] = _scale(view, wish[view] or fitted)
     chosen[View.BODY] = chosen[View.MECHANISM] if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES)) else chosen[View.BODY]
     return chosen
 
 
 def _scale(view: View, value: float) -> Scale:
+    """The scale of a view; value 0: a diagram without one."""
+    if not value:
+        return Scale(symbol="", value=1.0, unit="")
     return Scale(symbol="μ_F", value=value, unit="N") if view is View.FORCE else Scale(symbol="μ_l", value=value, unit="m")

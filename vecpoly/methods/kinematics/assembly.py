@@ -68,6 +68,6 @@ def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[SideOf]) 
     line = "".join(others) if len(others) == 2 else (others[0] if others else "A")
     problem = "contradict each other or name no side" if about else "say nothing of it"
     return (
-        f"point {point} of links {', '.join(links)} can be assembled on two sides and the branch statements {problem}; "
+        f"point {point} of links {', '.join(name for name in links if name in desk.mech.bodies)} can be assembled on two sides and the branch statements {problem}; "
         f"write 'branch: [{point} left of {line}]' or 'branch: [{point} right of {line}]'"
     )

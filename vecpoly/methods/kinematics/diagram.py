@@ -15,23 +15,24 @@ from ...board.marks import (
     Ground,
     LinkNumber,
     Mark,
-    Plate,
     Point,
     RackMark,
     Role,
     Segment,
     Slot,
-    TurnArrow,
 )
 from ...mechanism.model import FRAME, Link, Prismatic, Rack, Revolute, Rolling
+from ...names import subscripted
 from ...plane import nominal
 from ...problem.problem import Shape
 from ..desk import Desk
+from .bars import bar, weld
+from .cam import contact_replaced, contacts_of
+from .cam_diagram import cam_body, draw_contacts, fixed_guide, guided_follower
+from .follower import face_marks, stem_marks
 
 HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
 BEYOND = 12.0  # mm a rod sticks out behind its block
-ARROW_RADIUS = 10.0  # mm, the driving arrow
-WELD = 3.0  # mm, sides of the mark of a rigid corner
 HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
 
 
@@ -56,64 +57,71 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
             desk.board.mark(View.MECHANISM, _number(desk, body, shape, late))
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
-            if {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN:
+            drawn = {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN
+            if drawn and not guided_follower(desk, joint):
                 desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes))
         elif isinstance(joint, Rolling) and joint.gear.link in links:
             desk.board.mark(View.MECHANISM, *_rolling_pair(desk, joint))
+    draw_contacts(desk)
     _letters(desk, links)
 
 
-def draw_drive_arrow(desk: Desk) -> None:
-    """The curved arrow with ω at the driving link's pivot."""
-    drive = desk.mech.drive
-    if drive.slide:
-        return
-    pivot, _ = desk.crank(drive.link)
-    middle = _free_side(desk, _spot(desk, pivot), drive.position)
-    start = middle - 0.9 if drive.rate > 0 else middle + 0.9
-    desk.board.mark(View.MECHANISM, TurnArrow(at=_spot(desk, pivot), radius=ARROW_RADIUS, start=start, ccw=drive.rate > 0,
-                                              label=f"ω_{drive.link}"))
-
-
-def _free_side(desk: Desk, pivot: complex, phi: float) -> float:
-    """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
-    sweep = (phi + np.pi) % (2 * np.pi) - np.pi
-    ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])
-    mark = pivot + ARROW_RADIUS * np.exp(1j * np.linspace(0.0, sweep, 9))
-    lines = [m.a + (m.b - m.a) * np.linspace(0.0, 1.0, 60) for m in desk.board.marks(View.MECHANISM)
-             if isinstance(m, Segment | FixedGuide | Slot)]
-    taken = np.concatenate([ground, mark, *lines])
-    middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
-    arcs = pivot + ARROW_RADIUS * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
-    clear = np.abs(arcs[:, :, None] - taken).min(axis=(1, 2))
-    return float(middles[int(np.argmax(clear))])
+def link_alone(desk: Desk, name: str, shapes: Mapping[str, Shape]) -> Iterator[Mark]:
+    """The marks of one link without its neighbours: its body, its block, its lettered points."""
+    body = desk.mech.link(name)
+    yield from _link(desk, body, shapes.get(name, Shape.BAR))
+    blocks = [j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == name and not guided_follower(desk, j) and shapes.get(name) is not Shape.ROD]
+    for joint in blocks:
+        line, pin = desk.guide_line(joint), _spot(desk, joint.pin)
+        along = complex(nominal(line.along))
+        middle = complex(nominal(line.at)) + along * float((np.conj(along) * (pin - complex(nominal(line.at)))).real)
+        yield Block(at=middle, along=along, on_rod=shapes.get(joint.guide) is Shape.ROD)
+        if abs(pin - middle) > HALF_BLOCK:
+            yield Segment(a=middle, b=pin, role=Role.LINK)
+    for contact in contacts_of(desk.mech, name):
+        if isinstance(contact.on, Rack) and contact.on.link == name:
+            yield from face_marks(desk, contact)
+        if (guide := fixed_guide(desk, name)) is not None:
+            yield from (m for m in stem_marks(desk, contact, name, guide) if isinstance(m, Segment) and m.role is Role.LINK)
+    hinged = _hinged(desk)
+    for letter in body.points:
+        if letter in desk.at and not letter.endswith("'"):
+            yield Point(at=_spot(desk, letter), label=subscripted(letter), dot=Dot.JOINT if letter in hinged else Dot.POINT)
 
 
 def _late_guides(desk: Desk, links: tuple[str, ...]) -> list[Prismatic]:
     """Guides on links drawn before, whose blocks are only now located."""
     return [j for j in desk.mech.joints if isinstance(j, Prismatic)
-            and j.block in links and j.guide not in links and j.guide != FRAME]
+            and j.block in links and j.guide not in links and j.guide != FRAME and not contact_replaced(desk.mech, j.block)]
 
 
 def _spot(desk: Desk, name: str) -> complex:
     return complex(nominal(desk.at[name]))
 
 
+def _hinged(desk: Desk) -> set[str]:
+    """Letters of the pins that exist, without those of a contact's substitute."""
+    return {j.point for j in desk.mech.joints if isinstance(j, Revolute) and not any(contact_replaced(desk.mech, x) for x in (j.a, j.b))}
+
+
 def _letters(desk: Desk, links: tuple[str, ...]) -> None:
     """Letter the points of these links that have no letter yet; hinges are open circles."""
     done = {m.label for m in desk.board.marks(View.MECHANISM) if isinstance(m, Point)}
-    hinged = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
+    hinged = _hinged(desk)
     contacts = {j.point for j in desk.mech.joints if isinstance(j, Rolling)}
     for link in links:
         for name in desk.letters(link):
-            if name not in done and name in desk.at and not name.endswith("'"):
+            if subscripted(name) not in done and name in desk.at and not name.endswith("'"):
                 dot = Dot.JOINT if name in hinged else (Dot.POINT if name in contacts or name not in hinged else Dot.NONE)
-                desk.board.plot(View.MECHANISM, desk.at[name], name, dot)
-                done.add(name)
+                desk.board.plot(View.MECHANISM, desk.at[name], subscripted(name), dot)
+                done.add(subscripted(name))
 
 
 def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
     spots = [complex(nominal(desk.at[p])) for p in body.points]
+    if contacts_of(desk.mech, body.name):
+        yield from cam_body(desk, body)
+        return
     if shape is Shape.GEAR or shape is Shape.PIN:
         return
     if shape is Shape.BLOCK and len(spots) > 1:
@@ -124,7 +132,7 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
         if guide.block == FRAME or guide.block in desk.pose:
             yield from _guide_body(desk, body, guide, shape)
     elif len(spots) >= 2 and shape is not Shape.BLOCK:
-        yield from _bar(spots)
+        yield from bar(spots)
     if spots and shape is not Shape.BLOCK:
         if len(spots) > 1 or guide is None or guide.pin in desk.at:
             yield _number(desk, body, shape, guide)
@@ -144,23 +152,6 @@ def _other_end(desk: Desk, shape: Shape, guide: Prismatic | None, spots: list[co
         along = complex(nominal(desk.guide_line(guide).along))
         return spots[0] + along * float((np.conj(along) * (_spot(desk, guide.pin) - spots[0])).real)
     return spots[1] if len(spots) > 1 else spots[0]
-
-
-def _bar(spots: list[complex]) -> Iterator[Mark]:
-    """A bar, or a plate where the points are not in line."""
-    base = spots[1] - spots[0]
-    off = [abs((np.conj(base) * (s - spots[0])).imag) / abs(base) for s in spots[2:]]
-    if len(spots) > 2 and max(off) > 0.5:
-        yield Plate(points=_around(spots))
-    else:
-        order = sorted(spots, key=lambda s: (np.conj(base) * (s - spots[0])).real)
-        yield Segment(a=order[0], b=order[-1], role=Role.LINK)
-
-
-def _around(spots: list[complex]) -> tuple[complex, ...]:
-    """Corners in order round their middle."""
-    middle = sum(spots) / len(spots)
-    return tuple(sorted(spots, key=lambda s: float(np.angle(s - middle))))
 
 
 def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Iterator[Mark]:
@@ -185,7 +176,7 @@ def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Itera
             if abs(travel(p) - t) > HALF_SLOT or off > 3:
                 yield Segment(a=p, b=near, role=Role.LINK)
             if off > 3:
-                yield _weld(near, p - near, pin - near)
+                yield weld(near, p - near, pin - near)
         return
     back, ahead = min([*on_line, t - BEYOND]), max([*on_line, t + BEYOND])
     yield Segment(a=at + along * (back if on_line and back in on_line else t - BEYOND), b=at + along * ahead, role=Role.LINK)
@@ -193,12 +184,7 @@ def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Itera
         if abs((np.conj(along) * (p - at)).imag) >= 0.3:
             foot = at + along * travel(p)
             yield Segment(a=foot, b=p, role=Role.LINK)
-            yield _weld(foot, p - foot, pin - foot)
-
-
-def _weld(corner: complex, u: complex, v: complex) -> Plate:
-    """The small triangle that shows two bars to be one rigid link (GB/T 4460)."""
-    return Plate(points=(corner, corner + WELD * u / abs(u), corner + WELD * v / abs(v)))
+            yield weld(foot, p - foot, pin - foot)
 
 
 def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> Iterator[Mark]:

@@ -14,6 +14,7 @@ from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
 from .assembly import choose, said
+from .cam import tangent_words
 
 _SOURCE = "机械原理, kinematic diagrams by Assur groups"
 
@@ -75,7 +76,9 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     if float(nominal(span)) <= abs(offset) + 1e-9:
         raise AssemblyError(f"links {joint.guide} and {joint.block}: {q}{p} is {nominal(span):.3f} mm on paper, not longer than the "
                             f"guide's offset of {abs(offset):.3f} mm, so the guide has no direction here")
-    if abs(offset) < 1e-9:
+    if (cam := tangent_words(desk, joint)) is not None:
+        words = cam + _tangent(q, p, offset)
+    elif abs(offset) < 1e-9:
         words = Words(f"连接 ${q}$、${p}$，得构件 {joint.guide} 的导路方向。", f"Join ${q}$ and ${p}$: the guide of link {joint.guide}.")
     else:
         words = Words(f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向。",
@@ -109,9 +112,10 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     inner, outer = d.inner, d.outer_k
     assert isinstance(d.outer_j, Revolute) and isinstance(inner, Prismatic) and isinstance(outer, Prismatic)
     b = d.outer_j.point
+    cam = tangent_words(desk, inner)
     desk.board.step(
         Words(f"构件 {d.link_k} 只能沿其导路移动：沿导路推移，使其导槽通过 ${b}$。",
-              f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$."),
+              f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$.") if cam is None else cam + Words("。", "."),
         View.MECHANISM,
     )
     guide = desk.guide_line(outer)
@@ -154,6 +158,14 @@ def position_rrg(desk: Desk, d: Dyad) -> None:
     desk.settle(d.link_j, (p, c))
     desk.settle_turned(d.link_k, c, 1 + 0j)
     desk.at[joint.point] = desk.contact(joint)
+
+
+def _tangent(q: str, p: str, offset: float) -> Words:
+    """How the guide's direction is found for a flat face: the tangent from its pivot, or the line through it."""
+    if abs(offset) < 1e-9:
+        return Words(f"，即连线 ${q}{p}$。", f": the line ${q}{p}$.")
+    return Words(f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作圆，过 ${q}$ 作其切线，得平底的方向。",
+                 f": the tangent from ${q}$ to the circle about ${p}$ whose radius is the distance of that guide from ${q}$ gives the direction of the face.")
 
 
 def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> None:

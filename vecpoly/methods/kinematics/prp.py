@@ -41,9 +41,9 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     sides = sorted((sliding_chain(desk, view, At(b), base, *slide[:2]) for base, slide in zip(bases, slides, strict=True)), key=len)
     front = "" if len(sides[0]) == 1 else total(desk, view, At(b), 2)
     solve(desk, view, Equation(left=sides[0], right=sides[1], total=front), At(b))
-    for _, parent, link in slides:
+    for joint, parent, link in slides:
         if parent == FRAME:
             never_turns(desk, link)
         else:
-            same_turn(desk, link, parent, view)
+            same_turn(desk, link, parent, view, said=not joint.pin_in_slot)
         images_of_link(desk, view, link)

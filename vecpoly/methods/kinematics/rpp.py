@@ -48,7 +48,7 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     if view is View.ACCELERATION and desk.turns[omega(k)].never:
         desk.board.remark(Words(f"构件 {k} 只作平动（$ω_{k}$ ≡ 0），不存在哥氏加速度。",
                                 f" Link {k} only translates ($ω_{k}$ ≡ 0): there is no Coriolis term."))
-    same_turn(desk, d.link_j, k, view)
+    same_turn(desk, d.link_j, k, view, said=not d.inner.pin_in_slot)
     for link in (k, d.link_j):
         images_of_link(desk, view, link)
 

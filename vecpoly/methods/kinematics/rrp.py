@@ -47,6 +47,6 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     if d.parent_k == FRAME:
         never_turns(desk, d.link_k)
     else:
-        same_turn(desk, d.link_k, d.parent_k, view)
+        same_turn(desk, d.link_k, d.parent_k, view, said=not d.outer_k.pin_in_slot)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)

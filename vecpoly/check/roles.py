@@ -1,0 +1,42 @@
+"""A load that is called driving gives power, one that is called resisting takes it: P = F · v or M ω, in the position drawn."""
+
+from __future__ import annotations
+
+from cmath import rect
+
+from .. import oracle
+from ..errors import EquilibriumError
+from ..mechanism.loads import Force, Load, Loads
+from ..mechanism.model import Mechanism
+from ..names import At
+from ..oracle.forces import Forces
+
+NONE = 1e-9  # of the greatest power: no power at all
+
+
+def refuse_wrong_roles(mech: Mechanism, loads: Loads, balance: Forces) -> None:
+    """Raise EquilibriumError where a load does not do what the problem says of it."""
+    if not any(load.role for load in loads.all):
+        return
+    motion = oracle.solve(mech)
+    powers = {load.name: _size(load, balance) * _rate(load, motion) for load in loads.all}
+    greatest = max(map(abs, powers.values()))
+    for load in loads.all:
+        power = powers[load.name]
+        if load.role and abs(power) > NONE * greatest and (power > 0) != (load.role == "driving"):
+            other = "resisting" if load.role == "driving" else "driving"
+            does = "gives power to" if power > 0 else "takes power from"
+            raise EquilibriumError(f"load {load.name} is called {load.role}, but in this position it {does} the mechanism: "
+                                   f"turn round its direction or the motion, or write role: {other}")
+
+
+def _size(load: Load, balance: Forces) -> float:
+    return float(balance.value(load.name).real) if load.size is None else load.size
+
+
+def _rate(load: Load, motion: oracle.Motion) -> float:
+    """What one newton, or one newton metre, of the load gives (m/s, rad/s)."""
+    if isinstance(load, Force):
+        speed = complex(motion.velocity(At(load.point, load.link)))
+        return (speed * rect(1.0, -load.direction)).real
+    return float(motion.omega(load.link))

@@ -1,0 +1,85 @@
+"""An eccentric clamp: a round disc on an eccentric pin, turned by a handle, presses on the level face of the work."""
+
+from __future__ import annotations
+
+import cmath
+from math import atan, cos, sin
+from typing import ClassVar, Literal
+
+from pydantic import Field, model_validator
+
+from ..names import Named, reaction
+from .base import Angle, Device, ForceSize, Length, Ratio
+
+
+class EccentricClamp(Device):
+    """Disc 1 of radius R and centre O on the pin A of the frame 3, AO = e at theta; its handle of length l at `handle`; work 2 under the disc.
+
+    All angles from the x axis. F acts at the handle's end in the direction `F`, Q is the clamping force normal to the face;
+    f: coefficient of friction on the work, rho: radius of the friction circle at A, closing: sense in which the clamp closes.
+    """
+
+    kind: ClassVar[str] = "eccentric-clamp"
+    e: Length
+    theta: Angle
+    R: Length
+    lever: Length = Field(alias="l")
+    handle: Angle
+    F: Angle
+    closing: Literal["ccw", "cw"]
+    f: Ratio
+    rho: Length | None = None
+    Q: ForceSize
+
+    @model_validator(mode="after")
+    def _possible(self) -> EccentricClamp:
+        if self.e.si + self.radius >= self.R.si:
+            raise ValueError(f"the pin with its friction circle must lie inside the disc: e = {self.e.text} and rho = {self.rho.text if self.rho else '0 mm'} "
+                             f"together reach R = {self.R.text}")
+        if self.turn * cos(self.theta.si) >= -1e-9:
+            raise ValueError(f"turned {self.closing}, the centre at theta = {self.theta.text} does not move down on the work, so the clamp does not close; "
+                             "correct theta or closing")
+        if self.turn * sin(self.F.si - self.handle.si) <= 1e-9:
+            raise ValueError(f"a force in the direction F = {self.F.text} on the handle at {self.handle.text} does not turn it {self.closing}; correct F or closing")
+        return self
+
+    @property
+    def turn(self) -> float:
+        """+1 where the clamp closes counter-clockwise, −1 clockwise."""
+        return 1.0 if self.closing == "ccw" else -1.0
+
+    @property
+    def radius(self) -> float:
+        """ρ (m)."""
+        return self.rho.si if self.rho else 0.0
+
+    @property
+    def limited(self) -> bool:
+        """Whether too large an e would open the clamp: with the centre at some angles it never does."""
+        return self.turn * cmath.rect(1.0, self.theta.si + self.turn * atan(self.f.si)).real < -1e-9
+
+    def quantities(self) -> tuple[Named, ...]:
+        """φ, reactions, the force on the handle with and without friction, η; the arm of R_21 when F is gone, the verdict, the limit of e."""
+        return (PHI, R21, FORCE, R31, IDEAL, ETA, ARM, SELF_LOCKING, *((E_LIMIT,) if self.limited else ()))
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Dimensions, position, friction, clamping force."""
+        written = [("e", self.e), ("R", self.R), ("l", self.lever), ("θ_O", self.theta), ("θ_l", self.handle), ("θ_F", self.F), ("f", self.f), ("ρ", self.rho), ("Q", self.Q)]
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    @property
+    def size(self) -> float:
+        """Handle and disc."""
+        return self.lever.si + self.R.si
+
+    @property
+    def force(self) -> float:
+        """The clamping force."""
+        return self.Q.si
+
+
+PHI, ETA = Named("phi", "φ", "deg"), Named("eta", "η", "")
+R21, R31 = reaction("2", "1"), reaction("3", "1")
+FORCE, IDEAL = Named("F", "F", "N"), Named("F_0", "F_0", "N")
+ARM, E_LIMIT = Named("h", "h", "m"), Named("e_limit", "e_{max}", "m")
+SELF_LOCKING = Named("self_locking", "h ≤ ρ", "yes/no")

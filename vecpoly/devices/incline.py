@@ -1,0 +1,76 @@
+"""A block on an inclined plane: a force drives it up, or holds it while its weight drives it down."""
+
+from __future__ import annotations
+
+from math import atan, degrees, pi
+from typing import ClassVar
+
+from pydantic import model_validator
+
+from ..errors import LockedError
+from ..names import Named, reaction
+from .base import Angle, Device, ForceSize, Ratio
+
+
+class Incline(Device):
+    """α: slope of the plane (left out: the limit of self-locking, α = φ); β: of the force above the horizontal; Q: weight; f: friction."""
+
+    kind: ClassVar[str] = "incline"
+    f: Ratio
+    beta: Angle
+    Q: ForceSize
+    alpha: Angle | None = None
+
+    @model_validator(mode="after")
+    def _possible(self) -> Incline:
+        beta = degrees(self.beta.si)
+        if self.alpha is not None and not 0 < self.alpha.si < pi / 2:
+            raise ValueError(f"alpha = {self.alpha.text}: the slope must lie between 0 and 90 deg; leave it out for the limit of self-locking")
+        if self.alpha is None and self.f.si == 0:
+            raise ValueError("alpha: without friction there is no limit of self-locking to take the slope from; write e.g. alpha: 24 deg")
+        if not -90 < beta < 90:
+            raise ValueError(f"beta = {self.beta.text}: the force must point between −90 and 90 deg above the horizontal, towards the slope")
+        return self
+
+    @property
+    def slope(self) -> float:
+        """α in rad, as given or at the limit of self-locking."""
+        return self.alpha.si if self.alpha is not None else atan(self.f.si)
+
+    def quantities(self) -> tuple[Named, ...]:
+        """φ, limit of α; up: F, F by formula, R_21, F without friction, η; down: F' that holds, η'."""
+        return PHI, LIMIT, DRIVE, BY_SINES, REACTION, IDEAL, ETA, HOLD, ETA_BACK
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """f, α where it is given, β, Q."""
+        written = [("f", self.f), ("α", self.alpha), ("β", self.beta), ("Q", self.Q)]
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    @property
+    def size(self) -> float:
+        """Its sketch is to no scale."""
+        return 0.0
+
+    @property
+    def force(self) -> float:
+        """The weight."""
+        return self.Q.si
+
+    def locked(self) -> LockedError:
+        """What is said of a force that cannot drive the block up."""
+        alpha, beta, phi = (degrees(angle) for angle in (self.slope, self.beta.si, atan(self.f.si)))
+        return LockedError(f"the block is self-locking: a force at beta = {beta:g} deg drives it up only where beta − alpha lies between "
+                           f"phi − 90 = {phi - 90:.4g} deg and phi + 90 = {phi + 90:.4g} deg, and alpha = {alpha:.4g} deg; "
+                           "raise beta, or lower alpha or the friction")
+
+    def stuck(self) -> LockedError:
+        """What is said of a self-locking block that this force cannot even pull down."""
+        alpha, beta, phi = (degrees(angle) for angle in (self.slope, self.beta.si, atan(self.f.si)))
+        return LockedError(f"the block is self-locking both ways: with phi = {phi:.4g} deg no force along beta = {beta:g} deg moves it down a slope of "
+                           f"alpha = {alpha:.4g} deg, for beta − alpha is not below 90 − phi = {90 - phi:.4g} deg; choose a smaller beta")
+
+
+PHI, LIMIT = Named("phi", "φ", "deg"), Named("alpha_limit", "α_{lim}", "deg")
+DRIVE, BY_SINES, IDEAL, HOLD = Named("F", "F", "N"), Named("F_sine", "F", "N"), Named("F_0", "F_{0}", "N"), Named("F_r", "F'", "N")
+REACTION = reaction("2", "1")
+ETA, ETA_BACK = Named("eta", "η", ""), Named("eta_r", "η'", "")

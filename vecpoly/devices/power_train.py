@@ -1,0 +1,194 @@
+"""Machines in series, in parallel and mixed: a train is a row of transmissions that ends in a load or parts into branches.
+
+    train: [belt: 0.95, gear: 0.97, {conveyor: 0.92, F: 5500 N, v: 1.2 m/s}]
+    train:
+      - belt: 0.92
+      - parallel:
+          - [gear: 0.97, {machine: 0.8, name: A, P: 5 kW}]
+          - [gear: 0.97, {machine: 0.5, name: B, P: 1 kW}]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from ..names import Named
+from ..units import Quantity
+from .base import Device, Efficiency, ForceSize, Power, Speed
+
+KINDS = ("belt", "chain", "gear", "worm", "bearing", "coupling", "screw", "conveyor", "winch", "pump", "machine")
+
+Train = tuple["Part", ...]
+
+
+class Part(BaseModel):
+    """One transmission with its efficiency, or the place where the train parts into branches.
+
+    The last part of every branch says what it delivers: a power P, or a force F at a speed v.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, revalidate_instances="always")
+
+    belt: Efficiency | None = None
+    chain: Efficiency | None = None
+    gear: Efficiency | None = None
+    worm: Efficiency | None = None
+    bearing: Efficiency | None = None
+    coupling: Efficiency | None = None
+    screw: Efficiency | None = None
+    conveyor: Efficiency | None = None
+    winch: Efficiency | None = None
+    pump: Efficiency | None = None
+    machine: Efficiency | None = None
+    parallel: tuple[tuple[Part, ...], ...] | None = None
+    name: str = Field(default="", pattern="^[A-Z]?$")
+    P: Power | None = None
+    F: ForceSize | None = None
+    v: Speed | None = None
+
+    @property
+    def kind(self) -> str:
+        """belt, gear, machine ...; empty where the train parts."""
+        return next((kind for kind in KINDS if getattr(self, kind) is not None), "")
+
+    @property
+    def eta(self) -> float:
+        """Its efficiency."""
+        written: Quantity = getattr(self, self.kind)
+        return written.si
+
+    @property
+    def loaded(self) -> bool:
+        """Whether it says what it delivers."""
+        return self.P is not None or self.F is not None
+
+    @model_validator(mode="after")
+    def _is_one_thing(self) -> Part:
+        kinds = [kind for kind in KINDS if getattr(self, kind) is not None] + ["parallel"] * (self.parallel is not None)
+        if len(kinds) != 1:
+            raise ValueError(f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here stand "
+                             f"{' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97")
+        if (self.F is None) != (self.v is None):
+            raise ValueError("a force needs the speed at which it is overcome: write both F and v, or P alone")
+        if self.P is not None and self.F is not None:
+            raise ValueError("what is delivered stands there twice: write P, or F and v")
+        if self.parallel is None:
+            return self
+        if self.loaded or self.name:
+            raise ValueError("where the train parts nothing is delivered: write P, F, v and name at the ends of its branches")
+        if len(self.parallel) < 2:
+            raise ValueError("parallel needs two branches or more; write a single one as part of the train itself")
+        for branch in self.parallel:
+            _check(branch)
+        return self
+
+
+def _check(train: Train) -> None:
+    """Power is delivered at the end of a train, and nowhere else."""
+    if not train:
+        raise ValueError("a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]")
+    for part in train[:-1]:
+        if part.parallel is not None:
+            raise ValueError("after parallel the power is divided: put the parts that follow it into its branches")
+        if part.loaded:
+            raise ValueError(f"power is delivered by the last part of a train, not by its {part.kind}: put P, or F and v, at the end, "
+                             f"or let the train part there with parallel")
+    if train[-1].parallel is None and not train[-1].loaded:
+        raise ValueError(f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}")
+
+
+class PowerTrain(Device):
+    """A motor drives a train of machines; sought are the efficiency of the whole and the motor's power."""
+
+    kind: ClassVar[str] = "power-train"
+    train: tuple[Part, ...]
+
+    @model_validator(mode="after")
+    def _is_complete(self) -> PowerTrain:
+        _check(self.train)
+        names = [part.name for part in ends(self.train) if part.name]
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if twice:
+            raise ValueError(f"two ends of the train are named {twice[0]}; give each its own letter")
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """η of each parallel part from the outermost, of the whole; the motor's power, and its share for each end (kW)."""
+        letters = self.letters
+        if len(letters) == 1:
+            return (POWER_OUT, ETA, POWER)
+        count = len(partings(self.train))
+        powers = [named for letter in letters for named in (out(letter), share(letter))]
+        return (*powers, POWER_OUT, *(eta_prime(i, count) for i in range(count)), ETA, POWER)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """The efficiencies in order, then what is delivered."""
+        one = len(self.letters) == 1
+        etas = tuple(dict.fromkeys((self.symbol(part), getattr(part, part.kind).text) for part in parts(self.train) if part.kind))
+        loads: list[tuple[str, str]] = []
+        for letter, end in zip(self.letters, ends(self.train), strict=True):
+            sub = "" if one else f"_{letter}"
+            loads += [(f"{s}{sub}", q.text) for s, q in (("P", end.P), ("F", end.F), ("v", end.v)) if q]
+        return (*etas, *loads)
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """A letter for each end of the train: its name, else the next one that is free."""
+        named = [part.name for part in ends(self.train)]
+        free = (letter for letter in "ABCDEFGHIJKLMNOPQRSTUVWXYZ" if letter not in named)
+        return tuple(name or next(free) for name in named)
+
+    def symbol(self, part: Part) -> str:
+        """η with a letter for the kind, or with the machine's own; numbered where parts of a kind differ: η_g, η_{g2}, η_A."""
+        if part.loaded and part.kind == "machine" and len(self.letters) > 1:
+            return f"η_{next(letter for letter, end in zip(self.letters, ends(self.train), strict=True) if end is part)}"
+        stem = _SUBSCRIPT.get(part.kind, part.kind[0])
+        values = list(dict.fromkeys(other.eta for other in parts(self.train) if other.kind == part.kind))
+        return f"η_{stem}" if len(values) == 1 else f"η_{{{stem}{values.index(part.eta) + 1}}}"
+
+    @property
+    def size(self) -> float:
+        """A block diagram has no scale."""
+        return 0.0
+
+
+def parts(train: Train) -> Iterator[Part]:
+    """All parts, in the order in which the power runs, branch after branch."""
+    for part in train:
+        yield part
+        for branch in part.parallel or ():
+            yield from parts(branch)
+
+
+def ends(train: Train) -> tuple[Part, ...]:
+    """The parts that deliver power."""
+    return tuple(part for part in parts(train) if part.loaded)
+
+
+def partings(train: Train) -> tuple[Part, ...]:
+    """The places where the train parts, the outermost first."""
+    return tuple(part for part in parts(train) if part.parallel is not None)
+
+
+_SUBSCRIPT = {"chain": "h", "conveyor": "c", "coupling": "k", "winch": "t", "bearing": "r", "pump": "q"}
+ETA = Named("eta", "η", "")
+POWER = Named("P", "P", "kW")
+POWER_OUT = Named("P_out", "P_r", "kW")
+
+
+def out(letter: str) -> Named:
+    """P_A: what the end A delivers."""
+    return Named(f"P_{letter}", f"P_{letter}", "kW")
+
+
+def share(letter: str) -> Named:
+    """P_A_in: the motor's power that end A takes, with all losses on its way."""
+    return Named(f"P_{letter}_in", f"P_{{{letter}d}}", "kW")
+
+
+def eta_prime(index: int, count: int) -> Named:
+    """η′: what the branches deliver over what they take, the outermost first."""
+    return Named("eta_prime", "η′", "") if count == 1 else Named(f"eta_prime_{index + 1}", f"η′_{index + 1}", "")

@@ -1,0 +1,58 @@
+"""A ring-spring buffer: wedge 1, pushed towards wedge 4, spreads the side wedges 2 and 3 against the springs Q."""
+
+from __future__ import annotations
+
+from math import atan, degrees
+from typing import ClassVar
+
+from pydantic import model_validator
+
+from ..errors import LockedError
+from ..names import Named, reaction
+from .base import Angle, Device, ForceSize, Ratio
+
+
+class RingSpring(Device):
+    """α: of the normals of all faces from the line of F (the faces from the direction of Q); f: friction; Q: on each side wedge."""
+
+    kind: ClassVar[str] = "ring-spring"
+    alpha: Angle
+    f: Ratio
+    Q: ForceSize
+
+    @model_validator(mode="after")
+    def _possible(self) -> RingSpring:
+        if not 0 < degrees(self.alpha.si) < 90:
+            raise ValueError(f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg")
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """φ; pushing: R_21, R_42, F, F by formula, F without friction, η, least α; releasing: F', by formula, η', greatest α."""
+        return PHI, *REACTIONS, DRIVE, BY_SINES, IDEAL, ETA, LEAST, HOLD, HOLD_BY_SINES, ETA_BACK, GREATEST
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """α, f, Q."""
+        return ("α", self.alpha.text), ("f", self.f.text), ("Q", self.Q.text)
+
+    @property
+    def size(self) -> float:
+        """Its sketch is to no scale."""
+        return 0.0
+
+    @property
+    def force(self) -> float:
+        """The springs' force."""
+        return self.Q.si
+
+    def locked(self) -> LockedError:
+        """What is said of a buffer that cannot be pushed in."""
+        return LockedError(f"the buffer is self-locking: alpha = {degrees(self.alpha.si):g} deg must be greater than the friction angle "
+                           f"phi = {degrees(atan(self.f.si)):.4g} deg, or no force F spreads the side wedges; lower the friction or choose a larger alpha")
+
+
+PHI = Named("phi", "φ", "deg")
+REACTIONS = (reaction("2", "1"), reaction("4", "2"))
+DRIVE, BY_SINES, IDEAL = Named("F", "F", "N"), Named("F_sine", "F", "N"), Named("F_0", "F_{0}", "N")
+HOLD, HOLD_BY_SINES = Named("F_r", "F'", "N"), Named("F_r_sine", "F'", "N")
+ETA, ETA_BACK = Named("eta", "η", ""), Named("eta_r", "η'", "")
+LEAST, GREATEST = Named("alpha_min", "α_{min}", "deg"), Named("alpha_max", "α_{max}", "deg")

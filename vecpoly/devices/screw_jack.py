@@ -1,0 +1,112 @@
+"""A screw jack: a thread lifts the load, a ring-shaped collar under the head rubs as it turns, a lever turns it."""
+
+from __future__ import annotations
+
+from math import atan, cos, degrees, pi
+from typing import ClassVar
+
+from pydantic import Field, model_validator
+
+from ..names import Named
+from .base import Angle, Device, ForceSize, Length, Ratio
+
+
+class ScrewJack(Device):
+    """d, d1: outer and root diameter of the thread; p: pitch; starts: number of threads; D, d0: diameters of the collar's ring; l: lever.
+
+    f: one coefficient of friction, or f_thread and f_collar; beta: half the flank angle of a V-thread (square thread: left out).
+    Q the load, or F the force on the lever: the other is sought.
+    """
+
+    kind: ClassVar[str] = "screw-jack"
+    d: Length
+    d1: Length
+    p: Length
+    starts: int = Field(default=1, ge=1, le=12)
+    D: Length
+    d0: Length
+    lever: Length = Field(alias="l")
+    f: Ratio | None = None
+    f_thread: Ratio | None = None
+    f_collar: Ratio | None = None
+    beta: Angle | None = None
+    Q: ForceSize | None = None
+    F: ForceSize | None = None
+
+    @model_validator(mode="after")
+    def _possible(self) -> ScrewJack:
+        if self.d.si <= self.d1.si:
+            raise ValueError(f"d = {self.d.text} is the outer diameter of the thread and must be greater than the root diameter d1 = {self.d1.text}")
+        if self.D.si <= self.d0.si:
+            raise ValueError(f"D = {self.D.text} is the outer diameter of the collar and must be greater than the inner diameter d0 = {self.d0.text}")
+        if (self.f is None) != (self.f_thread is not None and self.f_collar is not None) or (self.f and (self.f_thread or self.f_collar)):
+            raise ValueError("write f: 0.1 for thread and collar, or both f_thread and f_collar")
+        if (self.Q is None) == (self.F is None):
+            raise ValueError("give the load Q or the force F on the lever, and not both: the other one is sought")
+        if self.beta is not None and not 0 < self.beta.si < pi / 3:
+            raise ValueError(f"beta = {self.beta.text}: half the flank angle of a V-thread lies between 0 and 60 deg; leave it out for a square thread")
+        if self.alpha + self.phi >= pi / 2 - 1e-9:
+            raise ValueError(f"the lead angle {degrees(self.alpha):.4g} deg and the friction angle {degrees(self.phi):.4g} deg of the thread add up to "
+                             "90 deg or more: no moment turns this screw; take a smaller pitch p or a lower f")
+        return self
+
+    @property
+    def thread(self) -> Ratio:
+        """The coefficient of friction of the thread."""
+        chosen = self.f or self.f_thread
+        assert chosen is not None
+        return chosen
+
+    @property
+    def collar(self) -> Ratio:
+        """The coefficient of friction of the collar."""
+        chosen = self.f or self.f_collar
+        assert chosen is not None
+        return chosen
+
+    @property
+    def alpha(self) -> float:
+        """The lead angle at the mean diameter (rad), for checking the data."""
+        return atan(self.starts * self.p.si / (pi * (self.d.si + self.d1.si) / 2))
+
+    @property
+    def phi(self) -> float:
+        """The friction angle of the thread (rad), for checking the data."""
+        return atan(self.thread.si / (cos(self.beta.si) if self.beta else 1.0))
+
+    @property
+    def trial(self) -> float:
+        """The load (N) for which the force polygon is drawn: the load itself, or where it is sought a round one, all forces being proportional."""
+        return self.Q.si if self.Q else 1000.0
+
+    def quantities(self) -> tuple[Named, ...]:
+        """Angles; moments over Q; efficiencies; F or Q; moments; the way back."""
+        sought = LOAD if self.Q is None else DRIVE
+        return (PHI_V if self.beta else PHI, TAN_ALPHA, ALPHA, *RATIOS, ETA, ETA_THREAD, sought, *MOMENTS, SELF_LOCKING, BACK, ETA_BACK)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Diameters, pitch, lever, friction and the load or the force."""
+        written = [("d", self.d), ("d_1", self.d1), ("p", self.p), ("β", self.beta), ("D", self.D), ("d_0", self.d0), ("l", self.lever),
+                   ("f", self.f), ("f_s", self.f_thread), ("f_c", self.f_collar), ("Q", self.Q), ("F", self.F)]
+        found = [(symbol, value.text) for symbol, value in written if value is not None]
+        return (*found[:3], *((("n", str(self.starts)),) if self.starts > 1 else ()), *found[3:])
+
+    @property
+    def size(self) -> float:
+        """The unrolled thread."""
+        return pi * self.d.si
+
+    @property
+    def force(self) -> float:
+        """The load of the polygon."""
+        return self.trial
+
+
+PHI, PHI_V = Named("phi", "φ", "deg"), Named("phi", "φ_v", "deg")
+ALPHA, TAN_ALPHA = Named("alpha", "α", "deg"), Named("tan_alpha", "tan α", "")
+RATIOS = (Named("M1_over_Q", "M_1/Q", "mm"), Named("M2_over_Q", "M_2/Q", "mm"), Named("M_over_Q", "M/Q", "mm"), Named("M0_over_Q", "M_0/Q", "mm"))
+MOMENTS = (Named("M1", "M_1", "N·m"), Named("M2", "M_2", "N·m"), Named("M", "M", "N·m"), Named("M0", "M_0", "N·m"))
+LOAD, DRIVE = Named("Q", "Q", "N"), Named("F", "F", "N")
+ETA, ETA_THREAD, ETA_BACK = Named("eta", "η", ""), Named("eta_thread", "η_s", ""), Named("eta_r", "η′", "")
+SELF_LOCKING = Named("self_locking", "α ≤ φ", "yes/no")
+BACK = Named("M_r_over_Q", "M′/Q", "mm")

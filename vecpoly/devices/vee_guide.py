@@ -1,0 +1,55 @@
+"""The slide of a machine tool on a flat and a V guide: which coefficient of friction a single flat guide would need."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import ClassVar
+
+from pydantic import model_validator
+
+from ..names import Named
+from .base import Angle, Device, ForceSize, Length, Ratio
+
+
+class VeeGuide(Device):
+    """G acts at the distance l1 from the V guide and l2 from the flat one; theta: half the angle of the V; f: coefficient of friction.
+
+    The width of the V is neglected in the lever arms.
+    """
+
+    kind: ClassVar[str] = "vee-guide"
+    f: Ratio
+    G: ForceSize
+    l1: Length
+    l2: Length
+    theta: Angle
+
+    @model_validator(mode="after")
+    def _possible(self) -> VeeGuide:
+        if not pi / 36 - 1e-9 <= self.theta.si <= pi / 2 * 17 / 18 + 1e-9:
+            raise ValueError(f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 deg has theta: 50 deg")
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The shares of the load, the force on each flank, friction on each guide, equivalent coefficients."""
+        return (ON_V, ON_FLAT, FLANK, F_VEE, FRICTION_V, FRICTION_FLAT, FRICTION, F_WHOLE)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Load, distances, half angle, coefficient of friction."""
+        return (("G", self.G.text), ("l_1", self.l1.text), ("l_2", self.l2.text), ("θ", self.theta.text), ("f", self.f.text))
+
+    @property
+    def size(self) -> float:
+        """Its sketch is to no scale."""
+        return 0.0
+
+    @property
+    def force(self) -> float:
+        """The load."""
+        return self.G.si
+
+
+ON_V, ON_FLAT = Named("F1", "F_1", "N"), Named("F2", "F_2", "N")
+FLANK = Named("N_flank", "N", "N")
+FRICTION_V, FRICTION_FLAT, FRICTION = Named("F_f_V", "F_{f1}", "N"), Named("F_f_flat", "F_{f2}", "N"), Named("F_f", "F_f", "N")
+F_VEE, F_WHOLE = Named("f_vee", "f_v", ""), Named("f_V", "f_V", "")

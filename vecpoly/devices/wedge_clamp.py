@@ -1,0 +1,50 @@
+"""A clamping wedge: wedge 3 between body 2 and work 1, with friction on both faces; does it stay in when nothing holds it?"""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import ClassVar
+
+from pydantic import model_validator
+
+from ..names import Named, reaction
+from .base import Angle, Device, ForceSize, Ratio
+
+
+class WedgeClamp(Device):
+    """α: angle of the wedge; f: friction of both faces; R: the clamping force of body 2 on the wedge, R_23."""
+
+    kind: ClassVar[str] = "wedge-clamp"
+    alpha: Angle
+    f: Ratio
+    R: ForceSize
+
+    @model_validator(mode="after")
+    def _possible(self) -> WedgeClamp:
+        if not 0 < degrees(self.alpha.si) < 90:
+            raise ValueError(f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg")
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """φ, limit of α, F' that holds the wedge in (not positive: it needs none), by formula, without friction, R_13, η'."""
+        return PHI, LIMIT, HOLD, BY_SINES, IDEAL, PRESSED, ETA_BACK
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """α, f, R_23."""
+        return ("α", self.alpha.text), ("f", self.f.text), ("R_{23}", self.R.text)
+
+    @property
+    def size(self) -> float:
+        """Its sketch is to no scale."""
+        return 0.0
+
+    @property
+    def force(self) -> float:
+        """The clamping force."""
+        return self.R.si
+
+
+PHI, LIMIT = Named("phi", "φ", "deg"), Named("alpha_limit", "α_{lim}", "deg")
+HOLD, BY_SINES, IDEAL = Named("F", "F'", "N"), Named("F_sine", "F'", "N"), Named("F_0", "F'_{0}", "N")
+CLAMP, PRESSED = reaction("2", "3"), reaction("1", "3")
+ETA_BACK = Named("eta", "η'", "")

@@ -1,0 +1,84 @@
+"""Two wedges: wedge 1, pushed along an inclined guide, lifts wedge 2 in a vertical guide of the frame 3."""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import ClassVar
+
+from pydantic import model_validator
+
+from ..errors import LockedError
+from ..names import Named, reaction
+from .base import Angle, Device, ForceSize, Ratio
+
+FACES = ("12", "13", "23")  # who presses on whom
+
+
+class Wedges(Device):
+    """α: guide of wedge 1 (and F, along it) from the vertical; β: face between the wedges from the vertical; Q: load on wedge 2.
+
+    f: one coefficient of friction for all faces, or f12, f13, f23 for each. Motion: F pushes 1 up its guide, 2 rises against Q.
+    """
+
+    kind: ClassVar[str] = "wedges"
+    alpha: Angle
+    beta: Angle
+    Q: ForceSize
+    f: Ratio | None = None
+    f12: Ratio | None = None
+    f13: Ratio | None = None
+    f23: Ratio | None = None
+
+    @model_validator(mode="after")
+    def _possible(self) -> Wedges:
+        alpha, beta = degrees(self.alpha.si), degrees(self.beta.si)
+        if not 0 < beta < 90:
+            raise ValueError(f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from the vertical")
+        if alpha <= 0 or alpha + beta >= 180 - 1e-9:
+            raise ValueError(f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + beta below 180 deg, "
+                             "or wedge 1 has no taper and cannot lift wedge 2")
+        each = (self.f12, self.f13, self.f23)
+        if (self.f is None) == (None in each) or (self.f is not None and any(each)):
+            raise ValueError("write f: 0.15 for all faces, or each of f12, f13 and f23")
+        return self
+
+    def friction(self, face: str) -> Ratio:
+        """The coefficient of friction of a face: '12', '13' or '23'."""
+        own: Ratio = self.f or getattr(self, f"f{face}")
+        return own
+
+    def angle(self, face: str) -> Named:
+        """The friction angle of a face as a quantity."""
+        return Named("phi", "φ", "deg") if self.f else Named(f"phi_{face}", f"φ_{{{face}}}", "deg")
+
+    def quantities(self) -> tuple[Named, ...]:
+        """φ, F measured and by the sine rule, F without friction, η, reactions; F' that holds, η' of the way back; limits of φ."""
+        angles = dict.fromkeys(self.angle(face) for face in FACES)
+        return (*angles, DRIVE, BY_SINES, IDEAL, ETA, *REACTIONS, HOLD, ETA_BACK, LOCK_DIRECT, LOCK_REVERSE)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """α, β, Q and the coefficients of friction."""
+        fs = [("f", self.f)] if self.f else [(f"f_{{{face}}}", self.friction(face)) for face in FACES]
+        written = [("α", self.alpha), ("β", self.beta), ("Q", self.Q), *fs]
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    @property
+    def size(self) -> float:
+        """Its sketch is to no scale."""
+        return 0.0
+
+    @property
+    def force(self) -> float:
+        """The load."""
+        return self.Q.si
+
+    def locked(self, limit: float) -> LockedError:
+        """What is said of a drive that cannot move; limit: the sum of friction angles that β must exceed (deg)."""
+        return LockedError(f"the wedges are self-locking: beta = {degrees(self.beta.si):g} deg must be greater than the friction angles "
+                           f"phi_12 + phi_23 = {limit:.4g} deg, or no force F lifts Q; lower the friction or choose a larger beta")
+
+
+DRIVE, BY_SINES, IDEAL = Named("F", "F", "N"), Named("F_sine", "F", "N"), Named("F_0", "F_{0}", "N")
+HOLD, ETA, ETA_BACK = Named("F_r", "F'", "N"), Named("eta", "η", ""), Named("eta_r", "η'", "")
+REACTIONS = (reaction("1", "2"), reaction("3", "2"), reaction("3", "1"))
+LOCK_DIRECT, LOCK_REVERSE = Named("lock_direct", "φ_{lim}", "deg"), Named("lock_reverse", "φ'_{lim}", "deg")

@@ -1,0 +1,195 @@
+"""What wedges and inclined planes share: friction angles, reactions that lean from the normal, bodies drawn apart, ΣF = 0."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...board.board import NO_LENGTH
+from ...board.construction import Pane, Place
+from ...board.marks import AngleMark, Dot, Outline, Point, Role, Segment, Vector
+from ...devices.base import Ratio
+from ...errors import EquilibriumError, LockedError
+from ...formula import Row, Txt, row, sym
+from ...names import Named
+from ...plane import Points, Reals, dot, nominal
+from ...quantity import Quantity, magnitude, number
+from ...vector.close import Closed, close
+from ...vector.equation import KNOWN, Equation, Term
+from ...words import Words
+from .bench import Bench
+
+ARROW = 17.0  # mm: a force on a body drawn apart, to no scale
+NORMAL = 21.0  # mm: how far its normal is drawn
+ARC = 14.0  # mm: radius at which the friction angle is marked
+INSIDE, CLEAR, SLIDE = 1.6, 3.0, 8.0  # mm: the arrow of the sliding, inside the body beside its face
+FLAT = 1e-9  # rad: a friction angle that is none
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Press:
+    """A reaction on a body: who presses, where, the normal into the body, the direction of the reaction, the body's sliding (unit vectors)."""
+
+    symbol: str
+    at: Points
+    normal: Points
+    along: Points
+    angle: str = "φ"
+    slides: Points | None = None
+    speed: str = ""  # symbol of the sliding: v_21
+
+
+def friction_angle(bench: Bench, named: Named, f: Ratio, symbol: str = "f") -> Quantity:
+    """φ = arctan f, in degrees."""
+    phi = float(np.degrees(np.arctan(f.si)))
+    return bench.stated(named, phi, row_of(sym(named.symbol), f" = arctan ${symbol}$ = arctan {number(f.si)} = {number(phi)}°"))
+
+
+def row_of(first: object, text: str) -> Row:
+    """A formula of a symbol and a text with symbols between dollar signs."""
+    pieces = text.split("$")
+    items = [node for i, piece in enumerate(pieces) if piece for node in (row(piece).items if i % 2 else (Txt(piece),))]
+    return Row((first, *items))  # type: ignore[arg-type]
+
+
+def leaned(normal: Points, motion: Points, phi: Reals) -> Points:
+    """Direction of a reaction: the normal turned by φ (deg) against the sliding of the body that it acts on."""
+    left = float(nominal(dot(motion, 1j * normal)))
+    return normal * np.exp(1j * np.radians(phi) * (-1 if left > 0 else 1))
+
+
+def facing(normal: Points, pushed: Points) -> Points:
+    """Of the two faces of a guide the one that the force `pushed` presses the body against: its normal into the body."""
+    return normal if float(nominal(dot(normal, pushed))) < 0 else -normal
+
+
+# -- bodies ---------------------------------------------------------------------------------------------------------
+
+
+def body(bench: Bench, place: Place, *points: Points, fixed: bool = False) -> None:
+    """Draw the outline of a body."""
+    bench.board.mark(place, Outline(points=tuple(complex(nominal(p)) for p in points), fixed=fixed))
+
+
+def press(bench: Bench, place: Place, reaction: Press) -> None:
+    """Draw a reaction that presses on a face: the arrow ends on it, and leans by φ from the normal."""
+    at, along, normal = (complex(nominal(z)) for z in (reaction.at, reaction.along, reaction.normal))
+    board = bench.board
+    board.mark(place, Vector(a=at - along * ARROW, b=at, role=Role.RESULT, label=reaction.symbol))
+    if reaction.slides is not None:
+        way = complex(nominal(reaction.slides))
+        start = at + normal * INSIDE + way * CLEAR
+        board.mark(place, Vector(a=start, b=start + way * SLIDE, role=Role.GIVEN, label=reaction.speed))
+    lean = float(np.angle(along / normal))
+    if abs(lean) < FLAT:
+        return
+    board.mark(place, Segment(a=at, b=at - normal * NORMAL, role=Role.CENTRE), Point(at=at - normal * NORMAL, label="n", dot=Dot.NONE),
+               AngleMark(at=at, radius=ARC, start=float(np.angle(-normal)), sweep=lean, label=reaction.angle))
+
+
+def pull(bench: Bench, place: Place, at: Points, along: Points, symbol: str) -> None:
+    """Draw a given force whose arrow ends at a point."""
+    end, way = complex(nominal(at)), complex(nominal(along))
+    bench.board.mark(place, Vector(a=end - way * ARROW, b=end, role=Role.GIVEN, label=symbol))
+
+
+def haul(bench: Bench, place: Place, at: Points, along: Points, symbol: str, length: float = ARROW) -> None:
+    """Draw a given force whose arrow starts at a point: a pull, a weight."""
+    start, way = complex(nominal(at)), complex(nominal(along))
+    bench.board.mark(place, Vector(a=start, b=start + way * length, role=Role.GIVEN, label=symbol))
+
+
+def ray(bench: Bench, place: Place, at: Points, along: Points, length: float, label: str = "") -> None:
+    """Draw a thin line from a point, with a symbol at its end."""
+    start, end = complex(nominal(at)), complex(nominal(at + along * length))
+    bench.board.mark(place, Segment(a=start, b=end, role=Role.CENTRE), *([Point(at=end, label=label, dot=Dot.NONE)] if label else []))
+
+
+def between(bench: Bench, place: Place, at: Points, one: Points, other: Points, radius: float, label: str) -> None:
+    """Mark the angle from one direction to another, the shorter way."""
+    start, sweep = float(np.angle(nominal(one))), float(np.angle(nominal(other / one)))
+    if abs(sweep) > FLAT:
+        bench.board.mark(place, AngleMark(at=complex(nominal(at)), radius=radius, start=start, sweep=sweep, label=label))
+
+
+def gauged(bench: Bench, one: Points, other: Points) -> Reals:
+    """The angle from one direction to another read with the protractor, in degrees."""
+    return np.degrees(bench.board.hand.gauge(np.angle(other / one)))
+
+
+def concur(bench: Bench, place: Place, at: Points, *ends: Points) -> None:
+    """Carry the lines of action on to the point where they meet."""
+    middle = complex(nominal(at))
+    bench.board.mark(place, *(Segment(a=complex(nominal(end)), b=middle, role=Role.HIDDEN) for end in ends),
+                     Point(at=middle, label="", dot=Dot.POINT))
+
+
+# -- equilibrium ----------------------------------------------------------------------------------------------------
+
+
+def given(bench: Bench, place: Place, named: Named, newtons: float, along: Points, tip: str = "") -> Term:
+    """A force known wholly, laid off to scale."""
+    return Term(rel=named, symbol=named.symbol, direction=KNOWN, magnitude="✓", along=along, mm=bench.board.to_paper(place, newtons), tip=tip)
+
+
+def drawn(named: Named, vector: Points) -> Term:
+    """A force that stands on the polygon already."""
+    return Term(rel=named, symbol=named.symbol, direction=KNOWN, magnitude="✓", vector=vector, drawn=True)
+
+
+def sought(named: Named, along: Points, direction: Words) -> Term:
+    """A force whose line is known and whose size is not."""
+    return Term(rel=named, symbol=named.symbol, direction=direction, magnitude="?", along=along)
+
+
+def balance(bench: Bench, place: Place, start: Points, *terms: Term) -> Closed:
+    """Write ΣF = 0 of a body into the step and close its polygon."""
+    equation = Equation(left=terms)
+    bench.board.equate(equation.table())
+    return close(bench.board, place, start, equation)
+
+
+def driven(bench: Bench, place: Place, start: Points, terms: tuple[Term, ...], locked: Callable[[], LockedError], *, must_press: bool = True) -> Closed:
+    """The same for a body that is driven: a force that comes out against its assumed direction, or at no finite size, means self-locking."""
+    try:
+        closed = balance(bench, place, start, *terms)
+    except EquilibriumError:
+        raise locked() from None
+    if must_press and not all(points_along(closed, term) for term in terms if term.unknowns):
+        raise locked()
+    return closed
+
+
+def letter(bench: Bench, place: Place, points: Mapping[str, Points]) -> None:
+    """Letter the corners of a polygon, once each."""
+    there = {mark.label for mark in bench.board.marks(place) if isinstance(mark, Point)}
+    for label, at in points.items():
+        if label not in there:
+            bench.board.plot(place, at, label)
+
+
+def points_along(closed: Closed, term: Term) -> bool:
+    """Whether a force came out in the sense that its direction assumed."""
+    start, end = closed.ends[term.rel.key]
+    assert term.along is not None
+    return float(nominal(dot(end - start, term.along))) > 0
+
+
+def signed(bench: Bench, named: Named, place: Pane, ends: tuple[Points, Points], along: Points, letters: str) -> Quantity:
+    """A force measured on a polygon, positive along a direction: of a self-locking device the force that holds comes out negative."""
+    start, end = ends
+    if float(nominal(dot(end - start, along))) > -NO_LENGTH:
+        return bench.measured(named, place, start, end, letters)
+    sign = np.where(dot(end - start, along) < 0, -1.0, 1.0)
+    board = bench.board
+    size = board.mu(place) * board.measure(start, end, letters)
+    value = size.value * (sign if np.ndim(size.value) else float(sign))
+    minus = Row((sym(named.symbol), Txt(" = −"), size.symbol(), Txt(" = −"), size.numbers(), Txt(f" = {number(float(nominal(value)))} {named.unit}")))
+    return bench.stated(named, value, minus)
+
+
+def angle(symbol: str, radians: float) -> Quantity:
+    """A given angle as a factor of formulas, in degrees."""
+    return magnitude(symbol, float(np.degrees(radians)), "deg")

@@ -1,0 +1,54 @@
+"""The limits of self-locking of a wedge pair, from the normals of its faces: two reactions in one line, each leaning by φ."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import Pane, View
+from ...board.marks import AngleMark, Dot, Point, Role, Segment, Vector
+from ...devices.wedges import LOCK_DIRECT, LOCK_REVERSE
+from ...formula import sym
+from ...names import Named
+from ...plane import Points, nominal
+from ...quantity import number
+from ...words import Words
+from .bench import Bench
+from .inclined import gauged, row_of
+from .wedges_sketch import Shapes
+
+RAY, LINE = 34.0, 46.0  # mm: normals, lines of the two reactions
+
+
+def limits(bench: Bench, it: Shapes) -> None:
+    """With the same φ on all faces: half the angle between n_12 and −n_32 locks the drive, half of that between n_12 and n_31 the way back."""
+    board = bench.board
+    board.section(Words("自锁条件", "Self-locking"))
+    place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))
+    normals = {"n_{12}": it.normal, "−n_{32}": 1 + 0j, "n_{31}": 1j * it.guide}
+    board.step(Words("各面摩擦角相同时求极限。正行程：$R_12$ 与 $R_32$ 各偏 $φ$ 后共线反向，只能彼此平衡，再大的 $F$ 也顶不起 $Q$；"
+                     "极限摩擦角为 $n_12$ 与 $−n_32$ 夹角之半。",
+                     "The limits, with the same friction angle on all faces. Lifting: once $R_12$ and $R_32$, each leaning by $φ$, lie in one line, they "
+                     "balance by themselves and no $F$ lifts $Q$: the limit is half the angle between $n_12$ and $−n_32$."), place)
+    for label, normal in normals.items():
+        end = complex(nominal(normal)) * RAY
+        board.mark(place, Segment(a=0j, b=end, role=Role.CENTRE), Point(at=end, label=label, dot=Dot.NONE))
+    _half(bench, place, normals, ("−n_{32}", "n_{12}"), LOCK_DIRECT, "R_{12} = −R_{32}")
+    board.step(Words("反行程：$R_21$ 与 $R_31$ 各偏 $φ$ 后共线反向，楔块 1 不需 $F'$ 也能平衡；极限摩擦角为 $n_12$ 与 $n_31$ 夹角之半。",
+                     "Sinking: once $R_21$ and $R_31$, each leaning by $φ$, lie in one line, wedge 1 rests without $F'$: the limit is half the angle "
+                     "between $n_12$ and $n_31$."), place)
+    _half(bench, place, normals, ("n_{12}", "n_{31}"), LOCK_REVERSE, "R_{31} = −R_{21}")
+
+
+def _half(bench: Bench, place: Pane, normals: dict[str, Points], pair: tuple[str, str], named: Named, common: str) -> None:
+    """Bisect the angle between two normals, read it with the protractor, and halve it."""
+    one, other = (bench.board.hand.tilt(normals[name]) for name in pair)
+    between = gauged(bench, one, other)
+    start, whole = float(np.angle(nominal(one))), float(np.angle(nominal(other / one)))
+    middle = np.exp(1j * (start + whole / 2)) * LINE
+    radius = 20.0 if named is LOCK_DIRECT else 24.0
+    bench.board.mark(place, Vector(a=0j, b=complex(middle), role=Role.RESULT), Point(at=complex(middle), label=common, dot=Dot.NONE),
+                     AngleMark(at=0j, radius=radius, start=start, sweep=whole / 2, label=named.symbol),
+                     AngleMark(at=0j, radius=radius, start=start + whole / 2, sweep=whole / 2, label=named.symbol))
+    half = between / 2
+    shown = number(float(nominal(between))), number(float(nominal(half)))
+    bench.stated(named, half, row_of(sym(named.symbol), f" = ∠(${pair[0]}$, ${pair[1]}$)/2 = {shown[0]}°/2 = {shown[1]}°"))

@@ -1,0 +1,1 @@
+"""Graphical statics of mechanisms: groups from the far end, each free body, force polygons to μ_F, friction circles and angles."""

@@ -1,0 +1,77 @@
+"""Where the arrows of a free body stand: on its line of action each force may end or start at its point; the freest place is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from ...plane import nominal
+from ...words import Words
+from .state import Acting, Statics
+
+LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
+CLEAR = 6.0  # mm between arrows: more is not better
+REACH = 80.0  # mm: a line of action farther from the body is off the paper
+GAP = 1.5  # mm between an arrow's point and the pin
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A force on the sheet."""
+
+    start: complex
+    end: complex
+    symbol: str
+    far: bool = False  # not at its point but farther out on the line
+
+
+def place_arrows(forces: Sequence[Acting], points: Sequence[complex]) -> list[Arrow]:
+    """All arrows of one body, as far from each other and from the body as their lines allow."""
+    shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
+    if not shown:
+        return []
+    largest = max(abs(complex(nominal(f.vector))) for f in shown)
+    options = [_options(f, largest) for f in shown]
+    body = np.array([points[0]] if len(points) == 1 else [a + (b - a) * t for a in points for b in points for t in (0.0, 0.25, 0.5, 0.75, 1.0)])
+    if len(shown) > 6:
+        options = [pair[:2] for pair in options]
+    best: tuple[Arrow, ...] = max(product(*options), key=lambda arrows: _freedom(arrows, body))
+    return list(best)
+
+
+def is_far(force: Acting, points: Sequence[complex]) -> bool:
+    """Whether the force acts too far from all points of its body to be drawn there."""
+    return min(abs(complex(nominal(force.at)) - p) for p in points) > REACH
+
+
+def say_far(st: Statics, forces: Sequence[Acting], points: Sequence[complex]) -> None:
+    """Name the forces that are not drawn because their lines are off the paper."""
+    for force in forces:
+        if abs(nominal(force.vector)) > 1e-9 and is_far(force, points):
+            away = min(abs(complex(nominal(force.at)) - p) for p in points)
+            st.board.remark(Words(f"${force.named.symbol}$ 的作用线远在 {away:.0f} mm 之外，图上不画。", f" The line of ${force.named.symbol}$ is {away:.0f} mm away and is not drawn."))
+
+
+def _options(force: Acting, largest: float) -> tuple[Arrow, ...]:
+    """Pulling away from the point, or pressing towards it; or the same farther out on the line, where another force stands already."""
+    vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
+    u = vector / abs(vector)
+    length = LENGTH * max(0.5, abs(vector) / largest)
+    out, symbol = u * (LENGTH + 4.0), force.named.symbol
+    near = (Arrow(at, at + u * length, symbol), Arrow(at - u * (length + GAP), at - u * GAP, symbol))
+    return (*near, *(Arrow(a.start + side * out, a.end + side * out, symbol, True) for a, side in zip(near, (1, -1), strict=True)))
+
+
+def _freedom(arrows: tuple[Arrow, ...], body: np.ndarray) -> float:
+    """How free the middles and far ends of the arrows are."""
+    spots = [(a.start + a.end) / 2 for a in arrows]
+    far = [a.end if abs(a.end - body).min() > abs(a.start - body).min() else a.start for a in arrows]
+    total = 0.0
+    for i, (middle, end) in enumerate(zip(spots, far, strict=True)):
+        others = [abs(middle - z) for j, other in enumerate(zip(spots, far, strict=True)) for z in other if j != i]
+        clear = min([*others, float(np.abs(middle - body).min()) * 0.7, float(np.abs(end - body).min()) * 0.7])
+        total += min(clear, CLEAR) - (CLEAR if arrows[i].far else 0.0)
+    return total

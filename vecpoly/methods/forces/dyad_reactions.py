@@ -1,0 +1,100 @@
+"""Reactions of a group as sides of its polygon, and where they act: a pin's touches its friction circle, a slide's lies where moments put it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.board import NO_LENGTH
+from ...board.construction import View
+from ...board.marks import Dot, Role, Segment, Vector
+from ...errors import NoMethodError
+from ...mechanism.assur import Dyad
+from ...mechanism.model import FRAME, Prismatic
+from ...plane import Points, nominal
+from ...quantity import magnitude
+from ...words import Words
+from .arms import Turning
+from .arrows import REACH
+from .dyad_polygon import Reaction, result
+from .group_body import SHORT, draw_forces, group_pane
+from .senses import inclined, pin_words, slide_words
+from .state import Drawn, Statics
+
+INSIDE = 14.0  # mm: drawn length of a force between the group's own links
+
+
+def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
+    """A pin's reaction through the centre, or touching the friction circle on the side against the relative turning."""
+    vector = drawn.end - drawn.start
+    sense = st.moment_sense(point, by, on)
+    result(st, drawn, by, on)
+    st.board.remark(pin_words(st, point, by, on))
+    st.settle(by, on, vector, st.desk.at[point] - 1j * _along(vector) * sense * st.rho(point), drawn, sense)
+
+
+def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tuple[str, Turning]) -> None:
+    """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it: h = Σ M / R from the point of moments.
+
+    Raises NoMethodError where a couple alone passes through the slide to a moving link.
+    """
+    point, turning = about
+    vector, pin = drawn.end - drawn.start, st.desk.at[point]
+    result(st, drawn, by, on)
+    if abs(nominal(vector)) < NO_LENGTH and turning.way and FRAME not in (by, on):
+        raise NoMethodError(f"the slide of links {st.mech.number(by)} and {st.mech.number(on)} passes on a couple and no force: no line of action can be drawn; "
+                            f"'vecpoly exact' still gives the analytic answers")
+    at = pin
+    if turning.way and abs(nominal(vector)) > NO_LENGTH:
+        at = _displaced(st, by, on, point, drawn, turning)
+    elif abs(nominal(vector)) > NO_LENGTH:
+        st.board.remark(Words(f"过 ${point}$ 点。", f" passing through ${point}$."))
+    st.settle(by, on, vector, at, drawn)
+    _leave(st, d, by, on, pin, at, vector)
+
+
+def lean(st: Statics, joint: Prismatic, by: str, on: str) -> Reaction:
+    """A slide's reaction along the normal of its guide, inclined by φ where there is friction."""
+    found = st.ideal.push(by, on) if st.ideal is not None else None
+    towards = 1j * st.desk.guide_line(joint).along if found is None else found.vector
+    st.board.remark(slide_words(st, joint, by, on))
+    direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
+    return Reaction(by=by, on=on, line=inclined(st, joint, by, on, towards), direction=direction)
+
+
+def _displaced(st: Statics, by: str, on: str, point: str, drawn: Drawn, turning: Turning) -> Points:
+    """The point of the line nearest to the point of moments."""
+    i, j = st.mech.number(by), st.mech.number(on)
+    on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
+    force = magnitude(st.named(by, on).symbol, (st.board.mu(drawn.place) * on_paper).value, "N")
+    st.board.remark(Words(f"由构件 {j} 的 $ΣM_{point}$ = 0 定出其作用线至 ${point}$ 的距离：", f" ΣM about ${point}$ of link {j} gives the distance of its line from ${point}$:"))
+    arm = st.board.compute(f"h_{{{i}{j}}}", turning.size / force, "m")
+    side = -1j * _along(drawn.end - drawn.start) * -np.sign(turning.value)
+    return st.board.lay_off(st.desk.at[point], side, st.board.to_paper(View.MECHANISM, arm.value))
+
+
+def draw_body(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> None:
+    """All forces on the group at their lines of action; what its links do to each other stays inside."""
+    links = (d.link_j, d.link_k)
+    own = {st.named(by, on).key for by, on in (links, links[::-1], (d.parent_j, d.link_j), (d.parent_k, d.link_k))}
+    forces = [force for link in links for force in st.known(link) if force.named.key not in own]
+    draw_forces(st, group_pane(st, *links), links, [*forces, *first.parts(st), *last.parts(st)])
+
+
+def _leave(st: Statics, d: Dyad, by: str, on: str, pin: Points, at: Points, vector: Points) -> None:
+    """The arm of a slide's reaction; inside the group also its line."""
+    pane = group_pane(st, d.link_j, d.link_k)
+    away = float(abs(nominal(at - pin)))
+    if away > REACH:
+        st.board.remark(Words(f"其作用线远在 {away:.0f} mm 之外，图上不画。", f" Its line is {away:.0f} mm away and is not drawn."))
+        return
+    if away > SHORT:
+        st.board.join(pane, pin, at, Role.CONSTRUCTION)
+        st.board.plot(pane, (pin + at) / 2, f"h_{{{st.mech.number(by)}{st.mech.number(on)}}}", Dot.NONE)
+    if {by, on} == {d.link_j, d.link_k}:
+        a, u = complex(nominal(at)), complex(nominal(_along(vector)))
+        st.board.mark(pane, Segment(a=a - u * INSIDE, b=a, role=Role.DIRECTION), Vector(a=a, b=a + u * INSIDE, role=Role.RESULT, label=st.named(by, on).symbol))
+
+
+def _along(vector: Points) -> Points:
+    size = np.abs(vector)
+    return vector / np.where(size > NO_LENGTH, size, 1.0)

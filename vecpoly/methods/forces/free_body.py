@@ -1,0 +1,112 @@
+"""Each link drawn apart (取分离体) at its place and scale: friction circles, forces at their lines of action, normals with φ, couples."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from ...board.construction import Pane, View
+from ...board.marks import AngleMark, Dot, FrictionCircle, Mark, Note, Point, Role, Segment, TurnArrow, Vector
+from ...mechanism.loads import Moment
+from ...mechanism.model import Contact, Prismatic, Revolute
+from ...mechanism.quantities import load_symbol
+from ...plane import nominal
+from ...problem.problem import Problem
+from ...words import Words
+from ..kinematics.diagram import link_alone
+from .arrows import Arrow, place_arrows, say_far
+from .state import Acting, Statics
+
+SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
+NORMAL = 18.0  # mm, length of a normal beside a reaction
+COUPLE = 8.0  # mm, radius of a couple's arrow
+
+
+def draw_free_bodies(st: Statics, problem: Problem) -> None:
+    """One pane for every link; the last step of the drawing."""
+    bodies = [name for name in st.mech.bodies if st.known(name)]
+    if not bodies:
+        return
+    st.board.step(Words("将各构件取为分离体，画出其上全部力的作用线和指向。", "Draw every link apart, with the line and sense of every force on it."), View.BODY)
+    for name in bodies:
+        number = st.mech.number(name)
+        pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
+        st.board.mark(pane, *link_alone(st.desk, name, problem.given.shapes))
+        st.board.mark(pane, *_circles(st, name))
+        forces, spots = [*st.known(name), *_balance(st, name)], _spots(st, name)
+        arrows = place_arrows(forces, spots)
+        say_far(st, forces, spots)
+        st.board.mark(pane, *(_vector(arrow) for arrow in arrows))
+        st.board.mark(pane, *_normals(st, name, {arrow.symbol: arrow for arrow in arrows}))
+        _couple(st, pane, name)
+
+
+def _spots(st: Statics, link: str) -> list[complex]:
+    """Points of the body: its lettered ones, and where it is touched."""
+    points = [st.desk.at[p] for p in st.mech.link(link).points if p in st.desk.at]
+    return [complex(nominal(p)) for p in (*points, *(st.desk.contact_of(c) for c in st.mech.contacts if link in c.links))]
+
+
+def _vector(arrow: Arrow) -> Vector:
+    return Vector(a=arrow.start, b=arrow.end, role=Role.RESULT, label=arrow.symbol)
+
+
+def _circles(st: Statics, link: str) -> Iterator[Mark]:
+    """Friction circles of the link's pins; enlarged with a note where they would not be seen."""
+    for point in st.mech.link(link).points:
+        radius = st.rho(point)
+        if radius:
+            times = 1.0 if radius >= SMALL else float(np.ceil(1.5 / radius))
+            yield FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=radius * times, enlarged=times)
+            if times > 1:
+                yield Note(at=complex(nominal(st.desk.at[point])) + 6 - 6j, words=Words(f"摩擦圆放大 {times:g} 倍", f"friction circle × {times:g}"))
+
+
+def _balance(st: Statics, link: str) -> list[Acting]:
+    """The balancing force, where this link carries it."""
+    load = st.unknown
+    if isinstance(load, Moment) or load.link != link:
+        return []
+    vector = st.mm(np.abs(st.balance)) * complex(np.exp(1j * load.direction)) * np.sign(nominal(st.balance))
+    return [Acting(named=st.unknown_named, vector=vector, at=st.desk.at[load.point])]
+
+
+def _normals(st: Statics, link: str, arrows: Mapping[str, Arrow]) -> Iterator[Mark]:
+    """The normal of every slide and contact of the link, and the friction angle from it to the reaction."""
+    for joint in (*st.mech.joints, *st.mech.contacts):
+        if isinstance(joint, Revolute) or not isinstance(joint, Prismatic | Contact):
+            continue
+        a, b = joint.links if isinstance(joint, Contact) else (joint.guide, joint.block)
+        if link not in (a, b) or not st.phi(joint):
+            continue
+        force = st.push(b if link == a else a, link)
+        if force is not None and abs(nominal(force.vector)) > 1e-9:
+            arrow = arrows.get(force.named.symbol)
+            if arrow is None:
+                continue  # off the paper
+            middle = (arrow.start + arrow.end) / 2 - complex(nominal(force.at))
+            yield from _leaning(st, joint, force, middle)
+
+
+def _leaning(st: Statics, joint: Prismatic | Contact, force: Acting, arrow: complex) -> Iterator[Mark]:
+    """The normal on the side on which the arrow stands, so that φ lies between the two."""
+    along = st.desk.normal_of(joint) if isinstance(joint, Contact) else 1j * st.desk.guide_line(joint).along
+    n, u, at = (complex(nominal(z)) for z in (along, force.line.along, force.at))
+    u = u if (u.conjugate() * arrow).real > 0 else -u
+    n = n if (n.conjugate() * u).real > 0 else -n
+    yield Segment(a=at, b=at + n * NORMAL, role=Role.CENTRE)
+    yield Point(at=at + n * NORMAL, label="n", dot=Dot.NONE)
+    yield AngleMark(at=at, radius=NORMAL * 0.8, start=float(np.angle(n)), sweep=float(np.angle(u / n)), label="φ")
+
+
+def _couple(st: Statics, pane: Pane, link: str) -> None:
+    """Given couples and the balancing moment as curved arrows at the link's pin."""
+    pivot = next((p for p in st.mech.link(link).points if p in st.mech.frame), next(iter(st.mech.link(link).points)))
+    at = complex(nominal(st.desk.at[pivot]))
+    for i, load in enumerate(load for load in st.loads.on(link) if isinstance(load, Moment)):
+        size = load.size if load.size is not None else float(nominal(st.balance))
+        if size:
+            st.board.mark(pane, TurnArrow(at=at, radius=COUPLE + 3 * i, start=2.2, ccw=size > 0, label=load_symbol(load.name)))
+
+

@@ -1,0 +1,175 @@
+"""Inertia forces: F_I = m a_S against the acceleration, M_I = J α against the angular acceleration, joined by h = M_I / F_I."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...board.board import NO_LENGTH
+from ...board.construction import LineOfAction, Reading, View
+from ...board.marks import Dot, RightAngle, Role, Segment, Vector
+from ...formula import Node
+from ...mechanism.loads import GRAVITY, Mass
+from ...mechanism.quantities import quantities
+from ...names import At, Named, alpha
+from ...plane import Points, Reals, nominal, unit
+from ...quantity import Quantity, magnitude, worked
+from ...words import Words
+from ..desk import POLE
+from ..kinematics.image import imaged
+from .masses import masses
+from .senses import TURN
+from .state import Acting, Statics
+
+ARROW = 16.0  # mm: half the drawn line of a displaced inertia force
+SHORT = 1.5  # mm: a shorter arm is not lettered
+
+
+def inertia_forces(st: Statics) -> None:
+    """Inertia force and couple of every mass from the drawn accelerations (N, N·m), and its weight, kept in `st.inertia`.
+
+    Where no force is left to displace, or its arm would exceed the mechanism, the couple stays in `st.inertia_couples`.
+    """
+    masses(st)
+    for mass in st.loads.masses:
+        if st.loads.inertia:
+            _inertia(st, mass)
+        if st.loads.weight:
+            _weight(st, mass)
+
+
+def weight_named(mass: Mass) -> Named:
+    """G_2 (N)."""
+    return Named(f"G_{mass.link}", f"G_{{{mass.link}}}", "N", True)
+
+
+def centre_tip(st: Statics, mass: Mass, view: View) -> Points:
+    """End of the centre of mass's vector on a velocity or acceleration polygon; found by the image where it is missing."""
+    desk = st.desk
+    at = desk.canonical(At(mass.centre, mass.link))
+    if not desk.has_tip(view, at):
+        imaged(desk, view, mass.link, at)
+    return desk.tip(view, at)
+
+
+def _inertia(st: Statics, mass: Mass) -> None:
+    link, s = mass.link, st.desk.name(At(mass.centre))
+    tip = centre_tip(st, mass, View.ACCELERATION)
+    st.board.step(Words(f"构件 {link} 的惯性力 $F_{{I{link}}}$ 与质心加速度 $a_{{{mass.centre}}}$ 方向相反，作用于质心 ${s}$。",
+                        f"The inertia force $F_{{I{link}}}$ of link {link} acts at its centre of mass ${s}$, against the acceleration $a_{{{mass.centre}}}$."), View.MECHANISM)
+    force = _force(st, mass, tip)
+    couple, sense = _couple(st, mass)
+    if force is None:
+        if sense:
+            st.inertia_couples[link] = np.asarray(st.repeats[f"M_I{link}"])
+        return
+    _join(st, mass, force, couple, sense)
+
+
+def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
+    """F_I = m a_S, with a_S read off the acceleration polygon; None where S has no acceleration."""
+    board, link = st.board, mass.link
+    named = quantities(st.mech, st.loads)[f"F_I{link}"]
+    letters = f"{POLE[View.ACCELERATION]} {st.desk.tip_label(View.ACCELERATION, At(mass.centre))}"
+    if abs(complex(nominal(tip))) < NO_LENGTH:
+        board.remark(Words(f"因 $a_{{{mass.centre}}}$ = 0，故 $F_{{I{link}}}$ = 0。", f" Here $a_{{{mass.centre}}}$ = 0, so $F_{{I{link}}}$ = 0."))
+        _keep(st, Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j), 0.0)
+        return None
+    on_paper = board.measure(0j, tip, letters)
+    accel = board.compute(f"a_{{{mass.centre}}}", board.mu(View.ACCELERATION) * on_paper, "m/s^2")
+    expr = magnitude(f"m_{link}", mass.mass, "kg") * accel
+    size = board.compute(named.symbol, expr, "N")
+    vector = -unit(tip) * st.mm(size.value)
+    direction = board.hand.gauge(np.angle(-tip))
+    reading = Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size.value)),
+                      vector=complex(nominal(size.value * np.exp(1j * direction))), mm=float(nominal(on_paper.value)), line=letters,
+                      scale=board.scales[View.ACCELERATION].symbol, formula=worked(size.node, expr, "N"))
+    _keep(st, reading, size.value)
+    return _settle(st, mass, named, vector, st.desk.where(At(mass.centre)))
+
+
+def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
+    """M_I = J α and its sense, against α; 0 where there is none."""
+    board, link, turn = st.board, mass.link, st.desk.turns.get(alpha(mass.link))
+    named = quantities(st.mech, st.loads)[f"M_I{link}"]
+    rate: Reals = 0.0 if turn is None else turn.value
+    sense = 0 if not mass.inertia else -int(np.sign(float(nominal(rate))))
+    formula: Node | None = None
+    couple = magnitude(named.symbol, 0.0, named.unit)
+    if sense:
+        expr = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2") * magnitude(f"α_{link}", np.abs(rate), "rad/s^2")
+        couple, formula = board.compute(named.symbol, expr, named.unit), worked(couple.node, expr, named.unit)
+        way = TURN[sense]
+        board.remark(Words(f"惯性力矩 $M_{{I{link}}}$ 与 $α_{link}$ 转向相反，为{way.zh}。",
+                           f" The inertia couple $M_{{I{link}}}$ turns against $α_{link}$, {way.en}."))
+    signed = -mass.inertia * np.asarray(rate, dtype=float)[()]
+    _keep(st, Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(signed)), formula=formula), signed)
+    return couple, sense
+
+
+def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) -> None:
+    """Displace the force by h = M_I / F_I to the side where its moment about S turns as M_I does."""
+    board, link = st.board, mass.link
+    s = st.desk.where(At(mass.centre))
+    along = unit(force.vector)
+    named = quantities(st.mech, st.loads)[f"h_{link}"]
+    if not sense:
+        _keep(st, Reading(key=named.key, symbol=named.symbol, unit="m", scalar=0.0), 0.0)
+        _draw_force(st, force.named.symbol, s, along)
+        return
+    expr = couple / magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
+    arm = board.compute(named.symbol, expr, "m")
+    _keep(st, Reading(key=named.key, symbol=named.symbol, unit="m", scalar=float(nominal(arm.value)), formula=worked(arm.node, expr, "m")), arm.value)
+    if float(nominal(arm.value)) > st.mech.scale:
+        board.remark(Words(f"$h_{link}$ 大于机构尺寸，$F_{{I{link}}}$ 与 $M_{{I{link}}}$ 不再合成。",
+                           f" $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart."))
+        st.inertia_couples[link] = np.asarray(st.repeats[f"M_I{link}"])
+        _draw_force(st, force.named.symbol, s, along)
+        return
+    turning = np.sign(np.asarray(st.repeats[f"M_I{link}"]))
+    at = board.lay_off(s, -1j * along * turning, board.to_paper(View.MECHANISM, arm.value))
+    board.remark(Words(f"将 $F_{{I{link}}}$ 平移 $h_{link}$，使其对 $ {st.desk.name(At(mass.centre))}$ 之矩与 $M_{{I{link}}}$ 同向，合成为一个总惯性力。",
+                       f" Displaced by $h_{link}$ to the side where its moment about ${st.desk.name(At(mass.centre))}$ has the sense of $M_{{I{link}}}$, the force replaces both."))
+    _settle(st, mass, force.named, force.vector, at)
+    _draw_force(st, force.named.symbol, at, along)
+    _draw_arm(st, named.symbol, s, at, along)
+
+
+def _weight(st: Statics, mass: Mass) -> None:
+    """G = m g, down through S."""
+    named = weight_named(mass)
+    s = st.desk.name(At(mass.centre))
+    st.board.step(Words(f"构件 {mass.link} 的重力过质心 ${s}$ 竖直向下。", f"The weight of link {mass.link} acts straight down through ${s}$."), View.MECHANISM)
+    size = st.board.compute(named.symbol, magnitude(f"m_{mass.link}", mass.mass, "kg") * magnitude("g", GRAVITY, "m/s^2"), "N")
+    acting = Acting(named=named, vector=-1j * st.mm(size.value), at=st.desk.where(At(mass.centre)), size=f"$m_{mass.link} g$")
+    st.inertia.setdefault(mass.link, []).append(acting)
+
+
+def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -> Acting:
+    """The inertia force on its line, in place of an earlier one."""
+    scale = st.board.scales[View.MECHANISM].value
+    acting = Acting(named=named, vector=vector, at=at, direction=Words.same("✓"), size=f"$m_{mass.link} a_{{{mass.centre}}}$")
+    st.inertia[mass.link] = [acting]
+    st.readings[named.key] = replace(st.readings[named.key], acts=LineOfAction(point=complex(nominal(at)) * scale))
+    return acting
+
+
+def _draw_force(st: Statics, symbol: str, at: Points, along: Points) -> None:
+    """The line of action on the diagram, and the force on it (not to scale)."""
+    place, u = complex(nominal(at)), complex(nominal(along))
+    st.board.mark(View.MECHANISM, Segment(a=place - ARROW * u, b=place, role=Role.DIRECTION),
+                  Vector(a=place, b=place + ARROW * u, role=Role.GIVEN, label=symbol))
+
+
+def _draw_arm(st: Statics, symbol: str, s: Points, at: Points, along: Points) -> None:
+    """The arm from S to the line of action, with its letter."""
+    a, b, u = complex(nominal(s)), complex(nominal(at)), complex(nominal(along))
+    st.board.join(View.MECHANISM, a, b, Role.CONSTRUCTION)
+    if abs(b - a) > SHORT:
+        st.board.plot(View.MECHANISM, (a + b) / 2, symbol, Dot.NONE)
+        st.board.mark(View.MECHANISM, RightAngle(at=b, u=u, v=(a - b) / abs(b - a)))
+
+
+def _keep(st: Statics, reading: Reading, values: Reals) -> None:
+    st.readings[reading.key], st.repeats[reading.key] = reading, values

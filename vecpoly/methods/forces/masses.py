@@ -1,0 +1,49 @@
+"""Masses and moments of inertia of the links: given, or computed for round bars, m = ρ π d² l / 4 and J = m l² / 12."""
+
+from __future__ import annotations
+
+from math import pi
+
+from ...formula import Txt
+from ...mechanism.loads import Mass, Rod
+from ...mechanism.quantities import quantities
+from ...plane import nominal
+from ...quantity import Expr, Quantity, magnitude
+from ...words import Words
+from .readings import keep_value
+from .state import Statics
+
+
+def masses(st: Statics) -> None:
+    """Keep mass (kg) and moment of inertia (kg·m²) of every link as readings; write out how those of bars follow from their section."""
+    rods = [mass for mass in st.loads.masses if mass.rod is not None]
+    if rods:
+        links, links_en = "、".join(mass.link for mass in rods), ", ".join(mass.link for mass in rods)
+        st.board.step(Words(f"构件 {links} 为圆截面杆，按细长杆求质量和对质心的转动惯量：",
+                            f"Link{'s' if len(rods) > 1 else ''} {links_en}: round bars; mass and moment of inertia about the centre of mass as thin rods:"))
+    for mass in st.loads.masses:
+        _keep(st, mass)
+
+
+def _keep(st: Statics, mass: Mass) -> None:
+    names = quantities(st.mech, st.loads)
+    weight, inertia = names[f"m_{mass.link}"], names[f"J_{mass.link}"]
+    m: Expr = magnitude(weight.symbol, mass.mass, weight.unit)
+    j: Expr = magnitude(inertia.symbol, mass.inertia, inertia.unit)
+    if mass.rod is not None:
+        m, j = _of_rod(mass.link, mass.rod, mass.mass)
+        st.board.compute(weight.symbol, m, weight.unit)
+        st.board.compute(inertia.symbol, j, inertia.unit)
+    keep_value(st, weight, float(nominal(m.value)), m)
+    keep_value(st, inertia, float(nominal(j.value)), j)
+
+
+def _of_rod(link: str, rod: Rod, mass: float) -> tuple[Expr, Expr]:
+    """ρ π d² l / 4, m l² / 12."""
+    length, diameter = magnitude(f"l_{link}", rod.length, "m"), magnitude(f"d_{link}", rod.diameter, "m")
+    section = magnitude("ρ", rod.density, "kg/m^3") * magnitude("π", pi, "") * diameter.squared()
+    return section * length / _plain(4), magnitude(f"m_{link}", mass, "kg") * length.squared() / _plain(12)
+
+
+def _plain(number: int) -> Quantity:
+    return Quantity(Txt(str(number)), float(number), "")

@@ -1,0 +1,31 @@
+"""Reactions of a PRP group: both slides' reactions have known directions, one polygon gives them; moments about the pin their lines."""
+
+from __future__ import annotations
+
+from ...mechanism.assur import Dyad
+from ...mechanism.model import Prismatic, Revolute
+from ...words import Words
+from ..registry import Stage, method
+from .arms import moments_about
+from .dyad_polygon import draw_group
+from .dyad_reactions import draw_body, lean, settle_pin, settle_slide
+from .group_body import group_pane
+from .state import Statics
+
+_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+
+
+@method(stage=Stage.FORCE, group="PRP", source=_SOURCE, example="",
+        title=Words("PRP 杆组的动态静力分析", "Forces in a PRP group"))
+def forces_prp(st: Statics, d: Dyad) -> None:
+    """ΣF_j + ΣF_k + R_qk + R_pj = 0, each reaction normal to its guide (or at φ to that)."""
+    assert isinstance(d.outer_j, Prismatic) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
+    c, pane = d.inner.point, group_pane(st, d.link_j, d.link_k)
+    st.board.step(Words("两移动副反力的方向均已知：", "The directions of both slides' reactions are known:"), pane)
+    first, last = lean(st, d.outer_j, d.parent_j, d.link_j), lean(st, d.outer_k, d.parent_k, d.link_k)
+    on_j, on_k = ((c, moments_about(st, pane, (link,), c)) for link in (d.link_j, d.link_k))
+    corners = draw_group(st, d, first, last)
+    settle_slide(st, d, d.parent_j, d.link_j, corners.side(corners.x, corners.first), on_j)
+    settle_slide(st, d, d.parent_k, d.link_k, corners.side(corners.k, corners.x), on_k)
+    settle_pin(st, d.link_k, d.link_j, c, corners.side(corners.j, corners.x))
+    draw_body(st, d, first, last)

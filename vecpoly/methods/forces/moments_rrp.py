@@ -1,0 +1,32 @@
+"""Reactions of an RRP group loaded on both links: R^t at the outer pin from ΣM_C, the slide's reaction along its known direction."""
+
+from __future__ import annotations
+
+from ...mechanism.assur import Dyad
+from ...mechanism.model import Prismatic, Revolute
+from ...words import Words
+from ..registry import Stage, method
+from .arms import moments_about
+from .dyad_polygon import draw_group
+from .dyad_reactions import draw_body, lean, settle_pin, settle_slide
+from .group_body import group_pane
+from .moments_rrr import split
+from .state import Statics
+
+_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+
+
+@method(stage=Stage.FORCE, group="RRP", source=_SOURCE, example="slider-crank-dynamic",
+        title=Words("RRP 杆组的动态静力分析", "Forces in an RRP group"))
+def forces_rrp(st: Statics, d: Dyad) -> None:
+    """R^t_pj + ΣF_j + ΣF_k + R_qk + R^n_pj = 0, R_qk normal to its guide (or at φ to that); ΣM_C of the slide gives its line."""
+    assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
+    p, c = d.outer_j.point, d.inner.point
+    first = split(st, d, d.parent_j, d.link_j, (p, c))
+    last = lean(st, d.outer_k, d.parent_k, d.link_k)
+    about = (c, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_k,), c))
+    corners = draw_group(st, d, first, last)
+    settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.x, corners.first))
+    settle_slide(st, d, d.parent_k, d.link_k, corners.side(corners.k, corners.x), about)
+    settle_pin(st, d.link_k, d.link_j, c, corners.side(corners.j, corners.x))
+    draw_body(st, d, first, last)

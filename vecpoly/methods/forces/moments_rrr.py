@@ -1,0 +1,44 @@
+"""Reactions of an RRR group loaded on both links: ΣM_C of either link gives R^t at its outer pin, one polygon of the group the rest."""
+
+from __future__ import annotations
+
+from ...mechanism.assur import Dyad
+from ...mechanism.model import Revolute
+from ...plane import nominal
+from ...words import Words
+from ..registry import Stage, method
+from .arms import moments_about
+from .dyad_polygon import Reaction, draw_group, tangential
+from .dyad_reactions import draw_body, settle_pin
+from .group_body import group_pane
+from .state import Statics
+
+_SOURCE = "机械原理, dynamic-static analysis of Assur groups"
+
+
+@method(stage=Stage.FORCE, group="RRR", source=_SOURCE, example="six-bar-dynamic",
+        title=Words("RRR 杆组的动态静力分析", "Forces in an RRR group"))
+def forces_rrr(st: Statics, d: Dyad) -> None:
+    """R^t_pj + ΣF_j + ΣF_k + R^t_qk + R^n_qk + R^n_pj = 0, normals along the links; then R_kj closes link j alone."""
+    assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Revolute)
+    p, c, q = d.outer_j.point, d.inner.point, d.outer_k.point
+    first = split(st, d, d.parent_j, d.link_j, (p, c))
+    last = split(st, d, d.parent_k, d.link_k, (q, c))
+    corners = draw_group(st, d, first, last)
+    settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.x, corners.first))
+    settle_pin(st, d.parent_k, d.link_k, q, corners.side(corners.k, corners.x))
+    settle_pin(st, d.link_k, d.link_j, c, corners.side(corners.j, corners.x))
+    draw_body(st, d, first, last)
+
+
+def split(st: Statics, d: Dyad, by: str, on: str, arm: tuple[str, str], links: tuple[str, ...] = ()) -> Reaction:
+    """The reaction at an outer pin P, split along and across the line to C: R^t from ΣM_C = 0 of its link (or of `links` together)."""
+    p, c = arm
+    i, j, body = st.mech.number(by), st.mech.number(on), links or (on,)
+    of, of_en = ("杆组", "the group") if len(body) > 1 else (f"构件 {j} ", f"link {j}")
+    pane = group_pane(st, d.link_j, d.link_k)
+    st.board.step(Words(f"将 $R_{{{i}{j}}}$ 分解为沿 ${p}{c}$ 的 $R^n_{{{i}{j}}}$ 与垂直于 ${p}{c}$ 的 $R^t_{{{i}{j}}}$；量取各力对 ${c}$ 点的力臂，由{of}的 $ΣM_{c}$ = 0 ：",
+                        f"Split $R_{{{i}{j}}}$ into $R^n_{{{i}{j}}}$ along ${p}{c}$ and $R^t_{{{i}{j}}}$ square to it; measure the arms of the forces about ${c}$; from ΣM about ${c}$ of {of_en}:"), pane)
+    across = tangential(st, by, on, arm, moments_about(st, pane, body, c))
+    return Reaction(by=by, on=on, line=st.desk.towards(c, p), direction=Words.same(f"∥$ {p}{c}$"), part="n" if abs(nominal(across)) > 1e-9 else "", across=across, pin=p,
+                    across_direction=Words.same(f"⊥$ {p}{c}$"))

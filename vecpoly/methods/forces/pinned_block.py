@@ -1,0 +1,51 @@
+"""A block pinned to one link and sliding on another, without load: friction circle and friction angle together."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import View
+from ...board.marks import Role
+from ...mechanism.model import Prismatic, Revolute
+from ...plane import Line, Points
+from ...words import Words
+from ..registry import Stage, method
+from .pieces import TwoForce
+from .senses import inclined, pin_words, slide_words
+from .state import Statics
+
+_SOURCE = "机械原理, friction in sliding and turning pairs"
+
+
+@method(stage=Stage.FORCE, group="two-force block R-P", source=_SOURCE, example="4-6",
+        title=Words("滑块：偏离法线 φ 角且切于摩擦圆", "Pinned block: inclined by φ and tangent to the friction circle"))
+def line_of_block(st: Statics, two: TwoForce) -> Line:
+    """Line of the force of the block on the loaded link, along that force.
+
+    The slide gives its direction (normal of the guide, inclined by φ against the sliding), the pin its place: tangent to the
+    friction circle, the moment against the turning of the block in its pin.
+    """
+    slide, pin = (two.inner, two.outer) if isinstance(two.inner, Prismatic) else (two.outer, two.inner)
+    assert isinstance(slide, Prismatic) and isinstance(pin, Revolute)
+    slid, pinned = (two.on, two.by) if slide is two.inner else (two.by, two.on)
+    centre = st.desk.at[pin.point]
+    number = st.mech.number(two.link)
+    st.board.step(Words(f"滑块 {number} 只受两力，两力共线。", f"Only two forces act on block {number}, along one line."), View.MECHANISM)
+    if st.ideal is None:
+        st.board.remark(Words(f"不计摩擦时作用线过 ${pin.point}$ 且垂直于导路。", f" Without friction it passes through ${pin.point}$, normal to the guide."))
+        return Line(centre, 1j * st.desk.guide_line(slide).along)
+    st.board.remark(slide_words(st, slide, slid, two.link))
+    st.board.remark(pin_words(st, pin.point, pinned, two.link))
+    u = st.board.hand.tilt(inclined(st, slide, slid, two.link, _ideal(st, slid, two.link)))  # force of the guide's link on the block
+    sense = st.moment_sense(pin.point, pinned, two.link)
+    at = centre - 1j * (-u) * sense * st.rho(pin.point)  # the pin's force on the block is along −u
+    st.board.join(View.MECHANISM, at - u * 22.0, at + u * 22.0, Role.DIRECTION)
+    on_loaded = u if pinned == two.on else -u
+    return Line(at, np.asarray(on_loaded)[()])
+
+
+def _ideal(st: Statics, by: str, on: str) -> Points:
+    assert st.ideal is not None
+    found = st.ideal.push(by, on)
+    assert found is not None
+    return found.vector

@@ -1,0 +1,117 @@
+"""The force analysis of a mechanism: inertia forces, groups from the far end, the link with the balancing load; without friction, then with it.
+
+With friction the pass without it comes first: it tells on which side every reaction presses, and it gives the ideal balancing
+load. The friction pass is tried on scratch paper until every reaction has the sense that was assumed (and the pin couples of
+groups solved by moments have settled); then it is drawn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...board.construction import View
+from ...board.marks import FrictionCircle
+from ...errors import EquilibriumError, LockedError, NoMethodError
+from ...mechanism.assur import Group, decompose, ends
+from ...mechanism.loads import Loads, Moment
+from ...mechanism.model import FRAME, Prismatic, Revolute
+from ...plane import nominal
+from ...problem.problem import Problem
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, find
+from .checks import check_methods
+from .efficiency import NOTHING, read_efficiency
+from .free_body import draw_free_bodies
+from .given_loads import draw_given_loads
+from .group import solve_group
+from .inertia import inertia_forces
+from .pieces import Held
+from .readings import read_reactions
+from .settling import settled
+from .state import Statics
+
+IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
+REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
+
+
+def force_pass(desk: Desk, problem: Problem) -> Statics:
+    """Draw the force analysis; the readings are in the result.
+
+    Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
+    """
+    assert problem.loads is not None
+    st = Statics(desk=desk, loads=problem.loads)
+    held, groups = _order(desk, problem.loads)
+    inertia_forces(st)
+    draw_given_loads(st)
+    if st.loads.friction:
+        desk.board.section(IDEAL)
+    _walk(st, groups, held)
+    read_reactions(st, desk.mech)
+    check_methods(st, problem)
+    if st.loads.friction:
+        st = _with_friction(st, groups, held)
+    draw_free_bodies(st, problem)
+    read_efficiency(st)
+    return st
+
+
+def _order(desk: Desk, loads: Loads) -> tuple[Held, tuple[Group, ...]]:
+    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end."""
+    mech, link = desk.mech, loads.unknown.link
+    joint = next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
+    if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
+        raise NoMethodError(f"{loads.unknown.name} acts on link {link}, which has no fixed {'pin' if isinstance(loads.unknown, Moment) else 'pin or guide'}: no graphical method "
+                            f"on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'")
+    driven = replace(mech, drives=(replace(mech.drive, link=link),))
+    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven)))
+
+
+def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
+    """One pass: groups, then the balancing link."""
+    for group in groups:
+        solve_group(st, group)
+    kind = "crank" if isinstance(held.joint, Revolute) else "slide"
+    load = "moment" if isinstance(st.unknown, Moment) else "force"
+    find(Stage.FORCE, f"{kind}, balancing {load}").draw(st, held)
+
+
+def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Statics:
+    """Settle the senses on scratch paper, then draw."""
+    try:
+        guide, couples = settled(ideal, groups, lambda st: _walk(st, groups, held))
+    except LockedError:
+        raise
+    except EquilibriumError as error:
+        raise LockedError(f"no equilibrium with friction: {error}") from None
+    desk = ideal.desk
+    desk.board.section(REAL)
+    _circles(ideal)
+    st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples,
+                 readings=dict(ideal.readings), repeats=dict(ideal.repeats))
+    _walk(st, groups, held)
+    _refuse_locked(ideal, st)
+    read_reactions(st, desk.mech)
+    return replace(st, ideal=ideal)
+
+
+def _refuse_locked(ideal: Statics, st: Statics) -> None:
+    """Friction may only raise a driving load, and only lower a resisting one, not through zero."""
+    before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
+    if before * after <= 0 and abs(before) > NOTHING * abs(after):
+        raise LockedError(f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; "
+                          f"the mechanism is self-locking in this position, lower f or ρ")
+
+
+def _circles(st: Statics) -> None:
+    """The friction circles on the diagram, to scale."""
+    board = st.board
+    radii = "，".join(f"$ρ_{point}$ = {1e3 * rho:g} mm" for point, rho in st.loads.friction.pins.items() if rho)
+    if radii:
+        board.step(Words(f"在机构图上按 $μ_l$ 作各转动副的摩擦圆：{radii}。", f"Draw the friction circles of the pins on the diagram to $μ_l$: {radii.replace('，', ', ')}."), View.MECHANISM)
+    else:
+        board.step(Words("由速度分析的结果定出各运动副中相对运动的方向。", "The velocity analysis gives the sense of the relative motion in every joint."), View.MECHANISM)
+    for point, rho in st.loads.friction.pins.items():
+        if rho:
+            board.mark(View.MECHANISM, FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=st.desk.mm(rho), label=""))

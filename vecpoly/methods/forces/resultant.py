@@ -1,0 +1,67 @@
+"""The known forces of a link joined into one: meeting point of two lines of action, a couple displacing a force by h = M / F."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...plane import Line, Points, Reals, cross, lines_meet, nominal
+from ...words import Words
+from .state import Acting, Statics
+
+NEARLY = 1e-9  # sine below which two lines of action are parallel
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Resultant:
+    """What the known forces of a link amount to: a force on a line, or (vector 0) a couple (N·m)."""
+
+    forces: tuple[Acting, ...]
+    vector: Points  # mm on the polygon
+    at: Points  # mm on the diagram
+    couple: Reals = 0.0
+
+    @property
+    def is_couple(self) -> bool:
+        """Whether no force is left."""
+        return bool(abs(nominal(self.vector)) < 1e-9)
+
+    @property
+    def line(self) -> Line:
+        """Line of action, along the force."""
+        return Line(self.at, self.vector / np.abs(self.vector))
+
+    @property
+    def symbols(self) -> Words:
+        """The forces in symbols: $F$, $R_{21}$."""
+        names = [f"${force.named.symbol}$" for force in self.forces]
+        return Words("、".join(names), ", ".join(names))
+
+
+def resultant(st: Statics, link: str) -> Resultant:
+    """Join all known forces and couples of a link.
+
+    Two forces meet in a point of the resultant's line; parallel ones, and couples, are joined by moments: M = Σ r × F.
+    """
+    forces = tuple(f for f in st.known(link) if abs(nominal(f.vector)) > 1e-9)
+    moment = st.moment(link)
+    total: Points = sum((f.vector for f in forces), 0j)
+    if not forces or abs(nominal(total)) < 1e-9:
+        about = sum((cross(f.at, f.vector) for f in forces), 0.0)
+        return Resultant(forces=forces, vector=0j, at=0j, couple=moment + st.newton_metres(about))
+    return Resultant(forces=forces, vector=total, at=_place(st, forces, total, moment))
+
+
+def _place(st: Statics, forces: tuple[Acting, ...], total: Points, moment: Reals) -> Points:
+    """A point of the resultant's line."""
+    if len(forces) == 1 and not np.any(moment):
+        return forces[0].at
+    if len(forces) == 2 and not np.any(moment) and _cross(forces[0], forces[1]):
+        return lines_meet(forces[0].line, forces[1].line)
+    about = sum((cross(f.at, f.vector) for f in forces), 0.0) + st.paper_moment(moment)
+    return -1j * total * about / np.square(np.abs(total))
+
+
+def _cross(one: Acting, two: Acting) -> bool:
+    return abs(float(nominal(cross(one.line.along, two.line.along)))) > NEARLY

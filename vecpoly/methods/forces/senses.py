@@ -1,0 +1,82 @@
+"""Against which motion friction acts: relative turning at a pin, relative sliding in a guide or at a contact, read off the velocity polygon."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import View
+from ...errors import NoSlipSenseError
+from ...mechanism.model import FRAME, Prismatic
+from ...names import omega
+from ...plane import Points, nominal
+from ...words import Words
+from ..kinematics.image import known_tips
+from .state import STILL, Statics
+
+TURN = {1: Words("逆时针", "counter-clockwise"), -1: Words("顺时针", "clockwise")}
+
+
+def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
+    """Why the reaction touches the friction circle on its side: ω of the one link against the other, and the moment against it."""
+    sense = st.moment_sense(point, by, on)
+    if not sense:
+        return Words.same("")
+    i, j = st.mech.number(by), st.mech.number(on)
+    way, against = TURN[-sense], TURN[sense]
+    return Words(f"构件 {j} 相对构件 {i} 的角速度 $ω_{{{j}{i}}}$ 为{way.zh}，故 $R_{{{i}{j}}}$ 对 ${point}$ 之矩应为{against.zh}，切于 ${point}$ 处的摩擦圆。",
+                 f" Link {j} turns {way.en} relative to link {i} ($ω_{{{j}{i}}}$), so $R_{{{i}{j}}}$ has a {against.en} moment about ${point}$ and touches the friction circle there.")
+
+
+def velocity_of(st: Statics, link: str, place: Points) -> Points:
+    """Velocity (mm on the velocity polygon) of the point of a link that is at this place of the diagram, from a drawn tip and ω."""
+    desk = st.desk
+    if link == FRAME:
+        return 0j
+    _, at = known_tips(desk, View.VELOCITY, link)[0]
+    turn = desk.turns[omega(link)]
+    per_mm = st.board.scales[View.MECHANISM].value / st.board.scales[View.VELOCITY].value
+    return desk.tip(View.VELOCITY, at) + 1j * np.asarray(turn.value) * (place - desk.where(at)) * per_mm
+
+
+def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: str) -> Points:
+    """Direction of a reaction with normal part along `normal`: turned by φ from it, against the sliding of the link it acts on.
+
+    Raises NoSlipSenseError where nothing slides.
+    """
+    if not phi:
+        return normal
+    along = float(nominal((np.conj(1j * normal) * slip).real))
+    if abs(along) * st.board.scales[View.VELOCITY].value <= STILL * st.speed:
+        raise NoSlipSenseError(f"{what}: nothing slides in this position, so friction has no sense; choose another input position, or leave out this friction")
+    leant: Points = normal * complex(np.exp(-1j * phi * np.sign(along)))
+    return leant
+
+
+def inclined(st: Statics, joint: Prismatic, by: str, on: str, towards: Points) -> Points:
+    """Direction of R_by,on in a slide: the normal of the guide on the side of `towards`, inclined by φ against the sliding of `on` past `by`."""
+    desk = st.desk
+    line = desk.guide_line(joint)
+    normal = 1j * line.along * np.where((np.conj(1j * line.along) * towards).real < 0, -1, 1)
+    at = desk.at[joint.pin]
+    slip = velocity_of(st, on, at) - velocity_of(st, by, at)
+    i, j = st.mech.number(by), st.mech.number(on)
+    return leaning(st, normal, slip, st.phi(joint), f"the slide of links {i} and {j}")
+
+
+def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
+    """Why the reaction of a slide leans as it does."""
+    i, j = st.mech.number(by), st.mech.number(on)
+    if not st.phi(joint):
+        return Words(f"$R_{{{i}{j}}}$ 垂直于导路。", f" $R_{{{i}{j}}}$ is normal to the guide.")
+    way = sliding_way(st, joint, by, on)
+    return Words(f"构件 {j} 相对构件 {i} {way.zh}滑动，故 $R_{{{i}{j}}}$ 自导路法线偏转 $φ$ 角，与滑动方向成 90° + $φ$。",
+                 f" Link {j} slides {way.en} past link {i}, so $R_{{{i}{j}}}$ leans by $φ$ from the normal of the guide, at 90° + $φ$ to the sliding.")
+
+
+def sliding_way(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
+    """向左, to the left: the way in which `on` slides past `by`, as the velocity polygon shows."""
+    at = st.desk.at[joint.pin]
+    slip = complex(nominal(velocity_of(st, on, at) - velocity_of(st, by, at)))
+    if abs(slip.real) >= abs(slip.imag):
+        return Words("向右", "to the right") if slip.real > 0 else Words("向左", "to the left")
+    return Words("向上", "upwards") if slip.imag > 0 else Words("向下", "downwards")

@@ -1,0 +1,115 @@
+"""Successive approximation (逐步逼近) on scratch paper: the sense of every reaction, and the friction couples of pins that enter moment equations.
+
+A group solved by moments needs the friction couple ρR of each pin before R is known. Passes over the whole mechanism give
+couples from couples; between two changes of sense that is a linear relation, so its secant hits the fixed point. Friction is
+raised in a few shares, so that the reactions change sides, where they do, one after the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ...board.board import Board
+from ...board.hand import hand
+from ...errors import LockedError
+from ...mechanism.assur import Group
+from ...mechanism.model import Revolute
+from ...plane import Reals, dot, nominal
+from ...words import Words
+from .state import Statics
+
+Couples = Mapping[tuple[str, str], Reals]
+Walk = Callable[[Statics], None]
+ROUNDS = 30  # for each share of the friction
+SHARES = (0.25, 0.5, 0.75, 1.0)
+SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
+
+
+def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+    """A pass with friction whose senses and pin couples reproduce themselves, and these couples.
+
+    Raises LockedError where none is found: with this friction nothing moves.
+    """
+    scratch = replace(ideal.desk, board=Board(hand("exact"), ideal.desk.board.scales))
+    scratch.board.step(Words.same(""))
+    start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples)
+    shares = SHARES if ideal.by_moments else (1.0,)
+    guide: Statics = ideal
+    couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0)
+    for share in shares:
+        guide, couples = _fixed(replace(start, ideal=guide, share=share), groups, walk, couples)
+    return guide, couples
+
+
+def _fixed(start: Statics, groups: tuple[Group, ...], walk: Walk, couples: Couples) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+    """The fixed point at one share of the friction."""
+    guide, slope, last = start.ideal, None, np.inf
+    assert guide is not None
+    for _ in range(ROUNDS):
+        st = _pass(start, guide, couples, walk)
+        after = pin_couples(st, groups)
+        same, gap = _same_senses(st, guide), _gap(couples, after)
+        if same and gap < SETTLED:
+            return st, after
+        if slope is None or not same or gap > last / 10:  # another linear piece than the one the secant belongs to
+            slope = _slope(start, st, groups, walk, couples) if couples else np.zeros((0, 0))
+        guide, last = st, gap
+        couples = _secant(couples, after, slope)
+    raise LockedError(f"with friction no equilibrium settles, the reactions keep changing sides: the mechanism is locked for {start.unknown.name} in this position, "
+                      f"lower f or ρ")
+
+
+def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:
+    st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set(), readings={}, repeats={})
+    walk(st)
+    return st
+
+
+def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str], Reals]:
+    """Friction couples (N·m) of the pins of groups that were solved by moments: ρ R against the relative turning."""
+    found: dict[tuple[str, str], Reals] = {}
+    rubbing = replace(st, rubbing=True)
+    for group in groups:
+        if group.links not in st.by_moments:
+            continue
+        for joint in (*group.inner, *(out.joint for out in group.outer)):
+            if isinstance(joint, Revolute) and rubbing.rho(joint.point):
+                for by, on in ((joint.a, joint.b), (joint.b, joint.a)):
+                    force = st.push(by, on)
+                    if on in group.links and force is not None:
+                        found[by, on] = st.newton_metres(np.abs(force.vector) * rubbing.rho(joint.point) * rubbing.moment_sense(joint.point, by, on))
+    return found
+
+
+def _same_senses(st: Statics, guide: Statics) -> bool:
+    return all(float(nominal(dot(st.acting[key].vector, guide.acting[key].vector))) >= 0 for key in st.acting if key in guide.acting)
+
+
+def _gap(before: Couples, after: Couples) -> float:
+    """Largest change by any hand that finds an equilibrium at all."""
+    largest = max((abs(float(nominal(c))) for c in after.values()), default=0.0)
+    changes = [abs(float(nominal(after[k] - before[k]))) for k in after]
+    return max(changes, default=0.0) / largest if largest else 0.0
+
+
+def _slope(start: Statics, st: Statics, groups: tuple[Group, ...], walk: Walk, couples: Couples) -> np.ndarray:
+    """How the couples that come out change with those put in: one further pass for each, nominal hand."""
+    base = [float(nominal(c)) for c in pin_couples(st, groups).values()]
+    stride = max([abs(c) for c in base]) or 1.0
+    columns = []
+    for key in couples:
+        moved = _pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk)
+        columns.append([(float(nominal(c)) - b) / (stride * 1e-3) for c, b in zip(pin_couples(moved, groups).values(), base, strict=True)])
+    return np.array(columns).T
+
+
+def _secant(couples: Couples, after: Couples, slope: np.ndarray) -> dict[tuple[str, str], Reals]:
+    """x − (G − 1)⁻¹ (g(x) − x), by every hand."""
+    if not couples:
+        return {}
+    rest = np.stack(np.broadcast_arrays(*[np.asarray(after[k] - couples[k], dtype=float) for k in couples]))
+    move = np.linalg.solve(slope - np.eye(len(couples)), rest.reshape(len(couples), -1)).reshape(rest.shape)
+    return {key: (np.asarray(couples[key]) - move[i])[()] for i, key in enumerate(couples)}

@@ -1,0 +1,224 @@
+"""What is known of the forces while they are being found: one pass over the links, with friction or without.
+
+Vectors are mm on the force polygon (× μ_F = N), lines of action are in mm on the kinematic diagram. A force `by` → `on` is known
+under that pair and, reversed, under the opposite one: R_21 = −R_12.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...board.board import Board
+from ...board.construction import Pane, Place, Reading, Scale, View
+from ...errors import NoSlipSenseError
+from ...mechanism.assur import hinges
+from ...mechanism.loads import Force, Load, Loads, Moment
+from ...mechanism.model import FRAME, Contact, Mechanism, Prismatic
+from ...mechanism.quantities import load_named
+from ...names import Named, omega, reaction
+from ...plane import Line, Points, Reals, nominal
+from ...vector.equation import KNOWN
+from ...words import Words
+from ..desk import Desk
+
+STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this past each other have no friction sense
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drawn:
+    """Where a force stands on a polygon: figure, start, end, letters."""
+
+    place: Place
+    start: Points
+    end: Points
+    letters: str
+
+    def reversed(self) -> Drawn:
+        """The opposite force."""
+        first, last = self.letters.split()
+        return Drawn(place=self.place, start=self.end, end=self.start, letters=f"{last} {first}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Acting:
+    """A force on a link: its name, its vector on the polygon, a point of its line of action; its two table entries."""
+
+    named: Named
+    vector: Points
+    at: Points
+    direction: Words = KNOWN
+    size: str = "✓"
+    drawn: Drawn | None = None
+    tangent: int = 0  # sense of its moment about a pin whose friction circle it touches
+
+    @property
+    def line(self) -> Line:
+        """The line of action, along the force."""
+        return Line(self.at, self.vector / np.abs(self.vector))
+
+
+@dataclass(slots=True)
+class Statics:
+    """One pass. `rubbing`: whether friction counts; `ideal`: the finished pass without it; `couples`: pin couples of the last round (N·m)."""
+
+    desk: Desk
+    loads: Loads
+    rubbing: bool = False
+    ideal: Statics | None = None
+    acting: dict[tuple[str, str], Acting] = field(default_factory=dict)  # (by, on) of reactions
+    inertia: dict[str, list[Acting]] = field(default_factory=dict)  # link → inertia force (displaced by h) and weight
+    inertia_couples: dict[str, Reals] = field(default_factory=dict)  # link → inertia couple that no displaced force carries (N·m)
+    couples: dict[tuple[str, str], Reals] = field(default_factory=dict)  # (by, on) → friction couple on `on`, where the method wants couples
+    by_moments: set[tuple[str, ...]] = field(default_factory=set)  # links of groups that were solved by moments
+    share: float = 1.0  # of the friction, while it is raised
+    balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
+    readings: dict[str, Reading] = field(default_factory=dict)
+    repeats: dict[str, Reals] = field(default_factory=dict)
+
+    # -- names ------------------------------------------------------------------------------------------------
+
+    @property
+    def board(self) -> Board:
+        """The sheet."""
+        return self.desk.board
+
+    @property
+    def mech(self) -> Mechanism:
+        """The mechanism."""
+        return self.desk.mech
+
+    def named(self, by: str, on: str) -> Named:
+        """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
+        name = reaction(self.mech.number(by), self.mech.number(on))
+        if self.rubbing or not self.loads.friction:
+            return name
+        return Named(f"{name.key}_0", f"R_{{{name.key[2:]},0}}", "N", True)
+
+    @property
+    def unknown(self) -> Load:
+        """The balancing load."""
+        return self.loads.unknown
+
+    @property
+    def unknown_named(self) -> Named:
+        """The balancing load's name in this pass: M_1, or M_10 without friction."""
+        name = load_named(self.unknown)
+        if self.rubbing or not self.loads.friction:
+            return name
+        stem, _, sub = name.key.partition("_")
+        return Named(f"{name.key}_0", f"{stem}_{{{sub}0}}", name.unit)
+
+    def polygon(self, name: str, title: Words) -> Pane:
+        """The force polygon of this name, begun where it is new; one without friction stands apart."""
+        ideal = bool(self.loads.friction) and not self.rubbing
+        zero = Words("不计摩擦时", " without friction")
+        return self.board.open_pane(View.FORCE, f"{name} ideal" if ideal else name,
+                                    Words(zero.zh + title.zh, title.en + zero.en) if ideal else title)
+
+    # -- forces -----------------------------------------------------------------------------------------------
+
+    @property
+    def scale(self) -> Scale:
+        """μ_F."""
+        return self.board.scales[View.FORCE]
+
+    def mm(self, newtons: Reals) -> Reals:
+        """A force on paper."""
+        return newtons / self.scale.value
+
+    def newton_metres(self, paper: Reals) -> Reals:
+        """A moment on paper (mm of force × mm of arm) in N·m."""
+        return paper * self.scale.value * self.board.scales[View.MECHANISM].value
+
+    def paper_moment(self, moment: Reals) -> Reals:
+        """N·m as mm of force × mm of arm."""
+        return moment / (self.scale.value * self.board.scales[View.MECHANISM].value)
+
+    def push(self, by: str, on: str) -> Acting | None:
+        """The reaction of `by` on `on`, if found."""
+        if (by, on) in self.acting:
+            return self.acting[by, on]
+        other = self.acting.get((on, by))
+        drawn = other.drawn.reversed() if other is not None and other.drawn is not None else None
+        return None if other is None else Acting(named=self.named(by, on), vector=-other.vector, at=other.at, drawn=drawn, tangent=-other.tangent)
+
+    def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0) -> Acting:
+        """Keep a reaction as found."""
+        self.acting[by, on] = Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent)
+        return self.acting[by, on]
+
+    def known(self, link: str) -> list[Acting]:
+        """All known forces on a link: loads, inertia force, weight, reactions already found."""
+        forces = [self._load(load) for load in self.loads.on(link) if isinstance(load, Force) and load.size is not None]
+        forces += self.inertia.get(link, [])
+        for by, on in self.acting:
+            other = by if on == link else on if by == link else None
+            found = self.push(other, link) if other is not None else None
+            forces += [found] if found is not None else []
+        return forces
+
+    def moment(self, link: str) -> Reals:
+        """Sum of the given couples on a link and of the friction couples of its pins (N·m)."""
+        given: Reals = sum(load.size for load in self.loads.on(link) if isinstance(load, Moment) and load.size is not None)
+        given = given + self.inertia_couples.get(link, 0.0)
+        return given + sum((c for (_, on), c in self.couples.items() if on == link), 0.0)
+
+    def loaded(self, link: str) -> bool:
+        """Whether anything but the two joints of a group acts on the link: then it is no two-force link."""
+        return any(abs(nominal(f.vector)) > 1e-9 for f in self.known(link)) or bool(self.loads.on(link)) or bool(np.any(self.moment(link)))
+
+    def _load(self, load: Force) -> Acting:
+        assert load.size is not None
+        vector = self.mm(load.size) * complex(np.exp(1j * load.direction))
+        return Acting(named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$")
+
+    # -- friction ---------------------------------------------------------------------------------------------
+
+    def rho(self, point: str) -> float:
+        """Radius of the friction circle of a pin on paper (mm); 0 in a pass without friction."""
+        return self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing else 0.0
+
+    def phi(self, joint: Prismatic | Contact) -> float:
+        """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
+        friction = self.loads.friction
+        if not self.rubbing:
+            return 0.0
+        if isinstance(joint, Contact):
+            return self.share * friction.contacts.get(joint.point, 0.0)
+        return self.share * friction.slides.get((joint.block, joint.guide), friction.slides.get((joint.guide, joint.block), 0.0))
+
+    def turning(self, link: str, against: str) -> float:
+        """ω of a link relative to another, as drawn (rad/s)."""
+        return self._omega(link) - self._omega(against)
+
+    def moment_sense(self, point: str, by: str, on: str) -> int:
+        """Sense (+1 ccw) of the moment of R_by,on about the pin's centre: against the turning of `on` relative to `by`.
+
+        0 where the pin has no friction. Raises NoSlipSenseError where the links do not turn relative to each other.
+        """
+        if not self.rho(point):
+            return 0
+        rate = self.turning(on, by)
+        if abs(rate) <= STILL * self._rate():
+            i, j = self.mech.number(by), self.mech.number(on)
+            raise NoSlipSenseError(f"pin {point}: links {i} and {j} do not turn relative to each other in this position, so their friction has no sense; "
+                                   f"choose another input position, or leave out the friction of {point}")
+        return -1 if rate > 0 else 1
+
+    @property
+    def speed(self) -> float:
+        """A speed typical of the mechanism (m/s)."""
+        return self._rate() * self.mech.scale
+
+    def _omega(self, link: str) -> float:
+        return 0.0 if link == FRAME else float(nominal(self.desk.turns[omega(link)].value))
+
+    def _rate(self) -> float:
+        drive = self.mech.drive
+        return abs(drive.rate) / (self.mech.scale if drive.slide else 1.0)
+
+    def pin_between(self, a: str, b: str) -> str | None:
+        """Letter of the hinge that joins two links, if one does."""
+        return next((point for point, names in hinges(self.mech).items() if {a, b} <= set(names)), None)

@@ -1,0 +1,71 @@
+"""The balancing load by virtual power: Σ F·v + Σ M ω = 0, velocities measured on the drawn velocity polygon; no reaction appears."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import Reading, View
+from ...errors import EquilibriumError
+from ...formula import Node
+from ...mechanism.loads import Load
+from ...mechanism.quantities import quantities
+from ...names import Named
+from ...plane import Reals, nominal
+from ...quantity import Quantity, Sum, magnitude, worked
+from ...words import Words
+from ..registry import Stage, method
+from .letters import power_symbol
+from .power_terms import Work, draw_rate, rate_of, works
+from .state import Statics
+
+_SOURCE = "机械原理, principle of virtual power: the powers of all given forces, inertia included, sum to zero"
+
+
+def powers(st: Statics) -> dict[str, Reals]:
+    """Power (W) of each load of given size, inertia force, inertia couple and weight, by name; nothing is drawn or written."""
+    return {work.named.key: work.value for work in works(st)}
+
+
+@method(stage=Stage.FORCE, group="virtual power", source=_SOURCE, example="slider-crank-dynamic",
+        title=Words("用虚功率求平衡力（矩）", "Balancing load by virtual power"))
+def balancing_by_power(st: Statics, load: Load | None = None) -> None:
+    """M_1 = −Σ P / ω_1 (N·m), or F_b = −Σ P / v_b (N), friction left out; `load` is the balancing one.
+
+    Raises EquilibriumError where the balancing load does no work in this position.
+    """
+    load = load or st.unknown
+    named = quantities(st.mech, st.loads)[f"{load.name}_power"]
+    st.board.step(Words("用虚功率原理校核：不计摩擦时，全部外力与惯性力的功率之和 $Σ$ $F v$ + $Σ$ $M ω$ = 0；速度由速度多边形上各力作用点速度沿力方向的分量量得。",
+                        "By virtual power: without friction the powers of all loads and inertia forces sum to zero, $Σ$ $F v$ + $Σ$ $M ω$ = 0; each velocity is the component along the force, measured on the velocity polygon."), View.VELOCITY)
+    parts = [_written(st, work) for work in works(st)]
+    rate = rate_of(st, load)
+    if not rate.way:
+        raise EquilibriumError(f"the balancing load {load.name} does no work in this position: its point does not move along it; "
+                               f"choose another input position or another balancing load")
+    draw_rate(st, rate)
+    moving = [part for part in parts if nominal(part.value)]
+    if not moving:
+        _keep(st, named, 0.0, None)
+        return
+    expr = Sum(tuple(moving), (-rate.way,) * len(moving)) / rate.expr
+    st.board.write(worked(magnitude(named.symbol, 0.0, named.unit).node, expr, named.unit))
+    total = sum(part.value for part in parts)
+    _keep(st, named, -total / (rate.sign * rate.expr.value), worked(magnitude(named.symbol, 0.0, named.unit).node, expr, named.unit))
+
+
+def _written(st: Statics, work: Work) -> Quantity:
+    """P = ± F v in the step; zero where its point does not move along it."""
+    named = Named(f"P_{work.named.key}", power_symbol(work.named.symbol), "W")
+    quantity = magnitude(named.symbol, work.value, "W")
+    draw_rate(st, work.rate)
+    way = int(nominal(work.sign))
+    if way:
+        st.board.write(worked(quantity.node, Sum((work.expr,), (way,)), "W"))
+    else:
+        st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" ${work.named.symbol}$ does no work."))
+    return quantity
+
+
+def _keep(st: Statics, named: Named, value: Reals, formula: Node | None) -> None:
+    st.readings[named.key] = Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula)
+    st.repeats[named.key] = np.asarray(value, dtype=float)

@@ -1,0 +1,90 @@
+"""What acts from outside: forces and moments, weights, inertia forces, each with its power."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...errors import EquilibriumError, UnknownNameError
+from ...mechanism.loads import GRAVITY, Force, Load, Loads, Mass
+from ...mechanism.model import Mechanism
+from ..state import NONE, STILL, Bodies, Points, Reals, dot
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Acting:
+    """A force (N) at a point (m) of a link, with a couple (N·m)."""
+
+    name: str
+    link: str
+    at: Points
+    force: Points
+    couple: Reals
+
+    def power(self, rates: Bodies) -> Reals:
+        """F·v + M ω (W)."""
+        body = rates[self.link]
+        return dot(self.force, body.velocity_at(self.at)) + self.couple * body.omega
+
+
+def checked(mech: Mechanism, loads: Loads) -> None:
+    """Raise EquilibriumError or UnknownNameError for loads that no equilibrium can be written for."""
+    free = [load.name for load in loads.all if load.size is None]
+    if len(free) != 1:
+        named = f" ({', '.join(free)})" if free else ""
+        raise EquilibriumError(f"{len(free)} loads have no size{named}; exactly one must be left to balance the others")
+    for item in (*loads.all, *loads.masses):
+        if item.link not in mech.bodies:
+            name = f"the mass of {item.link}" if isinstance(item, Mass) else item.name
+            raise EquilibriumError(f"{name} acts on '{item.link}', which is no moving link; known: {', '.join(mech.bodies)}")
+        letter = item.centre if isinstance(item, Mass) else item.point if isinstance(item, Force) else None
+        if letter is not None and letter not in mech.link(item.link).points:
+            known = ", ".join(mech.link(item.link).points)
+            raise UnknownNameError(f"link {item.link} has no point {letter}; known: {known}")
+    friction = loads.friction
+    for where, value in (*friction.pins.items(), *friction.slides.items(), *friction.contacts.items()):
+        if not value >= 0:
+            raise EquilibriumError(f"friction at {where} is {value:g}; it must not be negative")
+
+
+def given(mech: Mechanism, loads: Loads, bodies: Bodies) -> tuple[Acting, ...]:
+    """Everything whose size is known: loads, weights, inertia forces."""
+    sized = [_load(mech, load, load.size, bodies) for load in loads.all if load.size is not None]
+    if loads.weight:
+        sized += [weight(mech, mass, bodies) for mass in loads.masses]
+    if loads.dynamic:
+        sized += [inertia(mech, mass, bodies) for mass in loads.masses]
+    return tuple(sized)
+
+
+def sought(mech: Mechanism, loads: Loads, bodies: Bodies) -> Acting:
+    """The balancing load, of size 1."""
+    return _load(mech, loads.unknown, 1.0, bodies)
+
+
+def inertia(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
+    """-m a_S at the centre of mass, and the couple -J α."""
+    body, local = bodies[mass.link], mech.link(mass.link).points[mass.centre]
+    return Acting(name=f"F_I{mass.link}", link=mass.link, at=body.point(local),
+                  force=-mass.mass * body.acceleration_of(local), couple=-mass.inertia * body.alpha)
+
+
+def weight(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
+    """m g downwards at the centre of mass."""
+    at = bodies[mass.link].point(mech.link(mass.link).points[mass.centre])
+    return Acting(name=f"G_{mass.link}", link=mass.link, at=at, force=np.full(1, -1j * GRAVITY * mass.mass), couple=NONE)
+
+
+def _load(mech: Mechanism, load: Load, size: float, bodies: Bodies) -> Acting:
+    body = bodies[load.link]
+    if isinstance(load, Force):
+        force = np.full(1, size * np.exp(1j * load.direction))
+        at = body.point(mech.link(load.link).points[load.point])
+        return Acting(name=load.name, link=load.link, at=at, force=force, couple=NONE)
+    return Acting(name=load.name, link=load.link, at=body.at, force=STILL, couple=np.full(1, size))
+
+
+def unit_drive(mech: Mechanism) -> Mechanism:
+    """The mechanism with its drive moving at unit rate: for virtual velocities where the drive itself rests."""
+    return replace(mech, drives=(replace(mech.drive, rate=1.0, accel=0.0), *mech.drives[1:]))

@@ -1,0 +1,113 @@
+"""The quantities of `mechanism.quantities` and the lines of action, out of a solved equilibrium."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...errors import UnknownNameError
+from ...mechanism.loads import Mass
+from ...mechanism.model import FRAME
+from ...mechanism.quantities import given_value
+from ..state import Points, Reals, cross
+from .acting import Acting, inertia
+from .pairs import Wrench
+from .system import Balance
+
+if TYPE_CHECKING:
+    from .equilibrium import Forces
+
+
+def value(result: Forces, key: str) -> Points | Reals:
+    """The quantity with this key; UnknownNameError where there is none."""
+    if key not in result.named:
+        raise UnknownNameError(f"there is no quantity {key} here; known: {', '.join(result.named)}")
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = _value(result, key)
+    return result.shaped(found)  # type: ignore[type-var, return-value]
+
+
+def line(result: Forces, by: str, on: str) -> Points:
+    """A point of the line of action of the force of `by` on `on`; NaN where there is no force."""
+    index, _ = _find(result, by, on)
+    if index is None:
+        return result.shaped(np.full(1, complex(np.nan, np.nan)))
+    pair, wrench = result.system.pairs[index], result.wet.wrench(result.system.pairs, index)
+    along = 1j * wrench.force if pair.along is None else pair.along
+    with np.errstate(invalid="ignore", divide="ignore"):
+        away = along * (wrench.couple / cross(along, wrench.force))
+        return result.shaped(np.where(wrench.force == 0, complex(np.nan, np.nan), pair.at + away))
+
+
+def _value(result: Forces, key: str) -> Points | Reals:
+    free = result.loads.unknown.name
+    if key == free:
+        return result.wet.load
+    if key in (f"{free}_0", f"{free}_lever"):
+        return result.dry.load
+    if key == f"{free}_power":
+        return _virtual(result)
+    if key == "eta":
+        return result.power_out / result.power_in
+    if key == "h":
+        return _arm(result)
+    if key.startswith("R_"):
+        by, on = next((by, on) for by in _numbers(result) for on in _numbers(result) if key in (f"R_{by}{on}", f"R_{by}{on}_0"))
+        return _reaction(result, by, on, result.dry if key.endswith("_0") else result.wet)
+    if (data := given_value(result.loads, key)) is not None:
+        return np.full(1, data)
+    return _inertia(result, key)
+
+
+def _numbers(result: Forces) -> tuple[str, ...]:
+    return tuple(result.mech.number(name) for name in (*result.mech.bodies, FRAME))
+
+
+def _find(result: Forces, by: str, on: str) -> tuple[int | None, int]:
+    """The pair of these links, and +1 where it holds the force on its link b; None: a hinge's links that are pinned through a third."""
+    names = tuple(result.mech.named(number) for number in (by, on))
+    for index, pair in enumerate(result.system.pairs):
+        if {pair.a, pair.b} == set(names):
+            return index, 1 if pair.b == names[1] else -1
+    if f"R_{by}{on}" in result.named:
+        return None, 1
+    raise UnknownNameError(f"links {by} and {on} do not touch each other: there is no R_{by}{on}")
+
+
+def _reaction(result: Forces, by: str, on: str, balance: Balance) -> Points:
+    index, sign = _find(result, by, on)
+    if index is None:
+        return np.zeros(1, np.complex128)
+    force: Points = sign * balance.wrench(result.system.pairs, index).force
+    return force
+
+
+def _virtual(result: Forces) -> Reals:
+    """Virtual power: the balancing load's size from the powers of the other loads alone, Σ F·v + Σ M ω = 0."""
+    powers: Reals = sum((act.power(result.rates) for act in result.system.known), np.zeros(1))
+    return -powers / result.system.free.power(result.rates)
+
+
+def _arm(result: Forces) -> Reals:
+    """|M| / R: the frame's reaction (any reaction where the link has none) and everything else but M make a couple with this arm."""
+    link = result.loads.unknown.link
+    own = [index for index, pair in enumerate(result.system.pairs) if link in (pair.a, pair.b)]
+    held = [index for index in own if FRAME in (result.system.pairs[index].a, result.system.pairs[index].b)]
+    wrench: Wrench = result.wet.wrench(result.system.pairs, (held or own)[0])
+    return np.abs(result.wet.load) / np.abs(wrench.force)
+
+
+def _inertia(result: Forces, key: str) -> Points | Reals:
+    mass = next(mass for mass in result.loads.masses if key in (f"F_I{mass.link}", f"M_I{mass.link}", f"h_{mass.link}"))
+    act = _acting(result, mass)
+    if key[0] == "F":
+        return act.force
+    return act.couple if key[0] == "M" else np.abs(act.couple) / np.abs(act.force)
+
+
+def _acting(result: Forces, mass: Mass) -> Acting:
+    if result.loads.dynamic:
+        return inertia(result.mech, mass, result.motion.bodies)
+    return Acting(name=f"F_I{mass.link}", link=mass.link, at=np.zeros(1, np.complex128),
+                  force=np.zeros(1, np.complex128), couple=np.zeros(1))

@@ -1,0 +1,139 @@
+"""Joints and contacts as seen by statics: what one link can do to the other, and how friction adds to it.
+
+The force of link a on link b is a sum of unit wrenches, of unknown sizes, at the pair's point `at`; that on a is the
+opposite. Friction adds the wrench `rub`, opposed to the relative motion, times the size of the pressing force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...mechanism.assur import is_held
+from ...mechanism.loads import Friction
+from ...mechanism.model import Contact, Mechanism, Prismatic, Revolute, Rolling
+from ..contact import touching
+from ..pitch import pitch_point
+from ..state import NONE, STILL, Bodies, Points, Reals, dot
+
+ONE: Points = np.ones(1, np.complex128)
+
+
+@dataclass(frozen=True, slots=True)
+class Wrench:
+    """A force (N) and a couple (N·m) about the point where it is thought."""
+
+    force: Points
+    couple: Reals
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Pair:
+    """Links a and b in touch at `at`.
+
+    units: wrenches on b of unknown size, of which the first `pressed` make the force that friction counts by.
+    rub: friction's wrench on b for a pressing force of 1 N; grip: ρ (m) or tan φ; rate: rad/s or m/s of b against a.
+    along: the line on which a point of the line of action is given (None: square to the force, as on a friction circle).
+    """
+
+    text: str  # for messages
+    who: tuple[str, str]  # a and b by their printed numbers
+    a: str
+    b: str
+    at: Points
+    units: tuple[Wrench, ...]
+    pressed: int = 0
+    rub: Wrench | None = None
+    grip: float = 0.0
+    rate: Reals | None = None
+    turns: bool = False  # rate is an angular velocity
+    along: Points | None = None
+    pushes: bool = False  # the first unit can only press
+
+    @property
+    def rubs(self) -> bool:
+        """Whether there is friction here."""
+        return self.rub is not None
+
+
+def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction) -> tuple[Pair, ...]:
+    """Every pair of bodies that press on each other; `rates` holds the links' velocities (of a unit drive where it rests)."""
+    thought = {contact.substitute for contact in mech.contacts}
+    found = [_pin(mech, bodies, rates, joint, friction.pins.get(joint.point, 0.0)) for joint in _pins(mech, thought)]
+    for joint in mech.joints:
+        if isinstance(joint, Prismatic) and not {joint.guide, joint.block} & thought:
+            found.append(_slide(mech, bodies, rates, joint, friction.slides.get((joint.block, joint.guide), 0.0)))
+        elif isinstance(joint, Rolling):
+            found.append(_rolling(mech, bodies, joint))
+    for contact in mech.contacts:
+        found.append(_contact(mech, bodies, rates, contact, friction.contacts.get(contact.point, 0.0)))
+    return tuple(found)
+
+
+def _pins(mech: Mechanism, thought: set[str]) -> Iterator[Revolute]:
+    """The hinges' pins; where a substitute link stands between two bodies at one hinge, they are pinned to each other."""
+    for joint in mech.joints:
+        if isinstance(joint, Revolute) and not {joint.a, joint.b} & thought:
+            yield joint
+    for name in thought:
+        chain = [j for j in mech.joints if isinstance(j, Revolute) and name in (j.a, j.b)]
+        for point in dict.fromkeys(j.point for j in chain):
+            held = [j.a if j.b == name else j.b for j in chain if j.point == point]
+            yield from (Revolute(point=point, a=held[0], b=other) for other in held[1:])
+
+
+def _who(mech: Mechanism, a: str, b: str) -> tuple[str, str]:
+    return mech.number(a), mech.number(b)
+
+
+def _against(rate: Reals) -> Reals:
+    """The sense of friction on link b, which moves at this rate against a."""
+    sense: Reals = -np.sign(rate)
+    return sense
+
+
+def _pin(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Revolute, radius: float) -> Pair:
+    """Reaction of any direction; friction's couple is ρ R against the relative rotation."""
+    rate = rates[joint.b].omega - rates[joint.a].omega
+    rub = Wrench(STILL, radius * _against(rate)) if radius else None
+    at = bodies[joint.a].point(mech.link(joint.a).points[joint.point])
+    return Pair(text=f"pin {joint.point}", who=_who(mech, joint.a, joint.b), a=joint.a, b=joint.b, at=at, units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
+                pressed=2, rub=rub, grip=radius, rate=rate, turns=True)
+
+
+def _slide(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, angle: float) -> Pair:
+    """Force square to the guide and couple, that is a normal force anywhere along the guide; friction tan φ N along it."""
+    guide, pin = bodies[joint.guide], mech.link(joint.block).points[joint.pin]
+    along = guide.unit * complex(np.exp(1j * joint.direction))
+    origin, place = guide.point(joint.origin), bodies[joint.block].point(pin)
+    foot = origin + along * dot(along, place - origin)
+    slip = rates[joint.block].velocity_of(pin) - rates[joint.guide].velocity_at(place)
+    rate, grip = dot(along, slip), float(np.tan(angle))
+    rub = Wrench(along * (grip * _against(rate)), NONE) if grip else None
+    units = (Wrench(1j * along, NONE), Wrench(STILL, np.full(1, mech.scale)))
+    who = _who(mech, joint.guide, joint.block)
+    return Pair(text=f"slide of {who[1]} on {who[0]}", who=who, a=joint.guide, b=joint.block, at=foot, units=units, pressed=1, rub=rub, grip=grip, rate=rate, along=along)
+
+
+def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
+    """Pitch-point force without loss: of any direction, or along the teeth alone where links hold the gear's centre already."""
+    at, (a, b) = pitch_point(joint, mech, bodies), (joint.on.link, joint.gear.link)
+    units: tuple[Wrench, ...] = (Wrench(ONE, NONE), Wrench(1j * ONE, NONE))
+    if is_held(mech, joint):
+        ray = bodies[b].point(mech.link(b).points[joint.gear.centre]) - at
+        units = (Wrench(1j * ray / np.abs(ray), NONE),)
+    return Pair(text=f"pitch point {joint.point}", who=_who(mech, a, b), a=a, b=b, at=at, units=units, along=ONE)
+
+
+def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, angle: float) -> Pair:
+    """The other link presses on the disc along the common normal; friction tan φ N against the sliding."""
+    disc, on = contact.links
+    place, normal = touching(mech, bodies, contact)
+    across = 1j * normal
+    rate = dot(across, rates[disc].velocity_at(place) - rates[on].velocity_at(place))
+    grip = float(np.tan(angle))
+    rub = Wrench(across * (grip * _against(rate)), NONE) if grip else None
+    return Pair(text=f"contact {contact.point}", who=_who(mech, on, disc), a=on, b=disc, at=place, units=(Wrench(normal, NONE),),
+                pressed=1, rub=rub, grip=grip, rate=rate, along=across, pushes=True)

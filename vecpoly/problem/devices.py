@@ -1,0 +1,90 @@
+"""A problem about a device: ``device: screw-jack`` with its ``data:`` instead of frame, links, joints and input."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..devices.base import Device, kind_of, kinds
+from ..errors import FaultError, UnknownNameError
+from ..names import Named
+from .asks import AskNamed
+from .faults import Faults, meant
+from .problem import Datum, Given, Printed, Problem, Scales
+from .schema import DeviceSpec, ProblemSpec
+from .source import Tree
+from .validate import validate
+from .wanted import as_given, read_scales
+
+
+def about_device(tree: Tree) -> bool:
+    """Whether the file is about a device; raises ProblemFileError where it has `data` but names none."""
+    if "data" in tree.data and "device" not in tree.data:
+        faults = Faults(tree.name, tree.places)
+        with faults.at("data"):
+            raise FaultError(f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})")
+        faults.settle()
+    return "device" in tree.data
+
+
+def build_device(tree: Tree, path: Path | None = None) -> Problem:
+    """The problem about a device in this tree; raises ProblemFileError with everything that is wrong with it."""
+    faults = Faults(tree.name, tree.places)
+    _strange(tree, faults)
+    spec = validate(DeviceSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
+    device = _device(spec, faults)
+    named = {one.key: one for one in device.quantities()}
+    asks, printed, scales = _wanted(spec, named, faults)
+    faults.settle()
+    return Problem(
+        id=spec.id,
+        title=spec.title,
+        source=spec.source,
+        statement=spec.statement,
+        subject=device,
+        asks=asks,
+        scales=scales,
+        printed=printed,
+        errata=tuple(spec.errata),
+        given=Given(loads=tuple(Datum(symbol=symbol, text=text) for symbol, text in device.given())),
+        orientation=spec.sheet.orientation if spec.sheet else None,
+        path=path,
+        text=tree.text,
+    )
+
+
+def _strange(tree: Tree, faults: Faults) -> None:
+    """Keys that belong to a mechanism."""
+    for key in tree.data:
+        if key in ProblemSpec.model_fields and key not in DeviceSpec.model_fields:
+            with faults.at(key):
+                raise FaultError(f"'{key}' belongs to a mechanism; all that is given of a device stands in 'data'")
+    faults.settle()
+
+
+def _device(spec: DeviceSpec, faults: Faults) -> Device:
+    with faults.at("device"):
+        try:
+            kind = kind_of(spec.device)
+        except UnknownNameError:
+            raise FaultError(f"there is no device '{spec.device}'{meant(spec.device, kinds())}") from None
+    faults.settle()
+    return validate(kind, spec.data, faults, "data")
+
+
+def _wanted(spec: DeviceSpec, named: dict[str, Named], faults: Faults) -> tuple[tuple[AskNamed, ...], tuple[Printed, ...], Scales]:
+    asks, printed, scales = [], [], Scales()
+    for i, key in enumerate(spec.find or named):
+        with faults.at("find", i):
+            asks.append(AskNamed(rel=_known(key, named)))
+    for i, entry in enumerate(spec.printed):
+        with faults.at("printed", i):
+            printed.append(as_given(entry, _known(entry.symbol, named)))
+    with faults.at("scales"):
+        scales = read_scales(spec.scales)
+    return tuple(asks), tuple(printed), scales
+
+
+def _known(key: str, named: dict[str, Named]) -> Named:
+    if key not in named:
+        raise FaultError(f"'{key}' is nothing that this device is asked for{meant(key, named)}")
+    return named[key]

@@ -1,0 +1,176 @@
+"""Friction as written: ``A: {rho: 6 mm}`` of a pin, ``3-4: {phi: 8 deg}`` of a slide, ``K: {f: 0.15}`` of a contact."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+
+from ..errors import FaultError
+from ..mechanism.assur import hinges
+from ..mechanism.loads import Friction
+from ..mechanism.model import FRAME, Mechanism, Prismatic, Rolling
+from ..units import Dim, Quantity, positive, read
+from ..words import Words
+from .faults import Faults, meant
+from .problem import Datum
+from .schema import FrictionSpec
+
+_SLIDE = re.compile(r"(\d+[a-z']?)\s*[-–]\s*(\d+[a-z']?)")
+
+
+def read_friction(entries: dict[str, FrictionSpec], mech: Mechanism, faults: Faults) -> tuple[Friction, tuple[Datum, ...]]:
+    """Friction by pin, slide and contact, and its data for 已知."""
+    pins: dict[str, float] = {}
+    slides: dict[tuple[str, str], float] = {}
+    contacts: dict[str, float] = {}
+    data: list[Datum] = []
+    letters = {contact.point for contact in mech.contacts}
+    for name, spec in entries.items():
+        with faults.at("friction", name):
+            if m := _SLIDE.fullmatch(name):
+                joint = _slide(m[1], m[2], mech)
+                told, slides[joint] = _leaning(f"{m[1]}{m[2]}", spec)
+            elif name in letters:
+                told, contacts[name] = _leaning(name, spec)
+            else:
+                _pinned(name, mech)
+                told, pins[name] = _turning(name, spec, mech)
+            data.append(told)
+    return Friction(pins=pins, slides=slides, contacts=contacts), tuple(data)
+
+
+def _slide(one: str, other: str, mech: Mechanism) -> tuple[str, str]:
+    """(block, guide) of the sliding pair of two links by printed numbers; for a pin in a slot the block is thought."""
+    pair = {mech.named(one), mech.named(other)}
+    known, thought = [], {contact.substitute for contact in mech.contacts}
+    for joint in mech.joints:
+        if not isinstance(joint, Prismatic) or joint.block in thought:
+            continue
+        blocks = [name for name in mech.links_at(joint.pin) if name != joint.block] if joint.pin_in_slot else [joint.block]
+        if any({block, joint.guide} == pair for block in blocks):
+            return joint.block, joint.guide
+        known += [f"{mech.number(block)}-{mech.number(joint.guide)}" for block in blocks]
+    if any({joint.gear.link, joint.on.link} == pair for joint in mech.joints if isinstance(joint, Rolling)):
+        raise FaultError("these links roll on each other without sliding: no friction is lost there; leave the entry out")
+    raise FaultError(f"links {one} and {other} form no sliding pair{meant(f'{one}-{other}', known) if known else '; there is none'}")
+
+
+def _pinned(name: str, mech: Mechanism) -> None:
+    """Raise FaultError where the letter is no pin."""
+    pins = _pins(mech)
+    if name in pins:
+        return
+    if name in {joint.point for joint in mech.joints if isinstance(joint, Rolling)}:
+        raise FaultError(f"at {name} links roll on each other without sliding: no friction is lost there; leave the entry out")
+    if mech.links_at(name):
+        raise FaultError(f"point {name} is no pin, since only {_link(mech, mech.links_at(name)[0])} carries it; pins: {', '.join(pins)}")
+    contacts = [contact.point for contact in mech.contacts]
+    raise FaultError(f"'{name}' is neither a pin nor a contact nor a sliding pair such as 3-4{meant(name, [*pins, *contacts])}")
+
+
+def _pins(mech: Mechanism) -> tuple[str, ...]:
+    """Letters of the pins that exist; those of the substitutes of contacts do not."""
+    thought = {contact.substitute for contact in mech.contacts}
+    return tuple(letter for letter, names in hinges(mech).items() if len(set(names) - thought) > 1)
+
+
+def _link(mech: Mechanism, name: str) -> str:
+    return "the frame" if name == FRAME else f"link {name}"
+
+
+def _turning(name: str, spec: FrictionSpec, mech: Mechanism) -> tuple[Datum, float]:
+    """ρ of a pin: given, or f r."""
+    _only(spec, "a pin", "rho, or f and r", "rho", "f", "f_v", "r")
+    if spec.rho is not None:
+        if spec.f is not None or spec.f_v is not None or spec.r is not None:
+            raise FaultError("rho and f are both given, though rho = f r; leave out one of them")
+        rho = _within("rho", lambda: _not_negative(spec.rho, Dim.LENGTH))
+        datum = Datum(symbol=f"ρ_{name}", si=rho.si, text=rho.text)
+        radius, key = rho.si, "rho"
+    else:
+        f, sign = _coefficient(spec)
+        if spec.r is None:
+            raise FaultError("the radius of the pin is missing; write e.g. {f: 0.1, r: 20 mm}, or {rho: 2 mm}")
+        r = _within("r", lambda: positive(spec.r))
+        radius, key = f * r.si, "r"
+        text = f"${sign}$ = {f:g}，$r_{name}$ = {r.text}，$ρ_{name}$ = ${sign} r_{name}$ = {1e3 * radius:.4g} mm"
+        datum = Datum(words=Words(text, text.replace("，", ", ")))
+    shortest, ends = _shortest(name, mech)
+    if radius > shortest / 2:
+        raise FaultError(f"the friction circle's radius {1e3 * radius:g} mm is more than half of {ends} = {1e3 * shortest:g} mm; check both", key)
+    return datum, radius
+
+
+def _shortest(name: str, mech: Mechanism) -> tuple[float, str]:
+    """The shortest distance, on the moving links at a pin, from it to another pin or to the link's other first point."""
+    pins, found = _pins(mech), [(math.inf, "")]
+    for link in (mech.link(one) for one in mech.links_at(name) if one in mech.bodies):
+        base = (*[p for p in link.points if p in pins], *list(link.points)[:2])
+        found += [(abs(link.points[p] - link.points[name]), f"{name}{p}") for p in base if link.points[p] != link.points[name]]
+    return min(found)
+
+
+def _leaning(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
+    """φ of a slide or a contact: given, or arctan f; in a V-groove of half angle V, f_v = f / sin V."""
+    _only(spec, "a slide or a contact", "phi, or f, or f and V", "phi", "f", "f_v", "V")
+    if spec.phi is not None:
+        if spec.f is not None or spec.f_v is not None or spec.V is not None:
+            raise FaultError("phi and f are both given, though phi = arctan f; leave out one of them")
+        phi = _within("phi", lambda: _not_negative(spec.phi, Dim.ANGLE))
+        if phi.si >= math.pi / 2 * (1 - 1e-12):
+            raise FaultError(f"a friction angle of {phi.text} would hold against any force; it must be less than 90 deg", "phi")
+        return Datum(symbol=f"φ_{{{name}}}", si=phi.si, text=phi.text), phi.si
+    f, sign = _coefficient(spec)
+    text = f"${sign}_{{{name}}}$ = {f:g}"
+    if spec.V is not None:
+        half = _within("V", lambda: _half_angle(spec.V))
+        text += f"，$θ$ = {half.text}，$f_v$ = $f$/sin $θ$ = {f / math.sin(half.si):.4g}"
+        f, sign = f / math.sin(half.si), "f_v"
+    angle = math.atan(f)
+    text += f"，$φ_{{{name}}}$ = arctan ${sign}$ = {math.degrees(angle):.4g} deg"
+    return Datum(words=Words(text, text.replace("，", ", "))), angle
+
+
+def _only(spec: FrictionSpec, what: str, keys: str, *allowed: str) -> None:
+    given = [key for key in type(spec).model_fields if getattr(spec, key) is not None]
+    if not given:
+        raise FaultError(f"how large is the friction? {what} takes {keys}")
+    if strange := [key for key in given if key not in allowed]:
+        raise FaultError(f"'{strange[0]}' is no datum of {what}, which takes {keys}", strange[0])
+
+
+def _coefficient(spec: FrictionSpec) -> tuple[float, str]:
+    if spec.f is not None and spec.f_v is not None:
+        raise FaultError("f and f_v are both given; leave out one of them")
+    key, text = ("f", spec.f) if spec.f is not None else ("f_v", spec.f_v)
+    if text is None:
+        raise FaultError("the coefficient f is missing; write e.g. f: 0.1")
+    try:
+        f = float(text)
+    except ValueError:
+        raise FaultError(f"'{text}' is no pure number; write e.g. {key}: 0.1", key) from None
+    if not 0 <= f < math.inf:
+        raise FaultError(f"{key} = {text}: a coefficient of friction is not negative and finite; write e.g. {key}: 0.1", key)
+    return f, key
+
+
+def _half_angle(text: str | None) -> Quantity:
+    half = positive(text, Dim.ANGLE)
+    if half.si > math.pi / 2 * (1 + 1e-12):
+        raise FaultError(f"'{half.text}' is more than 90 deg; V is half the angle of the groove, e.g. V: 45 deg")
+    return half
+
+
+def _not_negative(text: str | None, dim: Dim) -> Quantity:
+    quantity = read(text, dim)
+    if quantity.si < 0:
+        raise FaultError(f"'{text}' must not be negative; write e.g. {'6 mm' if dim is Dim.LENGTH else '8 deg'}")
+    return quantity
+
+
+def _within(key: str, act: Callable[[], Quantity]) -> Quantity:
+    try:
+        return act()
+    except FaultError as fault:
+        raise FaultError(fault.text, key) from None

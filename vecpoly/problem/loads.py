@@ -1,0 +1,157 @@
+"""Loads as written: forces ``F: {on: 3, at: C, size: 1000 N, direction: 180 deg}``, moments ``M_1: {on: 1, size: "?"}``."""
+
+from __future__ import annotations
+
+import re
+
+from ..errors import FaultError
+from ..mechanism.loads import Force, Load, Loads, Mass, Moment
+from ..mechanism.model import FRAME
+from ..units import Dim, Quantity, read, unit_of
+from ..words import Words
+from .faults import Faults, meant
+from .joints import Bodies
+from .motion import sense_only
+from .problem import Datum
+from .schema import LoadSpec, ProblemSpec
+
+_NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
+_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+")  # keys of reactions, inertia forces and couples, inertias
+_ACTING = ("loads", "masses", "friction", "weight")
+UNKNOWN = "?"
+
+
+def written(text: str) -> str:
+    """A unit as a book prints it: N*m → N·m, kg/m^3 → kg/m³."""
+    return text.replace("**", "^").replace("*", "·").replace("^2", "²").replace("^3", "³")
+
+
+def frame_number(bodies: Bodies) -> str:
+    """The frame's number as printed: one more than the highest of the links."""
+    return str(1 + max(int(m[0]) for name in bodies.drafts if (m := re.match(r"\d+", name))))
+
+
+def acts(spec: ProblemSpec) -> bool:
+    """Whether the file speaks of forces at all."""
+    return any(getattr(spec, key) for key in _ACTING)
+
+
+def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faults: Faults) -> Loads | None:
+    """All that acts but friction; None where the file knows no loads. Exactly one load is unknown, and something must act."""
+    found: list[Load] = []
+    for name, load in spec.loads.items():
+        with faults.at("loads", name):
+            found.append(_load(name, load, bodies))
+    if not acts(spec) or faults.found:
+        return None
+    if spec.masses and spec.inertia and sense_only(spec):
+        with faults.at("input"):
+            raise FaultError("inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no")
+    with faults.at(next(key for key in _ACTING if getattr(spec, key))):
+        _one_unknown(found, bodies)
+        loads = Loads(forces=tuple(x for x in found if isinstance(x, Force)), moments=tuple(x for x in found if isinstance(x, Moment)),
+                      masses=masses, weight=spec.weight, inertia=spec.inertia)
+        _something_acts(loads)
+        return loads
+    return None
+
+
+def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
+    if not _NAME.fullmatch(name):
+        raise FaultError(f"'{name}' is no name of a load; write F, Q, F_r or M_1")
+    if _TAKEN.fullmatch(name):
+        raise FaultError(f"'{name}' is the name of a reaction or of an inertia force; call the load F, Q, F_r or M_1")
+    draft = bodies.drafts.get(spec.on)
+    if spec.on in (FRAME, frame_number(bodies)):
+        raise FaultError(f"link {spec.on} is the frame: a load there moves nothing; put it on a moving link or leave it out", "on")
+    if draft is None:
+        raise FaultError(f"link '{spec.on}' does not exist{meant(spec.on, bodies.drafts)}", "on")
+    if spec.size is None:
+        raise FaultError('the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances')
+    role = spec.role or ""
+    if not _is_force(spec):
+        return Moment(name=name, link=spec.on, size=_size(spec.size, Dim.MOMENT), role=role)
+    if spec.at is None:
+        raise FaultError(f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}")
+    if spec.at not in draft.points:
+        raise FaultError(f"point '{spec.at}' is not on link {spec.on}{meant(spec.at, draft.points)}", "at")
+    size = _size(spec.size, Dim.FORCE)
+    if size is not None and size < 0:
+        raise FaultError(f"'{spec.size}' is negative; turn the direction by 180 deg instead", "size")
+    return Force(name=name, link=spec.on, point=spec.at, direction=_read("direction", spec.direction, Dim.ANGLE).si, size=size, role=role)
+
+
+def _is_force(spec: LoadSpec) -> bool:
+    """A force has a point and a direction, a moment neither; raises where only one of them is written."""
+    if spec.direction is not None:
+        return True
+    turns = spec.size not in (None, UNKNOWN) and _dimension(str(spec.size)) == Dim.MOMENT.dimension
+    if spec.at is not None and turns:
+        raise FaultError(f"a moment ({spec.size}) acts on the whole link; leave out 'at'", "at")
+    if spec.at is not None:
+        raise FaultError(f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'")
+    if spec.size != UNKNOWN and not turns and _dimension(str(spec.size)) == Dim.FORCE.dimension:
+        raise FaultError(f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw")
+    return False
+
+
+def _dimension(text: str) -> str:
+    """The dimension of a written quantity; empty where it cannot be read (`read` will say why)."""
+    m = re.search(r"[A-Za-z°牛千米].*$", re.sub(r"\s*(ccw|cw|逆时针|顺时针)(方向)?$", "", text))
+    try:
+        return unit_of(m[0].replace("^", "**").replace("·", "*"))[1] if m else ""
+    except FaultError:
+        return ""
+
+
+def _size(text: str, dim: Dim) -> float | None:
+    return None if text == UNKNOWN else _read("size", text, dim).si
+
+
+def _read(key: str, text: str | None, dim: Dim) -> Quantity:
+    try:
+        return read(text, dim)
+    except FaultError as fault:
+        raise FaultError(fault.text, key) from None
+
+
+def _one_unknown(found: list[Load], bodies: Bodies) -> None:
+    unknown = [load.name for load in found if load.size is None]
+    if len(unknown) > 1:
+        raise FaultError(f"{len(unknown)} loads are unknown ({', '.join(unknown)}), but equilibrium finds one; give the size of the others")
+    if not unknown:
+        link = next(iter(bodies.drafts))
+        raise FaultError(f'no load is unknown, so nothing could balance the others; add e.g. M_{link}: {{on: {link}, size: "?"}}')
+
+
+def _something_acts(loads: Loads) -> None:
+    pushed = any(load.size for load in loads.all) or (loads.masses and (loads.weight or loads.inertia))
+    if not pushed:
+        raise FaultError("nothing acts on the mechanism but the unknown load: it and all reactions are zero; give a force, a moment or masses")
+
+
+def data_of_loads(spec: ProblemSpec, loads: Loads) -> tuple[Datum, ...]:
+    """The loads for 已知, and whether weights and inertia forces count."""
+    data = [_told(load, written(str(spec.loads[load.name].size)), spec.loads[load.name].direction or "") for load in loads.all]
+    if loads.weight:
+        data.append(Datum(words=Words("计各构件重力，$g$ = 9.81 m/s²", "the links' weights count, $g$ = 9.81 m/s²")))
+    if loads.masses and not loads.inertia:
+        data.append(Datum(words=Words("不计惯性力", "inertia forces are neglected")))
+    return tuple(data)
+
+
+_ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting": Words("阻", "resisting ")}
+
+
+def _told(load: Load, size: str, direction: str) -> Datum:
+    role = _ROLE[load.role]
+    if isinstance(load, Force):
+        zh = f"作用于构件 {load.link} 的 ${load.point}$ 点，方向角 {direction}"
+        en = f"on link {load.link} at ${load.point}$, direction {direction}"
+        name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")
+    else:
+        zh, en = f"作用于构件 {load.link}", f"on link {load.link}"
+        name = Words(f"{role.zh}力矩" if role.zh else "力矩", f"{role.en}moment")
+    if load.size is None:
+        return Datum(words=Words(f"待求的{name.zh} ${load.name}$ {zh}", f"the unknown {name.en} ${load.name}$ acts {en}"))
+    return Datum(words=Words(f"{name.zh} ${load.name}$ = {size}，{zh}", f"{name.en} ${load.name}$ = {size} {en}"))

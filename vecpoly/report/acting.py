@@ -1,0 +1,72 @@
+"""What acts on a mechanism, drawn on its sketch: forces and moments as arrows, friction circles; nothing that has to be found."""
+
+from __future__ import annotations
+
+import cmath
+from math import pi
+
+from ..board.construction import Figure
+from ..board.marks import Block, Disc, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
+from ..mechanism.loads import Force, Load, Loads, Moment
+from ..mechanism.model import Mechanism
+from ..mechanism.quantities import load_named
+
+ARROW = 16.0  # mm, length of a force
+TURN_RADIUS = 7.0  # mm, of a moment's arrow
+BESIDE = 14.0  # mm, of a moment's arrow about a pivot that the driving arrow turns about
+CLEAR = 1.5  # mm between a force's arrow and its point
+LEAST = 2.2  # mm, the smallest friction circle that can be seen about a pin
+
+
+def acting(mech: Mechanism, loads: Loads, figure: Figure) -> tuple[Mark, ...]:
+    """Marks of the loads and of the friction circles for the mechanism as drawn."""
+    spots = {m.label: m.at for m in figure.marks if isinstance(m, Point)}
+    circles = tuple(FrictionCircle(centre=spots[pin], radius=max(rho / figure.scale.value, LEAST), step=1)
+                    for pin, rho in loads.friction.pins.items() if rho and pin in spots)
+    arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure)) is not None)
+    return circles + arrows
+
+
+def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure) -> Mark | None:
+    """The arrow of one load; none for a moment that is sought, whose sense is not known yet."""
+    symbol = load_named(load).symbol
+    if isinstance(load, Force):
+        return _force(load, spots[load.point], symbol, figure) if load.point in spots else None
+    return _moment(mech, load, spots, symbol, figure)
+
+
+def _force(load: Force, at: complex, symbol: str, figure: Figure) -> Vector:
+    """Pulling away from its point or pushing at it, whichever side is clearer of lines."""
+    along = cmath.rect(1.0, load.direction)
+    pull, push = (at + CLEAR * along, at + ARROW * along), (at - ARROW * along, at - CLEAR * along)
+    a, b = max((pull, push), key=lambda ends: _room(ends, figure))
+    return Vector(a=a, b=b, role=Role.GIVEN, label=symbol, step=1)
+
+
+def _room(ends: tuple[complex, complex], figure: Figure) -> float:
+    """How far the outer two thirds of an arrow stay from the lines of the figure (mm)."""
+    points = [ends[0] + (ends[1] - ends[0]) * t / 12 for t in range(13)]
+    lines = [(m.a, m.b) for m in figure.marks if isinstance(m, Segment)]
+    lines += [(m.at - 5 * m.along, m.at + 5 * m.along) for m in figure.marks if isinstance(m, Block)]
+    discs = [min(abs(p - m.centre) - m.radius for p in points) for m in figure.marks if isinstance(m, Disc)]
+    gaps = sorted(min((_gap(p, a, b) for a, b in lines), default=ARROW) for p in points)
+    return min(sum(gaps) / len(gaps), *discs, ARROW)
+
+
+def _gap(p: complex, a: complex, b: complex) -> float:
+    """Distance of a point from a segment."""
+    span = b - a
+    along = 0.0 if span == 0 else max(0.0, min(1.0, ((p - a) * span.conjugate()).real / abs(span) ** 2))
+    return abs(p - a - along * span)
+
+
+def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure) -> TurnArrow | None:
+    """About the link's fixed pivot, or its first lettered point; opposite the driving arrow where both turn about one pivot."""
+    letters = [p for p in mech.link(load.link).points if p in spots]
+    centre = next((p for p in letters if p in mech.frame), letters[0] if letters else None)
+    if load.size is None or centre is None:
+        return None
+    at = spots[centre]
+    driving = next((m for m in figure.marks if isinstance(m, TurnArrow) and abs(m.at - at) < 1e-6), None)
+    start = pi / 4 if driving is None else driving.start + pi
+    return TurnArrow(at=at, radius=TURN_RADIUS if driving is None else BESIDE, start=start, ccw=load.size > 0, label=symbol, step=1)

@@ -1,0 +1,95 @@
+"""The table of lines of action: for each reaction a point of its line, and on which side it touches the friction circle."""
+
+from __future__ import annotations
+
+from math import degrees
+
+from ..board.construction import LineOfAction
+from ..check.exact import pin_of
+from ..mechanism.loads import Loads
+from ..mechanism.model import Mechanism
+from ..mechanism.quantities import pairs
+from ..quantity import number
+from ..solution import Answer, Solution
+from ..words import Lang, Words
+from .flow.table import DataTable
+from .tables import trimmed
+from .values import called
+
+_HEADER = {
+    "zh": ("力", "过点 ($x$, $y$) /mm", "作用线的位置", "距精确作用线 /mm"),
+    "en": ("Force", "Through ($x$, $y$) /mm", "How the line lies", "Off the exact line, mm"),
+}
+_SENSE = {"ccw": Words("逆时针", "ccw"), "cw": Words("顺时针", "cw")}
+
+
+def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
+    """One line a reaction whose line of action was drawn; none where there is no such reaction."""
+    acting = [(answer, answer.reading.acts) for answer in solution.answers.values() if answer.reading.acts is not None]
+    if not acting:
+        return None
+    rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting if acts is not None]
+    return trimmed(_HEADER[lang], rows, (), "lclr")
+
+
+def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:
+    point = f"({number(1e3 * acts.point.real)}, {number(1e3 * acts.point.imag)})"
+    return called(answer.reading.symbol, answer.key, lang), point, how.of(lang), _off(answer, acts)
+
+
+def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
+    """On which side the line touches a friction circle, that it passes through a pin, or how it leans from the normal of a slide."""
+    mech, loads = solution.problem.subject, solution.problem.loads
+    links = _links(mech, key) if isinstance(mech, Mechanism) else None
+    if not isinstance(mech, Mechanism) or links is None:
+        return _tangent(acts, "") if acts.tangent else _displaced(loads, key)
+    pin = pin_of(mech, *links)
+    if acts.tangent:
+        return _tangent(acts, pin)
+    return Words(f"过铰链 ${pin}$ 的中心", f"through the centre of ${pin}$") if pin else _leaning(mech, loads, links, key.endswith("_0"))
+
+
+def _tangent(acts: LineOfAction, pin: str) -> Words:
+    sense = _SENSE[acts.tangent]
+    at = Words(f" ${pin}$ 的", f" of ${pin}$") if pin else Words.same("")
+    return Words(f"切于{at.zh}摩擦圆，对其中心之矩{sense.zh}", f"tangent to the friction circle{at.en}, moment about its centre {sense.en}")
+
+
+def _displaced(loads: Loads | None, key: str) -> Words:
+    """An inertia force and couple joined into one force beside the centre of mass."""
+    mass = loads.mass(key.removeprefix("F_I")) if loads is not None and key.startswith("F_I") else None
+    if mass is None:
+        return Words.same("—")
+    spot = f"${mass.centre[0]}_{{{mass.centre[1:]}}}$" if mass.centre[1:] else f"${mass.centre}$"
+    if not mass.inertia:
+        return Words(f"过质心 {spot}", f"through the centre of mass {spot}")
+    return Words(f"自质心 {spot} 偏移 $h_{mass.link}$", f"displaced by $h_{mass.link}$ from the centre of mass {spot}")
+
+
+def _leaning(mech: Mechanism, loads: Loads | None, links: tuple[str, str], ideal: bool) -> Words:
+    """A reaction of a slide or of a contact, and the friction angle between it and the normal."""
+    contact = next((c for c in mech.contacts if set(c.links) == set(links)), None)
+    friction = loads.friction if loads is not None and not ideal else None
+    phi = 0.0 if friction is None else friction.contacts.get(contact.point, 0.0) if contact is not None else next(
+        (angle for pair, angle in friction.slides.items() if set(pair) == set(links)), 0.0)
+    normal = Words("导路法线", "the normal of the guide") if contact is None else Words(
+        f"接触点 ${contact.point}$ 处的公法线", f"the common normal at the contact ${contact.point}$")
+    if not phi:
+        return Words(f"沿{normal.zh}", f"along {normal.en}")
+    lean = f"$φ$ = {number(degrees(phi))}°"
+    return Words(f"偏离{normal.zh} {lean}", f"inclined to {normal.en} by {lean}")
+
+
+def _off(answer: Answer, acts: LineOfAction) -> str:
+    """How far the drawn point lies from the exact line (mm)."""
+    if answer.exact_acts is None or not answer.exact_vector:
+        return "—"
+    along = answer.exact_vector / abs(answer.exact_vector)
+    off = 1e3 * abs((along.conjugate() * (acts.point - answer.exact_acts.point)).imag)
+    return "0" if off < 1e-6 else number(off, 2)
+
+
+def _links(mech: Mechanism, key: str) -> tuple[str, str] | None:
+    """The two links of a reaction's key, by their names."""
+    body = key.removeprefix("R_").removesuffix("_0")
+    return next(((a, b) for a, b in pairs(mech) if body in (mech.number(a) + mech.number(b), mech.number(b) + mech.number(a))), None)

@@ -1,0 +1,49 @@
+"""What is said of a mechanism's structure: moving links, degree of freedom, Assur groups; the frame's number where forces are meant."""
+
+from __future__ import annotations
+
+from ..mechanism.assur import Group, decompose
+from ..mechanism.mobility import Mobility, mobility
+from ..mechanism.model import Mechanism
+from ..problem.problem import Problem
+from ..words import Words
+
+
+def structure(problem: Problem) -> Words:
+    """Number of links, degree of freedom, Assur groups; nothing for a device."""
+    if not isinstance(problem.subject, Mechanism):
+        return Words.same("")
+    mech = problem.subject
+    return _made_of(mech, mobility(mech), decompose(mech))
+
+
+def numbering(problem: Problem) -> Words:
+    """The frame's number and what R_ij means, where forces act on a mechanism."""
+    if problem.loads is None:
+        return Words.same("")
+    number = problem.mechanism.frame_number
+    return Words(f"机架为构件 {number}；$R_{{ij}}$ 表示构件 $i$ 对构件 $j$ 的作用力。",
+                 f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.")
+
+
+def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Words:
+    sum_up = f"$F$ = 3×{count.links} − 2×{count.lower} − {count.higher} = {count.freedom}"
+    driver = mech.drive.link
+    if any("G" in g.kind for g in groups):
+        rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
+        return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links and {sum_up}") + rolls
+                + Words(f"；构件 {driver} 为原动件。", f"; link {driver} drives."))
+    zh = "、".join(f"{g.kind} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}）" for g in groups)
+    en = ", ".join(f"{g.kind} (links {', '.join(_told(mech, name).en for name in g.links)})" for g in groups)
+    opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；构件 {driver} 为原动件，",
+                    f"The mechanism has {count.links} moving links ({count.links + 1} with the frame) and {sum_up}; link {driver} drives")
+    if mech.contacts:
+        return opening + Words(f"高副低代后，其余为 {zh}，属 Ⅱ 级机构。",
+                               f"; with the higher pair replaced by a link and lower pairs, the rest is made up of the Assur groups {en}: a class II mechanism.")
+    return opening + Words(f"其余为 {zh}，属 Ⅱ 级机构。", f", the rest is made up of the Assur groups {en}: a class II mechanism.")
+
+
+def _told(mech: Mechanism, link: str) -> Words:
+    """A link's number; the link that stands for a higher pair by that contact's letter."""
+    contact = next((c for c in mech.contacts if c.substitute == link), None)
+    return Words.same(link) if contact is None else Words(f"代替高副 ${contact.point}$ 的杆", f"the substitute for ${contact.point}$")

@@ -1,0 +1,41 @@
+"""What a report calls itself where nobody says: by what its problems are about."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import Enum
+
+from ..mechanism.model import Mechanism
+from ..problem.problem import Problem
+from ..solution import YES_NO, Solution
+from ..words import Words
+from .values import is_efficiency
+
+
+class Kind(Enum):
+    """What a problem is about."""
+
+    KINEMATICS = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
+    FORCES = Words("平面机构力分析图解作业", "Graphical force analysis of planar mechanisms")
+    EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
+
+
+_FORCES_AND_EFFICIENCY = Words("机构力分析、效率和自锁作业", "Forces, efficiency and self-locking of mechanisms")
+_MIXED = Words("机械原理图解作业", "Graphical exercises in the theory of machines")
+
+
+def subject(solutions: Sequence[Solution]) -> Words:
+    """The title that covers all these problems."""
+    found = {kind_of(solution.problem) for solution in solutions}
+    if len(found) > 1:
+        return _MIXED if Kind.KINEMATICS in found else _FORCES_AND_EFFICIENCY
+    words: Words = found.pop().value
+    return words
+
+
+def kind_of(problem: Problem) -> Kind:
+    """Kinematics, forces, or efficiency and self-locking."""
+    if isinstance(problem.subject, Mechanism):
+        return Kind.KINEMATICS if problem.loads is None else Kind.FORCES
+    efficiency = any(is_efficiency(ask.rel.key, ask.rel.unit) or ask.rel.unit == YES_NO for ask in problem.asks)
+    return Kind.EFFICIENCY if efficiency else Kind.FORCES

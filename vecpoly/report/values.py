@@ -1,0 +1,78 @@
+"""How quantities are named and their values printed: units of paper, percentages of efficiencies, yes and no."""
+
+from __future__ import annotations
+
+from ..mechanism.loads import Force
+from ..mechanism.quantities import load_named
+from ..problem.problem import Problem
+from ..quantity import number
+from ..solution import YES_NO
+from ..words import Lang, Words
+
+_YES, _NO = Words("是", "yes"), Words("否", "no")
+_PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
+_WAYS = {
+    "_0": Words("不计摩擦", "no friction"), "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),
+    "_power": Words("虚功率法", "virtual power"), "_sine": Words("正弦定理", "sine rule"),
+}
+
+
+def printed_unit(unit: str) -> tuple[float, str]:
+    """Factor from SI and name of the unit in which a report prints: lengths in mm, powers in kW."""
+    return _PAPER.get(unit, (1.0, unit))
+
+
+def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) -> str:
+    """A value with its unit: 52.45 mm, 38.2°, yes, 0.7952 (79.52 %)."""
+    if unit == YES_NO:
+        return (_YES if size else _NO).of(lang)
+    factor, name = printed_unit(unit)
+    text = number(factor * size, digits)
+    if unit == "deg":
+        return f"{text}°"
+    if is_efficiency(key, unit) and size > 0:
+        return f"{text} ({100 * size:.1f} %)"
+    return f"{text} {name}".rstrip()
+
+
+def rough(size: float) -> str:
+    """Two significant digits, with no power of ten for hundreds: 190, 0.012."""
+    return number(float(f"{size:.2g}"), 6) if 100 <= abs(size) < 1e6 else number(size, 2)
+
+
+def is_efficiency(key: str, unit: str) -> bool:
+    """Whether the quantity is an efficiency: eta, eta_prime."""
+    return not unit and key.partition("_")[0] == "eta"
+
+
+def called(symbol: str, key: str, lang: Lang) -> str:
+    """A symbol as a table's line begins; told apart where one symbol is found in several ways."""
+    if key.startswith("self_locking"):
+        return f"自锁（${symbol}$）" if lang == "zh" else f"self-locking (${symbol}$)"
+    way = next((words for ending, words in _WAYS.items() if key.endswith(ending)), None)
+    if way is None or (key.endswith("_0") and key.startswith("R_")):
+        return f"${symbol}$"
+    return f"${symbol}$" + (f"（{way.zh}）" if lang == "zh" else f" ({way.en})")
+
+
+def direction_of_load(problem: Problem, key: str) -> float | None:
+    """The fixed direction (rad) of a force asked by its size: the sign of the size is along it."""
+    if problem.loads is None:
+        return None
+    return next((load.direction for load in problem.loads.forces
+                 if load_named(load).key in (key, *(key.removesuffix(ending) for ending in _WAYS))), None)
+
+
+def asked_load(problem: Problem, key: str) -> Words | None:
+    """What a balancing load is called in the line that says what is asked."""
+    if problem.loads is None:
+        return None
+    load = problem.loads.unknown
+    named = load_named(load)
+    stem = next((key.removesuffix(ending) for ending in _WAYS if key.endswith(ending)), key)
+    if stem != named.key:
+        return None
+    force = isinstance(load, Force)
+    return {"driving": Words("驱动力" if force else "驱动力矩", "the driving force" if force else "the driving moment"),
+            "resisting": Words("阻力" if force else "阻力矩", "the resistance" if force else "the resisting moment"),
+            "": Words("平衡力" if force else "平衡力矩", "the balancing force" if force else "the balancing moment")}[load.role]
