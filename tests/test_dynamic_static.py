@@ -23,7 +23,7 @@ from vecpoly.problem.asks import AskNamed
 from vecpoly.problem.problem import Problem
 from vecpoly.words import Words
 
-CHECKED = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
+CHECKED = settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
 angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, 3.0, 10.0])
 sizes = st.floats(0.6, 1.6)
@@ -280,7 +280,7 @@ def test_a_balancing_load_that_does_no_work_is_refused_by_name() -> None:
 
 # -- with friction ---------------------------------------------------------------------------------------------------------------------
 
-RUBBED = settings(CHECKED, max_examples=5, phases=(Phase.explicit, Phase.reuse, Phase.generate))  # each example costs a dozen passes
+RUBBED = settings(CHECKED, max_examples=4, phases=(Phase.explicit, Phase.reuse, Phase.generate))  # each example costs a dozen passes
 RUBBING = {
     rrr: Friction(pins={"A": 0.004, "B": 0.003, "C": 0.003, "D": 0.005}),
     rrp: Friction(pins={"A": 0.004, "B": 0.003, "C": 0.003}, slides={("3", "0"): 0.1}),

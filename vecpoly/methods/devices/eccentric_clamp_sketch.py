@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import Pane, View
 from ...board.marks import (
     Arc,
@@ -111,10 +112,11 @@ def draw_released(bench: Bench, place: Pane, clamp: Clamp, back: Points, near: P
     """About the pin, larger: the line of R'_21, its arm, the friction circle; of the disc the arc that presses on the work."""
     o, k, c, u = (complex(nominal(z)) for z in (clamp.o, clamp.k, near, back))
     rho, radius = float(nominal(clamp.rho)), float(nominal(clamp.mm_r))
-    board = bench.board
-    board.mark(place, Arc(centre=o, radius=radius, start=-np.pi / 2 - 0.45, sweep=0.9, role=Role.LINK), Point(at=0j, label="A", dot=Dot.POINT),
+    board, beside = bench.board, 1.2 * (c / abs(c) if abs(c) > NO_LENGTH else 1 + 0j)  # A and C may lie close together
+    board.mark(place, Arc(centre=o, radius=radius, start=-np.pi / 2 - 0.45, sweep=0.9, role=Role.LINK), Point(at=0j, label="", dot=Dot.POINT), Point(at=-beside, label="A", dot=Dot.NONE),
                Point(at=o, label="O", dot=Dot.POINT), Point(at=k, label="K", dot=Dot.POINT), Segment(a=0j, b=o, role=Role.CONSTRUCTION))
     if rho:
         board.mark(place, FrictionCircle(centre=0j, radius=rho))
     press(bench, place, Press(symbol="R′_{21}", at=k, normal=1j, along=u))
-    board.mark(place, Segment(a=k, b=c + 2.2 * rho * u + 8 * u, role=Role.CONSTRUCTION), Segment(a=0j, b=c, role=Role.CONSTRUCTION), Point(at=c, label="C", dot=Dot.POINT))
+    board.mark(place, Segment(a=k, b=c + 2.2 * rho * u + 8 * u, role=Role.CONSTRUCTION), Segment(a=0j, b=c, role=Role.CONSTRUCTION), Point(at=c, label="", dot=Dot.POINT),
+               Point(at=c + beside, label="C", dot=Dot.NONE))

@@ -38,8 +38,7 @@ def place_arrows(forces: Sequence[Acting], points: Sequence[complex]) -> list[Ar
     body = np.array([points[0]] if len(points) == 1 else [a + (b - a) * t for a in points for b in points for t in (0.0, 0.25, 0.5, 0.75, 1.0)])
     if len(shown) > 6:
         options = [pair[:2] for pair in options]
-    best: tuple[Arrow, ...] = max(product(*options), key=lambda arrows: _freedom(arrows, body))
-    return list(best)
+    return _freest(options, body)
 
 
 def is_far(force: Acting, points: Sequence[complex]) -> bool:
@@ -65,13 +64,18 @@ def _options(force: Acting, largest: float) -> tuple[Arrow, ...]:
     return (*near, *(Arrow(a.start + side * out, a.end + side * out, symbol, True) for a, side in zip(near, (1, -1), strict=True)))
 
 
-def _freedom(arrows: tuple[Arrow, ...], body: np.ndarray) -> float:
-    """How free the middles and far ends of the arrows are."""
-    spots = [(a.start + a.end) / 2 for a in arrows]
-    far = [a.end if abs(a.end - body).min() > abs(a.start - body).min() else a.start for a in arrows]
-    total = 0.0
-    for i, (middle, end) in enumerate(zip(spots, far, strict=True)):
-        others = [abs(middle - z) for j, other in enumerate(zip(spots, far, strict=True)) for z in other if j != i]
-        clear = min([*others, float(np.abs(middle - body).min()) * 0.7, float(np.abs(end - body).min()) * 0.7])
-        total += min(clear, CLEAR) - (CLEAR if arrows[i].far else 0.0)
-    return total
+def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]:
+    """One option of each force, so that the middles and far ends of the arrows are as free as can be."""
+    flat = [arrow for pair in options for arrow in pair]
+    middle = np.array([(a.start + a.end) / 2 for a in flat])
+    far = np.array([max(a.start, a.end, key=lambda z: np.abs(z - body).min()) for a in flat])
+    spots = np.stack([middle, far])
+    alone = 0.7 * np.minimum(*(np.abs(z[:, None] - body).min(axis=1) for z in (middle, far)))
+    apart = np.abs(middle[:, None, None] - spots[None]).min(axis=1)  # of each arrow's middle to the middle and far end of another
+    starts = np.cumsum([0, *(len(pair) for pair in options[:-1])])
+    choices = starts + np.array(list(product(*(range(len(pair)) for pair in options))))
+    between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)
+    clear = np.minimum(np.minimum(between.min(axis=2), alone[choices]), CLEAR)
+    cost = np.array([CLEAR if arrow.far else 0.0 for arrow in flat])[choices]
+    best = choices[int(np.argmax((clear - cost).sum(axis=1)))]
+    return [flat[i] for i in best]

@@ -47,16 +47,18 @@ def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tu
     if turning.way and abs(nominal(vector)) > NO_LENGTH:
         at = _displaced(st, by, on, point, drawn, turning)
     elif abs(nominal(vector)) > NO_LENGTH:
-        st.board.remark(Words(f"过 ${point}$ 点。", f" passing through ${point}$."))
+        i, j = st.mech.number(by), st.mech.number(on)
+        st.board.remark(Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" $R_{{{i}{j}}}$ passes through ${point}$."))
     st.settle(by, on, vector, at, drawn)
     _leave(st, d, by, on, pin, at, vector)
 
 
-def lean(st: Statics, joint: Prismatic, by: str, on: str) -> Reaction:
+def lean(st: Statics, d: Dyad, joint: Prismatic, by: str, on: str) -> Reaction:
     """A slide's reaction along the normal of its guide, inclined by φ where there is friction."""
     found = st.ideal.push(by, on) if st.ideal is not None else None
     towards = 1j * st.desk.guide_line(joint).along if found is None else found.vector
-    st.board.remark(slide_words(st, joint, by, on))
+    why = slide_words(st, joint, by, on)
+    st.board.step(Words(why.zh, why.en.strip()), group_pane(st, d.link_j, d.link_k))
     direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
     return Reaction(by=by, on=on, line=inclined(st, joint, by, on, towards), direction=direction)
 

@@ -51,7 +51,9 @@ def draw_arm(st: Statics, pane: Pane, about: Points, end: Points, force: Acting,
 
 
 def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Acting]) -> None:
-    """All forces on the group, as far apart as their lines allow, and the given couples."""
+    """All forces on the group, as far apart as their lines allow, and the given couples; once, for later rounds only repeat them."""
+    if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
+        return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]
     st.board.mark(pane, *(Vector(a=arrow.start, b=arrow.end, role=Role.RESULT, label=arrow.symbol) for arrow in place_arrows(forces, spots)))
     say_far(st, forces, spots)

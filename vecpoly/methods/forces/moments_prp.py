@@ -21,8 +21,7 @@ def forces_prp(st: Statics, d: Dyad) -> None:
     """ΣF_j + ΣF_k + R_qk + R_pj = 0, each reaction normal to its guide (or at φ to that)."""
     assert isinstance(d.outer_j, Prismatic) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
     c, pane = d.inner.point, group_pane(st, d.link_j, d.link_k)
-    st.board.step(Words("两移动副反力的方向均已知：", "The directions of both slides' reactions are known:"), pane)
-    first, last = lean(st, d.outer_j, d.parent_j, d.link_j), lean(st, d.outer_k, d.parent_k, d.link_k)
+    first, last = lean(st, d, d.outer_j, d.parent_j, d.link_j), lean(st, d, d.outer_k, d.parent_k, d.link_k)
     on_j, on_k = ((c, moments_about(st, pane, (link,), c)) for link in (d.link_j, d.link_k))
     corners = draw_group(st, d, first, last)
     settle_slide(st, d, d.parent_j, d.link_j, corners.side(corners.x, corners.first), on_j)

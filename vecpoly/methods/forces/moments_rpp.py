@@ -22,8 +22,7 @@ def forces_rpp(st: Statics, d: Dyad) -> None:
     """ΣF_k + R_qk + R_jk = 0, both normal to their guides (or at φ to that); then R_pj = −ΣF_j − R_kj."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Prismatic) and isinstance(d.outer_k, Prismatic)
     p, pane = d.outer_j.point, group_pane(st, d.link_j, d.link_k)
-    st.board.step(Words("两移动副反力的方向均已知：", "The directions of both slides' reactions are known:"), pane)
-    inner, last = lean(st, d.inner, d.link_j, d.link_k), lean(st, d.outer_k, d.parent_k, d.link_k)
+    inner, last = lean(st, d, d.inner, d.link_j, d.link_k), lean(st, d, d.outer_k, d.parent_k, d.link_k)
     about = (p, moments_about(st, pane, (d.link_j,), p))
     corners = draw_link_k(st, d, inner, last)
     settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.first, corners.j))

@@ -24,7 +24,7 @@ def forces_rpr(st: Statics, d: Dyad) -> None:
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Prismatic) and isinstance(d.outer_k, Revolute)
     p, q = d.outer_j.point, d.outer_k.point
     first = split(st, d, d.parent_j, d.link_j, (p, q), (d.link_j, d.link_k))
-    inner = lean(st, d.inner, d.link_k, d.link_j)
+    inner = lean(st, d, d.inner, d.link_k, d.link_j)
     about = (p, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_j,), p))
     corners = draw_link_j(st, d, first, inner)
     settle_slide(st, d, d.link_k, d.link_j, corners.side(corners.j, corners.x), about)

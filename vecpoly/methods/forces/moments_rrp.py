@@ -23,7 +23,7 @@ def forces_rrp(st: Statics, d: Dyad) -> None:
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
     p, c = d.outer_j.point, d.inner.point
     first = split(st, d, d.parent_j, d.link_j, (p, c))
-    last = lean(st, d.outer_k, d.parent_k, d.link_k)
+    last = lean(st, d, d.outer_k, d.parent_k, d.link_k)
     about = (c, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_k,), c))
     corners = draw_group(st, d, first, last)
     settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.x, corners.first))
