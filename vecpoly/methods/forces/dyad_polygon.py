@@ -61,10 +61,10 @@ class Reaction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Corners:
-    """The polygon's letters and points: end of R^t of p on j, end of the forces of j (J), of k (K), and the corner X."""
+    """The polygon's letters and points: start and end of R_pj, end of the forces of j (J), of k (K), and the corner X."""
 
     pane: Pane
-    first: tuple[str, Points]
+    p: tuple[tuple[str, Points], tuple[str, Points]]
     j: tuple[str, Points]
     k: tuple[str, Points]
     x: tuple[str, Points]
@@ -104,9 +104,8 @@ def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners
     eq = Equation(left=(*terms, last.sought(st), first.sought(st)))
     vertices, x = _closed(st, pane, eq, terms)
     n = len(terms)
-    at_k = n - len(last.found(st, ""))
-    return Corners(pane=pane, first=(LETTERS[len(lead)], vertices[len(lead)]), j=(LETTERS[at_j], vertices[at_j]), k=(LETTERS[at_k], vertices[at_k]),
-                   x=(LETTERS[n + 1], x))
+    at_k, corner_x = n - len(last.found(st, "")), (LETTERS[n + 1], x)
+    return Corners(pane=pane, p=(corner_x, (LETTERS[len(lead)], vertices[len(lead)])), j=(LETTERS[at_j], vertices[at_j]), k=(LETTERS[at_k], vertices[at_k]), x=corner_x)
 
 
 def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corners:
@@ -118,7 +117,7 @@ def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corne
     n = len(terms)
     corner_j, corner_x = (LETTERS[n], vertices[n]), (LETTERS[n + 1], x)
     corner_k = _carry_on(st, pane, d.link_k, corner_j, n + 1)
-    return Corners(pane=pane, first=(LETTERS[len(lead)], vertices[len(lead)]), j=corner_j, k=corner_k, x=corner_x)
+    return Corners(pane=pane, p=(corner_x, (LETTERS[len(lead)], vertices[len(lead)])), j=corner_j, k=corner_k, x=corner_x)
 
 
 def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corners:
@@ -130,10 +129,18 @@ def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corner
     end = _carry_on(st, pane, d.link_j, (LETTERS[n + 1], x), n + 1)
     if len(_forces(st, d.link_j, 0)):
         st.board.remark(Words(f"再由 ${LETTERS[n + 1]}$ 作构件 {d.link_j} 的已知力，至 ${end[0]}$。", f" From ${LETTERS[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$."))
-    return Corners(pane=pane, first=end, j=(LETTERS[0], 0j), k=(LETTERS[n], vertices[n]), x=(LETTERS[n + 1], x))
+    return Corners(pane=pane, p=(end, (LETTERS[0], 0j)), j=(LETTERS[0], 0j), k=(LETTERS[n], vertices[n]), x=(LETTERS[n + 1], x))
 
 
-def result(st: Statics, drawn: Drawn, by: str, on: str) -> None:
+def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Drawn]:
+    """R_pj, R_kj and R_qk as sides and diagonals of the polygon, named in the step."""
+    found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
+    for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
+        _name(st, drawn, by, on)
+    return found
+
+
+def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
     """Draw a reaction on the polygon and say between which letters it stands."""
     i, j = st.mech.number(by), st.mech.number(on)
     start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))

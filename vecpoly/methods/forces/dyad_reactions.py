@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.board import NO_LENGTH
-from ...board.construction import View
+from ...board.construction import Pane, View
 from ...board.marks import Dot, Role, Segment, Vector
 from ...errors import NoMethodError
 from ...mechanism.assur import Dyad
@@ -15,7 +15,7 @@ from ...quantity import magnitude
 from ...words import Words
 from .arms import Turning
 from .arrows import REACH
-from .dyad_polygon import Reaction, result
+from .dyad_polygon import Reaction
 from .group_body import SHORT, draw_forces, group_pane
 from .senses import inclined, pin_words, slide_words
 from .state import Drawn, Statics
@@ -27,7 +27,6 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
     """A pin's reaction through the centre, or touching the friction circle on the side against the relative turning."""
     vector = drawn.end - drawn.start
     sense = st.moment_sense(point, by, on)
-    result(st, drawn, by, on)
     st.board.remark(pin_words(st, point, by, on))
     st.settle(by, on, vector, st.desk.at[point] - 1j * _along(vector) * sense * st.rho(point), drawn, sense)
 
@@ -39,13 +38,12 @@ def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tu
     """
     point, turning = about
     vector, pin = drawn.end - drawn.start, st.desk.at[point]
-    result(st, drawn, by, on)
     if abs(nominal(vector)) < NO_LENGTH and turning.way and FRAME not in (by, on):
         raise NoMethodError(f"the slide of links {st.mech.number(by)} and {st.mech.number(on)} passes on a couple and no force: no line of action can be drawn; "
                             f"'vecpoly exact' still gives the analytic answers")
     at = pin
     if turning.way and abs(nominal(vector)) > NO_LENGTH:
-        at = _displaced(st, by, on, point, drawn, turning)
+        at = _displaced(st, group_pane(st, d.link_j, d.link_k), by, on, point, drawn, turning)
     elif abs(nominal(vector)) > NO_LENGTH:
         i, j = st.mech.number(by), st.mech.number(on)
         st.board.remark(Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" $R_{{{i}{j}}}$ passes through ${point}$."))
@@ -63,12 +61,13 @@ def lean(st: Statics, d: Dyad, joint: Prismatic, by: str, on: str) -> Reaction:
     return Reaction(by=by, on=on, line=inclined(st, joint, by, on, towards), direction=direction)
 
 
-def _displaced(st: Statics, by: str, on: str, point: str, drawn: Drawn, turning: Turning) -> Points:
+def _displaced(st: Statics, pane: Pane, by: str, on: str, point: str, drawn: Drawn, turning: Turning) -> Points:
     """The point of the line nearest to the point of moments."""
     i, j = st.mech.number(by), st.mech.number(on)
     on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
     force = magnitude(st.named(by, on).symbol, (st.board.mu(drawn.place) * on_paper).value, "N")
-    st.board.remark(Words(f"由构件 {j} 的 $ΣM_{point}$ = 0 定出其作用线至 ${point}$ 的距离：", f" ΣM about ${point}$ of link {j} gives the distance of its line from ${point}$:"))
+    st.board.step(Words(f"由构件 {j} 的 $ΣM_{point}$ = 0 定出 $R_{{{i}{j}}}$ 的作用线至 ${point}$ 的距离：",
+                        f"ΣM about ${point}$ of link {j} gives the distance of the line of $R_{{{i}{j}}}$ from ${point}$:"), pane)
     arm = st.board.compute(f"h_{{{i}{j}}}", turning.size / force, "m")
     side = -1j * _along(drawn.end - drawn.start) * -np.sign(turning.value)
     return st.board.lay_off(st.desk.at[point], side, st.board.to_paper(View.MECHANISM, arm.value))

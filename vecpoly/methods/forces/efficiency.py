@@ -7,8 +7,9 @@ import numpy as np
 from ...errors import LockedError
 from ...names import Named
 from ...plane import Reals, nominal
-from ...quantity import magnitude
+from ...quantity import Quotient, magnitude
 from ...words import Words
+from .power_terms import rate_of
 from .readings import keep_value
 from .state import Statics
 from .virtual_power import powers
@@ -25,38 +26,42 @@ def read_efficiency(st: Statics) -> None:
     if not st.rubbing or st.ideal is None:
         keep_value(st, ETA, 1.0, magnitude("η", 1.0, ""))
         return
-    ideal, real = st.ideal.unknown_named, st.unknown_named
-    zero, actual = magnitude(ideal.symbol, np.abs(st.ideal.balance), ideal.unit), magnitude(real.symbol, np.abs(st.balance), real.unit)
-    if abs(float(nominal(st.ideal.balance))) <= NOTHING * abs(float(nominal(st.balance))):
-        st.board.step(Words("此位置外力不作功（极限位置），平衡力全部用于克服摩擦，$η$ = 0。",
-                            "No load does work in this position (a limit position): the balancing load only overcomes friction, $η$ = 0."))
-        keep_value(st, ETA, 0.0, magnitude("η", 0.0, ""))
-        return
     given = powers(st.ideal)
     into = sum((p for p in given.values() if nominal(p) > 0), 0.0)
     out = -sum((p for p in given.values() if nominal(p) < 0), 0.0)
-    drives = float(nominal(out)) > float(nominal(into))  # the balancing load makes up what is missing
-    mixed = min(float(nominal(into)), float(nominal(out))) > 1e-12 * max(float(nominal(into)), float(nominal(out)))
+    if min(float(nominal(into)), float(nominal(out))) > NOTHING * max(float(nominal(into)), float(nominal(out))):
+        _of_powers(st, into, out)
+    elif abs(float(nominal(st.ideal.balance))) <= NOTHING * abs(float(nominal(st.balance))):
+        st.board.step(Words("此位置外力不作功（极限位置），平衡力全部用于克服摩擦，$η$ = 0。",
+                            "No load does work in this position (a limit position): the balancing load only overcomes friction, $η$ = 0."))
+        keep_value(st, ETA, 0.0, magnitude("η", 0.0, ""))
+    else:
+        _of_loads(st, st.ideal, drives=float(nominal(out)) > float(nominal(into)))
+
+
+def _of_loads(st: Statics, without: Statics, *, drives: bool) -> None:
+    """η = F_0 / F where the balancing load drives, M / M_0 where it resists: the only other load has the same power in both."""
+    ideal, real = without.unknown_named, st.unknown_named
+    zero, actual = magnitude(ideal.symbol, np.abs(without.balance), ideal.unit), magnitude(real.symbol, np.abs(st.balance), real.unit)
     st.board.step(Words("机械效率：", "Efficiency:"))
-    if mixed:
-        _of_powers(st, into, out, drives)
-        return
-    ratio = zero / actual if drives else actual / zero
+    _keep(st, zero / actual if drives else actual / zero)
+
+
+def _of_powers(st: Statics, into: Reals, out: Reals) -> None:
+    """η = P_out / P_in with the power of the balancing load on the side where it is."""
+    rate = rate_of(st, st.unknown)
+    own = st.balance * rate.sign * rate.expr.value
+    p_in = magnitude("P_{in}", into + np.maximum(own, 0.0), "W")
+    p_out = magnitude("P_{out}", out - np.minimum(own, 0.0), "W")
+    st.board.step(Words("机械效率：将全部外力（含惯性力）的功率按正负分为输入与输出。", "Efficiency: the powers of all loads and inertia forces, sorted by sign into input and output."))
+    _keep(st, p_out / p_in)
+
+
+def _keep(st: Statics, ratio: Quotient) -> None:
+    """Refused where it is not in (0, 1]."""
     value = st.board.compute("η", ratio, "")
     _refuse(float(nominal(value.value)), st.unknown.name)
     keep_value(st, ETA, value.value, ratio)
-
-
-def _of_powers(st: Statics, into: Reals, out: Reals, drives: bool) -> None:
-    """η = P_out / P_in with the power of the balancing load on its side."""
-    assert st.ideal is not None
-    own = np.abs(out - into) * np.abs(st.balance) / np.abs(st.ideal.balance)
-    p_in = magnitude("P_{in}", into + own if drives else into, "W")
-    p_out = magnitude("P_{out}", out if drives else out + own, "W")
-    st.board.remark(Words("将全部外力（含惯性力）的功率按正负分为输入与输出：", " sort the powers of all external and inertia forces into input and output:"))
-    value = st.board.compute("η", p_out / p_in, "")
-    _refuse(float(nominal(value.value)), st.unknown.name)
-    keep_value(st, ETA, value.value, p_out / p_in)
 
 
 def _refuse(eta: float, name: str) -> None:

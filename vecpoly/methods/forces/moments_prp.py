@@ -7,7 +7,7 @@ from ...mechanism.model import Prismatic, Revolute
 from ...words import Words
 from ..registry import Stage, method
 from .arms import moments_about
-from .dyad_polygon import draw_group
+from .dyad_polygon import draw_group, reactions
 from .dyad_reactions import draw_body, lean, settle_pin, settle_slide
 from .group_body import group_pane
 from .state import Statics
@@ -23,8 +23,8 @@ def forces_prp(st: Statics, d: Dyad) -> None:
     c, pane = d.inner.point, group_pane(st, d.link_j, d.link_k)
     first, last = lean(st, d, d.outer_j, d.parent_j, d.link_j), lean(st, d, d.outer_k, d.parent_k, d.link_k)
     on_j, on_k = ((c, moments_about(st, pane, (link,), c)) for link in (d.link_j, d.link_k))
-    corners = draw_group(st, d, first, last)
-    settle_slide(st, d, d.parent_j, d.link_j, corners.side(corners.x, corners.first), on_j)
-    settle_slide(st, d, d.parent_k, d.link_k, corners.side(corners.k, corners.x), on_k)
-    settle_pin(st, d.link_k, d.link_j, c, corners.side(corners.j, corners.x))
+    r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))
+    settle_pin(st, d.link_k, d.link_j, c, r_kj)
+    settle_slide(st, d, d.parent_j, d.link_j, r_pj, on_j)
+    settle_slide(st, d, d.parent_k, d.link_k, r_qk, on_k)
     draw_body(st, d, first, last)

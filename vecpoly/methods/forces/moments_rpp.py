@@ -8,7 +8,7 @@ from ...vector.equation import UNKNOWN
 from ...words import Words
 from ..registry import Stage, method
 from .arms import moments_about
-from .dyad_polygon import Reaction, draw_link_k
+from .dyad_polygon import Reaction, draw_link_k, reactions
 from .dyad_reactions import draw_body, lean, settle_pin, settle_slide
 from .group_body import group_pane
 from .state import Statics
@@ -24,9 +24,9 @@ def forces_rpp(st: Statics, d: Dyad) -> None:
     p, pane = d.outer_j.point, group_pane(st, d.link_j, d.link_k)
     inner, last = lean(st, d, d.inner, d.link_j, d.link_k), lean(st, d, d.outer_k, d.parent_k, d.link_k)
     about = (p, moments_about(st, pane, (d.link_j,), p))
-    corners = draw_link_k(st, d, inner, last)
-    settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.first, corners.j))
-    settle_slide(st, d, d.link_k, d.link_j, corners.side(corners.j, corners.x), about)
+    r_pj, r_kj, r_qk = reactions(st, d, draw_link_k(st, d, inner, last))
+    settle_pin(st, d.parent_j, d.link_j, p, r_pj)
+    settle_slide(st, d, d.link_k, d.link_j, r_kj, about)
     pin = d.outer_k.pin
-    settle_slide(st, d, d.parent_k, d.link_k, corners.side(corners.k, corners.x), (pin, moments_about(st, pane, (d.link_k,), pin)))
+    settle_slide(st, d, d.parent_k, d.link_k, r_qk, (pin, moments_about(st, pane, (d.link_k,), pin)))
     draw_body(st, d, Reaction(by=d.parent_j, on=d.link_j, line=inner.line, direction=UNKNOWN), last)

@@ -8,7 +8,7 @@ from ...vector.equation import UNKNOWN
 from ...words import Words
 from ..registry import Stage, method
 from .arms import moments_about
-from .dyad_polygon import Reaction, draw_link_j
+from .dyad_polygon import Reaction, draw_link_j, reactions
 from .dyad_reactions import draw_body, lean, settle_pin, settle_slide
 from .group_body import group_pane
 from .moments_rrr import split
@@ -26,8 +26,8 @@ def forces_rpr(st: Statics, d: Dyad) -> None:
     first = split(st, d, d.parent_j, d.link_j, (p, q), (d.link_j, d.link_k))
     inner = lean(st, d, d.inner, d.link_k, d.link_j)
     about = (p, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_j,), p))
-    corners = draw_link_j(st, d, first, inner)
-    settle_slide(st, d, d.link_k, d.link_j, corners.side(corners.j, corners.x), about)
-    settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.x, corners.first))
-    settle_pin(st, d.parent_k, d.link_k, q, corners.side(corners.k, corners.x))
+    r_pj, r_kj, r_qk = reactions(st, d, draw_link_j(st, d, first, inner))
+    settle_pin(st, d.parent_j, d.link_j, p, r_pj)
+    settle_pin(st, d.parent_k, d.link_k, q, r_qk)
+    settle_slide(st, d, d.link_k, d.link_j, r_kj, about)
     draw_body(st, d, first, Reaction(by=d.parent_k, on=d.link_k, line=st.desk.towards(p, q), direction=UNKNOWN))

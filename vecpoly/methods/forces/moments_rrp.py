@@ -7,7 +7,7 @@ from ...mechanism.model import Prismatic, Revolute
 from ...words import Words
 from ..registry import Stage, method
 from .arms import moments_about
-from .dyad_polygon import draw_group
+from .dyad_polygon import draw_group, reactions
 from .dyad_reactions import draw_body, lean, settle_pin, settle_slide
 from .group_body import group_pane
 from .moments_rrr import split
@@ -25,8 +25,8 @@ def forces_rrp(st: Statics, d: Dyad) -> None:
     first = split(st, d, d.parent_j, d.link_j, (p, c))
     last = lean(st, d, d.outer_k, d.parent_k, d.link_k)
     about = (c, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_k,), c))
-    corners = draw_group(st, d, first, last)
-    settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.x, corners.first))
-    settle_slide(st, d, d.parent_k, d.link_k, corners.side(corners.k, corners.x), about)
-    settle_pin(st, d.link_k, d.link_j, c, corners.side(corners.j, corners.x))
+    r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))
+    settle_pin(st, d.parent_j, d.link_j, p, r_pj)
+    settle_pin(st, d.link_k, d.link_j, c, r_kj)
+    settle_slide(st, d, d.parent_k, d.link_k, r_qk, about)
     draw_body(st, d, first, last)

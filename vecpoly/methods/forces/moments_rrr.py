@@ -8,7 +8,7 @@ from ...plane import nominal
 from ...words import Words
 from ..registry import Stage, method
 from .arms import moments_about
-from .dyad_polygon import Reaction, draw_group, tangential
+from .dyad_polygon import Reaction, draw_group, reactions, tangential
 from .dyad_reactions import draw_body, settle_pin
 from .group_body import group_pane
 from .state import Statics
@@ -24,10 +24,10 @@ def forces_rrr(st: Statics, d: Dyad) -> None:
     p, c, q = d.outer_j.point, d.inner.point, d.outer_k.point
     first = split(st, d, d.parent_j, d.link_j, (p, c))
     last = split(st, d, d.parent_k, d.link_k, (q, c))
-    corners = draw_group(st, d, first, last)
-    settle_pin(st, d.parent_j, d.link_j, p, corners.side(corners.x, corners.first))
-    settle_pin(st, d.parent_k, d.link_k, q, corners.side(corners.k, corners.x))
-    settle_pin(st, d.link_k, d.link_j, c, corners.side(corners.j, corners.x))
+    r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))
+    settle_pin(st, d.parent_j, d.link_j, p, r_pj)
+    settle_pin(st, d.parent_k, d.link_k, q, r_qk)
+    settle_pin(st, d.link_k, d.link_j, c, r_kj)
     draw_body(st, d, first, last)
 
 

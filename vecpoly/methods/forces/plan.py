@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from ...board.construction import View
 from ...board.marks import FrictionCircle
-from ...errors import EquilibriumError, LockedError, NoMethodError
+from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
 from ...mechanism.assur import Group, decompose, ends
 from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import FRAME, Prismatic, Revolute
@@ -81,7 +81,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
     """Settle the senses on scratch paper, then draw."""
     try:
         guide, couples = settled(ideal, groups, lambda st: _walk(st, groups, held))
-    except LockedError:
+    except (LockedError, NoSlipSenseError):
         raise
     except EquilibriumError as error:
         raise LockedError(f"no equilibrium with friction: {error}") from None
@@ -97,9 +97,9 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
 
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:
-    """Friction may only raise a driving load, and only lower a resisting one, not through zero."""
+    """Friction may only lower a resisting load, not through zero: it would have to help. Inertia forces may turn it round."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
-    if before * after <= 0 and abs(before) > NOTHING * abs(after):
+    if not st.loads.dynamic and before * after <= 0 and abs(before) > NOTHING * abs(after):
         raise LockedError(f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; "
                           f"the mechanism is self-locking in this position, lower f or ρ")
 
