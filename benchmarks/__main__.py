@@ -2,8 +2,18 @@
 
 from __future__ import annotations
 
-from . import cold_start, memory, oracle_forces, oracle_sixbar, pencil_hands, report_pages
+from . import (
+    cold_start,
+    course_report,
+    cycle,
+    memory,
+    oracle_forces,
+    oracle_sixbar,
+    pencil_hands,
+    player,
+    report_pages,
+)
 
 if __name__ == "__main__":
-    for module in (oracle_sixbar, oracle_forces, pencil_hands, report_pages, cold_start, memory):
+    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, player, cold_start, course_report, memory):
         print(module.run(), flush=True)

@@ -173,7 +173,7 @@ def test_the_worked_example_adds_a_method_that_agrees_with_the_oracle(planet: tu
 
 def test_without_the_example_the_refusal_is_the_one_the_page_quotes(planet: tuple[Path, Path]) -> None:
     done = subprocess.run([sys.executable, "-c", TRIAL, str(planet[0])], capture_output=True, text=True, check=False)
-    assert "no graphical method on file draws the position of a group gear" in done.stderr
+    assert "no graphical method on file draws the velocity of a group gear" in done.stderr
 
 
 def test_the_worked_example_is_clean(planet: tuple[Path, Path]) -> None:

@@ -53,7 +53,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_wheel_holds_fonts_templates_problems_and_licences(wheel: Path) -> None:
     held = set(ZipFile(wheel).namelist())
-    for folder, kind in (("problems", "*.yaml"), ("templates", "*.j2")):
+    for folder, kind in (("problems", "*.yaml"), ("templates", "*.j2"), ("templates", "*.css"), ("templates", "*.js")):
         for path in (ROOT / folder).rglob(kind):
             assert f"vecpoly/_data/{path.relative_to(ROOT).as_posix()}" in held
     for path in (ROOT / "vecpoly").rglob("*"):

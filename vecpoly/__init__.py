@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .check.printed import PrintedCheck, check_problem
+    from .check.table import TableCheck, check_table
     from .errors import VecpolyError
     from .problem.assignment import Assignment, load_assignment
     from .problem.load import load, loads
@@ -28,8 +29,10 @@ _HOMES = {
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("problem.problem", "Problem"),
     "Solution": ("solution", "Solution"),
+    "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
     "check_problem": ("check.printed", "check_problem"),
+    "check_table": ("check.table", "check_table"),
     "load": ("problem.load", "load"),
     "load_assignment": ("problem.assignment", "load_assignment"),
     "loads": ("problem.load", "loads"),
@@ -43,8 +46,10 @@ __all__ = [
     "PrintedCheck",
     "Problem",
     "Solution",
+    "TableCheck",
     "VecpolyError",
     "check_problem",
+    "check_table",
     "load",
     "load_assignment",
     "loads",

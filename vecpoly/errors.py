@@ -42,6 +42,10 @@ class NotAskedError(VecpolyError, LookupError):
     """The construction holds no such reading."""
 
 
+class TableError(VecpolyError, ValueError):
+    """A printed table that cannot be read: file, line, column, cause, remedy."""
+
+
 class FaultError(Exception):
     """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
 

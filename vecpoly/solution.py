@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import degrees, inf, isfinite, nan
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,8 @@ from .board.hand import Hand, hand
 from .check.exact import exact_lines, exact_values
 from .devices.base import Device
 from .drawing.space import room, slots
+from .methods.centres.compare import comparable
+from .methods.centres.plan import needs_centres
 from .methods.devices.plan import construct_device
 from .methods.plan import construct, stages
 from .problem.problem import Problem
@@ -80,8 +82,10 @@ class Answer:
         data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
         if self.reading.unit == YES_NO:
             return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
-        if self.key.startswith("p_") and self.drawn_vector is not None and self.exact_vector is not None:
+        if self.key.startswith(("p_", "P_")) and self.drawn_vector is not None and self.exact_vector is not None:
             data |= {"drawn_xy": _xy(self.drawn_vector), "exact_xy": _xy(self.exact_vector)}
+        elif self.key.startswith("P_") and self.key[2:3].isdigit():  # a centre P_13; P_out is a power
+            data["at_infinity"] = True
         elif self.drawn_vector is not None:
             exact = self.exact_vector or 0j
             towards = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
@@ -102,6 +106,14 @@ def _line(which: str, acts: LineOfAction | None) -> dict[str, Any]:
     return {} if acts is None else {f"{which}point": _xy(acts.point), f"{which}tangent": acts.tangent or None}
 
 
+def _drawn(reading: Reading) -> dict[str, Any]:
+    """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
+    data: dict[str, Any] = {"unit": reading.unit, "drawn": reading.scalar}
+    if reading.vector is not None:
+        data["direction_deg"] = degrees(cmath.phase(reading.vector)) if reading.vector else None
+    return data | _line("", reading.acts)
+
+
 @dataclass(frozen=True)
 class Solution:
     """What `solve` gives: the problem, its construction and its answers."""
@@ -111,9 +123,11 @@ class Solution:
     answers: Mapping[str, Answer]
 
     def as_json(self) -> dict[str, Any]:
-        """Everything asked, as plain data."""
-        return {"id": self.problem.id, "hand": self.construction.hand,
-                "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+        """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""
+        data: dict[str, Any] = {"id": self.problem.id, "hand": self.construction.hand,
+                                "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+        forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
+        return data | ({"forces": forces} if forces else {})
 
     def report(self, path: str | Path, *, lang: Lang = "zh", style: str = "solution") -> Path:
         """Write the report of this problem as a PDF."""
@@ -137,6 +151,8 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     exact = exact_values(problem)  # first: its refusals know the range of the input that does assemble
     construction, spread = _constructed(problem, hand(by, seed=seed, repeats=repeats))
     lines = exact_lines(problem)
+    readings, exact, spread = comparable(construction.readings, exact, spread)
+    construction = replace(construction, readings=readings)
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
     answers = {key: _answer(reading, exact[key], spread[key], lines.get(key), reading.unit in turning) for key, reading in construction.readings.items()}
     return Solution(problem, construction, answers)
@@ -149,7 +165,7 @@ def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str,
     if problem.loads is not None:
         return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View})
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn)), strict=False)))
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)))
 
 
 def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[complex, str] | None, turns: bool) -> Answer:

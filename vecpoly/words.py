@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Literal
 
@@ -26,3 +27,9 @@ class Words:
 
     def __add__(self, other: Words) -> Words:
         return Words(self.zh + other.zh, self.en + other.en)
+
+
+def label(problem_id: str) -> Words:
+    """题 4-3a / Problem 4-3a: what a numbered exercise is called; nothing for an id that is a name, which its title says better."""
+    found = re.match(r"\d+-\d+[a-z]?(?![a-z])", problem_id)
+    return Words(f"题 {found[0]}", f"Problem {found[0]}") if found else Words.same("")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from ..formula import Node
@@ -93,10 +93,12 @@ class LineOfAction:
     """Where a reaction acts: a point of its line (m, on the diagram's axes), and the side on which it touches a friction circle.
 
     tangent: sense of its moment about the pin, "ccw" or "cw"; "" where it passes through the centre, or there is no pin.
+    told: how the line lies, where the method itself says so.
     """
 
     point: complex
     tangent: str = ""
+    told: Words | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,6 +132,7 @@ class Construction:
     figures: tuple[Figure, ...]
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
+    forces: Mapping[str, Reading] = field(default_factory=dict)  # everything that a force analysis found, asked for or not
 
     def figure(self, place: Place) -> Figure | None:
         """The figure at this place (the first of a view), if drawn."""

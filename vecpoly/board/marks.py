@@ -123,12 +123,13 @@ class FixedGuide:
 class Block:
     """A slider block (rectangle) centred at `at`, its long side along `along` (unit complex number).
 
-    `on_rod` True: a sleeve through which a rod passes; False: a block in a slot or on a guide.
+    `on_rod` True: a sleeve through which a rod passes; False: a block in a slot or on a guide. `length` in mm.
     """
 
     at: complex
     along: complex
     on_rod: bool = False
+    length: float = 9.0
     step: int = 0
 
 

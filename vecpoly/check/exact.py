@@ -7,9 +7,11 @@ import numpy as np
 from .. import oracle
 from ..devices.base import Device
 from ..mechanism.assur import hinges
+from ..mechanism.centre_quantities import KEYS, centre_quantities
 from ..mechanism.model import Mechanism
 from ..mechanism.quantities import given_value, pairs
 from ..names import Kind, Rel, reaction
+from ..oracle.centres import Centres, slowest
 from ..oracle.devices.registry import device_answers
 from ..oracle.forces import forces
 from ..problem.asks import AskNamed, AskPoint
@@ -22,12 +24,21 @@ def exact_values(problem: Problem, mech: Mechanism | None = None) -> dict[str, c
     if isinstance(problem.subject, Device):
         found_by_key = device_answers(problem.subject)
         return {ask.rel.key: found_by_key[ask.rel.key] for ask in problem.asks}
-    return _kinematic(problem, mech or problem.mechanism) | _static(problem, mech or problem.mechanism)
+    mech = mech or problem.mechanism
+    return _kinematic(problem, mech) | _central(problem, mech) | _static(problem, mech)
+
+
+def _central(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
+    """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction (deg)."""
+    keys = [ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)]
+    known = centre_quantities(mech) if any(key.startswith(KEYS) for key in keys) else {}
+    centres = Centres(mech)
+    return {key: centres.value(key) for key in keys if key in known}
 
 
 def _static(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
     """Reactions, balancing loads and the like."""
-    asked = [ask.rel for ask in problem.asks if isinstance(ask, AskNamed)]
+    asked = [ask.rel for ask in problem.asks if isinstance(ask, AskNamed) and not ask.rel.key.startswith(KEYS)]
     if problem.loads is None or not asked:
         return {}
     data = {named.key: value for named in asked if (value := given_value(problem.loads, named.key)) is not None}
@@ -88,6 +99,8 @@ def _kinematic(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
 
 
 def _place(motion: oracle.Motion, ask: AskPoint) -> complex:
+    if ask.slowest is not None:
+        return slowest(motion.mech, ask.link, *ask.slowest)
     if ask.velocity is not None:
         return complex(motion.point_with(ask.link, velocity=ask.velocity))
     assert ask.acceleration is not None

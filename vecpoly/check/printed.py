@@ -17,6 +17,7 @@ from ..oracle.devices.registry import device_answers
 from ..oracle.forces import Forces, forces
 from ..problem.problem import Printed, Problem
 from ..words import Words
+from .centres import CentralTruth
 from .follow import follow
 from .possible import BestFit, best_fit
 from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
@@ -58,9 +59,14 @@ def _truth(problem: Problem) -> Callable[[Printed], float | None]:
         return lambda printed: _size(values[printed.rel.key]) if printed.rel else None
     mech, loads = problem.subject, problem.loads
     motion = oracle.solve(mech)
-    balance = cache(lambda: forces(mech, loads or Loads()))
-    return lambda printed: (_of_loads(printed.rel, loads, balance) if isinstance(printed.rel, Named) and loads
-                            else _exact(motion, printed))
+    balance, central = cache(lambda: forces(mech, loads or Loads())), CentralTruth(problem)
+
+    def truth(printed: Printed) -> float | None:
+        if (value := central(printed)) is not None:
+            return value
+        return _of_loads(printed.rel, loads, balance) if isinstance(printed.rel, Named) and loads else _exact(motion, printed)
+
+    return truth
 
 
 def _of_loads(rel: Named, loads: Loads, balance: Callable[[], Forces]) -> float:

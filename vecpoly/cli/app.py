@@ -8,12 +8,14 @@ import typer
 from typer.core import TyperGroup
 
 from .check import check
+from .cycle import cycle
 from .demo import demo
 from .draw import draw
 from .errors import told
 from .exact import exact
 from .listing import listing
 from .new import new
+from .play import play
 from .report import report
 from .schema import schema
 from .solve import solve
@@ -56,8 +58,10 @@ app.command("solve")(solve)
 app.command("exact")(exact)
 app.command("report")(report)
 app.command("check")(check)
+app.command("cycle")(cycle)
 app.command("draw")(draw)
 app.command("list")(listing)
+app.command("play")(play)
 app.command("new")(new)
 app.command("schema")(schema)
 app.command("demo")(demo)

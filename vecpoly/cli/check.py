@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from .check_table import check_table_of, columns_said
 from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
-from .options import JsonOption, Lang, LangOption, Problems
+from .options import ColumnsOption, JsonOption, Lang, LangOption, Problems, TableOption
 from .terminal import add, progress, show, table
 from .wording import bare, beside, number, percent, symbol, unit
 
@@ -26,13 +27,17 @@ _COLUMNS = {
 _NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
 
 
-def check(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
-    """Check printed answers against exact ones.
+def check(names: Problems, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en") -> None:
+    """Check printed answers, or a printed table, against exact values.
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies
-    are tried, to see whether the numbers are possible at all.
+    are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are compared.
     """
+    said = columns_said(columns)
     found = problems(names)
+    if table_file is not None:
+        check_table_of(found, table_file, said, json, lang)
+        return
     from ..check.printed import check_problem
 
     tally = Tally()

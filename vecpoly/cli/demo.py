@@ -1,4 +1,4 @@
-"""vecpoly demo: the exercises of chapters 3 to 5 (kinematics, forces, efficiency), an assignment a chapter, in both languages."""
+"""vecpoly demo: the exercises of chapters 2 to 5 (structure, kinematics, forces, efficiency), an assignment a chapter, in both languages."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .options import Lang
 from .report import draw, write
 from .terminal import progress, say
 
-ASSIGNMENTS = ("assignment-ch3", "assignment-ch4", "assignment-ch5")
+ASSIGNMENTS = ("assignment-ch2", "assignment-ch3", "assignment-ch4", "assignment-ch5")
 LANGS: tuple[Lang, ...] = ("zh", "en")
 Folder = Annotated[Path, typer.Option("-o", "--output", help="The folder to write to.")]
 
 
 def demo(output: Folder = Path("out")) -> None:
-    """Render chapters 3, 4 and 5 as assignments, in both languages."""
+    """Render chapters 2 to 5 as assignments, in both languages."""
     from ..data import data_dir
 
     for name in ASSIGNMENTS:

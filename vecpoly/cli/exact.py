@@ -38,10 +38,16 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     tally.settle()
 
 
+def _is_centre(key: str) -> bool:
+    """P_13 is an instant centre, P_out a power."""
+    return key.startswith("P_") and key[2:3].isdigit()
+
+
 def _plain(key: str, value: complex | float, si: str) -> dict[str, Any]:
     if not isinstance(value, complex):
-        return {"unit": si, "exact": bool(value) if si == YES_NO else value}
-    if key.startswith("p_"):
+        endless = _is_centre(key)  # an instant centre at infinity: its direction
+        return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
+    if key.startswith(("p_", "P_")):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
     return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value))}
 
@@ -56,9 +62,11 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
     made = table(title, [(name, "right" if i == 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
     for ask in problem.asks:
         key, value, way = ask.rel.key, values[ask.rel.key], "—"
-        if not isinstance(value, complex):
+        if not isinstance(value, complex) and _is_centre(key):
+            size, way = "∞", f"{value:.3f}°"
+        elif not isinstance(value, complex):
             size = scalar(value, ask.rel.unit, lang, 7)
-        elif key.startswith("p_"):
+        elif key.startswith(("p_", "P_")):
             size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
         else:
             size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−")

@@ -9,7 +9,7 @@ import typer
 
 Lang = Literal["zh", "en"]
 Hand = Literal["exact", "drafting", "pencil"]
-Style = Literal["solution", "question"]
+Style = Literal["solution", "question", "course"]
 
 Problems = Annotated[
     list[str], typer.Argument(metavar="ID_OR_PATH...", help="Problems: ids such as 3-9, or problem files.", show_default=False)
@@ -18,11 +18,19 @@ HandOption = Annotated[
     Hand, typer.Option("--hand", help="How accurately is drawn: exact; drafting (0.1 mm); pencil (0.5 mm, with scatter).")
 ]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Seed of the hand's scatter.")]
+TableOption = Annotated[
+    Path | None, typer.Option("--table", metavar="FILE", help="A printed table over the cycle, CSV or XLSX.", show_default=False)
+]
+ColumnsOption = Annotated[
+    list[str] | None,
+    typer.Option("--columns", metavar="HEADER=MEANING,...", show_default=False,
+                 help="What columns of the table hold: phi_5=rad, w3=omega_4, V=v_E[mm/s], remarks=- (left out)."),
+]
 LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help="Chinese or English.")]
 JsonOption = Annotated[
     str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON to this file, or to stdout with -.", show_default=False)
 ]
-StyleOption = Annotated[Style, typer.Option("--style", help="The solution, or the question with blank frames to draw in.")]
+StyleOption = Annotated[Style, typer.Option("--style", help="The solution; the question with blank frames to draw in; or the course report over the whole cycle.")]
 OutOption = Annotated[
     Path | None, typer.Option("-o", "--output", help="File or folder to write; missing folders are made.", show_default=False)
 ]

@@ -78,8 +78,8 @@ class Device(BaseModel):
 
     @property
     def size(self) -> float:
-        """A length typical of its sketch (m), from which a scale is guessed before it is fitted."""
-        return 0.1
+        """A length typical of its sketch (m), from which a scale is guessed before it is fitted; 0: a sketch, or a block diagram, to no scale."""
+        return 0.0
 
     @property
     def force(self) -> float:

@@ -47,11 +47,6 @@ class Incline(Device):
         return tuple((symbol, value.text) for symbol, value in written if value is not None)
 
     @property
-    def size(self) -> float:
-        """Its sketch is to no scale."""
-        return 0.0
-
-    @property
     def force(self) -> float:
         """The weight."""
         return self.Q.si

@@ -149,11 +149,6 @@ class PowerTrain(Device):
         values = list(dict.fromkeys(other.eta for other in parts(self.train) if other.kind == part.kind))
         return f"η_{stem}" if len(values) == 1 else f"η_{{{stem}{values.index(part.eta) + 1}}}"
 
-    @property
-    def size(self) -> float:
-        """A block diagram has no scale."""
-        return 0.0
-
 
 def parts(train: Train) -> Iterator[Part]:
     """All parts, in the order in which the power runs, branch after branch."""

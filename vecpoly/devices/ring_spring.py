@@ -35,11 +35,6 @@ class RingSpring(Device):
         return ("α", self.alpha.text), ("f", self.f.text), ("Q", self.Q.text)
 
     @property
-    def size(self) -> float:
-        """Its sketch is to no scale."""
-        return 0.0
-
-    @property
     def force(self) -> float:
         """The springs' force."""
         return self.Q.si

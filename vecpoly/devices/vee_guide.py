@@ -39,11 +39,6 @@ class VeeGuide(Device):
         return (("G", self.G.text), ("l_1", self.l1.text), ("l_2", self.l2.text), ("θ", self.theta.text), ("f", self.f.text))
 
     @property
-    def size(self) -> float:
-        """Its sketch is to no scale."""
-        return 0.0
-
-    @property
     def force(self) -> float:
         """The load."""
         return self.G.si
@@ -52,4 +47,4 @@ class VeeGuide(Device):
 ON_V, ON_FLAT = Named("F1", "F_1", "N"), Named("F2", "F_2", "N")
 FLANK = Named("N_flank", "N", "N")
 FRICTION_V, FRICTION_FLAT, FRICTION = Named("F_f_V", "F_{f1}", "N"), Named("F_f_flat", "F_{f2}", "N"), Named("F_f", "F_f", "N")
-F_VEE, F_WHOLE = Named("f_vee", "f_v", ""), Named("f_V", "f_V", "")
+F_VEE, F_WHOLE = Named("f_vee", "f_{V1}", ""), Named("f_V", "f_V", "")

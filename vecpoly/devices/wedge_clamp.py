@@ -34,11 +34,6 @@ class WedgeClamp(Device):
         return ("α", self.alpha.text), ("f", self.f.text), ("R_{23}", self.R.text)
 
     @property
-    def size(self) -> float:
-        """Its sketch is to no scale."""
-        return 0.0
-
-    @property
     def force(self) -> float:
         """The clamping force."""
         return self.R.si

@@ -63,11 +63,6 @@ class Wedges(Device):
         return tuple((symbol, value.text) for symbol, value in written if value is not None)
 
     @property
-    def size(self) -> float:
-        """Its sketch is to no scale."""
-        return 0.0
-
-    @property
     def force(self) -> float:
         """The load."""
         return self.Q.si

@@ -50,7 +50,7 @@ def plate(mark: Plate, layer: Layer) -> tuple[Item, ...]:
 
 def block_corners(mark: Block) -> tuple[complex, ...]:
     """The outline of a slider block."""
-    return rectangle(mark.at, mark.along / abs(mark.along), BLOCK_LENGTH, BLOCK_HEIGHT)
+    return rectangle(mark.at, mark.along / abs(mark.along), mark.length, BLOCK_HEIGHT)
 
 
 def block(mark: Block) -> tuple[Item, ...]:

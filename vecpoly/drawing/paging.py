@@ -1,4 +1,4 @@
-"""Which figures share a page: as few pages as will do, a free body with its polygon, no small drawing alone before the last page."""
+"""Which figures share a page: as few pages as will do, a free body with its polygon, no small drawing alone on one of several."""
 
 from __future__ import annotations
 
@@ -78,11 +78,11 @@ def _paired(a: Drawn, b: Drawn) -> bool:
 
 
 def _cost(drawn: tuple[Drawn, ...], start: int, end: int, layout: Layout) -> Cost:
-    """Of a page: itself with each pair that is torn, those pairs, sparse before the last, an unnatural break before it, and crowding."""
+    """Of a page: itself with each pair that is torn, those pairs, sparse among several, an unnatural break before it, and crowding."""
     pairs = sum(_paired(drawn[i - 1], drawn[i]) for i in range(max(start, 1), end))
     torn = pairs - layout.together
     area = sum(w * h for w, h in (one.size for one in drawn[start:end]))
-    sparse = end < len(drawn) and area < SPARSE * layout.page[0] * layout.page[1]
+    sparse = (start > 0 or end < len(drawn)) and area < SPARSE * layout.page[0] * layout.page[1]
     natural = start == 0 or (_of_forces(drawn[start]) and not _of_forces(drawn[start - 1]))
     return 1 + torn, torn, int(sparse), int(not natural), int(layout.white < CROWDED)
 

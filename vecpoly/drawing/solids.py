@@ -13,7 +13,7 @@ from ..words import Lang
 from .notes import fitted
 from .scene import Fill, Item, Layer, Stroke, TextBox
 from .shapes import circle, rectangle
-from .style import LETTER, RESULT, SYMBOL, THIN, Dash, Hue
+from .style import NOTE, RESULT, SYMBOL, THIN, Dash, Hue
 
 FRICTION = 0.22  # line of a friction circle
 PITCH, SLOPE = 2.2, cmath.exp(1j * math.pi / 4)  # hatching of fixed bodies
@@ -68,7 +68,7 @@ def hatched_area(points: tuple[complex, ...]) -> tuple[tuple[complex, complex], 
 def cell(mark: Cell, lang: Lang) -> tuple[Item, ...]:
     """A box that hides the lines under it, with its words in the middle."""
     corners = rectangle(mark.at, 1 + 0j, mark.width, mark.height)
-    text = fitted(mark.words.of(lang), LETTER, mark.width - 2 * CELL_MARGIN, mark.height - 2 * CELL_MARGIN)
+    text = fitted(mark.words.of(lang), NOTE, mark.width - 2 * CELL_MARGIN, mark.height - 2 * CELL_MARGIN)
     y = mark.at.imag - (text.ascent - text.descent) / 2
     return (Fill(points=corners, hue=Hue.WHITE, layer=Layer.BODY, step=mark.step),
             Stroke(points=corners, width=SYMBOL, closed=True, layer=Layer.BODY, step=mark.step),

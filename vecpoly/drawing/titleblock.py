@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..typeset import Box, layout_words
-from ..words import Lang, Words
+from ..words import Lang, Words, label
 from .scene import Item, Layer, Rect, Stroke, TextBox
 from .space import FRAME, STRIP
 from .style import GIVEN, NOTE, RESULT, THIN
@@ -13,7 +13,7 @@ from .style import GIVEN, NOTE, RESULT, THIN
 BAR = 50.0
 BAR_CELL = 62.0  # width of the strip's last cell
 LABELS = {
-    "problem": Words("题", "Problem"), "sheet": Words("第 {n} 张　共 {total} 张", "Sheet {n} of {total}"),
+    "sheet": Words("第 {n} 张　共 {total} 张", "Sheet {n} of {total}"),
     "hand": Words("作图", "Hand"), "name": Words("姓名", "Name"), "number": Words("学号", "No."),
     "group": Words("班级", "Class"), "date": Words("日期", "Date"),
     "bar": Words("打印后此线应为 50 mm", "This bar measures 50 mm when printed true to scale"),
@@ -53,8 +53,8 @@ def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
 
 
 def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...]:
-    name = f"{LABELS['problem'].of(lang)} {strip.problem}".strip()
-    full = f"{name}　{strip.title.of(lang)}" if strip.title.of(lang) else name
+    title, name = strip.title.of(lang), label(strip.problem).of(lang)
+    full = f"{name}　{title}".strip("　") if title else name or strip.problem
     hand = HANDS.get(strip.hand, Words(strip.hand, strip.hand)).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4

@@ -8,7 +8,7 @@ from ..board.board import NO_LENGTH
 from ..board.construction import Reading, View
 from ..errors import NoMethodError
 from ..formula import Row, Txt, sym
-from ..names import Kind, Named, Rel
+from ..names import Key, Kind, Rel
 from ..plane import Points, Reals, nominal
 from ..quantity import magnitude, stated, worked
 from ..words import Words
@@ -29,8 +29,10 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     return _vector(desk, rel)
 
 
-def named_answer(desk: Desk, named: Named) -> tuple[Reading, Reals]:
-    """A load, reaction or efficiency that the force analysis read; raises NoMethodError where it was not found."""
+def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
+    """What the force analysis or the instant centres gave: a load, a reaction, a centre; raises NoMethodError where it was not found."""
+    if named.key in desk.central:
+        return desk.central[named.key], desk.central_repeats[named.key]
     if named.key not in desk.named:
         raise NoMethodError(f"{named.key} was not found on the drawing: no method on file gives it for this mechanism")
     return desk.named[named.key], desk.named_repeats[named.key]

@@ -55,6 +55,9 @@ class Desk:
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     named: dict[str, Reading] = field(default_factory=dict)  # answers of the force analysis
     named_repeats: dict[str, Reals] = field(default_factory=dict)
+    loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
+    central: dict[str, Reading] = field(default_factory=dict)  # answers that instant centres gave
+    central_repeats: dict[str, Reals] = field(default_factory=dict)
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ round scales with which every figure fills its place on the sheet.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
+from .centres.plan import centre_pass, needs_centres, needs_polygons
 from .desk import POLE, Desk
 from .forces.plan import force_pass
 from .forces.readings import largest_load
@@ -42,11 +43,13 @@ TITLES = {
 }
 SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
+    Stage.CENTRES: Words("瞬心法", "Instant centres"),
     Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
 }
 _UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
+FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 _ACCELERATIONS = {Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR, Kind.ALPHA}
 
@@ -62,7 +65,7 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
         desk = _draw(problem, by, scales)
         readings, repeats = _answers(desk, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
-                                steps=tuple(desk.board.steps), readings=readings)
+                                steps=tuple(desk.board.steps), readings=readings, forces=desk.named)
     return construction, repeats
 
 
@@ -73,7 +76,9 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
     accelerated = any(r.kind in _ACCELERATIONS for r in rels) or (loads is not None and loads.dynamic) or any(
         isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
     last = (Stage.FORCE,) if loads is not None else ()
-    return (Stage.POSITION, Stage.VELOCITY, *((Stage.ACCELERATION,) if accelerated else ()), *last)
+    central, moving = needs_centres(problem), needs_polygons(problem) or bool(last)
+    return (Stage.POSITION, *((Stage.CENTRES,) if central else ()), *((Stage.VELOCITY,) if moving or not central else ()),
+            *((Stage.ACCELERATION,) if accelerated else ()), *last)
 
 
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict[View, Scale]:
@@ -83,13 +88,22 @@ def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) 
     guess = {View.MECHANISM: size / 100, View.VELOCITY: speed / 100,
              View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
              View.FORCE: largest_load(problem) / 60, View.BODY: size / 100}
+    chosen = _fitted(problem, slots, guess)
+    while chosen[View.FORCE].value < guess[View.FORCE] / FAR and problem.scales.mu_f is None:  # inertia forces far below the guess: a sketch of specks
+        guess |= {View.FORCE: chosen[View.FORCE].value}
+        chosen = _fitted(problem, slots, guess)
+    return chosen
+
+
+def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float]) -> dict[View, Scale]:
+    """Round scales with which the figures of a sketch at these scales would fill their slots."""
     sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
     given = {View.MECHANISM: problem.scales.mu_l, View.VELOCITY: problem.scales.mu_v, View.ACCELERATION: problem.scales.mu_a,
              View.FORCE: problem.scales.mu_f, View.BODY: problem.scales.mu_l}
     figures = sketch.board.figures(TITLES)
     chosen = {}
     for view, value in guess.items():
-        fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith("lever")), default=value)
+        fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith(("lever", "centre"))), default=value)
         chosen[view] = _scale(view, given[view] or fitted)
     return chosen | {View.BODY: chosen[View.MECHANISM]}
 
@@ -102,11 +116,13 @@ def _scale(view: View, value: float) -> Scale:
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups))
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups), loaded=problem.loads is not None)
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
-        if stage is Stage.FORCE:
+        if stage is Stage.CENTRES:
+            centre_pass(desk, problem, groups)
+        elif stage is Stage.FORCE:
             statics = force_pass(desk, problem)
             desk.named, desk.named_repeats = statics.readings, statics.repeats
         else:
@@ -130,7 +146,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         find(stage, group.kind).draw(desk, group.dyad or group)
         if position:
             letter_contacts(desk, group.links)
-            _further_points(desk, group.links)
+            _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})
             draw_links(desk, shapes, group.links)
     if position:
         draw_drive_arrow(desk)
@@ -138,13 +154,20 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         _wanted(desk, problem, stage)
 
 
-def _further_points(desk: Desk, links: tuple[str, ...]) -> None:
-    """Say that the other lettered points of these links are set out too."""
+def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] = ()) -> None:
+    """Say that the other lettered points of these links are set out too; `found`: the pins of their group."""
+    parts: list[tuple[str, list[str]]] = []
     for name in links:
-        points = [subscripted(p.point) for p in desk.mech.link(name).placements]
-        if points:
-            letters = "$, $".join(points)
-            desk.board.remark(Words(f"按已知尺寸定出构件 {name} 上的 ${letters}$。", f" Set out ${letters}$ of link {name} from the given lengths."))
+        link = desk.mech.link(name)
+        placed = [p.point for p in link.placements]
+        if set(placed) & set(found):  # a pin was given on a longer bar, whose other end follows
+            placed += [p for p in link.points if p not in (*placed, *found, *desk.mech.frame)]
+        points = [subscripted(p) for p in placed if p not in found]
+        parts += [(name, points)] if points else []
+    if parts:
+        zh = "、".join(f"构件 {name} 上的 ${'$、$'.join(points)}$" for name, points in parts)
+        en = ", ".join(f"${'$, $'.join(points)}$ of link {name}" for name, points in parts)
+        desk.board.remark(Words(f"按已知尺寸定出{zh}。", f" Set out {en} from the given lengths."))
 
 
 def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:
@@ -152,7 +175,7 @@ def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:
     velocity = stage is Stage.VELOCITY
     view = View.VELOCITY if velocity else View.ACCELERATION
     for ask in problem.asks:
-        if isinstance(ask, AskPoint) and (ask.velocity is not None) == velocity:
+        if isinstance(ask, AskPoint) and ask.slowest is None and (ask.velocity is not None) == velocity:
             find_point(desk, ask)
     for ask in problem.asks:
         if isinstance(ask, AskRel) and ask.rel.kind in ((Kind.V,) if velocity else (Kind.A,)):
@@ -193,7 +216,7 @@ def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]
     readings: dict[str, Reading] = {}
     repeats: Repeats = {}
     for ask in problem.asks:
-        if isinstance(ask, AskNamed):
+        if isinstance(ask, AskNamed) or ask.rel.key in desk.central:
             reading, scalars = named_answer(desk, ask.rel)
         else:
             reading, scalars = answer(desk, ask.rel)

@@ -18,6 +18,7 @@ class Stage(StrEnum):
     """The passes over the groups of a mechanism, in order."""
 
     POSITION = "position"
+    CENTRES = "centres"
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
     FORCE = "force"

@@ -33,4 +33,9 @@ def feasible(mech: Mechanism) -> tuple[str, ...]:
     return plan_for(mech).ranges()
 
 
-__all__ = ["Motion", "feasible", "solve"]
+def spans(mech: Mechanism) -> tuple[tuple[float, float], ...]:
+    """The same ranges as numbers (rad, or m along the guide), ends refined by bisection."""
+    return plan_for(mech).spans()
+
+
+__all__ = ["Motion", "feasible", "solve", "spans"]

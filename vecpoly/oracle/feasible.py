@@ -13,12 +13,18 @@ from .state import Reals
 from .steps import Step
 
 Ranges = tuple[str, ...]
+Spans = tuple[tuple[float, float], ...]
 Closes = Callable[[Reals], NDArray[np.bool_]]
 SAMPLES, HALVINGS = 1440, 40
 
 
 def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
-    """Ranges of the drive that close, as text: degrees within 0..360, or mm along the guide.
+    """Ranges of the drive that close, as text: degrees within 0..360, or mm along the guide."""
+    return tuple(_text(a, b, drive.slide) for a, b in spans(closes, drive, scale))
+
+
+def spans(closes: Closes, drive: Drive, scale: float) -> Spans:
+    """Ranges of the drive (rad, or m along the guide) that close.
 
     Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
     """
@@ -38,7 +44,7 @@ def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
     pairs = list(zip(ends[::2], ends[1::2], strict=True))
     if not drive.slide and len(pairs) > 1 and good[0] and good[-1]:
         pairs = [*pairs[1:-1], (pairs[-1][0], pairs[0][1] + 2 * np.pi)]  # one range across 0
-    return tuple(_text(a, b, drive.slide) for a, b in pairs)
+    return tuple(pairs)
 
 
 def _text(low: float, high: float, slide: bool) -> str:

@@ -33,6 +33,7 @@ class Newton:
     sign: float = 1.0
     two: bool = False
     joint: str = field(default="", kw_only=True)
+    walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, kw_only=True)  # strides from the own position → states found
 
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """Walk the path from the own position outwards, then solve all positions asked for at once."""
@@ -40,8 +41,9 @@ class Newton:
         track, known = run.track, self._known(bodies, run.track)
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
-        guess = first_guess(self.mech, self.group, here)
-        states[track.own] = self._solve(guess, here, None, here)[0]
+        if 0 not in self.walked:
+            self.walked[0] = self._solve(first_guess(self.mech, self.group, here), here, None, here)[0]
+        states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
         self._fill(states, known, run.q, track)
@@ -86,12 +88,18 @@ class Newton:
         last = before = track.own
         while 0 <= last + way < track.size:
             index = last + way
+            if index - track.own in self.walked:
+                states[index] = self.walked[index - track.own]
+                if np.isnan(states[index]).any():
+                    return
+                before, last = last, index
+                continue
             seed = 2 * states[last] - states[before] if before != last else states[last]
             here = {name: body.take(np.array([index])) for name, body in known.items()}
             if not all(np.isfinite(body.at + body.unit).all() for body in here.values()):
                 return
             ago = {name: body.take(np.array([last])) for name, body in known.items()}
-            states[index] = self._solve(seed[None], here, states[last][None], ago)[0]
+            states[index] = self.walked[index - track.own] = self._solve(seed[None], here, states[last][None], ago)[0]
             if np.isnan(states[index]).any():
                 return
             before, last = last, index

@@ -13,7 +13,7 @@ from ..mechanism.mobility import check
 from ..mechanism.model import FRAME, Mechanism
 from .branches import check_letters, choose
 from .drive import Driver, driver
-from .feasible import Ranges, refusal, scan
+from .feasible import Closes, Ranges, Spans, refusal, scan, spans
 from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
 from .steps import Step, is_followed, step_for
@@ -83,10 +83,17 @@ class Plan:
         if step is not None:
             names = [known.group for known in steps]
             steps = (*steps[: names.index(step.group) if step.group in names else len(steps)], step)
-        partial = replace(self, steps=steps)
+        return scan(replace(self, steps=steps).closes(), self.mech.drive, self.mech.scale)
+
+    def spans(self) -> Spans:
+        """Ranges of the drive (rad, or m) in which everything closes."""
+        return spans(self.closes(), self.mech.drive, self.mech.scale)
+
+    def closes(self) -> Closes:
+        """Whether everything closes, as a function of the drive's positions."""
 
         def closes(q: Reals) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-            bodies = partial.bodies(q, order=0, strict=False)
+            bodies = self.bodies(q, order=0, strict=False)
             sound = np.ones(q.shape, bool)
             for body in bodies.values():
                 sound &= ~np.isnan(body.at)
@@ -94,7 +101,7 @@ class Plan:
                     sound &= ~np.isnan(body.unit)
             return sound
 
-        return scan(closes, self.mech.drive, self.mech.scale)
+        return closes
 
 
 def build(mech: Mechanism) -> Plan:

@@ -16,7 +16,7 @@ class AskRel:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AskPoint:
-    """The point `name` of the link with this velocity (m/s) or acceleration (m/s²); one of them is given.
+    """The point `name` of the link with this velocity (m/s) or acceleration (m/s²), or the slowest on the line of two points; one is given.
 
     `name` is letter and link number, as in the textbook: M2 is the point M of link 2.
     """
@@ -25,6 +25,7 @@ class AskPoint:
     link: str
     velocity: complex | None = None
     acceleration: complex | None = None
+    slowest: tuple[str, str] | None = None
 
     @property
     def at(self) -> At:

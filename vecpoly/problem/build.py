@@ -8,12 +8,13 @@ from pathlib import Path
 
 from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
+from ..mechanism.centre_quantities import KEYS, centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..mechanism.quantities import quantities
-from ..names import At
+from ..names import At, Named
 from ..units import Dim, read
-from .asks import Ask
+from .asks import Ask, AskNamed
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
 from .draft import LETTER
@@ -29,6 +30,8 @@ from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
 from .wanted import default_asks, read_find, read_point, read_printed, read_scales
+
+ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
 
 def build(tree: Tree, path: Path | None = None) -> Problem:
@@ -52,6 +55,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         statement=spec.statement,
         subject=mechanism,
         loads=loads,
+        by_centres=spec.method == "centres",
         asks=asks,
         scales=scales,
         printed=printed,
@@ -154,7 +158,7 @@ def _acting(
 def _wanted(
     spec: ProblemSpec, bodies: Bodies, mechanism: Mechanism, loads: Loads | None, faults: Faults
 ) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
-    forces = quantities(mechanism, loads) if loads else {}
+    forces = _by_centres(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
     named: list[At] = []
     asks: list[Ask] = []
     printed: list[Printed] = []
@@ -163,7 +167,9 @@ def _wanted(
             with faults.at("find", i):
                 named.append(read_point(item, bodies).at)
     for i, item in enumerate(spec.find):
-        if not faults.found:
+        if item == ALL_CENTRES:
+            asks += [AskNamed(rel=named) for key, named in forces.items() if key.startswith("P_")]
+        elif not faults.found:
             with faults.at("find", i):
                 asks.append(numbered(read_find(item, bodies, named, forces), spec))
     for i, entry in enumerate(spec.printed):
@@ -175,6 +181,13 @@ def _wanted(
     with faults.at("scales"):
         scales = read_scales(spec.scales)
     return tuple(asks), tuple(printed), scales
+
+
+def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
+    """What the instant centres give, where one of these is asked for or printed."""
+    keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
+    wanted = any(key == ALL_CENTRES or key.startswith(KEYS) for key in keys)
+    return centre_quantities(mechanism) if wanted and not faults.found else {}
 
 
 def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:

@@ -170,7 +170,8 @@ def _round(draft: Draft, data: Mapping[str, Value]) -> None:
             raise FaultError(f"the centre '{centre}' is not on link {draft.name}{meant(centre, draft.points)}", kind)
         if "radius" not in data:
             raise FaultError(f"a {kind} needs its {'pitch ' if kind == 'gear' else ''}radius; write {kind}: {centre}, radius: 60 mm")
-        radius = positive(data["radius"])
+        edge = kind == "disc" and str(data["radius"]).split()[0] in ("0", "0.0")  # a knife edge
+        radius = read(data["radius"], Dim.LENGTH) if edge else positive(data["radius"])
         circle = Circle(link=draft.name, centre=centre, radius=radius.si)
         draft.gear, draft.disc = (circle, None) if kind == "gear" else (None, circle)
         draft.note(f"r_{draft.name}", radius.si, radius.text)

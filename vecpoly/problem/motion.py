@@ -11,7 +11,7 @@ from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, Si
 from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
-from .asks import Ask, AskCoriolis, AskPoint, AskRel
+from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .draft import LETTER, Draft, letters_of
 from .faults import meant
 from .joints import Bodies
@@ -77,7 +77,8 @@ def sense_only(spec: ProblemSpec) -> bool:
 
 def numbered(ask: Ask, spec: ProblemSpec) -> Ask:
     """The question, unless it asks for a rate of a motion of which only the sense is given; raises FaultError."""
-    rate = isinstance(ask, AskPoint | AskCoriolis) or (isinstance(ask, AskRel) and ask.rel.kind is not Kind.P)
+    rate = (isinstance(ask, AskPoint | AskCoriolis) or (isinstance(ask, AskRel) and ask.rel.kind is not Kind.P)
+            or (isinstance(ask, AskNamed) and ask.rel.unit == "m/s"))
     if rate and sense_only(spec):
         raise FaultError(f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw")
     return ask

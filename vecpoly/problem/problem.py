@@ -119,6 +119,7 @@ class Problem:
     source: Words | None = None
     statement: Words = field(default_factory=lambda: Words.same(""))
     loads: Loads | None = None
+    by_centres: bool = False  # velocities by instant centres instead of polygons
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()

@@ -80,13 +80,14 @@ class ScalesSpec(Spec):
 
 
 class FindSpec(Spec):
-    """A point with a given velocity or acceleration, or the question for a Coriolis term."""
+    """A point with a given velocity or acceleration, the slowest point of a line, or the question for a Coriolis term."""
 
     point: str | None = None
     on: Name | None = None
     velocity: Pair | Number | None = None
     acceleration: Pair | Number | None = None
     coriolis: str | None = None
+    slowest: str | None = Field(None, description="of a point: the slowest of the link on this line, BC")
 
 
 class PrintedSpec(Spec):
@@ -123,6 +124,7 @@ class ProblemSpec(Spec):
     branch: list[str] = []
     scales: ScalesSpec = ScalesSpec()
     find: list[str | FindSpec] = []
+    method: Literal["polygons", "centres"] = Field("polygons", description="velocities by vector polygons, or by instant centres")
     printed: list[PrintedSpec] = []
     errata: list[Text] = []
     sheet: SheetSpec | None = None

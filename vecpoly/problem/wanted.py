@@ -6,12 +6,14 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
+from ..mechanism.centre_quantities import KEYS
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.quantities import pairs
 from ..names import At, Key, Kind, Named, Rel, parse_rel
 from ..units import Dim, read, unit_of
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
+from .draft import letters_of
 from .faults import meant
 from .joints import Bodies
 from .problem import Printed, Scales
@@ -46,14 +48,23 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
     bodies.draft(link)
     if link != m[2]:
         raise FaultError(f"point {spec.point} would be on link {m[2]}, but 'on' says {link}")
-    if (spec.velocity is None) == (spec.acceleration is None):
-        raise FaultError("give either the velocity or the acceleration of the point")
+    if [spec.velocity, spec.acceleration, spec.slowest].count(None) != 2:
+        raise FaultError("give either the velocity or the acceleration of the point, or the line of which it is the slowest point (slowest: BC)")
     return AskPoint(
         name=m[0],
         link=link,
+        slowest=None if spec.slowest is None else _line(spec.slowest, bodies.draft(link).points, link),
         velocity=_vector(spec.velocity, Dim.SPEED),
         acceleration=_vector(spec.acceleration, Dim.ACCEL),
     )
+
+
+def _line(text: str, points: Iterable[str], link: str) -> tuple[str, str]:
+    """Two letters of a link: BC."""
+    first, second = letters_of(text)
+    if first == second or not {first, second} <= set(points):
+        raise FaultError(f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC", "slowest")
+    return first, second
 
 
 def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
@@ -70,8 +81,11 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
     """A key of motion (v_E) or of forces (R_12); raises FaultError."""
     if text in forces:
         return forces[text]
+    if text.startswith(("P_", "omega_ratio_")):
+        raise FaultError(f"'{text}' names no instant centre of two links by their numbers (the frame has the last){meant(text, [k for k in forces if k[0] == text[0]])}")
+    loads = [key for key in forces if not key.startswith(KEYS)]
     if _FORCES.fullmatch(text):
-        raise FaultError(f"'{text}' is no quantity of these loads{meant(text, forces)}" if forces else
+        raise FaultError(f"'{text}' is no quantity of these loads{meant(text, loads)}" if loads else
                          f"'{text}' needs loads; say under 'loads' what acts on the mechanism")
     return read_key(text, bodies, named)
 

@@ -8,11 +8,12 @@ from itertools import groupby
 from typing import Any
 
 from ..board.construction import EquationTable, Step
+from ..mechanism.centre_quantities import count, is_centre, is_place
 from ..mechanism.model import Mechanism
 from ..problem.asks import AskCoriolis, AskNamed, AskPoint
 from ..quantity import number
 from ..solution import YES_NO, Answer, Solution
-from ..words import Lang, Words
+from ..words import Lang, Words, label
 from .structure import numbering, structure
 from .values import asked_load, called
 
@@ -39,7 +40,7 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     if isinstance(problem.subject, Mechanism):
         given.insert(0, pivots(problem.subject).of(lang))
     return {
-        "id": problem.id, "title": problem.title.of(lang), "source": problem.source.of(lang) if problem.source else "",
+        "id": problem.id, "label": label(problem.id).of(lang), "title": problem.title.of(lang), "source": problem.source.of(lang) if problem.source else "",
         "statement": problem.statement.of(lang), "given": comma.join(given),
         "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)), "structure": structure(problem).of(lang),
         "numbering": numbering(problem).of(lang), "scales": scales(solution, lang),
@@ -48,15 +49,23 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
 
 def pivots(mech: Mechanism) -> Words:
     """Where the fixed points are, in mm: a student cannot draw without them."""
-    places = ", ".join(f"${name}$({number(1e3 * at.real)}, {number(1e3 * at.imag)})" for name, at in mech.frame.items())
-    return Words(f"固定点坐标 {places} mm", f"fixed points {places} mm")
+    places = [f"${name}$({number(1e3 * at.real)}, {number(1e3 * at.imag)})" for name, at in mech.frame.items()]
+    return Words(f"固定点坐标 {'、'.join(places)} mm", f"fixed point{'s' if len(places) > 1 else ''} {', '.join(places)} mm")
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:
     """One sentence for each question that is not answered by a number alone."""
     coriolis = [_coriolis(solution.answers[ask.rel.key]).of(lang) for ask in solution.problem.asks if isinstance(ask, AskCoriolis)]
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
-    return coriolis + [_told(answer.reading.remark).of(lang) for answer in named if answer.reading.remark is not None]
+    wrong = [_disagreed(answer).of(lang) for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
+    return coriolis + [_told(answer.reading.remark).of(lang) for answer in named if answer.reading.remark is not None] + wrong
+
+
+def _disagreed(answer: Answer) -> Words:
+    """A count in which no hand can err, and which still is not what the oracle says."""
+    symbol, ours, its = f"${answer.reading.symbol}$", number(answer.drawn), number(answer.exact)
+    return Words(f"注意：按计数 {symbol} = {ours}，按独立求得的结果（约束方程的秩）{symbol} = {its}，二者不符，以后者为准。",
+                 f"Beware: the count gives {symbol} = {ours}, the independent result (rank of the constraints) {symbol} = {its}. They disagree; the latter holds.")
 
 
 def _told(remark: Words) -> Words:
@@ -77,8 +86,12 @@ def _coriolis(answer: Answer) -> Words:
 def asked(solution: Solution, lang: Lang) -> Iterator[str]:
     """The questions in symbols and words."""
     coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
+    centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel.key)]
+    every = bool(centres) and len(centres) == count(solution.problem.mechanism)
+    if every:
+        yield Words("全部瞬心", "all instant centres").of(lang)
     for ask in solution.problem.asks:
-        if ask.rel.key in coriolis and not isinstance(ask, AskCoriolis):
+        if (ask.rel.key in coriolis and not isinstance(ask, AskCoriolis)) or (every and ask.rel in centres):
             continue
         reading = solution.construction.readings[ask.rel.key]
         symbol = f"${reading.symbol}$"
@@ -86,8 +99,9 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
             yield _point_asked(ask, symbol).of(lang)
         elif isinstance(ask, AskCoriolis):
             yield Words(f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points").of(lang)
-        elif reading.key.startswith("p_"):
-            yield Words(f"{symbol} 的位置", f"the position of {symbol}").of(lang)
+        elif is_place(reading.key):
+            of = symbol.replace("^{∞}", "")
+            yield Words(f"{of} 的位置", f"the position of {of}").of(lang)
         elif reading.unit == YES_NO:
             name = called(reading.symbol, reading.key, lang)
             yield Words(f"是否{name}", f"whether {name}").of(lang)
@@ -98,6 +112,9 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
 
 
 def _point_asked(ask: AskPoint, symbol: str) -> Words:
+    if ask.slowest is not None:
+        line = "".join(ask.slowest)
+        return Words(f"构件 {ask.link} 的 ${line}$ 线上速度最小的点 {symbol}", f"the slowest point {symbol} of link {ask.link} on the line ${line}$")
     if ask.velocity == 0:
         return Words(f"构件 {ask.link} 的绝对瞬心 {symbol}", f"the instant centre {symbol} of link {ask.link}")
     if ask.acceleration == 0:

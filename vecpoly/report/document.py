@@ -15,16 +15,16 @@ from ..data import data_dir
 from ..drawing.figure import draw_figure
 from ..drawing.pdf import draw_pdf
 from ..drawing.sheet import Sheet, sheets
-from ..errors import UnknownNameError
+from ..errors import NotAskedError, UnknownNameError
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
-from ..words import Lang, Words
+from ..words import Lang, Words, label
 from .content import Objects, blank_equations, conclusions, sections, statement
 from .flow.blocks import Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.xml import to_flowables
 from .lines import lines_table
-from .picture import frames, picture
+from .picture import diagram, frames, picture
 from .tables import empty_table, percent, printed_table, readings_table, symbol_of
 from .titles import subject
 
@@ -33,8 +33,8 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
     "en": ("Class", "Name", "Student no.", "Mark", "Lecturer", "Marked on"),
 }
 _HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
-             "note": Words("勘误：", "Errata: "), "pass": Words.same("")}
-STYLES = ("solution", "question")
+             "note": Words("关于原书：", "On the printed solution: "), "pass": Words.same("")}
+STYLES = ("solution", "question", "course")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
 
 
@@ -58,6 +58,8 @@ def markup(
     solutions: Sequence[Solution], lang: Lang, style: str, fields: Mapping[str, str], title: Words | None, templates: Path | None
 ) -> tuple[str, Objects]:
     """The filled template, and the things it names."""
+    if style == "course" and len(solutions) != 1:
+        raise NotAskedError(f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder")
     objects = Objects()
     context = {
         "title": (title or subject(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
@@ -80,11 +82,16 @@ def _title(solutions: Sequence[Solution]) -> Words:
     if len(solutions) != 1:
         return subject(solutions)
     problem = solutions[0].problem
-    return Words(f"题 {problem.id}　{problem.title.zh}", f"Problem {problem.id}: {problem.title.en}")
+    name = label(problem.id)
+    return Words(f"{name.zh}　{problem.title.zh}", f"{name.en}: {problem.title.en}") if name.zh else problem.title
 
 
 def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> dict[str, Any]:
     """All that a template may say of one problem."""
+    if style == "course":
+        from .course.document import course
+
+        return course(solution, lang, objects)
     drawn = picture(solution.problem, solution.construction, *PICTURE)
     common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else ""}
     if style == "question":
@@ -93,15 +100,15 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
             "blanks": blank_equations(solution, objects), "empty": objects.add("tab", empty_table(solution, lang)),
             "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title)],
         }
-    checked, lines = check_problem(solution.problem), lines_table(solution, lang)
+    checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
     return common | {
         "lines": objects.add("tab", lines) if lines else "",
         "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
         "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang),
-        "sheets": [objects.add("sheet", _page(s, solution, lang))
-                   for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
+        "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
+        "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
     }
 
 

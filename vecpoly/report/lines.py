@@ -20,6 +20,7 @@ _HEADER = {
     "zh": ("力", "过点 ($x$, $y$) /mm", "作用线的位置", "距精确作用线 /mm"),
     "en": ("Force", "Through ($x$, $y$) /mm", "How the line lies", "Off the exact line, mm"),
 }
+NOTHING = 1e-9  # m: smaller coordinates are zero
 _SENSE = {"ccw": Words("逆时针", "ccw"), "cw": Words("顺时针", "cw")}
 
 
@@ -33,12 +34,15 @@ def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:
-    point = f"({number(1e3 * acts.point.real)}, {number(1e3 * acts.point.imag)})"
+    x, y = (0.0 if abs(z) < NOTHING else 1e3 * z for z in (acts.point.real, acts.point.imag))
+    point = f"({number(x)}, {number(y)})"
     return called(answer.reading.symbol, answer.key, lang), point, how.of(lang), _off(answer, acts)
 
 
 def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
     """On which side the line touches a friction circle, that it passes through a pin, or how it leans from the normal of a slide."""
+    if acts.told is not None:
+        return acts.told
     mech, loads = solution.problem.subject, solution.problem.loads
     links = _links(mech, key) if isinstance(mech, Mechanism) else None
     if not isinstance(mech, Mechanism) or links is None:

@@ -30,7 +30,8 @@ from .acting import acting
 
 SKETCH = Words("机构简图（示意）", "The mechanism (sketch)")
 DEVICE = Words("简图（示意）", "Sketch")
-BLOCKS = 165.0  # mm, width of a block diagram
+POWERS = Words("传动简图与各处的功率", "Block diagram with the powers")
+BLOCKS = 168.0  # mm, width of a block diagram
 _HELP = {Role.CONSTRUCTION, Role.DIRECTION, Role.HIDDEN}
 
 
@@ -72,6 +73,14 @@ def _device(figure: Figure, width: float, height: float) -> Figure:
     shown = [m for m in marks if not isinstance(m, Note)] if blocks else marks
     drawn = reduced(figure, shown, BLOCKS if blocks else width, height)
     return drawn if figure.name else replace(drawn, title=DEVICE)
+
+
+def diagram(construction: Construction) -> Figure | None:
+    """The block diagram with all that the solution wrote into it, for the text; none where there are drawings for a sheet."""
+    figure = construction.figure(View.MECHANISM)
+    if figure is None or not any(isinstance(mark, Cell) for mark in figure.marks):
+        return None
+    return replace(reduced(figure, figure.marks, BLOCKS, BLOCKS), title=POWERS)
 
 
 def reduced(figure: Figure, marks: Sequence[Mark], width: float, height: float) -> Figure:

@@ -23,24 +23,34 @@ def numbering(problem: Problem) -> Words:
         return Words.same("")
     number = problem.mechanism.frame_number
     return Words(f"机架为构件 {number}；$R_{{ij}}$ 表示构件 $i$ 对构件 $j$ 的作用力。",
-                 f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.")
+                 f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.") + _any_speed(problem)
+
+
+def _any_speed(problem: Problem) -> Words:
+    """Where only the sense of the driver's ω is given: that its size does not matter, and which is drawn."""
+    drive = problem.mechanism.drive
+    if drive.slide or not any(datum.words is not None and datum.words.zh.startswith(f"$ω_{drive.link}$") for datum in problem.given.motion):
+        return Words.same("")
+    return Words(f"$ω_{drive.link}$ 只给转向，其大小不影响受力，作图取 1 rad/s。", f" Of $ω_{drive.link}$ only the sense is given; its size does not change the forces, 1 rad/s is drawn.")
 
 
 def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Words:
-    sum_up = f"$F$ = 3×{count.links} − 2×{count.lower} − {count.higher} = {count.freedom}"
+    higher = f" − {count.higher}" if count.higher else ""
+    sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
     driver = mech.drive.link
     if any("G" in g.kind for g in groups):
         rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
-        return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links and {sum_up}") + rolls
+        return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}") + rolls
                 + Words(f"；构件 {driver} 为原动件。", f"; link {driver} drives."))
     zh = "、".join(f"{g.kind} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}）" for g in groups)
     en = ", ".join(f"{g.kind} (links {', '.join(_told(mech, name).en for name in g.links)})" for g in groups)
+    kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；构件 {driver} 为原动件，",
-                    f"The mechanism has {count.links} moving links ({count.links + 1} with the frame) and {sum_up}; link {driver} drives")
+                    f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}. Link {driver} drives")
     if mech.contacts:
         return opening + Words(f"高副低代后，其余为 {zh}，属 Ⅱ 级机构。",
-                               f"; with the higher pair replaced by a link and lower pairs, the rest is made up of the Assur groups {en}: a class II mechanism.")
-    return opening + Words(f"其余为 {zh}，属 Ⅱ 级机构。", f", the rest is made up of the Assur groups {en}: a class II mechanism.")
+                               f"; with the higher pair replaced by a link and lower pairs, the rest is {kind} {en}: a class II mechanism.")
+    return opening + Words(f"其余为 {zh}，属 Ⅱ 级机构。", f", the rest is {kind} {en}: a class II mechanism.")
 
 
 def _told(mech: Mechanism, link: str) -> Words:

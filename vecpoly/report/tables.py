@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import degrees
 
 from ..check.verdict import Checked
+from ..mechanism.centre_quantities import is_place
 from ..problem.problem import Problem, as_printed
 from ..quantity import number
 from ..solution import YES_NO, Answer, Solution
@@ -22,6 +23,7 @@ _EMPTY = {"zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方
           "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense")}
 _BLANK, _NONE = "＿＿＿＿＿", "—"
 _COMPUTED = {"zh": "计算值", "en": "Computed"}
+_NOTHING = 1e-9  # m: places that all hands find alike, a fixed pivot
 _DRAWN = 3  # column of the value in _READINGS
 _SENSE = {"ccw": Words("↺ 逆时针", "↺ ccw"), "cw": Words("↻ 顺时针", "↻ cw"), None: Words.same("—")}
 
@@ -45,10 +47,14 @@ def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequen
 def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     mm = "—" if r.mm is None else f"{r.mm:.1f}"
-    if r.key.startswith("p_") and answer.drawn_vector is not None and answer.exact_vector is not None:
+    if is_place(r.key) and answer.drawn_vector is not None and answer.exact_vector is not None:
         drawn, exact = (f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
         gap = f"{number(1e3 * abs(answer.drawn_vector - answer.exact_vector), 2)} mm"
-        return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap, number(1e3 * answer.expected_error, 2))
+        return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap,
+                number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE)
+    if is_place(r.key):  # at infinity
+        gap = number(answer.deviation, 2) + "°"
+        return (f"${r.symbol}$", mm, "—", "∞", _angle(answer.drawn), _angle(answer.exact), gap, _NONE if answer.computed else rough(answer.expected_error) + "°")
     factor = printed_unit(r.unit)[0]
     clean = _clean(answer.exact, answer.expected_error)
     exact = value(clean, YES_NO, lang) if r.unit == YES_NO else number(factor * clean, 5)
@@ -121,7 +127,7 @@ def _as_given(checked: Checked, lang: Lang) -> str:
 def _exact_like(checked: Checked, lang: Lang) -> str:
     """The exact value with its unit."""
     rel = checked.printed.rel
-    if rel is None or rel.key.startswith("p_"):
+    if rel is None or is_place(rel.key):
         return f"{number(checked.exact, 5)} m"
     return value(checked.exact, rel.unit, lang, digits=5)
 

@@ -11,6 +11,7 @@ from ..words import Lang, Words
 
 _YES, _NO = Words("是", "yes"), Words("否", "no")
 _PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
+_STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
 _WAYS = {
     "_0": Words("不计摩擦", "no friction"), "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),
     "_power": Words("虚功率法", "virtual power"), "_sine": Words("正弦定理", "sine rule"),
@@ -49,6 +50,11 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     """A symbol as a table's line begins; told apart where one symbol is found in several ways."""
     if key.startswith("self_locking"):
         return f"自锁（${symbol}$）" if lang == "zh" else f"self-locking (${symbol}$)"
+    if key == "determined":
+        return "运动确定" if lang == "zh" else "the motion is determined"
+    name = next((words.of(lang) for stem, words in _STRUCTURAL.items() if key.startswith(stem)), None)
+    if name is not None:
+        return f"{name} ${symbol}$"
     way = next((words for ending, words in _WAYS.items() if key.endswith(ending)), None)
     if way is None or (key.endswith("_0") and key.startswith("R_")):
         return f"${symbol}$"

@@ -30,6 +30,7 @@ class Face(StrEnum):
     BOLD = "STIX-Bold"
     BOLD_ITALIC = "STIX-BoldItalic"
     DEJAVU = "DejaVuSans"
+    MONO = "DejaVuSansMono"
 
 
 MISSING = "VP-missing"
@@ -47,6 +48,7 @@ _MATPLOTLIBS = {
     Face.BOLD: "STIXGeneralBol.ttf",
     Face.BOLD_ITALIC: "STIXGeneralBolIta.ttf",
     Face.DEJAVU: "DejaVuSans.ttf",
+    Face.MONO: "DejaVuSansMono.ttf",
 }
 _SECOND = (Face.SONG, Face.SONG_EXT, Face.STIX, Face.DEJAVU)
 _FIRST = {  # faces tried before _SECOND

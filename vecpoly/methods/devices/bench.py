@@ -7,13 +7,15 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ...board.board import NO_LENGTH, Board
-from ...board.construction import LineOfAction, Place, Reading
+from ...board.construction import LineOfAction, Place, Reading, Scale
 from ...formula import Node
 from ...formula import named as name_of
 from ...names import Named
 from ...plane import Points, Reals, nominal
 from ...quantity import Expr, Quantity, magnitude, stated, worked
 from ...words import Words
+
+NO_SCALE = Scale(symbol="", value=1.0, unit="")  # of a sketch and of a block diagram
 
 
 @dataclass(slots=True)
@@ -25,8 +27,8 @@ class Bench:
     repeats: dict[str, Reals] = field(default_factory=dict)
 
     def measured(self, named: Named, place: Place, start: Points, end: Points, letters: str,
-                 acts: LineOfAction | None = None, remark: Words | None = None) -> Quantity:
-        """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula."""
+                 acts: LineOfAction | None = None, told: bool = True) -> Quantity:
+        """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula where it is told."""
         board, scale = self.board, self.board.scale_of(place)
         on_paper = board.measure(start, end, letters)
         size = on_paper.value * scale.value
@@ -35,16 +37,17 @@ class Bench:
         if named.is_vector:
             zero = abs(complex(nominal(end - start))) < NO_LENGTH
             vector = 0j if zero else complex(nominal(size * np.exp(1j * board.hand.gauge(np.angle(end - start)))))
-        board.write(formula)
+        if told:
+            board.write(formula)
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(size)), vector=vector,
-                           mm=float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=formula, acts=acts, remark=remark), size)
+                           mm=float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=formula, acts=acts), size)
         return magnitude(named.symbol, size, named.unit)
 
-    def worked(self, named: Named, expr: Expr, remark: Words | None = None) -> Quantity:
+    def worked(self, named: Named, expr: Expr) -> Quantity:
         """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
         result = self.board.compute(named.symbol, expr, named.unit)
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(result.value)),
-                           formula=worked(name_of(named.symbol), expr, named.unit), remark=remark), result.value)
+                           formula=worked(name_of(named.symbol), expr, named.unit)), result.value)
         return result
 
     def read_off(self, named: Named, place: Place, on_paper: Quantity, letters: str) -> None:
@@ -52,12 +55,12 @@ class Bench:
         mm, scale = float(nominal(on_paper.value)), self.board.scale_of(place).symbol
         self.readings[named.key] = replace(self.readings[named.key], mm=mm, line=letters, scale=scale)
 
-    def stated(self, named: Named, value: Reals, formula: Node | None = None, remark: Words | None = None) -> Quantity:
+    def stated(self, named: Named, value: Reals, formula: Node | None = None) -> Quantity:
         """Keep a value found in another way: by formula given here, or as it stands."""
         result = magnitude(named.symbol, value, named.unit)
         node = formula if formula is not None else stated(result)
         self.board.write(node)
-        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node, remark=remark), value)
+        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node), value)
         return result
 
     def judged(self, named: Named, yes: Reals, remark: Words) -> None:

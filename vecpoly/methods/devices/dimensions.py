@@ -1,11 +1,16 @@
-"""Dimension lines on the sketches of devices."""
+"""Dimensions of devices: as quantities in formulas, as lines on sketches."""
 
 from __future__ import annotations
 
-from ...board.marks import Mark, Note, Role, Vector
-from ...words import Words
+from ...board.marks import Dot, Mark, Point, Role, Vector
+from ...quantity import Quantity, magnitude
+
+
+def millimetres(symbol: str, metres: float) -> Quantity:
+    """A given length as a factor of formulas, in mm."""
+    return magnitude(symbol, metres * 1e3, "mm")
 
 
 def dimension(a: complex, b: complex, symbol: str) -> tuple[Mark, ...]:
     """A thin line with an arrowhead at both ends, and its symbol."""
-    return (Vector(a=a, b=b, role=Role.CONSTRUCTION), Vector(a=b, b=a, role=Role.CONSTRUCTION), Note(at=(a + b) / 2, words=Words.same(f"${symbol}$")))
+    return (Vector(a=a, b=b, role=Role.CONSTRUCTION), Vector(a=b, b=a, role=Role.CONSTRUCTION), Point(at=(a + b) / 2, label=symbol, dot=Dot.NONE))

@@ -49,10 +49,9 @@ class Clamp:
 def sketch(bench: Bench, device: EccentricClamp) -> Clamp:
     """The clamp to scale: pin, disc, handle, work."""
     board, place = bench.board, bench.board.open_pane(View.MECHANISM, "clamp", Words("偏心夹紧机构简图", "The eccentric clamp"))
-    board.section(Words("机构简图", "The sketch"))
-    board.step(Words("按比例作图：圆盘 1 的圆心为 $O$，绕机架 3 上的销轴 $A$ 转动，在 $K$ 点压紧工件 2；摩擦圆以 $A$ 为圆心、$ρ$ 为半径。",
-                     "Draw to scale: disc 1 with its centre $O$ turns about the pin $A$ of the frame 3 and presses at $K$ on the work 2; "
-                     "about $A$ draw the friction circle of radius $ρ$."), place)
+    board.section(Words("机构简图", "Sketch"))
+    board.step(Words("按 $μ_l$ 作机构简图：圆盘 1 绕机架 3 上的销轴 $A$ 转动，在 $K$ 点压紧工件 2；作 $A$ 处的摩擦圆。",
+                     "Draw to the scale $μ_l$: disc 1 turns about the pin $A$ of the frame 3 and presses on the work 2 at $K$; the friction circle at $A$."), place)
     e, lever, mm_r, rho = (board.to_paper(place, metres) for metres in (device.e.si, device.lever.si, device.R.si, device.radius))
     o, h = board.lay_off(0j, np.exp(1j * device.theta.si), e), board.lay_off(0j, np.exp(1j * device.handle.si), lever)
     clamp = Clamp(o=o, k=board.lay_off(o, -1j, mm_r), h=h, rho=rho, mm_r=mm_r, pull=complex(np.exp(1j * device.F.si)), phi=0.0)
@@ -60,7 +59,7 @@ def sketch(bench: Bench, device: EccentricClamp) -> Clamp:
     handle(bench, place, clamp, "F")
     k, wide = complex(nominal(clamp.k)), 0.9 * float(nominal(mm_r))
     board.mark(place, Outline(points=(k - wide, k + wide, k + wide - 12j, k - wide - 12j), fixed=True), Ground(at=0j, down=-1j),
-               LinkNumber(a=0.5 * complex(nominal(h)), b=0.7 * complex(nominal(h)), number="1"), LinkNumber(a=k + wide - 6j, b=k + wide - 6j, number="2"), LinkNumber(a=-7j, b=-7j, number="3"),
+               LinkNumber(a=0.5 * complex(nominal(h)), b=0.7 * complex(nominal(h)), number="1"), LinkNumber(a=k + wide - 6j, b=k + wide - 6j, number="2"), LinkNumber(a=12 - 6j, b=12 - 6j, number="3"),
                TurnArrow(at=0j, radius=0.7 * wide, start=-0.4, ccw=device.turn > 0, label=""))
     return clamp
 

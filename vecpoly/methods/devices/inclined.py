@@ -26,6 +26,7 @@ NORMAL = 21.0  # mm: how far its normal is drawn
 ARC = 14.0  # mm: radius at which the friction angle is marked
 INSIDE, CLEAR, SLIDE = 1.6, 3.0, 8.0  # mm: the arrow of the sliding, inside the body beside its face
 FLAT = 1e-9  # rad: a friction angle that is none
+OFF_N, ALONG_N = Words("与 $n$ 成 $φ$", "$φ$ from $n$"), Words("沿 $n$", "along $n$")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,6 +120,15 @@ def gauged(bench: Bench, one: Points, other: Points) -> Reals:
     return np.degrees(bench.board.hand.gauge(np.angle(other / one)))
 
 
+def cone(bench: Bench, place: Place, at: Points, axis: Points, phi: Reals, length: float, label: str, angle: str = "φ") -> None:
+    """The friction cone: the normal with its symbol, and a line at φ (deg) on either side of it."""
+    turn = np.exp(1j * np.radians(phi))
+    ray(bench, place, at, axis, length, label)
+    for side in (turn, 1 / turn):
+        bench.board.join(place, at, at + axis * side * (length - 6), Role.CONSTRUCTION)
+        between(bench, place, at, axis, axis * side, length - 12, angle)
+
+
 def concur(bench: Bench, place: Place, at: Points, *ends: Points) -> None:
     """Carry the lines of action on to the point where they meet."""
     middle = complex(nominal(at))
@@ -132,6 +142,20 @@ def concur(bench: Bench, place: Place, at: Points, *ends: Points) -> None:
 def given(bench: Bench, place: Place, named: Named, newtons: float, along: Points, tip: str = "") -> Term:
     """A force known wholly, laid off to scale."""
     return Term(rel=named, symbol=named.symbol, direction=KNOWN, magnitude="✓", along=along, mm=bench.board.to_paper(place, newtons), tip=tip)
+
+
+def frictionless(named: Named) -> Named:
+    """The same force without friction: R_{21,0}, F_{0}."""
+    return _marked(named, "_0", lambda symbol: f"{symbol[:-1]},0}}" if symbol.endswith("}") else f"{symbol}_{{0}}")
+
+
+def reversed_way(named: Named) -> Named:
+    """The same force on the way back: R'_{21}."""
+    return _marked(named, "_r", lambda symbol: symbol.replace("_", "'_", 1) if "_" in symbol else f"{symbol}'")
+
+
+def _marked(named: Named, ending: str, symbol: Callable[[str], str]) -> Named:
+    return Named(named.key + ending, symbol(named.symbol), named.unit, named.is_vector)
 
 
 def drawn(named: Named, vector: Points) -> Term:

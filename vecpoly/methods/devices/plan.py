@@ -15,7 +15,7 @@ from ...devices.base import Device
 from ...plane import Reals
 from ...problem.problem import Problem
 from ...words import Words
-from .bench import Bench
+from .bench import NO_SCALE, Bench
 from .registry import find_device
 
 TITLES = {view: Words("", "") for view in View} | {
@@ -59,5 +59,5 @@ def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict
 def _scale(view: View, value: float) -> Scale:
     """The scale of a view; value 0: a diagram without one."""
     if not value:
-        return Scale(symbol="", value=1.0, unit="")
+        return NO_SCALE
     return Scale(symbol="μ_F", value=value, unit="N") if view is View.FORCE else Scale(symbol="μ_l", value=value, unit="m")

@@ -11,8 +11,8 @@ from ...board.marks import Cell, Mark, Note, Role, Segment, Vector
 from ...devices.power_train import Part, PowerTrain, Train
 from ...words import Words
 
-BOX, HEIGHT, GAP, ROW = 24.0, 13.0, 15.0, 26.0  # mm on paper
-ASIDE = 0.5j  # mm: the symbol over the arrow, the power under it
+BOX, HEIGHT, GAP, ROW = 17.0, 12.0, 16.0, 24.0  # mm on paper: five machines in a row fit the text
+ASIDE = 0.5j  # mm: the power stands over the arrow
 
 NAMES = {
     "": Words("电动机", "motor"), "belt": Words("带传动", "belt drive"), "chain": Words("链传动", "chain drive"), "gear": Words("齿轮传动", "gear pair"),
@@ -89,11 +89,10 @@ def _branches(device: PowerTrain, part: Part, here: complex, top: float, into: F
 
 
 def _arrow(a: complex, b: complex, flow: Flow, head: bool = True) -> Iterator[Mark]:
-    """The arrow with its power, and the power's symbol where it has one."""
+    """The arrow with its power, and over that the power's symbol where it has one."""
     yield Vector(a=a, b=b, role=Role.GIVEN) if head else Segment(a=a, b=b, role=Role.GIVEN)
-    if flow.symbol:
-        yield Note(at=(a + b) / 2 + ASIDE, words=Words.same(f"${flow.symbol}$"))
-    yield Note(at=(a + b) / 2 - ASIDE, words=Words.same(f"{flow.power:.4g} kW"))
+    name = f"${flow.symbol}$\n" if flow.symbol else ""
+    yield Note(at=(a + b) / 2 + ASIDE, words=Words.same(f"{name}{flow.power:.4g} kW"))
 
 
 def _named(device: PowerTrain, part: Part) -> Words:

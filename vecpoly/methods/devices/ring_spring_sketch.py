@@ -70,7 +70,7 @@ def sketch(bench: Bench, it: Faces) -> None:
     ray(bench, view, at, 1j, free)
     between(bench, view, at, -it.over, 1j, 0.7 * free, "α")
     two = sum(it.two) / 4
-    places = ((it.one[2].imag * 0.62j, "1"), (two + 2, "2"), (_mirror(two + 2), "3"), (np.conj(it.one[2]) * 0 + below[2].imag * 1j - 4j, "4"))
+    places = ((it.one[2].imag * 0.62j, "1"), (two + 2, "2"), (_mirror(two + 2), "3"), (it.one[2].real + 4 + (below[2].imag + 4) * 1j, "4"))
     bench.board.mark(view, *(LinkNumber(a=complex(nominal(p)), b=complex(nominal(p)), number=name) for p, name in places))
 
 

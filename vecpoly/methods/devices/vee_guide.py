@@ -24,7 +24,7 @@ from ...plane import nominal
 from ...quantity import Of, Quantity, Times, magnitude
 from ...words import Words
 from .bench import Bench
-from .dimensions import dimension
+from .dimensions import dimension, millimetres
 from .inclined import Press, balance, body, given, letter, press, pull, sought
 from .registry import device_method
 
@@ -38,36 +38,34 @@ APART = 42.0  # mm: length of a flank on the body drawn apart
 def draw_vee_guide(bench: Bench, device: VeeGuide) -> None:
     """F_1 = G l_2/(l_1 + l_2); 2 N sin θ = F_1; F_f = 2 f N + f F_2 = f_V G."""
     board = bench.board
-    board.section(Words("载荷在两导轨上的分配", "How the guides share the load"))
+    board.section(Words("载荷在两导轨上的分配", "Distribution of the load"))
     _section(bench, device)
-    load, first, second = magnitude("G", device.G.si, "N"), _mm("l_1", device.l1.si), _mm("l_2", device.l2.si)
-    board.step(Words("由对导轨 2、导轨 1 的力矩平衡求两导轨所受的压力：", "Moments about guide 2 and about guide 1 give what presses on each:"))
+    load, first, second = magnitude("G", device.G.si, "N"), millimetres("l_1", device.l1.si), millimetres("l_2", device.l2.si)
+    board.step(Words("分别对导轨 2、导轨 1 取矩，由力矩平衡求两导轨所受的压力：", "Equilibrium of moments about guide 2 and about guide 1 gives the load on each guide:"))
     on_v = bench.worked(ON_V, load * second / (first + second))
     on_flat = bench.worked(ON_FLAT, load * first / (first + second))
     board.section(Words("当量摩擦系数", "Equivalent coefficient of friction"))
     flank = _flanks(bench, device, on_v)
     f, theta = magnitude("f", device.f.si, ""), magnitude("θ", degrees(device.theta.si), "deg")
-    board.step(Words("V 形导轨单独的当量摩擦系数（楔形使法向力增大，$f_v > f$）：", "Of the V guide alone the equivalent coefficient is ($f_v > f$: the wedge raises the normal forces):"))
+    board.step(Words("由 $2N sin θ = F_1$，V 形导轨 1 的摩擦力 $2f N = f F_1/sin θ$，故其当量摩擦系数为（楔形使法向反力增大，$f_{V1} > f$）：", "With $2N sin θ = F_1$ the friction on the V guide 1 is $2f N = f F_1/sin θ$, so that its equivalent coefficient is ($f_{V1} > f$: the wedge shape raises the normal reactions):"))
     bench.worked(F_VEE, f / Of("sin", theta))
-    board.step(Words("滑台移动时，V 形导轨两侧面与平导轨上的摩擦力及其总和：", "While the slide moves, friction on both flanks of the V, on the flat guide, and together:"))
+    board.step(Words("滑台移动时，V 形导轨两侧面、平导轨上的摩擦力及其总和为：", "While the slide moves, the friction on both flanks of the V, on the flat guide, and the total are:"))
     rub_v, rub_flat = bench.worked(FRICTION_V, Times(2, f * flank)), bench.worked(FRICTION_FLAT, f * on_flat)
     rub = bench.worked(FRICTION, rub_v + rub_flat)
-    board.step(Words("把两导轨看作一个平导轨，$F_f = f_V G$：", "One flat guide in place of both would have $F_f = f_V G$:"))
+    board.step(Words("把两导轨当作一个受载荷 $G$ 的平导轨，由 $F_f = f_V G$ 得整个导轨的当量摩擦系数；再用几何量表示，$θ$ 为 V 形的半角：",
+                     "Taken as one flat guide under the load $G$, both guides have $F_f = f_V G$, which gives the equivalent coefficient of the whole; then the same in terms of the dimensions, "
+                     "$θ$ being half the angle of the V:"))
     bench.worked(F_WHOLE, rub / load)
-    board.remark(Words("以几何量表示即 $f_V$ = $f$ [ $l_2$ / (($l_1 + l_2$) sin $θ$) + $l_1$ / ($l_1 + l_2$) ]，其中 $θ$ 为 V 形的半角。",
-                       " In terms of the dimensions: $f_V$ = $f$ [ $l_2$ / (($l_1 + l_2$) sin $θ$) + $l_1$ / ($l_1 + l_2$) ], where $θ$ is half the angle of the V."))
-
-
-def _mm(symbol: str, metres: float) -> Quantity:
-    return magnitude(symbol, metres * 1e3, "mm")
+    whole = first + second
+    board.compute(F_WHOLE.symbol, f * (second / (whole * Of("sin", theta)) + first / whole), "")
 
 
 def _section(bench: Bench, device: VeeGuide) -> None:
     """The cross-section as a sketch, the distances l1 and l2 in proportion."""
     board = bench.board
     place = board.open_pane(View.MECHANISM, "section", Words("导轨横截面", "Cross-section of the guides"))
-    board.step(Words("作横截面图：载荷 $G$ 作用于 $S$，到 V 形导轨 1 和平导轨 2 的距离为 $l_1$ 和 $l_2$。",
-                     "Draw the cross-section: the load $G$ acts at $S$, at the distance $l_1$ from the V guide 1 and $l_2$ from the flat guide 2."), place)
+    board.step(Words("画出导轨横截面（长度不按比例）：载荷 $G$ 作用于 $S$，到 V 形导轨 1 和平导轨 2 的距离为 $l_1$ 和 $l_2$。",
+                     "Sketch the cross-section, lengths not to scale: the load $G$ acts at $S$, at the distance $l_1$ from the V guide 1 and $l_2$ from the flat guide 2."), place)
     left, right = (SPAN * x / (device.l1.si + device.l2.si) for x in (-device.l1.si, device.l2.si))
     wide, deep = FLANK_LENGTH * np.sin(device.theta.si), FLANK_LENGTH * np.cos(device.theta.si)
     low = -0.25 * deep
@@ -91,10 +89,11 @@ def _points(*pairs: tuple[float, float]) -> tuple[complex, ...]:
 def _flanks(bench: Bench, device: VeeGuide, on_v: Quantity) -> Quantity:
     """F_1 + N + N = 0 along the normals of the flanks; N is measured."""
     board = bench.board
-    apart = board.open_pane(View.BODY, "vee", Words("V 形导轨的受力（横截面内）", "Forces on the V, in its cross-section"))
+    apart = board.open_pane(View.BODY, "vee", Words("V 形部分受力图（横截面内）", "Free body of the V (cross-section)"))
     plan = board.open_pane(View.FORCE, "vee", Words("$F_1$ 沿两侧面法线的分解", "$F_1$ resolved along the normals of the flanks"))
-    board.step(Words("V 形部分受压力 $F_1$ 和两侧面的法向反力 $N$（摩擦力垂直于图面）。$F_1$ 大小、方向已知，两个 $N$ 方向已知，作力多边形。",
-                     "On the V act the load $F_1$ and the normal reactions $N$ of both flanks (friction is perpendicular to the paper). $F_1$ is known, both lines of $N$ are: draw the polygon."), plan)
+    board.step(Words("取 V 形部分为分离体：横截面内受压力 $F_1$ 和两侧面的法向反力 $N$（滑台垂直于图面移动，摩擦力也垂直于图面）。$F_1$ 全知，两个 $N$ 方向已知；由对称，二者大小相等。按 $μ_F$ 作力多边形。",
+                     "Take the V as a free body: in the cross-section the load $F_1$ and the normal reactions $N$ of both flanks act on it (the slide moves perpendicular to the paper, and so friction acts). "
+                     "$F_1$ is known, and both directions of $N$; by symmetry the two are equal. Draw the force polygon to the scale $μ_F$."), plan)
     ways = _body(bench, device, apart)
     sides = (Named("N_right", "N", "N"), Named("N_left", "N", "N"))
     closed = balance(bench, plan, 0j, given(bench, plan, ON_V, float(nominal(on_v.value)), -1j),

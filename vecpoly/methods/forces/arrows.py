@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -14,6 +14,7 @@ from .state import Acting, Statics
 
 LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
 CLEAR = 6.0  # mm between arrows: more is not better
+PULL = 4.0  # mm of clearness that an arrow must gain to be drawn away from a neighbour that presses
 REACH = 80.0  # mm: a line of action farther from the body is off the paper
 GAP = 1.5  # mm between an arrow's point and the pin
 
@@ -26,15 +27,16 @@ class Arrow:
     end: complex
     symbol: str
     far: bool = False  # not at its point but farther out on the line
+    pulls: bool = False  # drawn away from the body by a neighbour that can only press on it
 
 
-def place_arrows(forces: Sequence[Acting], points: Sequence[complex]) -> list[Arrow]:
-    """All arrows of one body, as far from each other and from the body as their lines allow."""
+def place_arrows(forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = ()) -> list[Arrow]:
+    """All arrows of one body, as far from each other and from the body as their lines allow; `pressing`: those that rather end at their point."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
     largest = max(abs(complex(nominal(f.vector))) for f in shown)
-    options = [_options(f, largest) for f in shown]
+    options = [_options(f, largest, f.named.symbol in pressing) for f in shown]
     body = np.array([points[0]] if len(points) == 1 else [a + (b - a) * t for a in points for b in points for t in (0.0, 0.25, 0.5, 0.75, 1.0)])
     if len(shown) > 6:
         options = [pair[:2] for pair in options]
@@ -54,14 +56,14 @@ def say_far(st: Statics, forces: Sequence[Acting], points: Sequence[complex]) ->
             st.board.remark(Words(f"${force.named.symbol}$ 的作用线远在 {away:.0f} mm 之外，图上不画。", f" The line of ${force.named.symbol}$ is {away:.0f} mm away and is not drawn."))
 
 
-def _options(force: Acting, largest: float) -> tuple[Arrow, ...]:
+def _options(force: Acting, largest: float, presses: bool) -> tuple[Arrow, ...]:
     """Pulling away from the point, or pressing towards it; or the same farther out on the line, where another force stands already."""
     vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
     u = vector / abs(vector)
     length = LENGTH * max(0.5, abs(vector) / largest)
     out, symbol = u * (LENGTH + 4.0), force.named.symbol
-    near = (Arrow(at, at + u * length, symbol), Arrow(at - u * (length + GAP), at - u * GAP, symbol))
-    return (*near, *(Arrow(a.start + side * out, a.end + side * out, symbol, True) for a, side in zip(near, (1, -1), strict=True)))
+    near = (Arrow(at, at + u * length, symbol, pulls=presses), Arrow(at - u * (length + GAP), at - u * GAP, symbol))
+    return (*near, *(Arrow(a.start + side * out, a.end + side * out, symbol, True, a.pulls) for a, side in zip(near, (1, -1), strict=True)))
 
 
 def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]:
@@ -76,6 +78,6 @@ def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]
     choices = starts + np.array(list(product(*(range(len(pair)) for pair in options))))
     between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)
     clear = np.minimum(np.minimum(between.min(axis=2), alone[choices]), CLEAR)
-    cost = np.array([CLEAR if arrow.far else 0.0 for arrow in flat])[choices]
+    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.pulls else 0.0) for arrow in flat])[choices]
     best = choices[int(np.argmax((clear - cost).sum(axis=1)))]
     return [flat[i] for i in best]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.construction import View
-from ...board.marks import Role
+from ...board.marks import Dot, Role
 from ...plane import Line, Points, nominal
 from ...words import Words
 from ..registry import Stage, method
@@ -34,15 +34,20 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
     if st.phi(contact):
         _say(st, i, j, contact.point, slip, normal)
     else:
-        st.board.step(Words(f"接触点 ${contact.point}$ 处的反力 $R_{{{i}{j}}}$ 沿公法线。", f"At the contact ${contact.point}$ the reaction $R_{{{i}{j}}}$ acts along the common normal."), View.MECHANISM)
+        symbol = st.named(two.by, two.on).symbol
+        st.board.step(Words(f"不计摩擦，接触点 ${contact.point}$ 处的反力 ${symbol}$ 沿公法线 $n–n$。", f"Without friction the reaction ${symbol}$ at the contact ${contact.point}$ acts along the common normal $n–n$."), View.MECHANISM)
     u = np.asarray(st.board.hand.tilt(u))[()]
-    st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, Role.DIRECTION)
+    if st.ideal is not None or not st.loads.friction:  # the pass that counts
+        st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, Role.DIRECTION)
+        st.board.plot(View.MECHANISM, k + u * 22.0, st.named(two.by, two.on).symbol, Dot.NONE)
     return Line(k, u)
 
 
 def _say(st: Statics, i: str, j: str, point: str, slip: Points, normal: Points) -> None:
     right = float(nominal((np.conj(1j * normal) * slip).real)) < 0
     side, side_en = ("右", "right") if right else ("左", "left")
-    st.board.step(Words(f"接触点 ${point}$ 处，构件 {j} 相对构件 {i} 沿公切线滑动（顺 $R_{{{i}{j}}}$ 的指向看，向{side}滑），故 $R_{{{i}{j}}}$ 偏离公法线 $φ$ 角以阻止此滑动。",
-                        f"At the contact ${point}$ link {j} slides past link {i} along the common tangent, to the {side_en} looking along $R_{{{i}{j}}}$; "
-                        f"the reaction leans by $φ$ from the common normal so as to hinder it."), View.MECHANISM)
+    there = f"v_{{{point}{j}{point}{i}}}"
+    st.board.step(Words(f"由 $ω_{i}$、$ω_{j}$ 知两构件在接触点 ${point}$ 的速度之差 ${there}$ 沿公切线；面向 $R_{{{i}{j}}}$ 的指向看，构件 {j} 相对构件 {i} 向{side}滑动。"
+                        f"摩擦力与之反向，故 $R_{{{i}{j}}}$ 自公法线偏转 $φ$ 角，与 ${there}$ 成 90° + $φ$。",
+                        f"By $ω_{i}$ and $ω_{j}$ the velocities of the two links at the contact ${point}$ differ by ${there}$ along the common tangent: looking along $R_{{{i}{j}}}$, "
+                        f"link {j} slides to the {side_en} past link {i}. Friction opposes it, so $R_{{{i}{j}}}$ leans by $φ$ from the common normal and makes 90° + $φ$ with ${there}$."), View.MECHANISM)

@@ -32,8 +32,8 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     assert isinstance(held.joint, Revolute)
     link, number, pin = held.link, st.mech.number(held.link), held.joint.point
     one, two = st.named(by, link), st.named(held.parent, link)
-    st.board.step(Words(f"构件 {number} 上只有力偶，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡。",
-                        f"Link {number} carries only a couple: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, and balance it."), View.MECHANISM)
+    st.board.step(Words(f"构件 {number} 上只有力偶，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；量得力臂 $h$。",
+                        f"Link {number} carries only a couple: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, and balance it; their arm $h$ is measured."), View.MECHANISM)
     st.board.remark(pin_words(st, pin, held.parent, link))
     moment, centre = st.moment(link), st.desk.at[pin]
     sense = st.moment_sense(pin, held.parent, link)

@@ -7,23 +7,24 @@ import numpy as np
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...errors import EquilibriumError
+from ...formula import sym
 from ...mechanism.loads import Moment
 from ...mechanism.model import FRAME, Revolute
 from ...names import Named
-from ...plane import Line, Points, Reals, dot, foot, nominal
-from ...quantity import Quantity, magnitude
-from ...vector.close import close
-from ...vector.equation import Equation, Term
+from ...plane import Line, Points, Reals, dot, foot, nominal, unit
+from ...quantity import Quantity, magnitude, worked
+from ...vector.equation import Term
 from ...words import Words
 from ..registry import Stage, method
+from .link_polygon import draw_polygon
 from .pieces import Held
 from .readings import keep_value
 from .resultant import Resultant, resultant
 from .senses import TURN, pin_words
 from .state import Drawn, Statics
-from .three_forces import LETTERS
 
 _SOURCE = "机械原理, equilibrium of the crank"
+ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
 
 
 @method(stage=Stage.FORCE, group="crank, balancing moment", source=_SOURCE, example="4-3a",
@@ -38,14 +39,15 @@ def moment_on_crank(st: Statics, held: Held) -> None:
     if load.is_couple:
         _pure_couple(st, held, load)
         return
-    frame = st.mech.number(FRAME)
-    st.board.step(Words(f"取构件 {number}：已知 {load.symbols.zh}。", f"Take link {number}: {load.symbols.en} known."), View.MECHANISM)
+    st.board.step(Words(f"取构件 {number} 为分离体，已知 {load.symbols.zh}。", f"Isolate link {number}: {load.symbols.en} {'is' if len(load.forces) == 1 else 'are'} known."), View.MECHANISM)
     drawn = _frame_side(st, held, load)
     u = -load.line.along
     sense = st.moment_sense(pin, FRAME, held.link)
     at = st.desk.at[pin] - 1j * u * sense * st.rho(pin)
-    st.board.remark(Words(f"机架反力 $R_{{{frame}{number}}}$ 与其合力等值、反向、平行。", f" The frame's reaction $R_{{{frame}{number}}}$ is equal, opposite and parallel to their sum."))
-    st.board.remark(pin_words(st, pin, FRAME, held.link) if sense else Words(f"$R_{{{frame}{number}}}$ 过 ${pin}$。", f" It passes through ${pin}$."))
+    frame = st.named(FRAME, held.link).symbol
+    one, one_en = (load.symbols.zh, load.symbols.en) if len(load.forces) == 1 else ("已知力的合力", "the sum of the known forces")
+    st.board.remark(Words(f"机架反力 ${frame}$ 与{' ' if len(load.forces) == 1 else ''}{one}等值、反向、平行。", f" The frame's reaction ${frame}$ is equal, opposite and parallel to {one_en}."))
+    st.board.remark(pin_words(st, pin, FRAME, held.link) if sense else Words(f"不计 ${pin}$ 处摩擦，${frame}$ 过 ${pin}$。", f" Without friction at ${pin}$ it passes through ${pin}$."))
     st.settle(FRAME, held.link, -load.vector, at, drawn, sense)
     _couple(st, held, load, at, drawn)
 
@@ -54,16 +56,10 @@ def _frame_side(st: Statics, held: Held, load: Resultant) -> Drawn | None:
     """The frame's reaction on paper: the side that closes the polygon, or the only force turned round."""
     if len(load.forces) == 1:
         return load.forces[0].drawn.reversed() if load.forces[0].drawn else None
-    number, named = st.mech.number(held.link), st.named(FRAME, held.link)
-    pane = st.polygon(number, Words(f"构件 {number} 的力多边形", f"Force polygon of link {number}"))
-    terms = [Term(rel=f.named, symbol=f.named.symbol, direction=f.direction, magnitude=f.size, vector=f.vector, tip=LETTERS[i + 1]) for i, f in enumerate(load.forces)]
-    terms.append(Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?"))
-    eq = Equation(left=tuple(terms), right=())
-    st.board.remark(Words(f"由 {load.symbols.zh} 作力多边形，封闭边即 ${named.symbol}$。", f" Draw the polygon of {load.symbols.en}; its closing side is ${named.symbol}$."))
-    st.board.equate(eq.table())
-    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
-    start, end = close(st.board, pane, 0j, eq).ends[named.key]
-    return Drawn(place=pane, start=start, end=end, letters=f"{LETTERS[len(load.forces)]} {LETTERS[0]}")
+    named = st.named(FRAME, held.link)
+    st.board.remark(Words(f"由 {load.symbols.zh} 作力多边形，由封闭边量得 ${named.symbol}$。", f" Draw the polygon of {load.symbols.en} and measure its closing side, ${named.symbol}$."))
+    closing = Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?")
+    return draw_polygon(st, held.link, load, (closing,))[named.key]
 
 
 def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn | None) -> None:
@@ -74,10 +70,11 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     named = st.unknown_named
     arm = _arm(st, at, across)
     size = _size(st, load, held, drawn)
-    way = TURN[-1 if nominal(couple) > 0 else 1]
-    st.board.remark(Words(f"两力构成力偶，量得力臂 $h$；${named.symbol}$ 与之平衡，为{way.zh}：", f" The two form a couple of arm $h$, measured; ${named.symbol}$ balances it and is {way.en}:"))
+    turn, way = TURN[1 if nominal(couple) > 0 else -1], TURN[-1 if nominal(couple) > 0 else 1]
+    st.board.remark(Words(f"两力构成{turn.zh}力偶，量得力臂 $h$；${named.symbol}$ 与之平衡，为{way.zh}：",
+                          f" The two form a {turn.en} couple, its arm $h$ is measured; ${named.symbol}$ balances it and is {way.en}:"))
     value = st.board.compute(named.symbol, size * arm, "N·m")
-    _leave(st, line, at, across)
+    _leave(st, line, at, across, st.named(FRAME, held.link).symbol)
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
     if st.rubbing or not st.loads.friction:
@@ -94,11 +91,13 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
     named = load.forces[0].named if len(load.forces) == 1 else st.named(FRAME, held.link)
     if drawn is None:
         return magnitude(named.symbol, np.abs(load.vector) * st.scale.value, "N")
-    on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
-    return magnitude(named.symbol, (st.board.mu(drawn.place) * on_paper).value, "N")
+    expr = st.board.mu(drawn.place) * st.board.measure(drawn.start, drawn.end, drawn.letters)
+    if len(load.forces) > 1:
+        st.board.write(worked(sym(named.symbol), expr, "N"))
+    return magnitude(named.symbol, expr.value, "N")
 
 
-def _leave(st: Statics, line: Line, at: Points, across: Points) -> None:
+def _leave(st: Statics, line: Line, at: Points, across: Points, symbol: str) -> None:
     """The two parallel lines and the arm on the diagram, in the pass that counts."""
     if st.ideal is None and st.loads.friction:
         return
@@ -106,8 +105,12 @@ def _leave(st: Statics, line: Line, at: Points, across: Points) -> None:
     reach = u * dot(u, line.at - across)
     board.join(View.MECHANISM, across - u * 10.0, across + reach + u * 4.0, Role.DIRECTION)
     board.join(View.MECHANISM, at - u * 16.0, at + u * 16.0, Role.DIRECTION)
+    board.plot(View.MECHANISM, at - u * 16.0, symbol, Dot.NONE)
     if abs(nominal(across - at)) > 1.0:
         board.join(View.MECHANISM, at, across, Role.CONSTRUCTION)
+        board.plot(View.MECHANISM, at + 0.65 * (across - at), "h", Dot.NONE)
+    if abs(nominal(across - at)) > ROOM:
+        board.right_angle(View.MECHANISM, across, unit(at - across), u)
 
 
 def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
@@ -115,7 +118,7 @@ def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
     number = st.mech.number(held.link)
     if abs(nominal(load.couple)) < 1e-12:
         raise EquilibriumError(f"no load reaches link {number}: {st.unknown.name} balances nothing; give a load that does work")
-    st.board.step(Words(f"构件 {number} 上只有力偶，", f"Only couples act on link {number}."), View.MECHANISM)
+    st.board.step(Words(f"构件 {number} 上只有力偶，${st.unknown_named.symbol}$ 与之平衡，机架反力为零。", f"Only couples act on link {number}: ${st.unknown_named.symbol}$ balances them, the frame's reaction is zero."), View.MECHANISM)
     value: Reals = -load.couple
     st.settle(FRAME, held.link, 0j, st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j)
     keep_value(st, st.unknown_named, value, magnitude(st.unknown_named.symbol, np.abs(value), "N·m"))

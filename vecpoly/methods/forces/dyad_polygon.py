@@ -10,16 +10,18 @@ from dataclasses import dataclass
 
 from ...board.construction import Pane
 from ...board.marks import Dot, Role, Vector
+from ...formula import sym
 from ...mechanism.assur import Dyad
 from ...names import Named
 from ...plane import Points, nominal
+from ...quantity import worked
 from ...vector.close import close
 from ...vector.equation import Equation, Term
 from ...words import Words
 from .arms import Turning, acting_on
 from .group_body import polygon_title
+from .link_polygon import LETTERS
 from .state import Acting, Drawn, Statics
-from .three_forces import LETTERS
 
 SAME = 1e-6  # mm: shorter vectors are not drawn
 
@@ -128,12 +130,14 @@ def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corner
     n = len(terms)
     end = _carry_on(st, pane, d.link_j, (LETTERS[n + 1], x), n + 1)
     if len(_forces(st, d.link_j, 0)):
-        st.board.remark(Words(f"再由 ${LETTERS[n + 1]}$ 作构件 {d.link_j} 的已知力，至 ${end[0]}$。", f" From ${LETTERS[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$."))
+        st.board.remark(Words(f"再由 ${LETTERS[n + 1]}$ 依次作构件 {d.link_j} 的已知力，至 ${end[0]}$。", f" From ${LETTERS[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$."))
     return Corners(pane=pane, p=(end, (LETTERS[0], 0j)), j=(LETTERS[0], 0j), k=(LETTERS[n], vertices[n]), x=(LETTERS[n + 1], x))
 
 
 def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Drawn]:
     """R_pj, R_kj and R_qk as sides and diagonals of the polygon, named in the step."""
+    names = [st.named(by, on).symbol for by, on in ((d.parent_j, d.link_j), (d.link_k, d.link_j), (d.parent_k, d.link_k))]
+    st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
     found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
     for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
         _name(st, drawn, by, on)
@@ -141,19 +145,20 @@ def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Dra
 
 
 def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
-    """Draw a reaction on the polygon and say between which letters it stands."""
-    i, j = st.mech.number(by), st.mech.number(on)
+    """Draw a reaction on the polygon and write what is measured between its letters."""
+    named = st.named(by, on)
     start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))
     there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
     if abs(end - start) > SAME and not there:
-        st.board.mark(drawn.place, Vector(a=start, b=end, role=Role.RESULT, label=st.named(by, on).symbol))
-    st.board.remark(Words(f"${''.join(drawn.letters.split())}$ 即 $R_{{{i}{j}}}$。", f" ${''.join(drawn.letters.split())}$ is $R_{{{i}{j}}}$."))
+        st.board.mark(drawn.place, Vector(a=start, b=end, role=Role.RESULT, label=named.symbol))
+    on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
+    st.board.write(worked(sym(named.symbol), st.board.mu(drawn.place) * on_paper, "N"))
 
 
 def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:
     pane = st.polygon(f"{st.mech.number(d.link_j)}-{st.mech.number(d.link_k)}", polygon_title(st, d.link_j, d.link_k))
     links, links_en = "、".join(map(st.mech.number, alone)), " and ".join(map(st.mech.number, alone))
-    st.board.step(Words(f"构件 {links} 的力平衡方程，取 $μ_F$ 作力多边形：", f"Equilibrium of link{'s' if len(alone) > 1 else ''} {links_en}; the polygon to $μ_F$:"), pane)
+    st.board.step(Words(f"列构件 {links} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。", f"Write the equilibrium of link{'s' if len(alone) > 1 else ''} {links_en} and draw the polygon to $μ_F$, the forces head to tail."), pane)
     st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
     return pane
 

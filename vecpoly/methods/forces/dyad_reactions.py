@@ -67,7 +67,7 @@ def _displaced(st: Statics, pane: Pane, by: str, on: str, point: str, drawn: Dra
     on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
     force = magnitude(st.named(by, on).symbol, (st.board.mu(drawn.place) * on_paper).value, "N")
     st.board.step(Words(f"由构件 {j} 的 $ΣM_{point}$ = 0 定出 $R_{{{i}{j}}}$ 的作用线至 ${point}$ 的距离：",
-                        f"ΣM about ${point}$ of link {j} gives the distance of the line of $R_{{{i}{j}}}$ from ${point}$:"), pane)
+                        f"$ΣM_{point}$ = 0 of link {j} gives the distance of the line of $R_{{{i}{j}}}$ from ${point}$:"), pane)
     arm = st.board.compute(f"h_{{{i}{j}}}", turning.size / force, "m")
     side = -1j * _along(drawn.end - drawn.start) * -np.sign(turning.value)
     return st.board.lay_off(st.desk.at[point], side, st.board.to_paper(View.MECHANISM, arm.value))

@@ -43,7 +43,10 @@ def _of_loads(st: Statics, without: Statics, *, drives: bool) -> None:
     """η = F_0 / F where the balancing load drives, M / M_0 where it resists: the only other load has the same power in both."""
     ideal, real = without.unknown_named, st.unknown_named
     zero, actual = magnitude(ideal.symbol, np.abs(without.balance), ideal.unit), magnitude(real.symbol, np.abs(st.balance), real.unit)
-    st.board.step(Words("机械效率：", "Efficiency:"))
+    kind, kind_en = ("力矩", "moment") if real.unit == "N·m" else ("力", "force")
+    st.board.step(Words(f"机械效率：克服同样的阻力，不计摩擦所需的驱动{kind}与实际所需的驱动{kind}之比。", f"Efficiency: against the same resistance, the driving {kind_en} without friction over the real one.")
+                  if drives else
+                  Words(f"机械效率：在同样的驱动下，实际能克服的阻{kind}与不计摩擦时的阻{kind}之比。", f"Efficiency: under the same drive, the resisting {kind_en} that is overcome over the one without friction."))
     _keep(st, zero / actual if drives else actual / zero)
 
 

@@ -2,24 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ...board.construction import Pane, View
-from ...board.marks import AngleMark, Dot, FrictionCircle, Mark, Note, Point, Role, Segment, TurnArrow, Vector
+from ...board.marks import (
+    AngleMark,
+    Block,
+    Dot,
+    FrictionCircle,
+    Mark,
+    Note,
+    Point,
+    Role,
+    Segment,
+    TurnArrow,
+    Vector,
+)
 from ...mechanism.loads import Moment
 from ...mechanism.model import Contact, Prismatic, Revolute
 from ...mechanism.quantities import load_symbol
+from ...names import At
 from ...plane import nominal
 from ...problem.problem import Problem
 from ...words import Words
 from ..kinematics.diagram import link_alone
-from .arrows import Arrow, place_arrows, say_far
+from .arrows import REACH, Arrow, place_arrows, say_far
+from .inertia import SHORT, draw_arm
 from .state import Acting, Statics
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
+LONGEST = 20.0  # mm: farther out a reaction is not reached by its block
+RIM = 2.0  # mm of a block past the reaction of its guide
 COUPLE = 8.0  # mm, radius of a couple's arrow
 
 
@@ -28,18 +45,54 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
     bodies = [name for name in st.mech.bodies if st.known(name)]
     if not bodies:
         return
-    st.board.step(Words("将各构件取为分离体，画出其上全部力的作用线和指向。", "Draw every link apart, with the line and sense of every force on it."), View.BODY)
+    st.board.step(Words("将各构件取为分离体，画出受力图：标明全部力的作用线和指向。", "Draw the free body of every link, with the line and sense of every force on it."), View.BODY)
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
-        st.board.mark(pane, *link_alone(st.desk, name, problem.given.shapes))
+        st.board.mark(pane, *(_long_enough(st, name, mark) for mark in link_alone(st.desk, name, problem.given.shapes)))
         st.board.mark(pane, *_circles(st, name))
         forces, spots = [*st.known(name), *_balance(st, name)], _spots(st, name)
-        arrows = place_arrows(forces, spots)
+        arrows = place_arrows(forces, spots, _pressing(st, name))
         say_far(st, forces, spots)
-        st.board.mark(pane, *(_vector(arrow) for arrow in arrows))
+        _displaced(st, pane, name)
+        st.board.mark(pane, *_carried(forces, arrows), *(_vector(arrow) for arrow in arrows))
         st.board.mark(pane, *_normals(st, name, {arrow.symbol: arrow for arrow in arrows}))
         _couple(st, pane, name)
+
+
+def _long_enough(st: Statics, link: str, mark: Mark) -> Mark:
+    """A block reaches past the reaction of its guide, which friction and moments move away from the pin."""
+    if not isinstance(mark, Block):
+        return mark
+    others = [j.guide for j in st.mech.joints if isinstance(j, Prismatic) and j.block == link]
+    forces = [force for other in others if (force := st.push(other, link)) is not None]
+    away = max((abs(complex(nominal(force.at)) - mark.at) for force in forces if abs(nominal(force.vector)) > 1e-9), default=0.0)
+    return replace(mark, length=max(mark.length, 2 * (away + RIM))) if away < LONGEST else mark
+
+
+def _displaced(st: Statics, pane: Pane, link: str) -> None:
+    """The arm by which an inertia force stands beside the centre of mass."""
+    mass = st.loads.mass(link)
+    for force in st.inertia.get(link, []) if mass is not None else []:
+        if mass is not None and force.named.key == f"F_I{link}":
+            centre = st.desk.where(At(mass.centre))
+            if SHORT < abs(nominal(force.at - centre)) < REACH:
+                draw_arm(st, pane, f"h_{{{link}}}", centre, force.at, force.line.along)
+
+
+def _pressing(st: Statics, link: str) -> set[str]:
+    """Reactions of guides and of contacts, which press on the link: they end where they act."""
+    pairs = [(j.guide, j.block) for j in st.mech.joints if isinstance(j, Prismatic)] + [c.links for c in st.mech.contacts]
+    return {st.named(b if a == link else a, link).symbol for a, b in pairs if link in (a, b)}
+
+
+def _carried(forces: Sequence[Acting], arrows: Sequence[Arrow]) -> Iterator[Mark]:
+    """The line of action from its point to an arrow that stands farther out."""
+    places = {force.named.symbol: complex(nominal(force.at)) for force in forces}
+    for arrow in arrows:
+        if arrow.far:
+            at = places[arrow.symbol]
+            yield Segment(a=at, b=min(arrow.start, arrow.end, key=lambda z: abs(z - at)), role=Role.DIRECTION)
 
 
 def _spots(st: Statics, link: str) -> list[complex]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...board.board import NO_LENGTH
-from ...board.construction import LineOfAction, Reading, View
+from ...board.construction import LineOfAction, Place, Reading, View
 from ...board.marks import Dot, RightAngle, Role, Segment, Vector
 from ...formula import Node
 from ...mechanism.loads import GRAVITY, Mass
@@ -133,7 +133,7 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
                        f" Displaced by $h_{link}$ to the side where its moment about ${st.desk.name(At(mass.centre))}$ has the sense of $M_{{I{link}}}$, the force replaces both."))
     _settle(st, mass, force.named, force.vector, at)
     _draw_force(st, force.named.symbol, at, along)
-    _draw_arm(st, named.symbol, s, at, along)
+    draw_arm(st, View.MECHANISM, named.symbol, s, at, along)
 
 
 def _weight(st: Statics, mass: Mass) -> None:
@@ -162,13 +162,13 @@ def _draw_force(st: Statics, symbol: str, at: Points, along: Points) -> None:
                   Vector(a=place, b=place + ARROW * u, role=Role.GIVEN, label=symbol))
 
 
-def _draw_arm(st: Statics, symbol: str, s: Points, at: Points, along: Points) -> None:
+def draw_arm(st: Statics, place: Place, symbol: str, s: Points, at: Points, along: Points) -> None:
     """The arm from S to the line of action, with its letter."""
     a, b, u = complex(nominal(s)), complex(nominal(at)), complex(nominal(along))
-    st.board.join(View.MECHANISM, a, b, Role.CONSTRUCTION)
+    st.board.join(place, a, b, Role.CONSTRUCTION)
     if abs(b - a) > SHORT:
-        st.board.plot(View.MECHANISM, (a + b) / 2, symbol, Dot.NONE)
-        st.board.mark(View.MECHANISM, RightAngle(at=b, u=u, v=(a - b) / abs(b - a)))
+        st.board.plot(place, (a + b) / 2, symbol, Dot.NONE)
+        st.board.mark(place, RightAngle(at=b, u=u, v=(a - b) / abs(b - a)))
 
 
 def _keep(st: Statics, reading: Reading, values: Reals) -> None:

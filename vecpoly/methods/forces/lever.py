@@ -54,8 +54,8 @@ def balancing_by_lever(st: Statics, load: Load | None = None) -> None:
     """
     load = load or st.unknown
     pane = st.board.open_pane(View.VELOCITY, "lever", Words("速度多边形杠杆", "The velocity polygon as a lever"))
-    st.board.step(Words("速度多边形杠杆法（不计摩擦）：将速度多边形绕极点 $p$ 顺时针转过 90°，各力平移至其作用点的速度影像点，",
-                        "Zhukovsky's lever (without friction): turn the velocity polygon by 90° clockwise about $p$; move every force to the tip of its point; "), pane)
+    st.board.step(Words("速度多边形杠杆法（不计摩擦）：将速度多边形绕极点 $p$ 顺时针转过 90°，各力平移至其作用点的速度影像点。",
+                        "Zhukovsky's lever (without friction): turn the velocity polygon by 90° clockwise about $p$; move every force to the velocity tip of its point."), pane)
     tips: Tips = {}
     moments = [m for m in _given(st, pane, tips) if nominal(m.value)]
     _balance(st, pane, tips, load, moments)
@@ -88,8 +88,16 @@ def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: i
     pair = pair_of(st, load.link)
     if pair is None:
         return []
+    _say_pair(st, pair, named)
     force = st.board.compute(pair_symbol(named.symbol), magnitude(named.symbol, size, "N·m") / st.desk.length(pair.p, pair.q), "N")
     return _moment(force, _pair_arm(st, pane, tips, pair, sense, named))
+
+
+def _say_pair(st: Statics, pair: Pair, named: Named) -> None:
+    """A couple has no point of its own: two opposite forces at two points of its link stand for it."""
+    symbol, bar = pair_symbol(named.symbol), st.desk.bar(pair.link, pair.p, pair.q)
+    st.board.remark(Words(f"力偶矩 ${named.symbol}$ 化为作用于 ${pair.p}$、${pair.q}$ 两点、垂直于 ${bar}$ 的一对力 ${symbol}$。",
+                          f" The couple ${named.symbol}$ becomes a pair of forces ${symbol}$ at ${pair.p}$ and ${pair.q}$, perpendicular to ${bar}$."))
 
 
 def _moment(size: Quantity, arm: Arm) -> list[Sum]:
@@ -133,7 +141,9 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
     if arm is None or not arm.way:
         raise EquilibriumError(f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no work in this position; "
                                f"choose another input position or another balancing load")
-    st.board.remark(Words("量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得：", "measure the arms about $p$; from $Σ M_p$ = 0:"))
+    if pair is not None:
+        _say_pair(st, pair, plain)
+    st.board.remark(Words("量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得（逆时针为正）：", " Measure the arms about $p$; $Σ M_p$ = 0 gives (counter-clockwise positive):"))
     if not moments:
         _keep(st, named, 0.0)
         return

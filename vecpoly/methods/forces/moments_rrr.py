@@ -37,8 +37,8 @@ def split(st: Statics, d: Dyad, by: str, on: str, arm: tuple[str, str], links: t
     i, j, body = st.mech.number(by), st.mech.number(on), links or (on,)
     of, of_en = ("杆组", "the group") if len(body) > 1 else (f"构件 {j} ", f"link {j}")
     pane = group_pane(st, d.link_j, d.link_k)
-    st.board.step(Words(f"将 $R_{{{i}{j}}}$ 分解为沿 ${p}{c}$ 的 $R^n_{{{i}{j}}}$ 与垂直于 ${p}{c}$ 的 $R^t_{{{i}{j}}}$；量取各力对 ${c}$ 点的力臂，由{of}的 $ΣM_{c}$ = 0 ：",
-                        f"Split $R_{{{i}{j}}}$ into $R^n_{{{i}{j}}}$ along ${p}{c}$ and $R^t_{{{i}{j}}}$ square to it; measure the arms of the forces about ${c}$; from ΣM about ${c}$ of {of_en}:"), pane)
+    st.board.step(Words(f"将 $R_{{{i}{j}}}$ 分解为沿 ${p}{c}$ 的 $R^n_{{{i}{j}}}$ 与垂直于 ${p}{c}$ 的 $R^t_{{{i}{j}}}$；量取各力对 ${c}$ 点的力臂，由{of}的 $ΣM_{c}$ = 0 求 $R^t_{{{i}{j}}}$：",
+                        f"Split $R_{{{i}{j}}}$ into $R^n_{{{i}{j}}}$ along ${p}{c}$ and $R^t_{{{i}{j}}}$ perpendicular to it; measure the arms of the forces about ${c}$; $ΣM_{c}$ = 0 of {of_en} gives $R^t_{{{i}{j}}}$:"), pane)
     across = tangential(st, by, on, arm, moments_about(st, pane, body, c))
     return Reaction(by=by, on=on, line=st.desk.towards(c, p), direction=Words.same(f"∥$ {p}{c}$"), part="n" if abs(nominal(across)) > 1e-9 else "", across=across, pin=p,
                     across_direction=Words.same(f"⊥$ {p}{c}$"))

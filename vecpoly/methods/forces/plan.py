@@ -107,11 +107,12 @@ def _refuse_locked(ideal: Statics, st: Statics) -> None:
 def _circles(st: Statics) -> None:
     """The friction circles on the diagram, to scale."""
     board = st.board
-    radii = "，".join(f"$ρ_{point}$ = {1e3 * rho:g} mm" for point, rho in st.loads.friction.pins.items() if rho)
+    radii = "、".join(f"$ρ_{point}$ = {1e3 * rho:g} mm" for point, rho in st.loads.friction.pins.items() if rho)
     if radii:
-        board.step(Words(f"在机构图上按 $μ_l$ 作各转动副的摩擦圆：{radii}。", f"Draw the friction circles of the pins on the diagram to $μ_l$: {radii.replace('，', ', ')}."), View.MECHANISM)
+        board.step(Words(f"在机构图上按 $μ_l$ 作各转动副的摩擦圆：{radii}。", f"Draw the friction circles of the pins on the diagram to $μ_l$: {radii.replace('、', ', ')}."), View.MECHANISM)
     else:
-        board.step(Words("由速度分析的结果定出各运动副中相对运动的方向。", "The velocity analysis gives the sense of the relative motion in every joint."), View.MECHANISM)
+        board.step(Words("转动副中的摩擦不计，其反力仍过铰链中心；其余有摩擦的运动副中，总反力偏离法线一个摩擦角。",
+                         "The pins have no friction, their reactions still pass through the centres; in the other joints with friction the total reaction leans from the normal by the friction angle."), View.MECHANISM)
     for point, rho in st.loads.friction.pins.items():
         if rho:
             board.mark(View.MECHANISM, FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=st.desk.mm(rho), label=""))

@@ -33,6 +33,17 @@ class Resultant:
         return Line(self.at, self.vector / np.abs(self.vector))
 
     @property
+    def found(self) -> tuple[str, str]:
+        """How its line was found, in both languages: by the meeting point of two lines, or by moments."""
+        first = self.forces[0].at
+        if all(abs(complex(nominal(f.at - first))) < NEARLY for f in self.forces) and _on(self.line, first):
+            return "过各力的公共作用点", "through their common point"
+        if len(self.forces) == 2 and all(_on(f.line, self.at) for f in self.forces):
+            return "过两力作用线的交点", "through the crossing of their lines"
+        couple = ("（连同力偶）", " (couples included)") if len(self.forces) == 1 else ("", "")
+        return f"其作用线由各力{couple[0]}对一点之矩的代数和定出", f"on the line that the sum of their moments{couple[1]} gives"
+
+    @property
     def symbols(self) -> Words:
         """The forces in symbols: $F$, $R_{21}$."""
         names = [f"${force.named.symbol}$" for force in self.forces]
@@ -61,6 +72,10 @@ def _place(st: Statics, forces: tuple[Acting, ...], total: Points, moment: Reals
         return lines_meet(forces[0].line, forces[1].line)
     about = sum((cross(f.at, f.vector) for f in forces), 0.0) + st.paper_moment(moment)
     return -1j * total * about / np.square(np.abs(total))
+
+
+def _on(line: Line, at: Points) -> bool:
+    return abs(float(nominal(cross(at - line.at, line.along)))) < 1e-6
 
 
 def _cross(one: Acting, two: Acting) -> bool:

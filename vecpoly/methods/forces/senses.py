@@ -9,6 +9,7 @@ from ...errors import NoSlipSenseError
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega
 from ...plane import Points, nominal
+from ...quantity import number
 from ...words import Words
 from ..kinematics.image import known_tips
 from .state import STILL, Statics
@@ -21,10 +22,22 @@ def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
     sense = st.moment_sense(point, by, on)
     if not sense:
         return Words.same("")
+    symbol, way, against = st.named(by, on).symbol, TURN[-sense], TURN[sense]
+    rate, turns = relative_omega(st, by, on)
+    return Words(f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，故 ${symbol}$ 切于 ${point}$ 处摩擦圆的相应一侧。",
+                 f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is {against.en}, which tells the side on which ${symbol}$ touches the friction circle.")
+
+
+def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
+    """ω_21 = ω_2 − ω_1 with its numbers (rad/s, counter-clockwise positive), and its symbol."""
     i, j = st.mech.number(by), st.mech.number(on)
-    way, against = TURN[-sense], TURN[sense]
-    return Words(f"构件 {j} 相对构件 {i} 的角速度 $ω_{{{j}{i}}}$ 为{way.zh}，故 $R_{{{i}{j}}}$ 对 ${point}$ 之矩应为{against.zh}，切于 ${point}$ 处的摩擦圆。",
-                 f" Link {j} turns {way.en} relative to link {i} ($ω_{{{j}{i}}}$), so $R_{{{i}{j}}}$ has a {against.en} moment about ${point}$ and touches the friction circle there.")
+    if by == FRAME:
+        return f"$ω_{{{j}{i}}}$ = $ω_{j}$", f"ω_{{{j}{i}}}"
+    if on == FRAME:
+        return f"$ω_{{{j}{i}}}$ = −$ω_{i}$", f"ω_{{{j}{i}}}"
+    one, two = st.turning(on, FRAME), st.turning(by, FRAME)
+    taken = f"({number(two)})" if two < 0 else number(two)
+    return f"$ω_{{{j}{i}}}$ = $ω_{j}$ − $ω_{i}$ = {number(one)} − {taken} = {number(one - two)} rad/s", f"ω_{{{j}{i}}}"
 
 
 def velocity_of(st: Statics, link: str, place: Points) -> Points:
@@ -65,12 +78,13 @@ def inclined(st: Statics, joint: Prismatic, by: str, on: str, towards: Points) -
 
 def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
     """Why the reaction of a slide leans as it does."""
-    i, j = st.mech.number(by), st.mech.number(on)
+    i, j, symbol = st.mech.number(by), st.mech.number(on), st.named(by, on).symbol
     if not st.phi(joint):
-        return Words(f"$R_{{{i}{j}}}$ 垂直于导路。", f" $R_{{{i}{j}}}$ is normal to the guide.")
+        return Words(f"${symbol}$ 垂直于导路。", f" ${symbol}$ is normal to the guide.")
     way = sliding_way(st, joint, by, on)
-    return Words(f"构件 {j} 相对构件 {i} {way.zh}滑动，故 $R_{{{i}{j}}}$ 自导路法线偏转 $φ$ 角，与滑动方向成 90° + $φ$。",
-                 f" Link {j} slides {way.en} past link {i}, so $R_{{{i}{j}}}$ leans by $φ$ from the normal of the guide, at 90° + $φ$ to the sliding.")
+    return Words(f"由速度多边形，构件 {j} 相对构件 {i} 沿导路{way.zh}滑动（$v_{{{j}{i}}}$），摩擦力与之反向，故 ${symbol}$ 自导路法线偏转 $φ$ 角，与 $v_{{{j}{i}}}$ 成 90° + $φ$。",
+                 f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); friction opposes it, so ${symbol}$ leans by $φ$ from the normal of the guide "
+                 f"and makes 90° + $φ$ with $v_{{{j}{i}}}$.")
 
 
 def sliding_way(st: Statics, joint: Prismatic, by: str, on: str) -> Words:

@@ -26,7 +26,7 @@ def force_on_slide(st: Statics, held: Held) -> None:
     load, joint = resultant(st, held.link), held.joint
     line = Line(st.desk.at[st.unknown.point], complex(np.exp(1j * st.unknown.direction)))
     number = st.mech.number(held.link)
-    st.board.step(Words(f"取构件 {number}：已知 {load.symbols.zh}。", f"Take link {number}: {load.symbols.en} known."))
+    st.board.step(Words(f"取构件 {number} 为分离体，已知 {load.symbols.zh}。", f"Isolate link {number}: {load.symbols.en} {'is' if len(load.forces) == 1 else 'are'} known."))
     st.board.remark(slide_words(st, joint, FRAME, held.link))
     towards = 1j * st.desk.guide_line(joint).along if st.ideal is None else st.ideal.acting[FRAME, held.link].vector
     u = inclined(st, joint, FRAME, held.link, towards)

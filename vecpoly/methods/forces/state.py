@@ -97,6 +97,11 @@ class Statics:
         return Named(f"{name.key}_0", f"R_{{{name.key[2:]},0}}", "N", True)
 
     @property
+    def without_friction(self) -> Statics:
+        """The pass without friction from which this one came."""
+        return self if self.ideal is None else self.ideal.without_friction
+
+    @property
     def unknown(self) -> Load:
         """The balancing load."""
         return self.loads.unknown

@@ -2,37 +2,47 @@
 
 from __future__ import annotations
 
-from ...board.construction import Pane, View
+import numpy as np
+
+from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...errors import NoMethodError
 from ...mechanism.model import Joint, Prismatic, Revolute
 from ...plane import Line, Points, cross, dot, nominal, unit
-from ...vector.close import close
-from ...vector.equation import Equation, Term
+from ...vector.equation import Term
 from ...words import Words
+from .link_polygon import draw_polygon, pane_of
 from .parallel_forces import PARALLEL, balance_parallel
 from .pieces import Held
 from .readings import write_sizes
 from .resultant import Resultant
 from .senses import inclined, pin_words, slide_words
-from .state import Drawn, Statics
-
-LETTERS = "abcdefghklmnqrstuvw"
+from .state import Statics
 
 
 def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Find the reaction of `by` (on its line) and of the parent on the held link."""
-    link, number = held.link, st.mech.number(held.link)
-    one, two, known = f"$R_{{{st.mech.number(by)}{number}}}$", f"$R_{{{st.mech.number(held.parent)}{number}}}$", load.symbols
-    st.board.step(Words(f"取构件 {number}：在 {known.zh}、{one}、{two} 作用下平衡，作用线汇交于一点，即已知外力与 {one} 作用线的交点，{two} 过此点。",
-                        f"Link {number} is in equilibrium under {known.en}, {one} and {two}, whose lines meet in one point: where the line of the known load meets that of {one}; {two} passes through it."), View.MECHANISM)
+    link = held.link
+    st.board.step(_taken(st, held, load, by), View.MECHANISM)
     if abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
         balance_parallel(st, held, load, line, by)
         return
-    x = st.board.meet(load.line, line, f"link {number}: line of the load and line of R_{st.mech.number(by)}{number}")
+    x = st.board.meet(load.line, line, f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}")
     u, sense = direction_through(st, held.joint, held.parent, link, x)
-    _draw(st, x, u, load.at, _touch(st, held.joint, x, u))
+    _draw(st, x, (load.at, line.at), (u, _touch(st, held.joint, x, u)), st.named(held.parent, link).symbol)
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
+
+
+def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
+    """Three forces balance: they meet in one point; several known ones are joined first."""
+    number, known = st.mech.number(held.link), load.symbols
+    one, two = f"${st.named(by, held.link).symbol}$", f"${st.named(held.parent, held.link).symbol}$"
+    if len(load.forces) == 1 and not np.any(st.moment(held.link)):
+        return Words(f"取构件 {number} 为分离体：受 {known.zh}、{one}、{two} 三力而平衡，三力必汇交于一点；先求 {known.zh} 与 {one} 作用线的交点，{two} 过此点。",
+                     f"Isolate link {number}: three forces, {known.en}, {one} and {two}, balance, so they meet in one point: where the lines of {known.en} and {one} cross; {two} passes through it.")
+    joined, joined_en = load.found
+    return Words(f"取构件 {number} 为分离体：已知力 {known.zh} 合成为一合力，{joined}；合力、{one}、{two} 三力平衡，必汇交于一点，即合力与 {one} 作用线的交点，{two} 过此点。",
+                 f"Isolate link {number}: {known.en} join into one force, {joined_en}. It, {one} and {two} balance, so they meet in one point: where its line crosses that of {one}; {two} passes through it.")
 
 
 def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) -> tuple[Points, int]:
@@ -51,28 +61,29 @@ def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) ->
     return st.board.tangent_from(x, centre, st.rho(joint.point), sense, ahead), sense
 
 
-def polygon(st: Statics, held: Held, load: Resultant, known_line: tuple[str, Points, Points], through: tuple[Points, Points, int]) -> Pane:
+def polygon(st: Statics, held: Held, load: Resultant, known_line: tuple[str, Points, Points], through: tuple[Points, Points, int]) -> None:
     """ΣF = 0 with two unknown magnitudes; keeps both reactions."""
     (by, along, at), (u, x, sense) = known_line, through
     link, number = held.link, st.mech.number(held.link)
     one, two = st.named(by, link), st.named(held.parent, link)
-    pane = st.polygon(number, Words(f"构件 {number} 的力多边形", f"Force polygon of link {number}"))
-    terms = [Term(rel=f.named, symbol=f.named.symbol, direction=f.direction, magnitude=f.size, vector=f.vector, tip=LETTERS[i + 1]) for i, f in enumerate(load.forces)]
-    terms += [Term(rel=one, symbol=one.symbol, direction=Words("作用线已知", "line known"), magnitude="?", along=along),
-              Term(rel=two, symbol=two.symbol, direction=Words("过交点", "through the point"), magnitude="?", along=u)]
-    eq = Equation(left=tuple(terms), right=())
-    st.board.step(Words(f"构件 {number} 的力平衡方程，按 $μ_F$ 作力多边形（各力首尾相接）。", f"Equilibrium of link {number}; its polygon to $μ_F$, the forces head to tail."), pane)
-    st.board.equate(eq.table())
-    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
-    closed = close(st.board, pane, 0j, eq)
-    n = len(load.forces)
-    (start, corner), (_, end) = closed.ends[one.key], closed.ends[two.key]
-    st.board.plot(pane, corner, LETTERS[n + 1], Dot.POINT)
-    first = st.settle(by, link, corner - start, at, Drawn(place=pane, start=start, end=corner, letters=f"{LETTERS[n]} {LETTERS[n + 1]}"))
-    other = st.settle(held.parent, link, end - corner, _touch(st, held.joint, x, u), Drawn(place=pane, start=corner, end=end, letters=f"{LETTERS[n + 1]} {LETTERS[0]}"), sense)
-    st.board.remark(Words("由图量得：", " Measured:"))
+    st.board.step(Words(f"列构件 {number} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接；", f"Write the equilibrium of link {number} and draw its polygon to $μ_F$, the forces head to tail;"), pane_of(st, link))
+    drawn = draw_polygon(st, link, load, (
+        Term(rel=one, symbol=one.symbol, direction=Words("作用线已知", "line known"), magnitude="?", along=along),
+        Term(rel=two, symbol=two.symbol, direction=_lies(st, held), magnitude="?", along=u)))
+    side, last = drawn[one.key], drawn[two.key]
+    first = st.settle(by, link, side.end - side.start, at, side)
+    other = st.settle(held.parent, link, last.end - last.start, _touch(st, held.joint, x, u), last, sense)
+    st.board.remark(Words(f"由图量得 ${one.symbol}$、${two.symbol}$。", f" measure ${one.symbol}$ and ${two.symbol}$."))
     write_sizes(st, first, other)
-    return pane
+
+
+def _lies(st: Statics, held: Held) -> Words:
+    """What is known of the line of the parent's reaction."""
+    if isinstance(held.joint, Prismatic):
+        return Words("与法线成$φ$", "$φ$ off the normal") if st.phi(held.joint) else Words("⊥导路", "⊥guide")
+    if isinstance(held.joint, Revolute) and st.rho(held.joint.point):
+        return Words("过交点，切于摩擦圆", "through the point, tangent")
+    return Words("过交点", "through the point")
 
 
 def _touch(st: Statics, joint: Joint, x: Points, u: Points) -> Points:
@@ -82,16 +93,19 @@ def _touch(st: Statics, joint: Joint, x: Points, u: Points) -> Points:
     return x
 
 
-def _draw(st: Statics, x: Points, u: Points, load_at: Points, touch: Points) -> None:
+def _draw(st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], symbol: str) -> None:
     """The meeting point, and the lines that pass through it, on the diagram: the reaction's from the meeting point to its pin."""
     if st.ideal is None and st.loads.friction:
         return
-    board = st.board
+    board, (u, touch) = st.board, third
     reach = float(nominal(dot(u, touch - x)))
     low, high = (min(0.0, reach) - 12.0, max(0.0, reach) + 12.0) if abs(reach) < 260.0 else (-22.0, 22.0)
     board.join(View.MECHANISM, x + u * low, x + u * high, Role.DIRECTION)
-    if abs(nominal(load_at - x)) > 1.0:
-        board.join(View.MECHANISM, load_at, x + unit(x - load_at) * 6.0, Role.DIRECTION)
+    board.plot(View.MECHANISM, x, "", Dot.POINT)
+    board.plot(View.MECHANISM, x + u * (low if abs(low) > abs(high) else high), symbol, Dot.NONE)
+    for at in others:
+        if 1.0 < abs(nominal(at - x)) < 260.0:
+            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, Role.DIRECTION)
 
 
 def _ideal(st: Statics, by: str, on: str) -> Points | None:

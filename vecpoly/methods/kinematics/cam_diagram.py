@@ -99,7 +99,8 @@ def _contact(desk: Desk, contact: Contact) -> Iterator[Mark]:
         guide = fixed_guide(desk, link)
         if guide is not None:
             yield from stem_marks(desk, contact, link, guide)
-    yield from pressure_angle(desk, contact)
+    if not desk.loaded:
+        yield from pressure_angle(desk, contact)
 
 
 def _dashed_block(at: complex, along: complex) -> Iterator[Mark]:

@@ -21,7 +21,7 @@ from ...board.marks import (
     Segment,
     Slot,
 )
-from ...mechanism.model import FRAME, Link, Prismatic, Rack, Revolute, Rolling
+from ...mechanism.model import FRAME, Circle, Link, Prismatic, Rack, Revolute, Rolling
 from ...names import subscripted
 from ...plane import nominal
 from ...problem.problem import Shape
@@ -223,3 +223,14 @@ def _rolling_pair(desk: Desk, joint: Rolling) -> Iterator[Mark]:
         half = desk.mm(joint.gear.radius) * 1.3
         way = along if joint.side == "left" else -along
         yield RackMark(a=foot - way * half, b=foot + way * half, fixed=joint.on.link == FRAME)
+    elif not any(isinstance(j, Rolling) and j.gear.link == joint.on.link for j in desk.mech.joints):
+        yield from _partner(desk, joint, joint.on)
+
+
+def _partner(desk: Desk, joint: Rolling, on: Circle) -> Iterator[Mark]:
+    """The gear on which another rolls, where it rolls on none itself: fixed to a crank, or to the frame."""
+    centre, radius = _spot(desk, on.centre), desk.mm(on.radius)
+    yield GearMark(centre=centre, radius=radius)
+    if on.link == FRAME:
+        foot, along = centre - 1j * radius, 1.0 if joint.internal else -1.0
+        yield FixedGuide(a=foot + along * -HALF_SLOT, b=foot + along * HALF_SLOT)

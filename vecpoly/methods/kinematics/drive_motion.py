@@ -56,7 +56,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     name = f"a^n_{{{shown}}}" if drive.accel else f"a_{{{shown}}}"
     even = "" if drive.accel else "（$α$ = 0）"
     board.step(Words(f"原动件{even}的法向加速度由 ${b}$ 指向 ${pivot}$；取极点 $p′$：",
-                     f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
+                     f"The normal acceleration of the driving link{'' if drive.accel else ' ($α$ = 0)'} points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
     board.write_length(View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size)

@@ -25,12 +25,12 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     link, board = desk.mech.link(drive.link), desk.board
     pivot, others = desk.crank(drive.link)
     phi = number(degrees(drive.position), 6)
-    fixed = "$, $".join(desk.mech.frame)
+    fixed, fixed_en = "$、$".join(desk.mech.frame), "$, $".join(desk.mech.frame)
     length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
     length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
     board.step(
         Words(f"取 $μ_l$，按坐标定出固定点 ${fixed}$；过固定铰链 ${pivot}$ 作与 $x$ 轴成 $φ_{drive.link}$ = {phi}° 的直线，为构件 {drive.link}{length}。",
-              f"Place the fixed points ${fixed}$ to the scale $μ_l$; through the fixed pivot ${pivot}$ draw link {drive.link} at $φ_{drive.link}$ = {phi}° to the $x$ axis{length_en}."),
+              f"Place the fixed point{'s' if len(desk.mech.frame) > 1 else ''} ${fixed_en}$ to the scale $μ_l$; through the fixed pivot ${pivot}$ draw link {drive.link} at $φ_{drive.link}$ = {phi}° to the $x$ axis{length_en}."),
         View.MECHANISM,
     )
     along = board.hand.tilt(complex(np.exp(1j * drive.position)))

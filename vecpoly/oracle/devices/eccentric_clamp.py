@@ -8,6 +8,7 @@ import numpy.typing as npt
 from ...devices.eccentric_clamp import EccentricClamp
 from ...errors import LockedError
 from .registry import Values, answers
+from .sliding import boundary
 
 Vector = npt.NDArray[np.float64]
 
@@ -70,10 +71,7 @@ def _arm(device: EccentricClamp, e: float) -> float:
 
 def _limit(device: EccentricClamp) -> float:
     """The eccentricity at which the arm reaches ρ."""
-    low, high = 0.0, device.R.si
+    high = device.R.si
     while _arm(device, high) < device.radius:
         high *= 2
-    for _ in range(200):
-        middle = (low + high) / 2
-        low, high = (middle, high) if _arm(device, middle) < device.radius else (low, middle)
-    return (low + high) / 2
+    return boundary(lambda e: _arm(device, e) < device.radius, 0.0, high)

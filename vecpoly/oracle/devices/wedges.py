@@ -15,9 +15,9 @@ from .sliding import Balance, Face, boundary, equilibrium
 def wedges(device: Wedges) -> Values:
     """φ, F, F_0, η, R_12, R_32, R_31; F', η'; limits of φ."""
     f = {face: device.friction(face).si for face in FACES}
-    lock_direct = boundary(lambda phi: _lifted(device, dict.fromkeys(FACES, tan(phi))) is not None, 0.0, pi / 2 - 1e-9)
+    lock_direct = boundary(lambda phi: _way(device, dict.fromkeys(FACES, tan(phi)), 1) is not None, 0.0, pi / 2 - 1e-9)
     lock_reverse = boundary(lambda phi: _held(device, dict.fromkeys(FACES, tan(phi))).size > 0, 0.0, pi / 2 - 1e-9)
-    moved = _lifted(device, f)
+    moved = _way(device, f, 1)
     if moved is None:
         raise device.locked(degrees(atan(f["12"]) + atan(f["23"])))
     ideal, held = _way(device, dict.fromkeys(FACES, 0.0), 1), _held(device, f)
@@ -28,10 +28,6 @@ def wedges(device: Wedges) -> Values:
         "F": moved.size, "F_sine": moved.size, "F_0": ideal.size, "eta": ideal.size / moved.size,
         "F_r": held.size, "eta_r": held.size / ideal.size, "lock_direct": degrees(lock_direct), "lock_reverse": degrees(lock_reverse),
     }
-
-
-def _lifted(device: Wedges, f: dict[str, float]) -> Balance | None:
-    return _way(device, f, 1)
 
 
 def _held(device: Wedges, f: dict[str, float]) -> Balance:

@@ -150,6 +150,10 @@ class Drawing(Block):
             ink.box(self._caption, (self.width - self._caption.width * MM) / 2, CAPTION.size * 0.35)
             ink.flush()
 
+    def draw_bare(self, canvas: Any, x: float, y: float) -> None:
+        """Draw the figure alone with its lower left corner at (x, y) points."""
+        self._draw(canvas, x, y)
+
 
 class Divider(Block):
     """A fine rule across the column."""

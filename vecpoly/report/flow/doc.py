@@ -23,8 +23,9 @@ from ...typeset.fonts import Face, load
 from ...typeset.words import layout_words
 from ...words import Lang
 from .base import Block
-from .blocks import Draw
-from .style import GREY
+from .blocks import Draw, Heading
+from .contents import Contents, Entry, page_form
+from .style import BODY, GREY
 
 MARGIN = 20 * MM
 _SMALL = 8.5 / MM
@@ -79,7 +80,9 @@ class _Canvas(Canvas):  # type: ignore[misc]
         super().__init__(filename, **options)
 
     def save(self) -> None:
-        """Fill in the number of pages, then write."""
+        """Fill in the number of pages and those of the headings, then write."""
+        for key, page in self.__dict__.get("_vecpoly_pages", {}).items():
+            self._number(page_form(key), page)
         if self._doc.pageCounter > 1:
             ink = Ink(self)
             self.beginForm(_TOTAL)
@@ -88,6 +91,14 @@ class _Canvas(Canvas):  # type: ignore[misc]
             ink.flush()
             self.endForm()
         super().save()
+
+    def _number(self, form: str, page: int) -> None:
+        """A form with a page number that ends at its origin."""
+        ink, box = Ink(self), layout_words(str(page), BODY.em)
+        self.beginForm(form, -60, -10, 1, 20)
+        ink.box(box, -box.width * MM, 0.0)
+        ink.flush()
+        self.endForm()
 
 
 class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
@@ -140,6 +151,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         level = min(flowable.level - 1, self._level + 1)
         self._level = level
         self.canv.bookmarkPage(key)
+        self.canv.__dict__.setdefault("_vecpoly_pages", {})[key] = self.canv.getPageNumber()
         self.canv.addOutlineEntry(outline, key, level, closed=0)
 
     def write(self, path: str | Path) -> Written:
@@ -148,14 +160,31 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
         os.close(handle)
         self._entries, self._level = 0, -1
+        _tell_contents(self.story)
         try:
             with _settings():
+                self._firstPageTemplateIndex = _first(self.story)
                 self.build(_expanded(self.story), filename=name, canvasmaker=_Canvas)
             Path(name).chmod(0o666 & ~_umask())
             Path(name).replace(target)
         finally:
             Path(name).unlink(missing_ok=True)
         return Written(target, self.page, tuple(lost(self.canv)))
+
+
+def _tell_contents(story: Sequence[Any]) -> None:
+    """Give every table of contents the headings after it, under the bookmarks they will have."""
+    outlined = [item for item in story if getattr(item, "outline", "") or isinstance(item, Contents)]
+    count, entries, waiting = 0, list[Entry](), list[tuple[Contents, int]]()
+    for item in outlined:
+        if isinstance(item, Contents):
+            waiting.append((item, len(entries)))
+            continue
+        count += 1
+        if isinstance(item, Heading) and item.level in (2, 3):
+            entries.append(Entry(item.text, item.level, f"h{count}"))
+    for contents, start in waiting:
+        contents.entries = tuple(entries[start:])
 
 
 def _umask() -> int:
@@ -190,6 +219,12 @@ def _expanded(story: Sequence[Any]) -> list[Any]:
     while out and isinstance(out[-1], (PageBreak, NextPageTemplate)):
         out.pop()
     return out
+
+
+def _first(story: Sequence[Any]) -> int:
+    """The template of the first page: text, or that of the sheet that stands there."""
+    first = next(iter(story), None)
+    return (2 if first.wide else 1) if isinstance(first, SheetPage) else 0
 
 
 def _turn(out: list[Any], template: str) -> None:

@@ -19,6 +19,7 @@ _ALIGN = {"l": "left", "c": "centre", "r": "right"}
 
 _Row = tuple[tuple[Line, ...], ...]
 
+_MANY_ROWS = 10
 _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
 class DataTable(Block):
@@ -39,6 +40,7 @@ class DataTable(Block):
         self.header, self.rows = tuple(header), tuple(tuple(row) for row in rows)
         self.lang, self.caption, self.style = lang, caption, style
         self.widths = tuple(widths) if widths is not None else None
+        self.whole = False  # rather goes to the next page than leaves only a few rows here
         self.align = (align + "c" * len(self.header))[: len(self.header)]
         self._set_widths: tuple[float, ...] = ()
         self._head: _Row = ()
@@ -92,8 +94,9 @@ class DataTable(Block):
         while count < len(self.rows) and used + self._height(self._body[count]) <= height:
             used += self._height(self._body[count])
             count += 1
-        count = min(count, len(self.rows) - _LEAST_ROWS)
-        if count < min(_LEAST_ROWS, len(self.rows)):
+        least = _MANY_ROWS if self.whole else _LEAST_ROWS
+        count = min(count, len(self.rows) - least)
+        if count < min(least, len(self.rows)):
             return []
         head, tail = self._part(0, count), self._part(count, len(self.rows))
         head.spaceAfter = tail.spaceBefore = 0.0

@@ -14,12 +14,15 @@ from ...board.construction import EquationTable
 from ...errors import VecpolyError
 from ...words import Lang
 from .base import Block
-from .blocks import KINDS, Callout, Divider, Heading, TitleBlock
+from .blocks import KINDS, Callout, Divider, Drawing, Heading, TitleBlock
+from .contents import Contents
+from .cover import Cover
 from .doc import SheetPage
 from .equation import EquationFlow
 from .formula import Formula
 from .para import Para, numbered
 from .style import CAPTION, NOTE
+from .table import DataTable
 
 
 class MarkupError(VecpolyError, ValueError):
@@ -93,6 +96,7 @@ class _Reader:
             "formula": self._formula, "equation": self._equation,
             "figure": self._block, "table": self._block, "sheet": self._sheet,
             "titleblock": self._titleblock, "steps": self._steps, "callout": self._callout,
+            "cover": self._cover, "contents": lambda e: [Contents(lang)],
             "pagebreak": lambda e: [PageBreak()], "rule": lambda e: [Divider()],
         }  # fmt: skip
 
@@ -137,7 +141,10 @@ class _Reader:
         return [found if isinstance(found, Block) else EquationFlow(found, self._lang)]
 
     def _block(self, element: Element) -> list[Any]:
-        return [self._lookup(element, Block, "a flowable")]
+        found = self._lookup(element, Block, "a flowable")
+        if isinstance(found, DataTable):
+            found.whole = element.attributes.get("whole") == "yes"
+        return [found]
 
     def _sheet(self, element: Element) -> list[Any]:
         return [self._lookup(element, SheetPage, "a sheet page")]
@@ -148,6 +155,12 @@ class _Reader:
                 _fail(child, "a title block holds <field label= value=/>")
         fields = [(c.attributes["label"], c.attributes.get("value", "")) for c in element.children]
         return [TitleBlock(fields)]
+
+    def _cover(self, element: Element) -> list[Any]:
+        fields = [(c.attributes["label"], c.attributes.get("value", "")) for c in element.children if c.tag == "field" and "label" in c.attributes]
+        figure = self._lookup(element, Drawing, "a figure") if element.attributes.get("ref") else None
+        get = element.attributes.get
+        return [Cover(get("kind", ""), get("title", ""), get("subtitle", ""), fields, figure)]
 
     def _steps(self, element: Element) -> list[Any]:
         out: list[Any] = []

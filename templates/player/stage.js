@@ -1,0 +1,159 @@
+// The sheet: figures arranged for the shape of the window, and a camera that zooms and moves over them.
+const one = (selector, root = document) => root.querySelector(selector);
+const all = (selector, root = document) => [...root.querySelectorAll(selector)];
+const paper = one("#paper"), board = one("#board");
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+const GAP = 700; // units of 0.01 mm between figures
+const LARGEST = 0.065; // pixels a unit: larger, no figure is shown unasked
+
+const stage = {
+  camera: { x: 0, y: 0, w: 1000, h: 1000 },
+  aim: null,
+  spots: new Map(), // key of a figure → its box on the sheet
+  whole: { x: 0, y: 0, w: 1000, h: 1000 },
+
+  size() {
+    return { w: Math.max(paper.clientWidth, 1), h: Math.max(paper.clientHeight, 1) };
+  },
+
+  narrow: () => matchMedia("(max-width: 760px), (max-aspect-ratio: 1/1)").matches,
+
+  // Rows or columns of figures, in order: whichever shows them largest in this window.
+  arrange(figures) {
+    const { w, h } = stage.size();
+    let best = null;
+    for (const across of [true, false]) {
+      for (const cut of cuts(figures.length)) {
+        const sheet = shelves(figures, cut, across);
+        const scale = Math.min(w / sheet.w, h / sheet.h);
+        if (!best || scale > best.scale * 1.001) best = { ...sheet, scale };
+      }
+    }
+    stage.spots = new Map();
+    for (const { figure, x, y } of best.places) {
+      figure.node.setAttribute("transform", `translate(${Math.round(x - figure.box[0])} ${Math.round(y - figure.box[1])})`);
+      stage.spots.set(figure.key, { x, y, w: figure.box[2], h: figure.box[3] });
+    }
+    stage.whole = { x: -GAP / 2, y: -GAP / 2, w: best.w + GAP, h: best.h + GAP };
+  },
+
+  // Show these figures, or all, as large as the window allows.
+  show(keys, at_once = false) {
+    const boxes = keys.map((key) => stage.spots.get(key)).filter(Boolean);
+    stage.fly(boxes.length ? hull(boxes) : stage.whole, at_once);
+  },
+
+  fly(box, at_once) {
+    const { w, h } = stage.size(), right = stage.narrow() ? 0 : 58, low = stage.narrow() ? 46 : 0; // pixels of the zoom buttons
+    const scale = Math.min((w - right) / box.w, (h - low) / box.h, LARGEST); // pixels a unit
+    const to = { x: box.x - ((w - right) / scale - box.w) / 2, y: box.y - ((h - low) / scale - box.h) / 2, w: w / scale, h: h / scale };
+    cancelAnimationFrame(stage.aim);
+    if (at_once || calm.matches) return stage.look(to);
+    const from = { ...stage.camera }, start = performance.now();
+    const move = (now) => {
+      const t = Math.min(1, (now - start) / 320), k = t * t * (3 - 2 * t);
+      stage.look({ x: from.x + k * (to.x - from.x), y: from.y + k * (to.y - from.y), w: from.w + k * (to.w - from.w), h: from.h + k * (to.h - from.h) });
+      if (t < 1) stage.aim = requestAnimationFrame(move);
+    };
+    stage.aim = requestAnimationFrame(move);
+  },
+
+  look(camera) {
+    stage.camera = camera;
+    board.setAttribute("viewBox", [camera.x, camera.y, camera.w, camera.h].map((v) => v.toFixed(1)).join(" "));
+  },
+
+  // Zoom about a point of the window (0..1 across, 0..1 down).
+  zoom(factor, u = 0.5, v = 0.5) {
+    cancelAnimationFrame(stage.aim);
+    const c = stage.camera, w = Math.min(Math.max(c.w / factor, 600), stage.whole.w * 6), k = w / c.w;
+    stage.look({ x: c.x + (1 - k) * u * c.w, y: c.y + (1 - k) * v * c.h, w, h: c.h * k });
+    player.free();
+  },
+
+  // Move by parts of the window.
+  pan(u, v) {
+    cancelAnimationFrame(stage.aim);
+    const c = stage.camera;
+    stage.look({ ...c, x: c.x - u * c.w, y: c.y - v * c.h });
+    player.free();
+  },
+};
+
+function hull(boxes) {
+  const x = Math.min(...boxes.map((b) => b.x)), y = Math.min(...boxes.map((b) => b.y));
+  const right = Math.max(...boxes.map((b) => b.x + b.w)), low = Math.max(...boxes.map((b) => b.y + b.h));
+  return { x: x - GAP / 2, y: y - GAP / 2, w: right - x + GAP, h: low - y + GAP };
+}
+
+// Every way to cut n figures into shelves; beyond 10 figures, shelves of equal numbers.
+function cuts(n) {
+  if (n > 10) return Array.from({ length: n }, (_, k) => Array.from({ length: Math.ceil(n / (k + 1)) }, (_, i) => Math.min(k + 1, n - i * (k + 1))));
+  const found = [];
+  for (let bits = 0; bits < 1 << (n - 1); bits++) {
+    const cut = [1];
+    for (let i = 0; i < n - 1; i++) bits >> i & 1 ? cut.push(1) : cut[cut.length - 1]++;
+    found.push(cut);
+  }
+  return found;
+}
+
+function shelves(figures, cut, across) {
+  const long = (f) => (across ? f.box[2] : f.box[3]), deep = (f) => (across ? f.box[3] : f.box[2]);
+  const groups = [];
+  let i = 0, length = 0, depth = 0;
+  for (const count of cut) {
+    const inside = figures.slice(i, (i += count));
+    const group = { inside, length: inside.reduce((sum, f) => sum + long(f), GAP * (count - 1)), depth: Math.max(...inside.map(deep)), at: depth };
+    groups.push(group);
+    length = Math.max(length, group.length);
+    depth += group.depth + GAP;
+  }
+  const places = [];
+  for (const group of groups) {
+    let along = (length - group.length) / 2;
+    for (const figure of group.inside) {
+      const slack = group.depth - deep(figure), aside = group.at + (across ? slack : slack / 2); // titles of a row on one line
+      places.push(across ? { figure, x: along, y: aside } : { figure, x: aside, y: along });
+      along += long(figure) + GAP;
+    }
+  }
+  return across ? { places, w: length, h: depth - GAP } : { places, w: depth - GAP, h: length };
+}
+
+// Mouse, pen and fingers.
+const pointers = new Map();
+const spread = () => {
+  const [a, b] = [...pointers.values()];
+  return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, d: Math.hypot(a.x - b.x, a.y - b.y) };
+};
+paper.addEventListener("pointerdown", (event) => {
+  paper.setPointerCapture(event.pointerId);
+  pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+});
+paper.addEventListener("pointermove", (event) => {
+  if (!pointers.has(event.pointerId)) return;
+  const { w, h } = stage.size(), frame = paper.getBoundingClientRect();
+  const before = pointers.size > 1 ? spread() : pointers.get(event.pointerId);
+  pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  const after = pointers.size > 1 ? spread() : pointers.get(event.pointerId);
+  if (after.x !== before.x || after.y !== before.y) stage.pan((after.x - before.x) / w, (after.y - before.y) / h);
+  if (pointers.size > 1 && before.d > 0) stage.zoom(after.d / before.d, (after.x - frame.left) / w, (after.y - frame.top) / h);
+});
+for (const end of ["pointerup", "pointercancel"]) paper.addEventListener(end, (event) => pointers.delete(event.pointerId));
+paper.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  const frame = paper.getBoundingClientRect(), lines = event.deltaMode === 1 ? 16 : 1;
+  stage.zoom(Math.exp(-event.deltaY * lines * 0.0016), (event.clientX - frame.left) / frame.width, (event.clientY - frame.top) / frame.height);
+}, { passive: false });
+paper.addEventListener("dblclick", () => player.fit());
+paper.addEventListener("keydown", (event) => {
+  const step = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
+  if (event.key === "+" || event.key === "=") stage.zoom(1.25);
+  else if (event.key === "-") stage.zoom(0.8);
+  else if (event.key === "0") player.fit();
+  else if (event.shiftKey && step) stage.pan(...step);
+  else return;
+  event.preventDefault();
+  event.stopPropagation();
+});

@@ -1,0 +1,89 @@
+"""A printed or computed table against the oracle: which columns agree, which do not, and by which slip.
+
+    check_table(load("A-16"), "printed.csv").whole
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..devices.base import Device
+from ..errors import TableError
+from ..problem.problem import Problem
+from ..words import Words
+from .table_base import explained, weighed_by
+from .table_columns import Table, read_table
+from .table_explain import Explanation, suspect
+from .table_sheet import read_sheet
+from .table_weigh import Column, Level, Weighing
+from .table_words import of_column, of_whole
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ColumnCheck:
+    """One column: how it fares with the problem's data (`given`), by which slips it becomes right, and all that in words.
+
+    `rows`: positions of the drive (deg, or mm) at which it is wrong although it is right elsewhere.
+    """
+
+    column: Column
+    given: Weighing
+    explanations: tuple[Explanation, ...]
+    rows: tuple[float, ...]
+    words: Words
+
+    @property
+    def verdict(self) -> Level:
+        """The verdict with the data of the problem."""
+        return self.given.level
+
+    @property
+    def best(self) -> Weighing:
+        """The weighing under the best explanation; else with the data of the problem."""
+        return self.explanations[0].after if self.explanations else self.given
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class TableCheck:
+    """The check of a whole table: its columns, what was taken for granted (`notes`), the verdict on the whole."""
+
+    problem: str
+    name: str
+    table: Table
+    columns: tuple[ColumnCheck, ...]
+    notes: tuple[Words, ...]
+    whole: tuple[Words, ...]
+
+    def column(self, header: str) -> ColumnCheck:
+        """The column with this header."""
+        return next(one for one in self.columns if one.column.header == header)
+
+
+def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] | None = None) -> TableCheck:
+    """Compare each column of a CSV or XLSX table with the exact values; `columns`: header → quantity, unit, or - to leave it out.
+
+    Raises TableError where the table cannot be read or has nothing to do with the mechanism.
+    """
+    if isinstance(problem.subject, Device):
+        raise TableError(f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle")
+    table = read_table(read_sheet(Path(path)), problem, columns or {})
+    given = suspect(problem.mechanism, table.positions, table.columns)
+    if given is None:
+        raise TableError(f"{problem.id} cannot be assembled, so there is nothing to compare {table.name} with")
+    weighed = [weighed_by(column, given) for column in table.columns]
+    told = explained(table.columns, given, weighed)
+    checks = tuple(_checked(table, i, weighed, told) for i in range(len(table.columns)))
+    names = "、".join(table.left_out), ", ".join(table.left_out)
+    left = (Words(f"未比较的列：{names[0]}", f"columns left out: {names[1]}"),) if table.left_out else ()
+    return TableCheck(problem=problem.id, name=table.name, table=table, columns=checks, notes=(*table.notes, *left),
+                      whole=of_whole(table, weighed, told))
+
+
+def _checked(table: Table, i: int, weighed: Sequence[Weighing], told: Sequence[tuple[Explanation, ...]]) -> ColumnCheck:
+    best = told[i][0].after if told[i] else weighed[i]
+    rows = tuple(float(table.printed[k]) for k in np.flatnonzero(best.outliers))
+    return ColumnCheck(column=table.columns[i], given=weighed[i], explanations=told[i], rows=rows, words=of_column(table, i, weighed, told))

@@ -1,0 +1,145 @@
+"""Slips that are one constant: a factor (2π, r/min, ω of the drive, two crank lengths), the sign, the zero of an angle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, pi
+
+import numpy as np
+
+from ..names import Kind
+from ..oracle.run import wrapped
+from ..words import Words
+from .table_guess import Guess, Slip
+from .table_target import Reals
+from .table_truth import Truth
+from .table_weigh import Column
+
+CLOSE = 2e-3  # relative deviation of a fitted factor from the one that is named
+_FACTORS = (
+    (2 * pi, Slip.FACTOR, Words("多乘 2π", "a factor 2π too many")),
+    (1 / (2 * pi), Slip.FACTOR, Words("少乘 2π（把 r/s 当作 rad/s）", "2π left out (rev/s taken for rad/s)")),
+    (4 * pi**2, Slip.FACTOR, Words("多乘 (2π)²", "a factor (2π)² too many")),
+    (1 / (4 * pi**2), Slip.FACTOR, Words("少乘 (2π)²（把 r/s 当作 rad/s）", "(2π)² left out (rev/s taken for rad/s)")),
+    (2 * pi / 60, Slip.UNIT, Words("多乘 2π/60", "multiplied by 2π/60 once too often")),
+    (60 / (2 * pi), Slip.UNIT, Words("把 r/min 当作 rad/s（少乘 2π/60）", "r/min taken for rad/s (2π/60 left out)")),
+    ((2 * pi / 60) ** 2, Slip.UNIT, Words("多乘 (2π/60)²", "multiplied by (2π/60)² once too often")),
+    ((60 / (2 * pi)) ** 2, Slip.UNIT, Words("把 r/min 当作 rad/s（少乘 (2π/60)²）", "r/min taken for rad/s ((2π/60)² left out)")),
+    (180 / pi, Slip.UNIT, Words("以度代替弧度", "degrees for radians")),
+    (pi / 180, Slip.UNIT, Words("以弧度代替度", "radians for degrees")),
+    (2.0, Slip.FACTOR, Words("多乘 2", "a factor 2 too many")),
+    (0.5, Slip.FACTOR, Words("少乘 2", "a factor 2 left out")),
+    *((10.0**n, Slip.UNIT, Words(f"差 {10.0**n:g} 倍（单位）", f"{10.0**n:g} times too large (units)" if n > 0 else f"{10.0**-n:g} times too small (units)"))
+      for n in (-6, -3, -2, -1, 1, 2, 3, 6)),
+)  # fmt: skip
+
+_OF_PLACES = (2.0, 0.5, *(10.0**n for n in (-6, -3, -2, -1, 1, 2, 3, 6)))
+
+
+def constants(column: Column, truth: Truth) -> Iterator[Guess]:
+    """Every constant that may lie between the column and the exact values."""
+    exact = truth.of(column.target)
+    if column.target.is_angle:
+        yield from _zeros(column, exact)
+        yield from _angle_units(exact)
+        return
+    factor = _ratio(column, exact)
+    if factor is None:
+        return
+    named = [one for one in (*_FACTORS, *_drive_factors(truth)) if not column.target.is_place or (one[1] is not Slip.OMEGA and one[0] in _OF_PLACES)]
+    hits = [(value, slip, words) for value, slip, words in named if abs(abs(factor) / value - 1) < CLOSE]
+    sign = Words("，且符号相反", ", and the sign reversed") if factor < 0 else Words.same("")
+    if abs(factor + 1) < CLOSE:
+        yield Guess(slip=Slip.SIGN, words=Words("符号（转向）相反", "opposite sign (sense)"), expected=-exact, parameter=-1.0)
+    for value, slip, words in hits:
+        yield Guess(slip=slip, words=words + sign, expected=np.copysign(value, factor) * exact, parameter=float(np.copysign(value, factor)))
+    if not hits and abs(abs(factor) - 1) > CLOSE:
+        factor, ratio = _lengths_ratio(column, truth, factor)
+        words = Words(f"差常数倍 {factor:.6g}", f"a constant factor {factor:.6g}") + ratio
+        yield Guess(slip=Slip.FACTOR, words=words, expected=factor * exact, parameter=factor)
+
+
+def _ratio(column: Column, exact: Reals) -> float | None:
+    """The factor by least squares, without the rows that lie far from it; with as few digits as do as well."""
+    good = column.there & np.isfinite(exact) & (exact != 0)
+    if good.sum() < 3:
+        return None
+    printed, true, half = column.values[good], exact[good], column.half[good]
+    factor = float(np.median(printed / true))
+    for _ in range(4):
+        off = np.abs(printed - factor * true)
+        kept = off <= np.maximum(3 * np.median(off), 2 * half)
+        factor = float((printed[kept] * true[kept]).sum() / max(float((true[kept] ** 2).sum()), 1e-300))
+    doubt = float(np.median(half[kept]) / max(float(np.abs(true[kept]).max()), 1e-300))
+    rounded = (float(f"{factor:.{n}g}") for n in range(2, 8))
+    return next((value for value in rounded if abs(value - factor) <= doubt), factor) or None
+
+
+def _drive_factors(truth: Truth) -> Iterator[tuple[float, Slip, Words]]:
+    """ω of the drive left out, or taken once too often: of importance where it is not 1."""
+    if truth.mech.drive.slide:
+        return
+    rate, symbol = abs(truth.mech.drive.rate), f"$ω_{{{truth.mech.drive.link}}}$"
+    if not rate or abs(rate - 1) < CLOSE:
+        return
+    yield 1 / rate, Slip.OMEGA, Words(f"漏乘 {symbol}", f"{symbol} left out")
+    yield rate, Slip.OMEGA, Words(f"多乘一次 {symbol}", f"{symbol} taken once too often")
+    yield 1 / rate**2, Slip.OMEGA, Words(f"漏乘 {symbol} 的平方", f"the square of {symbol} left out")
+    yield rate**2, Slip.OMEGA, Words(f"多乘 {symbol} 的平方", f"the square of {symbol} taken once too often")
+
+
+def _lengths_ratio(column: Column, truth: Truth, factor: float) -> tuple[float, Words]:
+    """At given angles all velocities go with the crank's length: a factor that is no round number may be 26.5/24, and is that then."""
+    length = next((one for one in truth.lengths if one.link == truth.mech.drive.link), None)
+    rel = column.target.rel
+    if length is None or rel is None or rel.kind not in (Kind.OMEGA, Kind.V) or float(f"{factor:.3g}") == factor:
+        return factor, Words.same("")
+    here, there = 1e3 * length.value, 1e3 * length.value * abs(factor)
+    if abs(round(there, 1) - there) > 1e-4 * there:
+        return factor, Words.same("")
+    exact, other = truth.of(column.target), float(np.copysign(round(there, 1) / here, factor))
+    plain, named = (float(np.nanmedian(np.abs(column.values - times * exact))) for times in (factor, other))
+    if named > max(1.1 * plain, float(np.nanmedian(column.half))):
+        return factor, Words.same("")
+    ratio = f"{round(there, 1):g}/{here:.6g}"
+    words = Words(f" = {ratio}，即 {length.words.zh} 的两个取值之比", f" = {ratio}, the ratio of two values of {length.words.en}")
+    return other, words
+
+
+def _zeros(column: Column, exact: Reals) -> Iterator[Guess]:
+    """The angle from another zero, or counted the other way round."""
+    for sign, zh, en in ((1.0, "", ""), (-1.0, "按顺时针计量", "counted clockwise")):
+        shift = _middle(wrapped(column.values - sign * exact)[column.there])
+        if shift is None:
+            continue
+        shift = _round_angle(shift)
+        if not shift and sign > 0:
+            continue
+        deg = f"{degrees(shift):+.6g}°".replace("-", "−")
+        zero = Words(f"角度零位差 {deg}", f"the zero of the angle shifted by {deg}") if shift else Words.same("")
+        words = Words("，".join(filter(None, (zh, zero.zh))), ", ".join(filter(None, (en, zero.en))))
+        yield Guess(slip=Slip.ZERO if shift else Slip.SIGN, words=words, expected=sign * exact + shift, parameter=shift if shift else -1.0)
+
+
+def _middle(angles: Reals) -> float | None:
+    """The angle about which most of these lie."""
+    known = angles[np.isfinite(angles)]
+    if not len(known):
+        return None
+    near = np.abs(wrapped(known[:, None] - known[None, :]))
+    best = known[int(np.argmin(np.median(near, axis=1)))]
+    off = wrapped(known - best)
+    return float(best + np.median(off[np.abs(off) <= np.median(np.abs(off)) * 3 + 1e-15]))
+
+
+def _round_angle(angle: float) -> float:
+    """Whole degrees where it is nearly so; 0 for whole turns."""
+    deg = degrees(float(wrapped(np.array([angle]))[0]))
+    return float(np.radians(round(deg))) if abs(deg - round(deg)) < 0.01 else float(np.radians(deg))
+
+
+def _angle_units(exact: Reals) -> Iterator[Guess]:
+    """Degrees in a column of radians, or the other way, in any of the ways to count whole turns."""
+    for turned in (wrapped(exact), exact % (2 * pi), np.unwrap(exact)):
+        yield Guess(slip=Slip.UNIT, words=Words("以度代替弧度", "degrees for radians"), expected=turned * 180 / pi, parameter=180 / pi, whole_turns=False)
+        yield Guess(slip=Slip.UNIT, words=Words("以弧度代替度", "radians for degrees"), expected=turned * pi / 180, parameter=pi / 180, whole_turns=False)

@@ -1,0 +1,42 @@
+"""One guess at how a column came about: the slip, in words, and the numbers to which it leads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ..words import Words
+from .table_target import Reals
+
+
+class Slip(StrEnum):
+    """The usual slips."""
+
+    LENGTH = "another length"
+    RATES = "rates with another length"
+    FACTOR = "constant factor"
+    OMEGA = "omega of the drive"
+    UNIT = "unit"
+    SIGN = "sign"
+    ZERO = "zero of the angle"
+    BRANCH = "other assembly"
+    SWAPPED = "another column"
+    TERM = "missing term"
+    DIFFERENCE = "finite difference"
+    RADIANS = "degrees taken for radians"
+    DRIVE = "position of the drive"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Guess:
+    """What the column would hold (SI); `parameter` is the length (m), factor or angle (rad) that was found; `fitted`: by fit.
+
+    whole_turns: None compares angles but for whole turns, False does not.
+    """
+
+    slip: Slip
+    words: Words
+    expected: Reals
+    parameter: float | None = None
+    whole_turns: bool | None = None
+    length: str = ""  # symbol of the length that was found

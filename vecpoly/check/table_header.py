@@ -1,0 +1,153 @@
+"""The header of a table: which quantity each column holds, in which unit, and which column is the drive's position."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from ..errors import FaultError, TableError, VecpolyError
+from ..mechanism.model import Mechanism
+from ..oracle import Motion
+from ..problem.faults import meant
+from ..units import unit_of
+from .table_sheet import Sheet
+from .table_target import STEMS, Target, is_drive, read_target
+
+LEFT_OUT = "-"
+_BRACKETS = re.compile(r"(.*?)\s*[\[(（]\s*([^\[（]+?)\s*[\])）]")
+_SLASH = re.compile(r"([^/]+?)\s*/\s*\(?([^()]+|\([^()]+\)/[^()]+)\)?")
+_SUFFIX = re.compile(r"(.+?)[_ ](deg|rad|°|(?:deg|rad|mm|cm|m)(?:[_/]s(?:\^?2|²)?)?|rpm|r_min|r/min)")
+_SPELLING = str.maketrans({"²": "^2", "·": "*", "°": "deg", "−": "-"})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unit:
+    """A unit as written, and its value in SI."""
+
+    name: str
+    factor: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Heading:
+    """One column: its place, its quantity (None: the drive's position), its unit (None: not said)."""
+
+    index: int
+    text: str
+    target: Target | None
+    unit: Unit | None
+    said: bool = False  # whether the user said what it is
+    renumbered: bool = False  # whether the table gives its link another number
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Headings:
+    """The columns of a table: the drive's position, what is compared, and what is left out."""
+
+    drive: Heading
+    columns: tuple[Heading, ...]
+    left_out: tuple[str, ...]
+
+
+def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str]) -> Headings:
+    """Read the header, with what the user says about columns: header → quantity, unit, `quantity[unit]`, or - to leave it out.
+
+    Raises TableError for a column that does not exist, for a misspelt quantity, for a unit of another kind, and where no
+    column tells the drive's position or nothing is left to compare.
+    """
+    for header in said:
+        if header not in sheet.header:
+            raise TableError(f"{sheet.name}: there is no column '{header}'{meant(header, sheet.header)}")
+    found, left_out = [], []
+    for i, text in enumerate(sheet.header):
+        heading = _heading(sheet, i, said.get(text, ""), mech)
+        if heading is None:
+            left_out.append(text)
+        else:
+            found.append(heading)
+    drive = [h for h in found if h.target is None]
+    columns = tuple(h for h in found if h.target is not None)
+    if not drive:
+        raise TableError(f"{sheet.name}: no column tells the position of the drive; name one phi{mech.drive.link}, or say --columns NAME=phi{mech.drive.link}"
+                         f" (there are: {', '.join(sheet.header)})")
+    if len(drive) > 1:
+        raise TableError(f"{sheet.name}: '{drive[0].text}' and '{drive[1].text}' both tell the position of the drive; leave one out with --columns {drive[1].text}=-")
+    if not columns:
+        raise TableError(f"{sheet.name}: no column holds a quantity to compare; name them phi5, omega5, alpha5, xE, vE, aE, or say --columns NAME=omega_5")
+    return Headings(drive=drive[0], columns=columns, left_out=tuple(left_out))
+
+
+def split(text: str) -> tuple[str, str]:
+    """Name and unit of a header: `v_E [m/s]`, `φ5/rad`, `omega5_rad_s`."""
+    for pattern in (_BRACKETS, _SUFFIX, _SLASH):
+        if m := pattern.fullmatch(text.strip()):
+            unit = m[2]
+            return m[1].strip(" /"), re.sub(r"(?<=[a-z])_(?=s|min)", "/", unit) if pattern is _SUFFIX else unit
+    return text.strip(), ""
+
+
+def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism) -> Heading | None:
+    text, where = sheet.header[i], sheet.at(sheet.head_line, i)
+    if said == LEFT_OUT:
+        return None
+    name, unit = split(text)
+    unit = unit or sheet.units[i]
+    if said:
+        told, told_unit = split(said)
+        if told_unit or not _is_unit(said):
+            name, unit = told, told_unit or unit
+        else:
+            unit = said
+    if is_drive(name) or (not mech.drive.slide and (one := read_target(name)) and one.is_angle and one.link == mech.drive.link) or (
+            mech.drive.slide and name.replace("_", "") == f"s{mech.drive.link}"):
+        return Heading(index=i, text=text, target=None, unit=_drive_unit(unit, mech, where))
+    target = read_target(name)
+    if target is None:
+        if said or get_close_matches(re.sub(r"[_\d]", "", name).lower(), [s for s in STEMS if len(s) > 2], n=1, cutoff=0.75):
+            raise TableError(f"{where}: '{name}' is no quantity; write phi5, omega5, alpha5, xE, vE, vxE, aE, or leave the column out with --columns {text}=-")
+        return None
+    return Heading(index=i, text=text, target=target, unit=_unit(unit, target.unit, where), said=bool(said))
+
+
+def known(sheet: Sheet, heading: Heading, mech: Mechanism, motion: Motion) -> None:
+    """TableError where the mechanism has no such link or point."""
+    target, where = heading.target, sheet.at(sheet.head_line, heading.index)
+    assert target is not None
+    if target.of_link and target.of_link not in mech.bodies:
+        raise TableError(f"{where}: there is no link {target.of_link}; known: {', '.join(mech.bodies)}; say which it is, e.g. --columns "
+                         f"{heading.text}={target.on(mech.bodies[-1]).key}")
+    try:
+        target.of(motion)
+    except VecpolyError as error:
+        raise TableError(f"{where}: {error}") from None
+
+
+def _is_unit(text: str) -> bool:
+    try:
+        unit_of(_plain(text))
+    except FaultError:
+        return False
+    return True
+
+
+def _plain(text: str) -> str:
+    return re.sub(r"(?<=[a-z])2$", "^2", text.translate(_SPELLING)).replace("^", "**")
+
+
+def _unit(text: str, si: str, where: str) -> Unit | None:
+    """The unit, checked against the quantity's; None where none is written."""
+    if not text:
+        return None
+    try:
+        factor, dimension = unit_of(_plain(text))
+    except FaultError as fault:
+        raise TableError(f"{where}: {fault.text}") from None
+    if dimension != unit_of(_plain(si))[1]:
+        raise TableError(f"{where}: the unit '{text}' does not belong to a quantity in {si}")
+    return Unit(name=re.sub(r"(?<=s)\^?2$", "^2", text.replace("²", "2")), factor=factor)
+
+
+def _drive_unit(text: str, mech: Mechanism, where: str) -> Unit | None:
+    return _unit(text, "m" if mech.drive.slide else "rad", where)

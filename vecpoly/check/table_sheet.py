@@ -1,0 +1,140 @@
+"""A table as it stands in its file: header, perhaps a row of units, and rows of numbers as written."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..errors import TableError
+
+FEWEST = 5  # rows below which nothing can be told
+_NUMBER = re.compile(r"[+\-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?")
+_BLANK = ("", "-", "--", "/", "—", "–", "－")
+_PLAIN = str.maketrans({"−": "-", "－": "-", "＋": "+", "．": ".", "\u00a0": " "})
+
+Lines = Iterator[tuple[int, list[str]]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sheet:
+    """The cells of a table, and the line of the file on which each row stands."""
+
+    name: str
+    header: tuple[str, ...]
+    units: tuple[str, ...]  # empty texts where there is no row of units
+    rows: tuple[tuple[str, ...], ...]
+    lines: tuple[int, ...]
+    head_line: int = 1
+
+    def column(self, i: int) -> tuple[str, ...]:
+        """The cells of one column; a blank or a dash is an empty text."""
+        return tuple("" if row[i] in _BLANK else row[i] for row in self.rows)
+
+    def at(self, line: int, column: int) -> str:
+        """Where a cell stands, for messages."""
+        return f"{self.name}, line {line}, column {column + 1} ('{self.header[column]}')"
+
+    def number(self, i: int, row: int) -> float:
+        """The cell as a number; NaN where it is blank; raises TableError with file, line and column."""
+        text = self.rows[row][i]
+        if text in _BLANK:
+            return float("nan")
+        if not is_number(text):
+            raise TableError(f"{self.at(self.lines[row], i)}: '{text}' is not a number")
+        return float(text)
+
+
+def is_number(text: str) -> bool:
+    """Whether a cell holds a finite number as people write it."""
+    return _NUMBER.fullmatch(text) is not None and abs(float(text)) < float("inf")
+
+
+def last_unit(text: str) -> float:
+    """One unit of the last written digit: 0.01 of 3.14, 1e-5 of 9.32E-03; 0 of a blank."""
+    m = re.fullmatch(r"[+\-]?\d*\.?(\d*)(?:[eE]([+\-]?\d+))?", text)
+    return 10.0 ** (int(m[2] or 0) - len(m[1])) if text and m else 0.0
+
+
+def digits(text: str) -> int:
+    """How many significant digits are written."""
+    return len(re.split("[eE]", text)[0].translate({ord(c): None for c in "+-."}).lstrip("0"))
+
+
+def read_sheet(path: Path) -> Sheet:
+    """Read a CSV file (comma, semicolon or tab; UTF-8 or GB 18030) or the first sheet of an XLSX file.
+
+    Raises TableError where the file cannot be read, is ragged, has no header or too few rows.
+    """
+    lines = [(n, cells) for n, cells in _lines(path) if any(cells) and not cells[0].startswith("#")]
+    if not lines:
+        raise TableError(f"{path.name}: the table is empty")
+    (head_line, header), body = lines[0], lines[1:]
+    if all(is_number(cell) for cell in header if cell):
+        raise TableError(f"{path.name}, line {head_line}: the first row must name the columns, e.g. phi1, omega5, alpha5")
+    while header and not header[-1]:
+        header.pop()
+    for line, cells in body:
+        if (len(cells) != len(header) and any(cells[len(header) :])) or len(cells) < len(header):
+            raise TableError(f"{path.name}, line {line}: {len(cells)} cells where the header has {len(header)}")
+    units = [""] * len(header)
+    if body and not any(is_number(cell) for cell in body[0][1]):
+        units = [cell.strip("[]()（） ") for cell in body.pop(0)[1]]
+    if len(body) < FEWEST:
+        raise TableError(f"{path.name}: {len(body)} rows of numbers; at least {FEWEST} are needed to compare columns")
+    return Sheet(name=path.name, header=tuple(header), units=tuple(units[: len(header)]), head_line=head_line,
+                 rows=tuple(tuple(cells[: len(header)]) for _, cells in body), lines=tuple(line for line, _ in body))
+
+
+def _lines(path: Path) -> Lines:
+    if path.suffix.lower() in (".xlsx", ".xlsm"):
+        return _of_workbook(path)
+    return _of_text(path)
+
+
+def _of_text(path: Path) -> Lines:
+    try:
+        raw = path.read_bytes()
+    except OSError as error:
+        raise TableError(f"{path}: {error.strerror or 'cannot be read'}") from None
+    if b"\0" in raw:
+        raise TableError(f"{path.name} is no table of text; save it as CSV")
+    for code in ("utf-8-sig", "gb18030"):
+        try:
+            text = raw.decode(code)
+            break
+        except UnicodeDecodeError:
+            continue
+    else:
+        raise TableError(f"{path.name} is neither UTF-8 nor GB 18030 text; save it as CSV in UTF-8")
+    first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
+    mark = max(",;\t，", key=first.count)
+    reader = csv.reader(text.replace("，", ",").splitlines() if mark == "，" else text.splitlines(), delimiter="," if mark == "，" else mark)
+    return ((reader.line_num, [_cell(cell) for cell in cells]) for cells in reader)
+
+
+def _of_workbook(path: Path) -> Lines:
+    try:
+        from openpyxl import load_workbook
+    except ImportError:
+        raise TableError(f"{path.name}: to read XLSX files install openpyxl (pip install openpyxl), or save the sheet as CSV") from None
+    try:
+        book = load_workbook(path, read_only=True, data_only=True)
+    except OSError as error:
+        raise TableError(f"{path}: {error.strerror or 'cannot be read'}") from None
+    except Exception as error:  # a broken archive fails in many ways
+        raise TableError(f"{path.name} is no readable XLSX file ({error})") from None
+    rows = book.worksheets[0].iter_rows(values_only=True)
+    return ((n, [_cell(cell) for cell in row]) for n, row in enumerate(rows, 1))
+
+
+def _cell(value: Any) -> str:
+    """A cell as text; a number of a workbook with the digits that it has."""
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        return f"{value:.15g}"
+    return str(value).translate(_PLAIN).strip()

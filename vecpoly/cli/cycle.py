@@ -1,0 +1,143 @@
+"""vecpoly cycle: the whole cycle of a mechanism: facts and extremes in the terminal, tables as CSV or XLSX, curves."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..errors import NotAskedError, UnknownNameError
+from .errors import about
+from .files import write_bytes
+from .jobs import problems
+from .options import Lang, LangOption, OutOption
+from .terminal import add, say, show, table
+from .wording import bare, number, unit
+
+if TYPE_CHECKING:
+    from ..curves import Plot
+    from ..cycle import Cycle
+    from ..problem.problem import Problem
+
+TABLES, PLOTS = (".csv", ".xlsx"), (".svg", ".pdf", ".png")
+MOST = 2_000_001  # positions
+_COLUMNS = {
+    "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
+}
+
+Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as A-27, or a file.", show_default=False)]
+Count = Annotated[int, typer.Option("-n", min=2, max=MOST, help="Number of positions, both ends included.")]
+Step = Annotated[float | None, typer.Option("--step", min=1e-6, help="Step of the drive in degrees (mm of a sliding input), instead of -n.", show_default=False)]
+PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", help="Draw curves: .svg, .pdf or .png.", show_default=False)]
+Of = Annotated[str, typer.Option("--of", metavar="KEYS", help="Quantities, such as omega_5,alpha_5,a_F,M_1; phi_5, s_45, gamma_23, v_F.x too.", show_default=False)]
+Path_ = Annotated[str, typer.Option("--path", metavar="LETTERS", help="With --plot: the paths of these points, F or E,F.", show_default=False)]
+Hodograph = Annotated[str, typer.Option("--hodograph", metavar="KEY", help="With --plot: the hodograph of a vector, a_F.", show_default=False)]
+
+
+def cycle(name: Id, n: Count = 361, step: Step = None, output: OutOption = None, plot: PlotOption = None, of: Of = "",
+          path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en") -> None:
+    """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
+    _checked(output, TABLES)
+    _checked(plot, PLOTS)
+    if (path or hodograph) and plot is None:
+        raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
+    (problem,) = _one(problems([name]))
+    from ..cycle import cycle as whole
+
+    with about(problem.id):
+        turn = whole(problem, n if step is None else _count(problem, step))
+        keys = tuple(part.strip() for part in of.split(",") if part.strip())
+        for key in keys:
+            turn.info(key)
+        if output is not None:
+            say(f"wrote {write_bytes(output, _encoded(turn, keys, output, lang))}")
+        if plot is not None:
+            drawn = _drawn(turn, problem, keys, path, hodograph, lang)
+            data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}[plot.suffix.lower()]()
+            say(f"wrote {write_bytes(plot, data)}")
+        if output is None and plot is None:
+            _print(turn, problem, keys, lang)
+
+
+def _checked(path: Path | None, endings: tuple[str, ...]) -> None:
+    if path is not None and path.suffix.lower() not in endings:
+        raise UnknownNameError(f"{path}: can be {', '.join(endings)}; end the file's name with one of these")
+
+
+def _one(found: list[Problem]) -> list[Problem]:
+    if len(found) != 1:
+        raise UnknownNameError(f"one problem at a time; these are {', '.join(problem.id for problem in found)}")
+    return found
+
+
+def _count(problem: Problem, step: float) -> int:
+    """Positions that a step makes of the drive's range."""
+    from ..cycle import cycle as whole
+
+    turn = whole(problem, 2)
+    count = round((turn.high - turn.low) * turn.drive.factor / step) + 1
+    if count > MOST:
+        raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {MOST} are possible")
+    return max(count, 2)
+
+
+def _encoded(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> bytes:
+    from ..cycle import csv_bytes, xlsx_bytes
+    from ..cycle import table as tabled
+
+    made = tabled(turn, keys)
+    return csv_bytes(made) if output.suffix.lower() == ".csv" else xlsx_bytes(made, turn.name, lang)
+
+
+def _drawn(turn: Cycle, problem: Problem, keys: tuple[str, ...], path: str, hodograph: str, lang: Lang) -> Plot:
+    from ..curves import curves, trace
+    from ..curves import hodograph as end_curve
+
+    if path:
+        return trace(turn, tuple(letter.strip() for letter in path.split(",")), lang)
+    if hodograph:
+        return end_curve(turn, hodograph, lang)
+    return curves(turn, keys or _asked(turn, problem), lang)
+
+
+def _asked(turn: Cycle, problem: Problem) -> tuple[str, ...]:
+    """What the problem asks and a cycle has: angular velocities and accelerations first."""
+    known = {column.key for column in turn.columns}
+    asked = [ask.rel.key for ask in problem.asks if ask.rel.key in known]
+    turning = [key for key in asked if key.startswith(("omega", "alpha", "M_"))]
+    return tuple(turning or asked or [f"omega_{name}" for name in turn.mech.bodies if name != turn.mech.drive.link])
+
+
+def _print(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang) -> None:
+    """Facts in sentences, extremes in a table, the paths of the points."""
+    from ..cycle import Shape, facts, path, path_sentences, sentences
+
+    typer.echo(f"{problem.id}  {bare(problem.title.of(lang))}\n")
+    for words in sentences(turn, facts(turn)):
+        typer.echo(f"  {_plain(words.of(lang))}")
+    made = table("", [(name, "right" if i > 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
+    for key in keys or tuple(column.key for column in turn.columns):
+        add(made, _row(turn, key))
+    typer.echo("")
+    show(made)
+    for letter in [column.key[2:] for column in turn.columns if column.key.startswith("p_") and not keys]:
+        found = path(turn, letter)
+        if found.shape is Shape.CURVE:
+            typer.echo("  " + ("" if lang == "zh" else " ").join(_plain(words.of(lang)) for words in path_sentences(turn, found)))
+
+
+def _row(turn: Cycle, key: str) -> tuple[str, ...]:
+    from ..cycle import extremes
+
+    found, info = extremes(turn, key), turn.info(key)
+    cells: list[str] = []
+    for spot in (found.highest, found.lowest):
+        here = "—" if spot is None or found.is_constant else number(turn.drive.factor * spot.phi, 7) + unit("deg" if turn.drive.unit == "rad" else " mm")
+        cells += ["—" if spot is None else number(info.factor * spot.value, 7), here]
+    size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
+    return size, unit(info.shown_unit), *cells
+
+
+def _plain(text: str) -> str:
+    return unit(bare(text))

@@ -1,0 +1,129 @@
+"""Curves over the drive's position: quantities of one unit in one pair of axes, panels below each other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..cycle import Column, Cycle, extremes
+from ..drawing.style import Hue
+from ..errors import NotAskedError
+from ..words import Lang, Words
+from . import style
+from .plot import Plot
+from .record import MM
+
+
+def curves(cycle: Cycle, keys: tuple[str, ...], lang: Lang = "zh", *, width: float = style.WIDTH, panel: float = style.PANEL,
+           marks: bool = True) -> Plot:
+    """The columns over the drive's position; each unit has a panel of its own.
+
+    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's greatest and least value.
+    Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
+    """
+    groups = _grouped(cycle, keys)
+    height = panel * len(groups)
+    figure = style.sheet(width, height)
+    limits = [_limits(cycle, group) for group in groups]
+    probe = style.axes(style.sheet(width, height), 20.0, 20.0, 50.0, panel - 25.0)
+    left = max(style.gutter(probe, limit) for limit in limits) + 1.0
+    for i, (group, limit) in enumerate(zip(groups, limits, strict=True)):
+        foot = height - panel * (i + 1) + style.FOOT
+        at = style.axes(figure, left, foot, width - left - style.RIGHT, panel - style.FOOT - style.TOP)
+        _panel(cycle, at, group, limit, marks)
+        label = style.axis_label(_common(group), group[0].shown_unit)
+        top = foot + panel - style.FOOT - style.TOP + 2.2
+        style.text(at, 1.0, top, label)
+        drive = cycle.drive
+        style.text(at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, _drive_label(drive, lang), ha="center")
+        _legend(figure, at, width - style.RIGHT, top, group)
+    return Plot(figure, _title(cycle, groups), lang)
+
+
+def _drive_label(drive: Column, lang: Lang) -> str:
+    words, symbol = drive.words.of(lang), style.axis_label(drive.symbol, drive.shown_unit)
+    return f"{words} {symbol}" if lang == "zh" else f"{words[0].upper()}{words[1:]}, {symbol}"
+
+
+def _grouped(cycle: Cycle, keys: tuple[str, ...]) -> list[list[Column]]:
+    if not keys:
+        raise NotAskedError("no quantity is named: say which curves to draw, such as omega_3,alpha_3")
+    groups: dict[str, list[Column]] = {}
+    for key in dict.fromkeys(keys):
+        info = cycle.info(key)
+        groups.setdefault(info.shown_unit, []).append(cycle.info(f"{key}.abs") if info.is_vector else info)
+    for group in groups.values():
+        if len(group) > len(style.PENS):
+            raise NotAskedError(f"{len(group)} curves in {group[0].shown_unit} cannot be told apart; draw at most {len(style.PENS)} at once")
+    return list(groups.values())
+
+
+def _values(cycle: Cycle, column: Column) -> Any:
+    return column.factor * cycle.real(column.key)
+
+
+def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
+    values = np.concatenate([_values(cycle, column) for column in group])
+    values = values[np.isfinite(values)]
+    if not values.size:
+        return 0.0, 1.0
+    low, high = _clipped(values)
+    margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
+    return low - (margin if low else 0.0), high + margin
+
+
+def _clipped(values: Any) -> tuple[float, float]:
+    """All values; where a few run away (towards a dead point), what 98 % of them need."""
+    low, high = float(values.min()), float(values.max())
+    p, q = (float(x) for x in np.percentile(values, (1, 99)))
+    return (p - (q - p), q + (q - p)) if high - low > 20 * (q - p) > 0 else (low, high)
+
+
+def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float], marks: bool) -> None:
+    drive = cycle.drive
+    phi = drive.factor * cycle.phi
+    at.set_xlim(phi[0], phi[-1])
+    at.set_ylim(*limit)
+    if drive.unit == "rad":
+        style.degrees_ticks(at, phi[0], phi[-1])
+    if limit[0] < 0 < limit[1]:
+        at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
+    for column, pen in zip(group, style.PENS, strict=False):
+        style.line(at, phi, _values(cycle, column), pen, column.key)
+        found = extremes(cycle, column.key) if marks else None
+        if found is None or found.is_constant:
+            continue
+        spots = [s for s in (found.highest, found.lowest) if s and not s.end and limit[0] <= column.factor * s.value <= limit[1]]
+        style.dots(at, [drive.factor * s.phi for s in spots], [column.factor * s.value for s in spots], pen.hue)
+
+
+def _common(group: list[Column]) -> str:
+    """The symbol of one curve, or the letter that all have in common."""
+    if len(group) == 1:
+        return group[0].symbol
+    stems = list(dict.fromkeys(column.symbol.partition("_")[0] for column in group))
+    return ", ".join(stems)
+
+
+def _legend(figure: Any, at: Any, right: float, top: float, group: list[Column]) -> None:
+    """Samples of the pens with their symbols, in one row that ends at the right edge of the axes."""
+    from ..typeset import layout_words
+
+    if len(group) < 2:
+        return
+    sample, gap = 9.0, 4.0
+    widths = [layout_words(f"${column.symbol}$", style.LABEL).width for column in group]
+    x = right - sum(widths) - len(group) * (sample + 1.5) - (len(group) - 1) * gap
+    for column, pen, wide in zip(group, style.PENS, widths, strict=False):
+        (drawn,) = at.plot([x, x + sample], [top + 1.1] * 2, transform=None, clip_on=False, color=pen.hue.value, linewidth=pen.width * MM, scalex=False, scaley=False)
+        if pen.dash.pattern:
+            drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
+        style.text(at, x + sample + 1.5, top, f"${column.symbol}$")
+        x += sample + 1.5 + wide + gap
+
+
+def _title(cycle: Cycle, groups: list[list[Column]]) -> Words:
+    symbols = "、".join(f"${column.symbol}$" for group in groups for column in group)
+    drive = f"${cycle.drive.symbol}$"
+    return Words(f"{symbols} 随 {drive} 的变化曲线", f"{symbols.replace('、', ', ')} over {drive}")

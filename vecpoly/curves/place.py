@@ -1,0 +1,65 @@
+"""Lettering put where it covers nothing: each text tries places around its point and takes the freest."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..typeset import layout_words
+from . import style
+
+Points = NDArray[np.complex128]
+WAYS = np.exp(2j * np.pi * np.arange(16) / 16)
+NEAR = (1.5, 2.4, 3.6, 5.0)  # mm from the point to the text
+
+
+class Placer:
+    """Texts of one pair of axes (data to mm), with the lines and texts that are there already."""
+
+    def __init__(self, at: Any, lines: list[Points]) -> None:
+        self.at = at
+        low, high = (complex(*at.transAxes.transform(corner)) for corner in ((0, 0), (1, 1)))
+        self.low, self.high = low, high
+        self.taken = np.concatenate([_dense(self.mm(line)) for line in lines]) if lines else np.zeros(0, np.complex128)
+        self.boxes: list[tuple[complex, complex]] = []
+
+    def mm(self, places: Points) -> Points:
+        """Data to mm on the figure."""
+        spots = self.at.transData.transform(np.stack([np.real(places), np.imag(places)], axis=-1))
+        return np.asarray(spots[..., 0] + 1j * spots[..., 1], np.complex128)
+
+    def keep_clear(self, places: Points, radius: float) -> None:
+        """Round marks that no text may cover (mm)."""
+        self.boxes += [(z - complex(radius, radius), z + complex(radius, radius)) for z in self.mm(places)]
+
+    def put(self, place: complex, words: str, outward: complex, size: float) -> None:
+        """The text beside the place; of equally free spots that nearest to the outward direction."""
+        box = layout_words(words, size)
+        half = complex(box.width / 2, (box.ascent + box.descent) / 2)
+        here = complex(self.mm(np.array([place]))[0])
+        spots = [(here + way * gap + complex(half.real * way.real, half.imag * way.imag), way, gap) for gap in NEAR for way in WAYS]
+        outward = outward / abs(outward) if abs(outward) else 1.0
+        spot = min(spots, key=lambda s: self._cost(s[0], half) + 0.4 * s[2] - 0.5 * (np.conj(outward) * s[1]).real)[0]
+        self.boxes.append((spot - half, spot + half))
+        style.text(self.at, spot.real - half.real, spot.imag - half.imag + box.descent, words, size=size)
+
+    def _cost(self, spot: complex, half: complex) -> float:
+        grown = half + complex(0.5, 0.5)
+        away = self.taken - spot
+        hits = np.count_nonzero((np.abs(away.real) < grown.real) & (np.abs(away.imag) < grown.imag))
+        low, high = spot - grown, spot + grown
+        laps = sum(a.real < high.real and low.real < b.real and a.imag < high.imag and low.imag < b.imag for a, b in self.boxes)
+        out = low.real < self.low.real or low.imag < self.low.imag or high.real > self.high.real or high.imag > self.high.imag
+        return float(hits) + 20.0 * laps + 100.0 * out
+
+
+def _dense(line: Points) -> Points:
+    """Points every 0.5 mm along a line, which may be interrupted."""
+    parts = [line[np.isfinite(line)]]
+    a, b = line[:-1], line[1:]
+    for p, q in zip(a, b, strict=True):
+        if np.isfinite(p) and np.isfinite(q) and abs(q - p) > 0.5:
+            parts.append(p + (q - p) * np.linspace(0.0, 1.0, int(abs(q - p) / 0.5) + 1))
+    return np.concatenate(parts)

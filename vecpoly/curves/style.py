@@ -1,0 +1,104 @@
+"""How a plot looks: pens that differ in black and white, thin axes, a light grid, lettering of the house."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
+
+from ..drawing.style import GIVEN, THIN, Dash, Hue
+from ..typeset import layout_words
+from .record import DPI, MM
+
+WIDTH, PANEL = 150.0, 62.0  # mm
+TICK, LABEL = 3.1, 3.6  # em of the lettering, mm
+RIGHT, TOP, FOOT = 7.0, 9.0, 13.0  # margins, mm
+
+
+@dataclass(frozen=True, slots=True)
+class Pen:
+    """A curve's line: mm."""
+
+    dash: Dash
+    hue: Hue
+    width: float
+
+
+PENS = (
+    Pen(Dash.FULL, Hue.BLACK, 0.5), Pen(Dash.DASHED, Hue.VELOCITY, 0.5), Pen(Dash.DASH_DOT, Hue.ACCELERATION, 0.5),
+    Pen(Dash.SHORT, Hue.FORCE, 0.5), Pen(Dash.FULL, Hue.GREY, 0.3), Pen(Dash.DASHED, Hue.GREY, 0.3),
+)
+
+
+def sheet(width: float, height: float) -> Figure:
+    """An empty figure of this size in mm, with no background."""
+    figure = Figure(figsize=(width / 25.4, height / 25.4), dpi=DPI)
+    figure.patch.set_visible(False)
+    return figure
+
+
+def axes(figure: Figure, x: float, y: float, width: float, height: float) -> Any:
+    """Axes at a place in mm: thin frame, light grid, ticks inwards."""
+    w, h = (DPI * side for side in figure.get_size_inches())
+    made = figure.add_axes((x / w, y / h, width / w, height / h))
+    made.patch.set_visible(False)
+    made.grid(True, color=Hue.GHOST.value, linewidth=0.13 * MM, linestyle="-")
+    made.set_axisbelow(True)
+    made.tick_params(direction="in", length=1.2 * MM, width=THIN * MM, labelsize=TICK * MM, pad=1.2 * MM)
+    for spine in made.spines.values():
+        spine.set_linewidth(0.25 * MM)
+    for axis in (made.xaxis, made.yaxis):
+        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
+        axis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
+    return made
+
+
+def number(value: float) -> str:
+    """A round number with a real minus."""
+    return ("0" if abs(value) < 1e-12 else f"{value:.8g}").replace("-", "−")
+
+
+def line(at: Any, x: Any, y: Any, pen: Pen, label: str = "_") -> None:
+    """A curve; where it has no value it is interrupted."""
+    (drawn,) = at.plot(x, y, color=pen.hue.value, linewidth=pen.width * MM, label=label, solid_capstyle="round", solid_joinstyle="round")
+    if pen.dash.pattern:  # matplotlib counts dashes in line widths
+        drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
+
+
+def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = False) -> None:
+    """Small round marks, size in mm across."""
+    at.plot(x, y, linestyle="none", marker="o", markersize=size * MM, markerfacecolor=(Hue.WHITE if hollow else hue).value,
+            markeredgecolor=hue.value, markeredgewidth=0.2 * MM, clip_on=False)
+
+
+def text(at: Any, x: float, y: float, words: str, ha: str = "left", va: str = "baseline", size: float = LABEL, data: bool = False) -> None:
+    """Lettering at a place in mm of the figure, or of the axes' data."""
+    where = {"transform": at.transData} if data else {"transform": None}
+    at.text(x, y, words, ha=ha, va=va, fontsize=size * MM, parse_math=False, clip_on=False, **where)
+
+
+def axis_label(symbol: str, unit: str) -> str:
+    """$ω$ / (rad/s), or the symbol alone of a pure number."""
+    return f"${symbol}$" + (f" / ({unit})" if "/" in unit or "·" in unit or unit == "°" else f" / {unit}" if unit else "")
+
+
+def degrees_ticks(at: Any, low: float, high: float) -> None:
+    """Round steps of degrees: thirds of right angles over a whole turn."""
+    span = high - low
+    step = next(s for s in (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720) if span / s <= 12.5)
+    at.xaxis.set_major_locator(FixedLocator(list(step * np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1))))
+
+
+def gutter(at: Any, values: Sequence[float]) -> float:
+    """Width in mm that the tick labels of a y axis with these limits take."""
+    ticks = [t for t in at.yaxis.get_major_locator().tick_values(*values) if values[0] - 1e-9 <= t <= values[1] + 1e-9]
+    return max((layout_words(number(t), TICK).width for t in ticks), default=0.0) + 3.0
+
+
+def thickness() -> float:
+    """Width of the zero line, mm."""
+    return GIVEN / 2

@@ -1,0 +1,205 @@
+"""A mechanism over its whole cycle: one column of numbers for every quantity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import oracle
+from ..errors import AssemblyError, MobilityError
+from ..mechanism.loads import Loads
+from ..mechanism.model import Mechanism
+from ..problem.problem import Problem
+from ..words import Words
+from .columns import Column, catalogue, column_of
+from .follow import follow
+from .sample import Sample, reader, sample
+
+Points = NDArray[np.complex128]
+Reals = NDArray[np.float64]
+BLOCK = 4096
+STEPS = 1440  # of the grid on which turning points are sought
+FINE = 720  # steps a turn within which no link turns half round between two of them
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """A mechanism at n positions of its drive.
+
+    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a rocking input can
+    move; m for a sliding input. whole: whether the drive can turn right round. low, high: the ends of its range.
+    """
+
+    name: str
+    mech: Mechanism
+    loads: Loads | None
+    phi: Reals
+    low: float
+    high: float
+    whole: bool
+    points: tuple[str, ...] | None = None
+    _kept: dict[str, Points | Reals] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def columns(self) -> tuple[Column, ...]:
+        """What a whole-cycle table holds: links, points, slides, transmission angles, with loads what balances and what presses."""
+        return catalogue(self.mech, self.loads, self.points)
+
+    @cached_property
+    def samples(self) -> tuple[Sample, ...]:
+        """All solved positions, in blocks that fit into the processor's cache; kept, for columns to come."""
+        return tuple(self._blocks())
+
+    def _blocks(self) -> Iterator[Sample]:
+        for i in range(0, len(self.phi), BLOCK):
+            yield sample(self.mech, self.loads, self.phi[i : i + BLOCK])
+
+    def solved(self, key: str) -> Points | Reals:
+        """The quantity at every position as the solver gives it: angles within -π..π."""
+        read = reader(self.mech, self.loads, key)
+        parts = [read(block) for block in self.samples]
+        whole: Points = np.concatenate(parts) if len(parts) > 1 else parts[0]  # type: ignore[assignment]
+        return whole
+
+    def read(self, *keys: str) -> tuple[Points | Reals, ...]:
+        """Several columns in one pass that keeps no solved position but these columns: for tens of thousands of positions."""
+        missing = [key for key in dict.fromkeys(keys) if key not in self._kept and key != self.drive.key]
+        if len(self.phi) > BLOCK and missing:
+            readers = [reader(self.mech, self.loads, key) for key in missing]
+            parts = [[read(block) for read in readers] for block in self._blocks()]
+            for key, pieces in zip(missing, zip(*parts, strict=True), strict=True):
+                whole = np.concatenate(pieces)
+                self._kept[key] = follow(whole.real) if self.info(key).turns else whole
+        return tuple(self.column(key) for key in keys)
+
+    @cached_property
+    def ranges(self) -> tuple[str, ...]:
+        """Where the drive can stand, as text: 0..360 deg."""
+        return oracle.feasible(self.mech)
+
+    @property
+    def drive(self) -> Column:
+        """The drive's position: φ_1, or s_1 of a sliding input."""
+        link = self.mech.drive.link
+        if self.mech.drive.slide:
+            return Column(key=f"s_{link}", symbol=f"s_{{{link}}}", unit="m", words=Words(f"主动件 {link} 的位移", f"travel of the driving link {link}"))
+        return Column(key=f"phi_{link}", symbol=f"φ_{{{link}}}", unit="rad", words=Words(f"主动件 {link} 的转角", f"angle of the driving link {link}"))
+
+    @property
+    def assembled(self) -> NDArray[np.bool_]:
+        """Which positions can be assembled and have velocities."""
+        sound: NDArray[np.bool_] = np.logical_and.reduce([np.isfinite(self.column(f"omega_{name}")) for name in self.mech.bodies])
+        return sound
+
+    def info(self, key: str) -> Column:
+        """Symbol, unit and words of a column; UnknownNameError where there is none."""
+        return self.drive if key == self.drive.key else column_of(self.mech, self.loads, key)
+
+    def column(self, key: str) -> Points | Reals:
+        """The quantity at every position: complex for a vector, SI; angles without jumps of 360°; NaN where it does not exist.
+
+        Raises UnknownNameError for a key that this mechanism does not have, EquilibriumError for a force without loads.
+        """
+        if key == self.drive.key:
+            return self.phi
+        if key not in self._kept:
+            self._kept[key] = self._followed(key) if self.info(key).turns else self.solved(key)
+        return self._kept[key]
+
+    def real(self, key: str) -> Reals:
+        """The column as real numbers: a vector's magnitude."""
+        values = self.column(key)
+        return np.abs(values) if np.iscomplexobj(values) else np.asarray(values, np.float64)
+
+    def at(self, key: str, phi: ArrayLike) -> Points | Reals:
+        """The quantity at any positions of the drive, solved there; an angle lies on the same turn as the column."""
+        places = np.asarray(phi, dtype=np.float64)
+        return places if key == self.drive.key else self._on_turn(key, places, sample(self.mech, self.loads, places).value(key))
+
+    @cached_property
+    def _grid(self) -> Sample:
+        """The whole range in a quarter of a degree (of a turn), a little off the round degrees, and two positions more."""
+        step = (self.high - self.low) / STEPS
+        whole = self.low + step * (0.4142 + np.arange(STEPS + 2))
+        return sample(self.mech, self.loads, whole if self.whole else np.linspace(self.low, self.high, STEPS + 1))
+
+    def on_grid(self, key: str) -> tuple[Reals, Points | Reals]:
+        """Positions on which turning points are sought (none of them on a round degree), and the quantity there."""
+        phi = self._grid.phi
+        return phi, phi if key == self.drive.key else self._on_turn(key, phi, self._grid.value(key))
+
+    def _on_turn(self, key: str, places: Reals, values: Points | Reals) -> Points | Reals:
+        """An angle on the turn on which its column is; anything else as it is."""
+        if not self.info(key).turns:
+            return values
+        column = self.real(key)
+        known = np.isfinite(column)
+        if not known.any():
+            return values
+        near = np.interp(places, self.phi[known], column[known])
+        return np.asarray(values + 2 * np.pi * np.round((near - values) / (2 * np.pi)), np.float64)
+
+    def rows(self, step: float) -> NDArray[np.intp]:
+        """Indices of the positions at whole multiples of a step (rad, or m), as far as the grid has them: for a table every 10°."""
+        turns = (self.phi - self.phi[0]) / step
+        return np.flatnonzero(np.abs(turns - np.round(turns)) * step < 1e-3 * (self.phi[1] - self.phi[0]))
+
+    @cached_property
+    def steady(self) -> Cycle:
+        """The same cycle with a drive that moves evenly: of unit rate where it rests. For what depends on the shape of motion alone."""
+        drive = self.mech.drive
+        if drive.rate != 0.0 and drive.accel == 0.0:
+            return self
+        even = replace(self.mech, drives=(replace(drive, rate=drive.rate or 1.0, accel=0.0), *self.mech.drives[1:]))
+        return replace(self, mech=even, loads=None, _kept={})
+
+    def _followed(self, key: str) -> Reals:
+        """The angle without jumps, followed on a grid fine enough that no link turns half round between two positions."""
+        span = abs(self.phi[-1] - self.phi[0]) / (2 * np.pi if not self.mech.drive.slide else self.high - self.low or 1.0)
+        parts = max(1, int(np.ceil(FINE * max(span, 1.0) / max(len(self.phi) - 1, 1))))
+        if parts == 1:
+            return follow(np.asarray(self.solved(key), np.float64))
+        index = np.arange((len(self.phi) - 1) * parts + 1) / parts
+        between = np.interp(index, np.arange(len(self.phi)), self.phi)
+        return follow(np.asarray(sample(self.mech, self.loads, between).value(key), np.float64))[::parts]
+
+
+def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None, points: tuple[str, ...] | None = None,
+          *, over: ArrayLike | None = None) -> Cycle:
+    """The whole cycle of a problem, or of a mechanism.
+
+    n: number of positions, both ends included. loads: instead of the problem's own. points: the letters to be listed in `columns`
+    (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a whole cycle.
+    Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
+    """
+    mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
+    if not mech.drives:
+        raise MobilityError("no link is driven: a cycle needs an `input`")
+    if n < 2:
+        raise AssemblyError(f"{n} positions make no cycle; ask for at least 2")
+    low, high, whole = _range(mech)
+    phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
+    acting = own if loads is None else loads
+    return Cycle(name, mech, acting, phi, low, high, whole, points)
+
+
+def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
+    if not isinstance(problem.subject, Mechanism):
+        raise MobilityError("a device has no cycle; a cycle needs a mechanism with an input")
+    return problem.subject, problem.loads, problem.id
+
+
+def _range(mech: Mechanism) -> tuple[float, float, bool]:
+    """Ends of the range of the drive in which the given position lies; whether it is a whole turn."""
+    drive, full = mech.drive, 2 * np.pi
+    for low, high in oracle.spans(mech):
+        if not drive.slide and high - low >= full * (1 - 1e-12):
+            return low, low + full, True
+        turn = 0.0 if drive.slide else full * np.floor((drive.position - low) / full + 1e-9)
+        if low - 1e-9 <= drive.position - turn <= high + 1e-9:
+            return low, high, False
+    raise AssemblyError("the drive can stand in no position: the mechanism cannot be assembled")

@@ -1,0 +1,114 @@
+"""The mechanism solved at some positions of its drive, and every quantity there by its key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import oracle
+from ..errors import EquilibriumError
+from ..mechanism.loads import Loads
+from ..mechanism.model import Mechanism, Prismatic
+from ..mechanism.quantities import quantities
+from ..names import parse_rel
+from ..oracle.forces import Forces, forces
+from .columns import dyads, slides
+from .transmission import angle_of, arm_of
+
+Points = NDArray[np.complex128]
+Reals = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Kinematics (and, with loads, equilibrium) at the positions phi (rad, or m for a sliding drive); NaN where none exists."""
+
+    mech: Mechanism
+    loads: Loads | None
+    phi: Reals
+    motion: oracle.Motion
+
+    @cached_property
+    def statics(self) -> Forces:
+        """The equilibrium at the same positions; NaN where it locks."""
+        if self.loads is None:
+            raise EquilibriumError("there are no loads: reactions cannot be asked for; give the problem `loads`")
+        return forces(self.mech, self.loads, self.phi, strict=False)
+
+    def value(self, key: str) -> Points | Reals:
+        """The quantity with this key (see `columns`): complex for a vector, SI; angles within -π..π where links do not roll.
+
+        Raises UnknownNameError for a key that this mechanism does not have.
+        """
+        return reader(self.mech, self.loads, key)(self)
+
+    def slide(self, stem: str, joint: Prismatic) -> Reals:
+        """Travel s of the block's pin along the guide from the lettered point (else the line's origin), its rate v, its second rate a."""
+        motion, order = self.motion, {"s": 0, "v": 1, "a": 2}[stem]
+        guide, block = (motion.moving(name, order) if order else motion.body(name) for name in (joint.guide, joint.block))
+        base = self.mech.link(joint.guide).points.get(joint.through, joint.origin)
+        pin = self.mech.link(joint.block).points[joint.pin]
+        along = guide.unit * complex(np.exp(1j * joint.direction))
+        here = block.point(pin)
+        if stem == "s":
+            return dot(along, here - guide.point(base))
+        slip = block.velocity_of(pin) - guide.velocity_at(here)
+        if stem == "v":
+            return dot(along, slip)
+        return dot(along, block.acceleration_of(pin) - guide.acceleration_at(here) - 2j * guide.omega * slip)
+
+
+def dot(a: Points, b: Points) -> Reals:
+    """a · b = a_x b_x + a_y b_y."""
+    found: Reals = a.real * b.real + a.imag * b.imag
+    return found
+
+
+Reader = Callable[[Sample], Points | Reals]
+
+
+def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
+    """How the quantity is read off a sample of this mechanism; UnknownNameError for a key that it does not have."""
+    base, dotted, part = key.partition(".")
+    if dotted:
+        whole = reader(mech, loads, base)
+        return lambda s: _part(whole(s), part)
+    stem, _, rest = key.partition("_")
+    if stem == "phi" and rest in mech.bodies:
+        return lambda s: s.motion.angle(rest)
+    if stem in ("s", "v", "a") and (joint := slides(mech).get(rest)):
+        return lambda s: _full(s, s.slide(stem, joint))
+    if stem in ("gamma", "d") and (dyad := dyads(mech).get(rest)):
+        read = angle_of if stem == "gamma" else arm_of
+        return lambda s: _full(s, read(s.motion, dyad))
+    if loads is not None and key in quantities(mech, loads):
+        return lambda s: s.statics.value(key)
+    rel = parse_rel(key)
+    return lambda s: s.motion.value(rel)
+
+
+def sample(mech: Mechanism, loads: Loads | None, phi: ArrayLike) -> Sample:
+    """The mechanism at these positions; NaN where it cannot be assembled or stands at a dead point."""
+    at = np.asarray(phi, dtype=np.float64)
+    return Sample(mech, loads, at, oracle.solve(mech, at, strict=False))
+
+
+def _part(value: Points | Reals, part: str) -> Reals:
+    match part:
+        case "x":
+            return np.real(value)
+        case "y":
+            return np.imag(value)
+        case "abs":
+            return np.abs(value)
+        case _:
+            return np.angle(value)
+
+
+def _full(sample: Sample, values: Reals) -> Reals:
+    """One element for every position, where the quantity does not change."""
+    return values if values.shape == sample.phi.shape else np.full(sample.phi.shape, values.ravel()[0])

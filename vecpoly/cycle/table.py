@@ -1,0 +1,102 @@
+"""The columns of a cycle as a table with units: CSV and XLSX."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from io import BytesIO, StringIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import AssemblyError
+from ..words import Lang
+from .columns import Column
+from .cycle import Cycle
+
+Reals = NDArray[np.float64]
+SHEET_ROWS = 1_048_576  # of a spreadsheet
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Table:
+    """Real columns in shown units (mm, m/s, °, rad/s, N ...): values[row, column]; NaN where there is none."""
+
+    columns: tuple[Column, ...]
+    values: Reals
+
+
+def table(cycle: Cycle, keys: tuple[str, ...] = (), rows: NDArray[np.intp] | None = None) -> Table:
+    """The drive's position, then these columns (all of the cycle), vectors as x and y; rows: indices, all where none are given."""
+    names = keys or tuple(column.key for column in cycle.columns)
+    parts = [part for name in dict.fromkeys(names) for part in cycle.info(name).parts]
+    columns = [cycle.drive, *(cycle.info(part) for part in parts if part != cycle.drive.key)]
+    index = np.arange(len(cycle.phi)) if rows is None else rows
+    values = np.empty((len(index), len(columns)))
+    for i, column in enumerate(columns):
+        values[:, i] = column.factor * _real(cycle, column.key)[index]
+    return Table(tuple(columns), values)
+
+
+def _real(cycle: Cycle, key: str) -> Reals:
+    base, _, part = key.partition(".")
+    whole = cycle.column(base)
+    if part in ("x", "y"):
+        return whole.real if part == "x" else whole.imag
+    return np.asarray(cycle.column(key), np.float64)
+
+
+def csv_bytes(made: Table) -> bytes:
+    """UTF-8 CSV: a row of keys, a row of units, then the rows with all digits; an empty field where there is no value."""
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([column.key for column in made.columns])
+    writer.writerow([plain(column.shown_unit) for column in made.columns])
+    for row in made.values.tolist():
+        writer.writerow([f"{value:.15g}" if value == value else "" for value in row])
+    return text.getvalue().encode()
+
+
+def xlsx_bytes(made: Table, title: str, lang: Lang) -> bytes:
+    """XLSX: rows of words, keys and units, frozen, then numbers. Raises AssemblyError for more rows than a sheet holds."""
+    from openpyxl import Workbook
+    from openpyxl.styles import Alignment, Font
+
+    if len(made.values) > SHEET_ROWS - 3:
+        raise AssemblyError(f"{len(made.values)} rows are more than a spreadsheet holds ({SHEET_ROWS - 3}); take a coarser step, or CSV")
+    book = Workbook(write_only=True)
+    sheet = book.create_sheet("".join(c for c in title if c not in "[]:*?/\\")[:31] or "cycle")
+    sheet.freeze_panes = "B4"
+    for i in range(len(made.columns)):
+        sheet.column_dimensions[_letters(i)].width = 15
+    for line in ([bare(c.words.of(lang)) for c in made.columns], [c.key for c in made.columns], [plain(c.shown_unit) for c in made.columns]):
+        sheet.append([_cell(sheet, text, Font(bold=True), Alignment(wrap_text=True, vertical="top")) for text in line])
+    for row in made.values.tolist():
+        sheet.append([value if value == value else None for value in row])
+    target = BytesIO()
+    book.save(target)
+    return target.getvalue()
+
+
+def _cell(sheet: object, text: str, font: object, alignment: object) -> object:
+    from openpyxl.cell import WriteOnlyCell
+
+    cell = WriteOnlyCell(sheet, value=text)
+    cell.font, cell.alignment = font, alignment
+    return cell
+
+
+def _letters(index: int) -> str:
+    from openpyxl.utils import get_column_letter
+
+    return str(get_column_letter(index + 1))
+
+
+def plain(unit: str) -> str:
+    """rad/s^2 as rad/s²."""
+    return unit.replace("^2", "²")
+
+
+def bare(text: str) -> str:
+    """Words without the dollar signs and braces of their symbols."""
+    return text.translate({ord(sign): None for sign in "${}"})

@@ -1,0 +1,152 @@
+"""The structure of a mechanism: its joints in one position, and the driving links to be considered.
+
+    joints:
+      A: R(0, 1) at (0, 0)
+      B: R(1, 2) at (35, 92)
+      C: R(2, 3) at (110, 120)
+      D: P(3, 0) at (110, 0) along (0, 1)
+    drivers: [1]          # several possibilities: [1, 5]; two links that drive together: 1+3
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar
+
+from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
+
+from ..names import Named, subscripted
+from .base import Device
+from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural, read_pair
+
+Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
+Letter = Annotated[str, Field(pattern=r"^[A-Z]\d?['′]?$")]
+OFF_LINE = 0.01  # share of the distance between the centres by which a contact may stand beside their line
+
+
+class Structure(Device):
+    """A kinematic chain; sought are its counts, its degree of freedom, its Assur groups and its class."""
+
+    kind: ClassVar[str] = "structure"
+    joints: Annotated[dict[Letter, Joint], Field(min_length=1)]
+    drivers: tuple[str, ...] = ()
+    frame: str = FRAME  # the frame's number as printed
+    links: tuple[str, ...] = ()  # all of them, if they are to be checked against the joints
+
+    @model_validator(mode="after")
+    def _is_a_mechanism(self) -> Structure:
+        names = {_plain(link, self.frame) for joint in self.joints.values() for link in joint.links}
+        if FRAME not in names:
+            raise ValueError("no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)")
+        if self.links and (odd := names ^ {*(_plain(link, self.frame) for link in self.links), FRAME}):
+            raise ValueError(f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both")
+        chain = self.chain
+        for pair in chain.pairs:
+            _check_contact(pair)
+        for together in self.drive_sets:
+            for link in together:
+                _check_driver(chain, link)
+        return self
+
+    @property
+    def chain(self) -> Chain:
+        """The links and pairs as given."""
+        pairs = tuple(self._pair(letter, joint) for letter, joint in self.joints.items())
+        links = {link for pair in pairs for link in pair.links} - {FRAME}
+        return Chain(tuple(sorted(links, key=natural)), pairs)
+
+    def _pair(self, letter: str, joint: Written) -> Pair:
+        links = tuple(_plain(link, self.frame) for link in joint.links)
+        return Pair(letter=letter, form=joint.form, links=links, at=joint.at, along=joint.along,
+                    about=tuple(self._centre(letter, centre) for centre in joint.about))
+
+    def _centre(self, letter: str, centre: complex | str | None) -> complex | None:
+        if not isinstance(centre, str):
+            return centre
+        if centre not in self.joints or centre == letter:
+            raise ValueError(f"joint {letter}: there is no other joint {centre} to be the centre; known: {', '.join(self.joints)}")
+        return self.joints[centre].at
+
+    @property
+    def drive_sets(self) -> tuple[tuple[str, ...], ...]:
+        """The driving links, one set for each possibility."""
+        return tuple(tuple(part.strip() for part in text.split("+")) for text in self.drivers)
+
+    def number(self, link: str) -> str:
+        """A link's number as printed."""
+        return (self.frame if link == FRAME else link).replace("'", "′")
+
+    def free_number(self, index: int) -> str:
+        """The number of the index-th link that replaces a high pair: the next one that no link and no frame has."""
+        used = [natural(link)[0] for link in (*self.chain.links, self.frame)]
+        return str(max((number for number in used if number < 10**6), default=0) + 1 + index)
+
+    @property
+    def touching(self) -> bool:
+        """Whether it has high pairs."""
+        return any(not joint.form.is_lower for joint in self.joints.values())
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The counts, F, whether the motion is determined; after replacement of the high pairs; class and groups for each driver."""
+        low = (N_LOW, P_LOW, F_LOW) if self.touching else ()
+        classes = tuple(named for together in self.drive_sets for named in (groups(together), class_(together)))
+        return (N, P_L, P_H, F_LOCAL, P_REDUNDANT, F, *((DETERMINED,) if self.drivers else ()), *low, *classes)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Joints by their kind with the links that they join; the drivers."""
+        kinds = {form: [f"${subscripted(letter)}$({', '.join(self.number(_plain(link, self.frame)) for link in joint.links)})"
+                        for letter, joint in self.joints.items() if joint.form is form] for form in Form}
+        return tuple((form.value, ", ".join(written)) for form, written in kinds.items() if written)
+
+    @property
+    def size(self) -> float:
+        """The larger side of the sketch (m)."""
+        places = [joint.at for joint in self.joints.values()]
+        return max(max(p.real for p in places) - min(p.real for p in places), max(p.imag for p in places) - min(p.imag for p in places)) or 0.1
+
+
+def _plain(link: str, frame: str) -> str:
+    """A link's name inside: the frame is always 0."""
+    return FRAME if link in (FRAME, frame) else link
+
+
+def _check_contact(pair: Pair) -> None:
+    """The contact lies on the line of the centres."""
+    if pair.form.is_lower:
+        return
+    one, two = pair.about
+    if one is None or two is None:
+        if one == pair.at or two == pair.at:
+            raise ValueError(f"joint {pair.letter}: a point on a flat face has no normal; let the profile have a small radius")
+        return
+    if abs(two - one) < 1e-9:
+        raise ValueError(f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is no high pair")
+    off = abs(((two - one).conjugate() * (pair.at - one)).imag) / abs(two - one)
+    if off > OFF_LINE * abs(two - one):
+        raise ValueError(f"joint {pair.letter}: the contact stands {1e3 * off:.2f} mm beside the line of the two centres, which is the common normal; "
+                         f"put it on the line")
+
+
+def _check_driver(chain: Chain, link: str) -> None:
+    """A driver is a link, joined to the frame by a lower pair."""
+    if link not in chain.links:
+        raise ValueError(f"driver {link} is no link; links: {', '.join(chain.links)}")
+    if not any(pair.form.is_lower and FRAME in pair.links for pair in chain.at(link)):
+        raise ValueError(f"driver {link} is neither pinned to the frame nor slides on it; name a link that is")
+
+
+N, P_L, P_H = Named("n", "n", ""), Named("p_l", "p_L", ""), Named("p_h", "p_H", "")
+F_LOCAL, P_REDUNDANT, F = Named("F_local", "F′", ""), Named("p_redundant", "p′", ""), Named("F", "F", "")
+N_LOW, P_LOW, F_LOW = Named("n_low", "n_1", ""), Named("p_l_low", "p_{L1}", ""), Named("F_low", "F_1", "")
+DETERMINED = Named("determined", "F", "yes/no")
+
+
+def class_(drivers: tuple[str, ...]) -> Named:
+    """The class of the mechanism with these drivers: 2, 3, 4; 0 where it cannot be taken apart."""
+    name = "+".join(drivers)
+    return Named(f"class_{name}", f"J_{{{name}}}", "")
+
+
+def groups(drivers: tuple[str, ...]) -> Named:
+    """How many Assur groups it has with these drivers."""
+    name = "+".join(drivers)
+    return Named(f"groups_{name}", f"m_{{{name}}}", "")

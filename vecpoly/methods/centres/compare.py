@@ -1,0 +1,32 @@
+"""A centre drawn far away that truly lies at infinity, or the other way round, is compared by its direction."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping
+from dataclasses import replace
+from math import degrees, nan
+from typing import Any
+
+from ...board.construction import Reading
+from ...mechanism.centre_quantities import ENDLESS
+
+Exact = Mapping[str, complex | float]
+
+
+def comparable(readings: Mapping[str, Reading], exact: Exact, spread: Mapping[str, Any]) -> tuple[dict[str, Reading], dict[str, complex | float], dict[str, Any]]:
+    """Readings, exact values and repetitions of which each pair is of one kind; where kinds differed, no error can be promised."""
+    drawn, true, errors = dict(readings), dict(exact), dict(spread)
+    for key, reading in readings.items():
+        value = exact[key]
+        if reading.vector is not None and not isinstance(value, complex):
+            drawn[key] = replace(reading, unit=ENDLESS, scalar=_direction(reading.vector), vector=None, scale="")
+            errors[key] = nan
+        elif reading.unit == ENDLESS and isinstance(value, complex):
+            true[key], errors[key] = _direction(value), nan
+    return drawn, true, errors
+
+
+def _direction(at: complex) -> float:
+    """The direction (deg, 0 to 180) in which a far place is seen."""
+    return degrees(cmath.phase(at)) % 180.0

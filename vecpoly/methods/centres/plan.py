@@ -1,0 +1,101 @@
+"""The instant centres of a mechanism: how many, those at sight, the others in order; then what the problem asks of them."""
+
+from __future__ import annotations
+
+from ...board.construction import View
+from ...formula import Row, Txt, row
+from ...mechanism.assur import Group
+from ...mechanism.centre_quantities import KEYS, count, real_links
+from ...names import Kind
+from ...problem.asks import AskNamed, AskPoint, AskRel
+from ...problem.problem import Problem
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, find
+from .at_sight import draw_direct
+from .copy import mechanism_marks
+from .direct import direct_centres, normals, scaled
+from .motions import Motions
+from .polygon import open_polygon
+from .readings import read_centres
+from .search import Known
+from .size import Paper, paper_for
+from .state import NAME, CentreFigure
+
+TITLE = Words("瞬心图", "Instant centres")
+_BY_CENTRES = (Kind.V, Kind.OMEGA)
+
+
+def needs_centres(problem: Problem) -> bool:
+    """Whether the problem asks for centres, or for what is found from them."""
+    asked = any(isinstance(a, AskNamed) and a.rel.key.startswith(KEYS) for a in problem.asks)
+    return asked or problem.by_centres or any(isinstance(a, AskPoint) and a.slowest is not None for a in problem.asks)
+
+
+def needs_polygons(problem: Problem) -> bool:
+    """Whether anything is asked that centres do not give: accelerations, or velocities where the problem does not want them by centres."""
+    return any(not _given_by_centres(problem, ask) for ask in problem.asks)
+
+
+def _given_by_centres(problem: Problem, ask: object) -> bool:
+    match ask:
+        case AskNamed():
+            return True
+        case AskPoint(slowest=slowest):
+            return slowest is not None
+        case AskRel(rel=rel):
+            return rel.kind is Kind.P or (rel.kind in _BY_CENTRES and (problem.by_centres or _of_slowest(problem, ask)))
+    return False
+
+
+def _of_slowest(problem: Problem, ask: AskRel) -> bool:
+    """The velocity of a point that is itself found by centres."""
+    return any(isinstance(a, AskPoint) and a.slowest is not None and a.at == ask.rel.to for a in problem.asks)
+
+
+def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None:
+    """Draw the centres and read the answers off; raises NoMethodError where the theorem leads no further."""
+    direct = direct_centres(desk)
+    paper, seen = paper_for(desk, direct)
+    here = scaled(direct, paper.factor)
+    _count(desk)
+    polygon = open_polygon(desk)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale)
+    fig = CentreFigure(desk=desk, pane=pane, polygon=polygon, paper=paper, known=Known(desk.mech, {}, normals(here), paper.far))
+    _copy(fig, problem, paper, groups)
+    draw_direct(fig, here)
+    for search in seen.searches:
+        find(Stage.CENTRES, "Kennedy").draw(fig, search)
+    motions = Motions(fig)
+    for ask in problem.asks:
+        if isinstance(ask, AskPoint) and ask.slowest is not None:
+            find(Stage.CENTRES, "slowest point").draw(motions, ask)
+    read_centres(motions, problem)
+    _limit_positions(desk, problem)
+
+
+def _count(desk: Desk) -> None:
+    """K links have N = K (K − 1) / 2 centres."""
+    k, n = len(real_links(desk.mech)), count(desk.mech)
+    number = desk.mech.frame_number
+    desk.board.step(Words(f"机构（含机架 {number}）共有 $K$ = {k} 个构件，瞬心数目为", f"With the frame, {number}, the mechanism has $K$ = {k} links; the number of their centres is"))
+    desk.board.write(Row((*row("N = K(K − 1)/2").items, Txt(f" = {k} × {k - 1}/2 = {n}"))))
+
+
+def _copy(fig: CentreFigure, problem: Problem, paper: Paper, groups: tuple[Group, ...]) -> None:
+    """The mechanism once more, reduced where its centres need more room."""
+    if paper.factor < 1:
+        words = Words(f"为使瞬心落在图纸内，另取较大的 $μ_l$ = {paper.scale.value:g} m/mm 重画机构图，作为瞬心图。",
+                      f"So that the centres fall on the paper, draw the mechanism once more to the scale $μ_l$ = {paper.scale.value:g} m/mm.")
+    else:
+        words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")
+    fig.board.step(words, fig.pane)
+    fig.board.mark(fig.pane, *mechanism_marks(fig.desk, problem, paper, groups))
+
+
+def _limit_positions(desk: Desk, problem: Problem) -> None:
+    for ask in problem.asks:
+        if isinstance(ask, AskNamed) and ask.rel.key not in desk.central and ask.rel.key.startswith("phi_"):
+            find(Stage.CENTRES, "limit positions").draw(desk, ask.rel)
+
+

@@ -1,0 +1,114 @@
+"""The answers read off the figure of the centres: where they are, and what the problem asks of the motion."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...board.construction import Reading
+from ...errors import NoMethodError
+from ...formula import Row, Txt, row, sym
+from ...mechanism.centre_quantities import ENDLESS, Pair, centre, centre_speed, link_pairs, ratio
+from ...mechanism.model import FRAME
+from ...names import Kind, Rel
+from ...plane import Points, Reals, nominal, unit
+from ...problem.asks import AskNamed, AskPoint, AskRel
+from ...problem.problem import Problem
+from ...quantity import worked
+from ...words import Words
+from .motions import Motions
+from .ratio import read_ratio
+from .speeds import draw_speeds, read_centre_speed, read_speed
+from .spots import another_line, measured, spot_of
+from .state import CentreFigure
+
+
+def read_centres(motions: Motions, problem: Problem) -> None:
+    """Every answer that centres give, in the order of the questions."""
+    fig, found = motions.fig, []
+    wanted = {ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)}
+    for pair in link_pairs(fig.mech):
+        if centre(fig.mech, *pair).key in wanted:
+            _read_place(fig, pair)
+    slow = {ask.at for ask in problem.asks if isinstance(ask, AskPoint) and ask.slowest is not None}
+    for ask in problem.asks:
+        if isinstance(ask, AskRel) and ask.rel.kind is Kind.OMEGA and problem.by_centres:
+            _read_turn(motions, ask.rel)
+        elif isinstance(ask, AskRel) and ask.rel.kind is Kind.V and (problem.by_centres or ask.rel.to in slow):
+            found.append(read_speed(motions, ask.rel))
+        elif isinstance(ask, AskNamed):
+            found += _read_named(motions, ask.rel.key)
+    draw_speeds(fig, [speed for speed in found if speed is not None])
+
+
+def _read_turn(motions: Motions, rel: Rel) -> None:
+    """ω of a link; that of the driver is given."""
+    link, desk = rel.to.link, motions.fig.desk
+    if link == FRAME:
+        raise NoMethodError("the frame does not turn")
+    motions.find(link)
+    if rel.key not in desk.central:
+        value = motions.turns[link]
+        desk.central[rel.key] = Reading(key=rel.key, symbol=rel.symbol, unit=rel.unit, scalar=float(nominal(value)), formula=worked(sym(rel.symbol), motions.sizes[link], rel.unit))
+        desk.central_repeats[rel.key] = np.asarray(value, dtype=float)
+
+
+def _read_named(motions: Motions, key: str) -> list[tuple[str, Points, Points] | None]:
+    """A ratio ω_i/ω_j, or the velocity of a centre."""
+    mech = motions.fig.mech
+    for a, b in link_pairs(mech):
+        if key == centre_speed(mech, a, b).key:
+            return [read_centre_speed(motions, (a, b))]
+        for pair in ((a, b), (b, a)):
+            if FRAME not in pair and key == ratio(mech, *pair).key:
+                read_ratio(motions, pair)
+    return []
+
+
+def _read_place(fig: CentreFigure, pair: Pair) -> None:
+    """Place in m on the diagram's axes; at infinity the direction in deg."""
+    named, found = centre(fig.mech, *pair), fig.known.of(*pair)
+    if found.along is not None:
+        angle = _upright(fig.board.hand.gauge(np.angle(found.along)))
+        text = Row((sym(named.symbol), Txt(f" → ∞, {float(nominal(angle)):.4g}°")))
+        _keep(fig, Reading(key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text), angle)
+        return
+    mm = _far_place(fig, pair) if pair in fig.paper.far else _near_place(fig, pair)
+    metres = mm * fig.paper.scale.value
+    vector = complex(nominal(metres))
+    text = Row((*row(named.symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
+    _keep(fig, Reading(key=named.key, symbol=named.symbol, unit="m", scalar=abs(vector), vector=vector, scale=fig.paper.scale.symbol, formula=text), np.abs(metres))
+
+
+def _near_place(fig: CentreFigure, pair: Pair) -> Points:
+    """Both coordinates read off the rule (mm)."""
+    at, read = spot_of(fig, *pair).at, fig.board.hand.read
+    return read(np.asarray(at).real) + 1j * read(np.asarray(at).imag)
+
+
+def _far_place(fig: CentreFigure, pair: Pair) -> Points:
+    """Off the paper: from a centre on the paper along the line towards it, by direction and distance (mm)."""
+    far = spot_of(fig, *pair)
+    ways = [way for way in fig.known.ways(pair) if way.via]
+    near = [spot_of(fig, link, way.via) for way in ways for link in pair if not fig.known.of(link, way.via).endless and not fig.far(link, way.via)]
+    if not near:
+        raise NoMethodError(f"no line on the paper leads to {far.letter}, which is off it; choose a larger μ_l")
+    start = max(near, key=lambda spot: abs(float(nominal(np.imag(np.conj(unit(far.at - spot.at)) * another_line(fig, spot, far).along)))))
+    fig.board.step(Words(f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",
+                         f"${far.letter}$ is off the paper: measure the direction of ${start.letter}{far.letter}$; its length follows from proportional segments:"), fig.pane)
+    way = np.exp(1j * fig.board.hand.gauge(np.angle(far.at - start.at)))
+    read = fig.board.hand.read
+    return read(np.asarray(start.at).real) + 1j * read(np.asarray(start.at).imag) + way * measured(fig, start, far).value
+
+
+def _upright(angle: Reals) -> Reals:
+    """A direction without sense, 0 to 180°; its repetitions without a jump."""
+    degrees = np.degrees(np.asarray(angle))
+    first = float(nominal(degrees)) % 180.0
+    first = 0.0 if 180.0 - first < 1e-7 else first
+    near: Reals = first + (degrees - first + 90.0) % 180.0 - 90.0
+    return near if np.ndim(near) else first
+
+
+def _keep(fig: CentreFigure, reading: Reading, scalars: Reals) -> None:
+    fig.desk.central[reading.key] = reading
+    fig.desk.central_repeats[reading.key] = np.asarray(scalars, dtype=float)

@@ -1,0 +1,111 @@
+"""How large the figure of the centres is drawn: μ_l where all fit the paper, else a larger one, and which centres stay off the paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...board.construction import Scale, View
+from ...board.extent import bounds
+from ...board.scales import round_up
+from ...mechanism.centre_quantities import Pair
+from ...plane import Line, cross, nominal
+from ..desk import Desk
+from .direct import Direct, normals
+from .geometry import NONE, Centre
+from .search import Known, Search, order
+
+ROOMS = ((150.0, 185.0), (225.0, 118.0))  # mm that the figure may fill on a page, upright or across
+LEAST = 36.0  # mm that the mechanism must measure on it, for its links to be told apart
+MARGIN = 8.0  # mm of paper round the figure
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Survey:
+    """What a quick sketch shows: the order of search, and where every centre comes to lie (mm on the diagram)."""
+
+    searches: tuple[Search, ...]
+    centres: Mapping[Pair, Centre]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Paper:
+    """The figure's scale, its size against the diagram's, its corners (mm), and the centres that lie beyond."""
+
+    scale: Scale
+    factor: float
+    corners: tuple[complex, complex]
+    far: frozenset[Pair]
+
+    def holds(self, at: complex) -> bool:
+        """Whether a point lies on the paper."""
+        low, high = self.corners
+        return low.real <= at.real <= high.real and low.imag <= at.imag <= high.imag
+
+
+def survey(desk: Desk, direct: tuple[Direct, ...], far: frozenset[Pair] = frozenset()) -> Survey:
+    """Find all centres on the nominal sheet, without leaving a mark."""
+    plain = tuple(_plain(one) for one in direct)
+    known = Known(desk.mech, {one.pair: one.centre for one in plain if one.centre is not None}, normals(plain), far)
+    searches = tuple(order(known, desk.board.hand.nominal.square))
+    return Survey(searches=searches, centres=known.centres)
+
+
+def paper_for(desk: Desk, direct: tuple[Direct, ...]) -> tuple[Paper, Survey]:
+    """The paper, and the search on it; a centre stays off it only where two lines on the paper lead to it."""
+    kept: set[Pair] = set()
+    while True:
+        seen = survey(desk, direct)
+        paper = _paper(desk, seen, kept)
+        seen = survey(desk, direct, paper.far)
+        known = Known(desk.mech, dict(seen.centres), normals(direct), paper.far)
+        lost = {pair for pair in paper.far if not _crossed(known.on_paper(pair))}
+        if not lost:
+            return paper, seen
+        kept |= lost
+
+
+def _crossed(lines: tuple[Line, ...]) -> bool:
+    """Whether two of the lines meet at an angle that a hand can measure."""
+    return max((abs(float(nominal(cross(g.along, h.along)))) for g in lines for h in lines), default=0.0) > NONE
+
+
+def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
+    """The largest round scale on which everything fits; the farthest centres are left out where the mechanism would become too small."""
+    low, high = bounds(desk.board.marks(View.MECHANISM))
+    middle, size = (low + high) / 2, max(high.real - low.real, high.imag - low.imag)
+    mu = desk.board.scales[View.MECHANISM]
+    spots = {pair: centre.spot() for pair, centre in seen.centres.items() if not centre.endless}
+    inside = sorted(spots, key=lambda pair: (pair not in kept, abs(spots[pair] - middle)))
+    while True:
+        corners = _box([low, high, *(spots[pair] for pair in inside)])
+        scale = replace(mu, value=max(mu.value, round_up(mu.value * _too_large(corners))))
+        factor = mu.value / scale.value
+        if set(inside) <= kept or size * factor >= min(LEAST, size):
+            break
+        inside.pop()
+    margin = complex(MARGIN, MARGIN)
+    return Paper(scale=scale, factor=factor, corners=(corners[0] * factor - margin, corners[1] * factor + margin), far=frozenset(set(spots) - set(inside)))
+
+
+def _too_large(corners: tuple[complex, complex]) -> float:
+    """By what factor the figure must shrink to fit one of the rooms."""
+    span = corners[1] - corners[0]
+    return min(max(span.real / wide, span.imag / high, 1e-6) for wide, high in ROOMS)
+
+
+def _box(points: Iterable[complex]) -> tuple[complex, complex]:
+    p = np.array(list(points))
+    return complex(p.real.min(), p.imag.min()), complex(p.real.max(), p.imag.max())
+
+
+def _plain(one: Direct) -> Direct:
+    """As the nominal hand sees it."""
+    centre, normal = one.centre, one.normal
+    if centre is not None:
+        centre = Centre(at=centre.spot()) if not centre.endless else Centre(along=centre.way())
+    if normal is not None:
+        normal = Line(complex(nominal(normal.at)), complex(nominal(normal.along)))
+    return replace(one, centre=centre, normal=normal)

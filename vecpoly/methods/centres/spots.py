@@ -1,0 +1,95 @@
+"""Lengths between centres and points: given by the problem, measured on the figure, or found by proportion where a centre is off the paper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...board.board import letters_node
+from ...errors import NoMethodError
+from ...mechanism.centre_quantities import Pair, pair_of, real_links
+from ...names import subscripted
+from ...plane import Line, Points, cross, nominal, unit
+from ...quantity import Quantity, magnitude, paper
+from ...words import Words
+from .state import CentreFigure
+
+STRIP = 60.0  # mm between the two offsets from which a distance off the paper follows
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spot:
+    """A place on the figure with its letter; `pin`: the letter of the mechanism that stands there; `off`: the centre, where off the paper."""
+
+    letter: str
+    at: Points
+    pin: str = ""
+    off: Pair | None = None
+
+
+def spot_of(fig: CentreFigure, a: str, b: str) -> Spot:
+    """The centre of two links, which is not at infinity."""
+    found, pair = fig.known.of(a, b), pair_of(fig.mech, a, b)
+    assert found.at is not None
+    return Spot(letter=fig.symbol(a, b), at=found.at, pin=_pin(fig, found.spot(), pair), off=pair if pair in fig.paper.far else None)
+
+
+def point_spot(fig: CentreFigure, letter: str, at: Points) -> Spot:
+    """A lettered point."""
+    return Spot(letter=subscripted(letter), at=at, pin=letter)
+
+
+def _pin(fig: CentreFigure, here: complex, pair: Pair) -> str:
+    """The letter of the hinge that is this centre."""
+    real = set(real_links(fig.mech))
+    for letter, at in fig.desk.at.items():
+        if abs(complex(nominal(at)) * fig.paper.factor - here) < 1e-9 and set(pair) <= set(fig.mech.links_at(letter)) & real:
+            return letter
+    return ""
+
+
+def apart(p: Spot, q: Spot) -> float:
+    """Nominal distance on the figure, mm."""
+    return float(abs(complex(nominal(q.at)) - complex(nominal(p.at))))
+
+
+def given(fig: CentreFigure, p: Spot, q: Spot) -> Quantity | None:
+    """l_AB where the problem gives it: both places are points of one link."""
+    if p.pin and q.pin and any({p.pin, q.pin} <= set(points) for points in (fig.mech.frame, *(link.points for link in fig.mech.links))):
+        return fig.desk.length(p.pin, q.pin)
+    return None
+
+
+def measured(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
+    """The length on the figure (mm), read off the rule; by proportion where one end is off the paper."""
+    if p.off is not None and q.off is not None:
+        raise NoMethodError(f"the distance of {p.letter} and {q.letter}, both off the paper, cannot be measured")
+    if p.off is not None:
+        p, q = q, p
+    if q.off is None:
+        return fig.board.measure(p.at, q.at, f"{p.letter} {q.letter}")
+    return _by_proportion(fig, p, q)
+
+
+def _by_proportion(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
+    """PQ = s d_1 / (d_1 − d_2): d_1 and d_2 are the offsets, s mm apart on the line PQ, from another line that leads to Q."""
+    other = another_line(fig, p, q)
+    way = unit(q.at - p.at)
+    offsets = [np.abs(cross(other.along, at - other.at)) for at in (p.at, p.at + way * STRIP)]
+    d1, d2 = (magnitude(f"d_{n}", fig.board.hand.read(d), "mm") for n, d in zip((1, 2), offsets, strict=True))
+    s = magnitude("s", STRIP, "mm")
+    fig.board.remark(Words(f"（在 ${p.letter}{q.letter}$ 方向上相距 $s$ 的两处量取到另一连线的距离 $d_1$、$d_2$。）",
+                           f" (The offsets $d_1$ and $d_2$ from another line to ${q.letter}$ are measured $s$ apart on ${p.letter}{q.letter}$.)"))
+    node = letters_node(f"{p.letter} {q.letter}")
+    return Quantity(paper(node, 0.0).node, fig.board.compute(f"{p.letter}{q.letter}", s * d1 / (d1 - d2), "mm").value, "mm")
+
+
+def another_line(fig: CentreFigure, p: Spot, q: Spot) -> Line:
+    """A line that leads to a centre off the paper and leaves out the place p: the one that meets PQ best."""
+    assert q.off is not None
+    way = complex(nominal(unit(q.at - p.at)))
+    best = max(fig.known.on_paper(q.off), key=lambda line: abs(float(nominal(cross(line.along, way)))), default=None)
+    if best is None or abs(float(nominal(cross(best.along, way)))) < 1e-9:
+        raise NoMethodError(f"no second line on the paper leads to {q.letter}, which is off it; choose a larger μ_l")
+    return best

@@ -1,0 +1,113 @@
+"""The two figures of the centres while they are drawn, and the centres found so far (mm on their figure)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...board.board import Board
+from ...board.construction import Pane
+from ...board.marks import Dot, Point, Role, Segment, Vector
+from ...mechanism.centre_quantities import Pair, centre, pair_of
+from ...mechanism.model import Mechanism
+from ...plane import Line, nominal
+from ..desk import Desk
+from .geometry import Centre
+from .search import Known
+from .size import Paper
+
+NAME = "centres"
+BEYOND = 5.0  # mm a line runs on beyond the outermost of its centres
+GAP, ARROW = 5.0, 13.0  # mm from a slide to the arrow that shows the way to its centre at infinity; its length
+TO_LETTER = 1.5  # mm from an arrow's tip to its letter
+
+
+@dataclass(slots=True)
+class CentreFigure:
+    """The figure of the centres (`pane`), the polygon, the centres, and how large the figure is."""
+
+    desk: Desk
+    pane: Pane
+    polygon: Pane
+    paper: Paper
+    known: Known
+
+    @property
+    def board(self) -> Board:
+        """The sheet."""
+        return self.desk.board
+
+    @property
+    def mech(self) -> Mechanism:
+        """The mechanism."""
+        return self.desk.mech
+
+    def symbol(self, a: str, b: str) -> str:
+        """P_{13}, for sentences and labels."""
+        return centre(self.mech, a, b).symbol
+
+    def letters(self, a: str, b: str) -> str:
+        """The same with its sign at infinity: P_{34}^{∞}."""
+        return self.symbol(a, b) + ("^{∞}" if self.known.of(a, b).endless else "")
+
+    def numbers(self, *links: str) -> str:
+        """Links by their printed numbers: 123."""
+        return "".join(self.mech.number(name) for name in links)
+
+    def far(self, a: str, b: str) -> bool:
+        """Whether a centre lies off the paper."""
+        return pair_of(self.mech, a, b) in self.paper.far
+
+    # -- marks --------------------------------------------------------------------------------------------------
+
+    def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
+        """Letter a centre: a point, or an arrow from `start` towards infinity; one off the paper is lettered at its lines."""
+        found = self.known.of(*pair)
+        if found.endless:
+            self.point_out(start, self._outwards(start, found.way()), self.letters(*pair))
+        elif pair not in self.paper.far:
+            self.board.plot(self.pane, found.spot(), self.letters(*pair), dot)
+
+    def point_out(self, start: complex, way: complex, label: str) -> None:
+        """An arrow away from the figure, with a letter at its tip."""
+        tip = start + way * (GAP + ARROW)
+        self.board.mark(self.pane, Vector(a=start + way * GAP, b=tip, role=Role.DIRECTION), Point(at=tip + way * TO_LETTER, label=label, dot=Dot.NONE))
+
+    def rule(self, line: Line, *on: Centre) -> None:
+        """A thin line through these centres, a little beyond the outermost; towards one off the paper it ends at the edge with an arrow."""
+        at, along = complex(nominal(line.at)), complex(nominal(line.along))
+        spots = [c.spot() for c in on if not c.endless] + [at]
+        near = [s for s in spots if self.paper.holds(s)]
+        if not near:
+            return  # it runs beside the paper
+        reach = [float((np.conj(along) * (s - at)).real) for s in near]
+        low, high = min(reach) - BEYOND, max(reach) + BEYOND
+        self.board.mark(self.pane, Segment(a=at + along * low, b=at + along * high, role=Role.DIRECTION))
+
+    def rule_out(self, line: Line, target: Pair) -> None:
+        """The line's way to a centre off the paper: on to the edge, with an arrow and its letter."""
+        at, along = complex(nominal(line.at)), complex(nominal(line.along))
+        way = along if float((np.conj(along) * (self.known.of(*target).spot() - at)).real) > 0 else -along
+        tip = self._edge(at, way)
+        if tip is not None:
+            self.board.mark(self.pane, Vector(a=at, b=tip, role=Role.DIRECTION), Point(at=tip + way * TO_LETTER, label=self.letters(*target), dot=Dot.NONE))
+
+    def _edge(self, at: complex, way: complex) -> complex | None:
+        """Where a ray from a point of the paper leaves it."""
+        low, high = self.paper.corners
+        if not self.paper.holds(at):
+            return None
+        reach = [((high.real if way.real > 0 else low.real) - at.real) / way.real if abs(way.real) > 1e-12 else np.inf,
+                 ((high.imag if way.imag > 0 else low.imag) - at.imag) / way.imag if abs(way.imag) > 1e-12 else np.inf]
+        return at + way * float(min(reach))
+
+    def _outwards(self, start: complex, way: complex) -> complex:
+        """Of both senses the one that leads to the nearer edge of the paper; up where both are alike."""
+        ahead, back = (self._edge(start, w) for w in (way, -way))
+        if ahead is None or back is None:
+            return way
+        gap = abs(ahead - start) - abs(back - start)
+        if abs(gap) < 1.0:
+            return way if (way.imag, way.real) > (-way.imag, -way.real) else -way
+        return way if gap < 0 else -way

@@ -1,0 +1,102 @@
+"""The page: Jinja2 joins steps, figures, motion, fonts, style and script into one HTML file that loads nothing."""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from ..data import data_dir
+from ..report.content import statement
+from ..solution import Solution
+from ..typeset.fonts import Face
+from ..typeset.words import is_han
+from ..words import Lang, Words, label
+from .faces import font_css
+from .figures import LANGS, Shown, shown_figures
+from .ink import Ink
+from .motion import moving
+from .readings import names, readings
+from .steps import html, sections
+from .turned import Cycle, cycle
+from .type import words_html
+
+PLACES = 72  # of the drive, over the cycle
+LIMIT = 1_000_000  # bytes: a page that would be larger has half as many places
+GAP = 800  # units between figures one under the other
+_HEADINGS = re.compile(r"<(h1|h2|button|summary|thead|output)\b.*?</\1>", re.S)  # what is set in Hei
+
+
+def player_html(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0) -> str:
+    """The player of a solved problem as one HTML document: its steps, and its figures at `places` places of the drive.
+
+    A page that would be larger than a megabyte has half as many places.
+    """
+    ink = Ink()
+    through = cycle(solution, places, seed=seed)
+    turning = len(through.turns) > 1
+    context: dict[str, Any] = {
+        "lang": lang, "title": _title(solution), "problem": _problem(solution, ink),
+        "sections": sections(solution.construction.steps, ink.faces), "count": len(solution.construction.steps),
+        "figures": _stacked(shown_figures(solution.construction, ink)), "turning": turning,
+        "slides": turning and solution.problem.mechanism.drive.slide,
+        "names": names(solution, ink.faces) if turning else (), "drive": _drive(solution, ink) if turning else "",
+        "motion": _motion(through, ink) if turning else "",
+    }
+    page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
+    return page if len(page.encode()) <= LIMIT or not turning else player_html(solution, lang=lang, places=places // 2, seed=seed)
+
+
+def _rendered(context: dict[str, Any], ink: Ink) -> str:
+    """The filled template, with just the characters that stand in it as fonts."""
+    template = _environment().get_template("page.html.j2")
+    plain = template.render(context | {"fonts": ""})
+    ink.faces.take(plain)
+    ink.faces.need(Face.HEI, "".join(char for part in _HEADINGS.finditer(plain) for char in part[0] if is_han(char)))
+    return template.render(context | {"fonts": font_css(ink.faces.used)})
+
+
+@cache
+def _environment() -> Environment:
+    return Environment(loader=FileSystemLoader(data_dir("templates") / "player"), autoescape=False, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+
+
+def _motion(through: Cycle, ink: Ink) -> str:
+    """Figures and readings at all places, as data for the script."""
+    return _json({"shown": [turn.shown for turn in through.turns], "start": through.start, "all": through.whole,
+                  "readings": readings(through.turns, ink.faces), "figures": moving(through, ink)})
+
+
+def _title(solution: Solution) -> Words:
+    name, title = label(solution.problem.id), solution.problem.title
+    return Words(f"{name.zh}　{title.zh}".strip(), f"{name.en}: {title.en}" if name.en else title.en)
+
+
+def _problem(solution: Solution, ink: Ink) -> list[tuple[Words, Words]]:
+    """Statement, what is given, what is asked, the scales: each with its heading."""
+    said = {lang: statement(solution, lang) for lang in LANGS}
+    heads = {"statement": Words("", ""), "given": Words("已知：", "Given: "), "asked": Words("求：", "Find: "), "scales": Words("比例尺：", "Scales: ")}
+    return [(head, html(Words(said["zh"][key], said["en"][key]), ink.faces)) for key, head in heads.items() if said["zh"][key]]
+
+
+def _drive(solution: Solution, ink: Ink) -> str:
+    """The symbol of the drive's datum."""
+    return words_html(f"${solution.problem.given.motion[0].symbol}$", ink.faces)
+
+
+def _stacked(figures: tuple[Shown, ...]) -> list[tuple[Shown, int, int]]:
+    """Each figure with where it stands as long as no script has placed it: one under the other."""
+    out, down = [], 0
+    for one in figures:
+        x, y, _, height = one.box
+        out.append((one, -x, down - y))
+        down += height + GAP
+    return out
+
+
+def _json(data: object) -> str:
+    """Data inside a script element, in which `</` must not stand."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False).replace("</", "<\\/")

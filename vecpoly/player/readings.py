@@ -1,0 +1,52 @@
+"""The asked quantities beside the moving figures: a line each, and what it reads for every place of the drive."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..mechanism.centre_quantities import is_place
+from ..quantity import number
+from ..report.tables import way
+from ..report.values import called, printed_unit, value
+from ..solution import YES_NO, Answer, Solution
+from ..words import Words
+from .figures import LANGS
+from .steps import html
+from .turned import Turned
+from .type import Faces, words_html
+
+Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, direction en, exact
+
+
+def names(solution: Solution, faces: Faces) -> tuple[tuple[str, Words], ...]:
+    """Key and symbol of each quantity asked."""
+    return tuple((key, html(Words(*(called(a.reading.symbol, key, lang) for lang in LANGS)), faces)) for key, a in solution.answers.items())
+
+
+def readings(turns: Sequence[Turned], faces: Faces) -> list[list[Cells]]:
+    """For every place, for every quantity: as drawn, its direction or sense, and exact."""
+    return [[_cells(answer, turn.solution, faces) for answer in turn.solution.answers.values()] for turn in turns]
+
+
+def _cells(answer: Answer, solution: Solution, faces: Faces) -> Cells:
+    if is_place(answer.key):
+        return _place(answer, faces)
+    ways = html(Words(*(way(answer, solution.problem, lang) for lang in LANGS)), faces)
+    unit = answer.reading.unit
+    shown = html(Words(*(value(_clean(answer.drawn), unit, lang, answer.key) for lang in LANGS)), faces)
+    exact = value(answer.exact, YES_NO, "en") if unit == YES_NO else number(_clean(printed_unit(unit)[0] * answer.exact), 5)
+    return shown.zh, shown.en, ways.zh, ways.en, words_html(exact, faces)
+
+
+def _place(answer: Answer, faces: Faces) -> Cells:
+    """Coordinates of a point in mm; of one at infinity its direction."""
+    if answer.drawn_vector is None or answer.exact_vector is None:
+        drawn, exact = (f"{turn:.1f}°".replace("-", "−") for turn in (answer.drawn, answer.exact))
+        return "∞", "∞", drawn, drawn, exact
+    drawn, exact = (words_html(f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})", faces) for v in (answer.drawn_vector, answer.exact_vector))
+    return f"{drawn} mm", f"{drawn} mm", "—", "—", exact
+
+
+def _clean(size: float) -> float:
+    """Zero where only rounding noise is left."""
+    return 0.0 if abs(size) < 1e-9 else size

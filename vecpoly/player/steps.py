@@ -1,0 +1,108 @@
+"""The steps in words: each sentence with its equation and formulas as HTML, in both languages, and as it is read aloud."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+from itertools import groupby
+
+from ..board.construction import EquationTable, Step
+from ..formula import Node, Vec, plain, row, sym
+from ..typeset import layout, layout_words
+from ..words import Lang, Words
+from .type import Faces, formula_html, spoken, symbol_html, words_html
+
+WIDEST, CELL, SIGN = 18.2, 0.35, 1.1  # em: a phone's column less white, white in a cell, a sign with its white
+CAPTION = 0.85  # em: size of the rows' names
+CAPTIONS = (Words("方向", "Direction"), Words("大小", "Magnitude"))
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """One step on the page: sentence, equation and formulas as HTML; the whole as spoken."""
+
+    number: int
+    words: Words
+    equation: Words | None
+    formulas: tuple[str, ...]
+    said: Words
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """Steps under their heading."""
+
+    title: Words
+    steps: tuple[Told, ...]
+
+
+def sections(steps: tuple[Step, ...], faces: Faces) -> tuple[Section, ...]:
+    """All steps under their headings."""
+    return tuple(Section(html(title, faces), tuple(_told(step, faces) for step in inside)) for title, inside in groupby(steps, key=lambda s: s.section))
+
+
+def html(words: Words, faces: Faces) -> Words:
+    """Words with their symbols as HTML."""
+    return Words(words_html(words.zh, faces), words_html(words.en, faces))
+
+
+def _told(step: Step, faces: Faces) -> Told:
+    table = None if step.equation is None else Words(_table(step.equation, "zh", faces), _table(step.equation, "en", faces))
+    return Told(step.number, html(step.words, faces), table, tuple(formula_html(node, faces) for node in step.formulas), said(step))
+
+
+def said(step: Step) -> Words:
+    """The step as a screen reader says it."""
+    end = "".join(f" {spoken(plain(node))};" for node in step.formulas)
+    equation = f" {equation_said(step.equation)};" if step.equation is not None else ""
+    return Words(spoken(step.words.zh) + equation + end, spoken(step.words.en) + equation + end)
+
+
+def equation_said(table: EquationTable) -> str:
+    """The equation alone on one line."""
+    return spoken("".join(f" {sign} {symbol}" for sign, symbol in zip(table.signs, table.symbols, strict=True)))
+
+
+def vector(symbol: str) -> Node:
+    """The symbol with an arrow; a row (``μ_a n'n``) stays as it is."""
+    try:
+        return Vec(sym(symbol))
+    except ValueError:
+        return row(symbol)
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """One term of an equation: the sign before it, symbol, direction and magnitude as HTML, and how wide it will be (em)."""
+
+    sign: str
+    cells: tuple[str, str, str]
+    width: float
+
+
+def _table(table: EquationTable, lang: Lang, faces: Faces) -> str:
+    """The equation over its rows of directions and magnitudes, cut where it would be wider than a phone."""
+    rows = zip(table.symbols, table.signs, table.directions, table.magnitudes, strict=True)
+    terms = [_term(symbol, sign, direction.of(lang), magnitude, faces) for symbol, sign, direction, magnitude in rows]
+    groups: list[list[Term]] = [[]]
+    room = WIDEST - layout_words(CAPTIONS[1].of(lang), CAPTION).width
+    for term in terms:
+        if groups[-1] and sum(t.width for t in groups[-1]) + term.width > room:
+            groups.append([])
+        groups[-1].append(term)
+    name = f' aria-label="{escape(equation_said(table))}"'
+    return f'<div class="scroll" role="group"{name}>{"".join(_group(group, lang) for group in groups)}</div>'
+
+
+def _term(symbol: str, sign: str, direction: str, magnitude: str, faces: Faces) -> Term:
+    boxes = (layout(vector(symbol), 1.0), layout_words(direction, 1.0), layout_words(magnitude, 1.0))
+    cells = (symbol_html(vector(symbol), faces), words_html(direction, faces), words_html(magnitude, faces))
+    return Term(sign.replace("-", "−"), cells, max(box.width for box in boxes) + CELL + (SIGN if sign else 0.0))
+
+
+def _group(terms: list[Term], lang: Lang) -> str:
+    """Three rows of some of the terms."""
+    heads = ("<td></td>", *(f'<th scope="row">{caption.of(lang)}</th>' for caption in CAPTIONS))
+    rows = (head + "".join((f'<td class="sign">{"" if i else term.sign}</td>' if term.sign else "") + f"<td>{term.cells[i]}</td>" for term in terms)
+            for i, head in enumerate(heads))
+    return f'<table class="equation">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'

@@ -1,0 +1,125 @@
+"""Set type and words for the page: glyph runs as SVG, sentences as HTML, and the characters that each face must bring along."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from html import escape
+from typing import assert_never
+
+from ..formula import Node, Sym, Txt, plain, row, split_words
+from ..typeset import Box, Glyphs, Rule, layout
+from ..typeset.box import MM
+from ..typeset.fonts import MISSING, Face, glyph, missing_text
+from ..typeset.layout import segments
+from ..typeset.runs import SHOWN
+
+EM = 10.0  # mm: size at which formulas for the page are set; 1 em = 1000 units
+_UPRIGHT = "π∞Σ"
+_RAISED = re.compile(r"\^\{?([-−]?\d+)\}?")
+
+
+@dataclass(slots=True)
+class Faces:
+    """The characters used of each face."""
+
+    used: dict[Face, set[str]] = field(default_factory=dict)
+
+    def need(self, face: Face, text: str) -> None:
+        """These characters must be there."""
+        self.used.setdefault(face, set()).update(text)
+
+    def take(self, text: str) -> None:
+        """Characters of running text, each in the face that has it."""
+        for char in set(text):
+            if char > " " and (found := glyph(char, Face.STIX)).font != MISSING:
+                self.need(Face(found.font), char)
+
+    def letters(self, text: str) -> None:
+        """Characters of symbols, in the italic as well."""
+        for char in set(text):
+            if char > " " and (found := glyph(char, Face.ITALIC)).font != MISSING:
+                self.need(Face(found.font), char)
+
+
+def short(face: Face) -> str:
+    """The class of type in this face."""
+    return f"k{list(Face).index(face)}"
+
+
+def set_box(box: Box, faces: Faces, units: float) -> str:
+    """The box as SVG, its origin at 0, 0; `units` in a millimetre."""
+    return "".join(_element(item, faces, units) for item in box.items)
+
+
+def _element(item: Glyphs | Rule, faces: Faces, units: float) -> str:
+    match item:
+        case Rule(x, y, width, height):
+            return (f'<rect x="{round(units * x)}" y="{round(-units * (y + height))}" width="{max(1, round(units * width))}" '
+                    f'height="{max(1, round(units * height))}"/>')
+        case Glyphs(font, size, x, y, text):
+            face, shown = (Face.STIX, "".join(map(missing_text, text))) if font == MISSING else (Face(font), text)
+            faces.need(face, shown)
+            left, down = round(units * x), round(-units * y)
+            at = (f' x="{left}"' if left else "") + (f' y="{down}"' if down else "")
+            return f'<text class="{short(face)}"{at} font-size="{round(units * size / MM)}">{escape(shown)}</text>'
+    assert_never(item)
+
+
+def formula_html(node: Node, faces: Faces) -> str:
+    """A formula of its own, cut before its relations so that a narrow screen can break it there."""
+    pieces = "".join(_svg(box, faces) for box in segments(node, EM, before=True))
+    return f'<span class="formula" role="img" aria-label="{escape(spoken(plain(node)))}">{pieces}</span>'
+
+
+def symbol_html(node: Node, faces: Faces) -> str:
+    """A symbol in a table, with its arrow if it has one."""
+    return f'<span class="formula" role="img" aria-label="{escape(spoken(plain(node)))}">{_svg(layout(node, EM), faces)}</span>'
+
+
+def _svg(box: Box, faces: Faces) -> str:
+    units = 1000 / EM
+    pad = 0.04 * EM  # slanted letters lean out of their widths
+    view = f"{round(-units * pad)} {round(-units * (box.ascent + pad))} {round(units * (box.width + 2 * pad))} {round(units * (box.height + 2 * pad))}"
+    size = f"height:{(box.height + 2 * pad) / EM:.3f}em;width:{(box.width + 2 * pad) / EM:.3f}em;vertical-align:{-(box.descent + pad) / EM:.3f}em"
+    return f'<svg aria-hidden="true" viewBox="{view}" style="{size}">{set_box(box, faces, units)}</svg>'
+
+
+def words_html(text: str, faces: Faces) -> str:
+    """A sentence with its symbols between dollar signs, as HTML."""
+    return "".join(f'<span class="m">{"".join(_inline(item, faces) for item in row(piece).items)}</span>' if formula else _running(piece, faces)
+                   for formula, piece in split_words(text))
+
+
+def _running(text: str, faces: Faces) -> str:
+    faces.take(text)
+    pieces = [f"<sup>{piece.translate(SHOWN)}</sup>" if i % 2 else escape(piece) for i, piece in enumerate(_RAISED.split(text))]
+    return "".join(pieces)
+
+
+def _inline(node: Node, faces: Faces) -> str:
+    match node:
+        case Sym(base, sub, sup):
+            if sup and not sup.strip("′'"):
+                return f'<span class="nb">{_sloped(base, faces)}<span class="prime">{_sloped(sup, faces)}</span>{f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""}</span>'
+            below = f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""
+            above = f"<sup>{_sloped(sup, faces)}</sup>" if sup else ""
+            scripts = f'<span class="ss">{above}{below}</span>' if above and below else above + below
+            return f'<span class="nb">{_sloped(base, faces)}{scripts}</span>'
+        case Txt(text):
+            return _running(text, faces)
+    raise AssertionError(node)
+
+
+def _sloped(text: str, faces: Faces) -> str:
+    """Latin and Greek letters italic, digits and primes upright."""
+    shown = text.translate(SHOWN)
+    faces.letters(shown)
+    faces.take(shown)
+    pieces = re.findall(rf"[^\W\d_{_UPRIGHT}]+|.", shown)
+    return "".join(f"<i>{escape(p)}</i>" if p[0].isalpha() and ord(p[0]) < 0x400 and p[0] not in _UPRIGHT else escape(p) for p in pieces)
+
+
+def spoken(text: str) -> str:
+    """Words for a screen reader: no dollar signs, no braces, no marks of scripts."""
+    return re.sub(r"\s+", " ", text.translate({ord(c): None for c in "${}^"}).replace("_", " ")).strip()

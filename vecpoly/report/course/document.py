@@ -1,0 +1,38 @@
+"""All that the course template may say: the chapters in order, each made by its own file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...solution import Solution
+from ...words import Lang, Words
+from ..content import Objects
+from ..picture import picture
+from . import analysis, appendix, axes, comparison, drawings, modelling, results, statement, structure
+from .numbering import Press, drawn
+from .study import study
+
+_COVER = (130.0, 95.0)  # mm
+KIND = Words("机械原理课程大作业", "Theory of machines: course assignment")
+
+
+def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
+    """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without a closed form."""
+    subject = study(solution)
+    press = Press(lang, objects)
+    stations = comparison.compared(subject)
+    return {
+        "id": subject.problem.id, "title": subject.problem.title.of(lang), "kind": KIND.of(lang), "cover": _cover(solution, lang, objects),
+        "hand": solution.construction.hand, "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
+        "task": statement.task(subject, press), "structure": structure.chapter(subject, press), "axes": axes.chapter(subject, press),
+        "model": modelling.chapter(subject, press), "results": results.chapter(subject, press),
+        "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)), "comparison": comparison.chapter(subject, press, stations),
+        "analysis": analysis.chapter(subject, press, stations), "appendix": appendix.chapter(subject, press),
+    }
+
+
+def _cover(solution: Solution, lang: Lang, objects: Objects) -> str:
+    from ...drawing.figure import draw_figure
+
+    figure = picture(solution.problem, solution.construction, *_COVER)
+    return objects.add("cover", drawn(draw_figure(figure, lang=lang, caption=False), "")) if figure else ""

@@ -1,0 +1,66 @@
+"""PRP and RPP: a point slides on two known lines at once and is found where they cross."""
+
+from __future__ import annotations
+
+from ....words import Words
+from .equations import Equation, Part, Stage
+from .expr import Expr, Var
+from .scope import Scope, both
+from .stages import ACCELERATION, POSITION, VELOCITY, Solved
+from .track import Track
+
+_KEEPS = Words("两移动副使构件间的夹角保持不变：", "The slides keep the angles between the links:")
+
+
+def crossing(scope: Scope, one: Track, two: Track, c: str, first: tuple[Equation, ...] = ()) -> Solved:
+    """C on both lines: two linear equations in both travels at every order. first: equations of the angles on which the lines depend."""
+    (u1, w1), (u2, w2) = one.unit, two.unit
+    determinant = u1 * w2 - w1 * u2
+    return Solved(
+        (Stage(POSITION, (*((Part(_KEEPS, first),) if first else ()), *_position(scope, one, two, c, determinant))), Stage(VELOCITY, _velocity(scope, one, two, c)),
+         Stage(ACCELERATION, _acceleration(scope, one, two, c))),
+        determinant,
+        Words("$G_1$ 为两导路夹角的正弦；两导路平行时 $G_1$ = 0，杆组处于奇异位置，接近平行时方程组病态。",
+              "$G_1$ is the sine of the angle between both guides; where they are parallel the group is singular, and near there ill-conditioned."),
+    )
+
+
+def _position(scope: Scope, one: Track, two: Track, c: str, determinant: Expr) -> tuple[Part, ...]:
+    (x1, y1), (x2, y2) = one.foot(scope), two.foot(scope)
+    dx, dy = Var("Δ_x"), Var("Δ_y")
+    return (
+        Part(Words(f"${c}$ 同在两导路上，$s_{{{one.name}}}$、$s_{{{two.name}}}$ 为其沿两导路的坐标，故",
+                   f"${c}$ lies on both guides, at $s_{{{one.name}}}$ and $s_{{{two.name}}}$ along them:"),
+             both(one.point(scope), two.point(scope), gives=False)),
+        Part(Words("解此线性方程组得", "two linear equations, solved by"),
+             (Equation(Var("G_1"), determinant), Equation(dx, x2 - x1), Equation(dy, y2 - y1),
+              *_solved(one, two, one.travel, two.travel, dx, dy), *both(scope.xy(c), one.point(scope)))),
+    )
+
+
+def _solved(one: Track, two: Track, first: Expr, second: Expr, dx: Expr, dy: Expr) -> tuple[Equation, Equation]:
+    """first u₁ − second u₂ = Δ."""
+    (u1, w1), (u2, w2), g = one.unit, two.unit, Var("G_1")
+    return Equation(first, (dx * w2 - dy * u2) / g), Equation(second, (dx * w1 - dy * u1) / g)
+
+
+def _velocity(scope: Scope, one: Track, two: Track, c: str) -> tuple[Part, ...]:
+    (x1, y1), (x2, y2) = one.carried(scope, c), two.carried(scope, c)
+    dx, dy = Var("Δ_{vx}"), Var("Δ_{vy}")
+    return (
+        Part(Words("将位置方程对时间求导，得", "Differentiated once,"), both(one.velocity(scope, c), two.velocity(scope, c), gives=False)),
+        Part(Words("其中 $v_r$ 为沿导路的滑动速度。解为", "$v_r$ being the sliding speeds; solved by"),
+             (Equation(dx, x2 - x1), Equation(dy, y2 - y1), *_solved(one, two, one.speed, two.speed, dx, dy),
+              *both(scope.v(c), one.velocity(scope, c)))),
+    )
+
+
+def _acceleration(scope: Scope, one: Track, two: Track, c: str) -> tuple[Part, ...]:
+    (x1, y1), (x2, y2) = one.dragged(scope, c), two.dragged(scope, c)
+    dx, dy = Var("Δ_{ax}"), Var("Δ_{ay}")
+    return (
+        Part(Words("再求导一次，得", "Differentiated again,"), both(one.acceleration(scope, c), two.acceleration(scope, c), gives=False)),
+        Part(Words("解为", "solved by"),
+             (Equation(dx, x2 - x1), Equation(dy, y2 - y1), *_solved(one, two, one.push, two.push, dx, dy),
+              *both(scope.a(c), one.acceleration(scope, c)))),
+    )

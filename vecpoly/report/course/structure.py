@@ -1,0 +1,103 @@
+"""Chapter 2, the structure: links, joints and freedom counted, the groups in order, each drawn apart."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ...drawing.figure import draw_figure
+from ...drawing.scene import Scene
+from ...mechanism.assur import Group, decompose, hinges, joint_letter
+from ...mechanism.mobility import mobility
+from ...mechanism.model import FRAME, Joint, Prismatic, Revolute
+from ...words import Words
+from ..structure import structure
+from .apart import apart
+from .numbering import Press
+from .study import Study
+
+_JOINTS = {"zh": ["运动副", "类型", "相连的构件"], "en": ["Joint", "Kind", "Links joined"]}
+_GROUPS = {"zh": ["次序", "组成", "类型", "级别", "外副", "内副"], "en": ["Order", "Links", "Kind", "Class", "Outer joints", "Inner joint"]}
+_GAP = 12.0  # mm between two groups drawn apart
+_ROOM = 165.0  # mm
+
+
+def chapter(study: Study, press: Press) -> dict[str, Any]:
+    """Counts, tables of joints and groups, figure."""
+    press.chapter = "2"
+    count = mobility(study.mech)
+    return {
+        "words": structure(study.problem).of(press.lang), "count": str(count).replace("·", " × ").replace("F = 3n - 2p_L - p_H", "$F = 3n − 2p_L − p_H$").replace(" - ", " − "),
+        "joints": _joints(study, press), "groups": _groups(study, press),
+        "figure": press.figure(_side_by_side(study, press), Words("原动件与各基本杆组", "The driving link and the Assur groups")),
+        "n": count.links, "lower": count.lower, "higher": count.higher, "freedom": count.freedom,
+    }
+
+
+def _joints(study: Study, press: Press) -> str:
+    rows: list[tuple[str, ...]] = []
+    comma = "、" if press.lang == "zh" else ", "
+    thought = {contact.substitute for contact in study.mech.contacts}
+    for point, names in hinges(study.mech).items():
+        real = [name for name in names if name not in thought]
+        kind = Words("转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）", "revolute" if len(real) < 3 else f"compound hinge, {len(real) - 1} revolutes")
+        if len(real) > 1:
+            rows.append((f"${point}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in real)))
+    for joint in study.mech.joints:
+        if not isinstance(joint, Revolute) and not {getattr(joint, "block", ""), getattr(joint, "guide", "")} & thought:
+            pair = (joint.block, joint.guide) if isinstance(joint, Prismatic) else (joint.gear.link, joint.on.link)
+            letter = joint.pin if isinstance(joint, Prismatic) else joint.point
+            kind = Words("移动副", "prismatic") if isinstance(joint, Prismatic) else Words("纯滚动副", "pure rolling")
+            rows.append((f"${letter}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in pair)))
+    for contact in study.mech.contacts:
+        rows.append((f"${contact.point}$", Words("高副", "higher pair").of(press.lang), comma.join(_link(study, name).of(press.lang) for name in contact.links)))
+    return press.table(Words("运动副", "Joints"), _JOINTS[press.lang], rows, "cll")
+
+
+def _link(study: Study, name: str) -> Words:
+    number = study.mech.number(name)
+    return Words(f"机架 {number}", f"frame {number}") if name == FRAME else Words(f"构件 {number}", f"link {number}")
+
+
+def _groups(study: Study, press: Press) -> str:
+    drive = study.mech.drive
+    comma = "、" if press.lang == "zh" else ", "
+    pair = Words("移动副" if drive.slide else "转动副", "a slide" if drive.slide else "a hinge").of(press.lang)
+    first: tuple[str, ...] = ("0", study.name(drive.link), Words("原动件", "driving link").of(press.lang), "I" if press.lang == "en" else "Ⅰ", pair, "—")
+    rows = [first]
+    for i, group in enumerate(decompose(study.mech), 1):
+        outer = comma.join(_joint(out.joint) for out in group.outer)
+        inner = comma.join(_joint(joint) for joint in group.inner)
+        kind = group.kind if group.dyad else "—"
+        rows.append((str(i), comma.join(study.name(name) for name in group.links), kind, _class(group, press.lang), outer, inner))
+    return press.table(Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc")
+
+
+def _joint(joint: Joint) -> str:
+    letter = joint_letter(joint)
+    point = joint.pin if isinstance(joint, Prismatic) else joint.point
+    return f"{letter} (${point}$)"
+
+
+def _class(group: Group, lang: str) -> str:
+    told = "II" if group.dyad else group.kind.removeprefix("class ")
+    return told if lang == "en" else {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}.get(told, told)
+
+
+def _side_by_side(study: Study, press: Press) -> Scene:
+    """All groups in rows, each with its name."""
+    scenes = [draw_figure(figure, lang=press.lang) for figure in apart(study)]
+    lines: list[list[Scene]] = [[]]
+    for scene in scenes:
+        used = sum(s.extents.width + _GAP for s in lines[-1])
+        if lines[-1] and used + scene.extents.width > _ROOM:
+            lines.append([])
+        lines[-1].append(scene)
+    placed, y = Scene((), scenes[0].extents), 0.0
+    for line in lines:
+        x, foot = 0.0, max(s.extents.height for s in line)
+        for scene in line:
+            e = scene.extents
+            placed = Scene((*placed.items, *scene.moved(complex(x - e.x0, y - foot - e.y0)).items), e)
+            x += e.width + _GAP
+        y -= foot + _GAP / 2
+    return Scene.of(placed.items)

@@ -1,0 +1,84 @@
+"""The table of contents: its page numbers are forms that the document fills in when the pages are known."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ...typeset.box import MM
+from ...typeset.canvas import Ink
+from ...typeset.words import layout_words
+from ...words import Lang
+from .base import Block
+from .style import BODY
+
+_STEP = {2: 19.0, 3: 15.5}  # pt from an entry's top to the next
+_INDENT = {2: 0.0, 3: 16.0}  # pt
+_GAP = 3.0  # pt between the dots of a leader
+_ROOM = 22.0  # pt kept for the page number
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A heading: its words, its level (2 or 3), the bookmark of its place."""
+
+    text: str
+    level: int
+    key: str
+
+
+def page_form(key: str) -> str:
+    """The name of the form that holds the page number of a bookmark."""
+    return f"vecpoly-page-{key}"
+
+
+class Contents(Block):
+    """Headings with dotted leaders to their page numbers; every line is a link. `entries` is set by the document."""
+
+    def __init__(self, lang: Lang = "zh", entries: Sequence[Entry] = ()) -> None:
+        super().__init__(4.0, 6.0)
+        self.lang, self.entries = lang, tuple(entries)
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        self.width, self.height = width, sum(_STEP[entry.level] for entry in self.entries)
+        return width, self.height
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """Whole entries to each page."""
+        used, count = 0.0, 0
+        while count < len(self.entries) and used + _STEP[self.entries[count].level] <= height:
+            used += _STEP[self.entries[count].level]
+            count += 1
+        if not 0 < count < len(self.entries):
+            return []
+        return [Contents(self.lang, self.entries[:count]), Contents(self.lang, self.entries[count:])]
+
+    def draw(self) -> None:
+        """Draw every entry."""
+        y = self.height
+        for entry in self.entries:
+            y -= _STEP[entry.level]
+            self._entry(entry, y + 4.5)
+
+    def _entry(self, entry: Entry, y: float) -> None:
+        ink, left = Ink(self.canv), _INDENT[entry.level]
+        chapter = entry.level == 2
+        style = replace(BODY, size=10.5 if chapter else 10.0)
+        text = layout_words(entry.text, style.em, chapter)
+        ink.box(text, left, y)
+        ink.flush()
+        start, end = left + text.width * MM + 5.0, self.width - _ROOM
+        if end > start:
+            self.canv.saveState()
+            self.canv.setLineWidth(0.6)
+            self.canv.setLineCap(1)
+            self.canv.setDash([0.1, _GAP])
+            first = start + (end - start) % _GAP  # the dots of all lines stand under each other
+            self.canv.line(first, y + 1.2, end, y + 1.2)
+            self.canv.restoreState()
+        self.canv.saveState()
+        self.canv.translate(self.width, y)
+        self.canv.doForm(page_form(entry.key))
+        self.canv.restoreState()
+        self.canv.linkRect("", entry.key, (0.0, y - 3.0, self.width, y + 10.0), relative=1, thickness=0)

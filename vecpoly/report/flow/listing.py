@@ -1,0 +1,83 @@
+"""A file as it was written: monospaced lines with their numbers, long ones folded."""
+
+from __future__ import annotations
+
+from ...typeset.box import MM, Box
+from ...typeset.canvas import Ink
+from ...typeset.fonts import Face
+from ...typeset.runs import run
+from ...typeset.words import is_han
+from .base import Block
+from .style import GREY
+
+_SIZE, _LEADING = 8.0, 11.2  # pt
+_MARGIN = 22.0  # pt for the numbers
+_CELL = 0.602  # em, the advance of the face
+_LEAST = 3  # lines that a page break leaves together
+
+
+class Listing(Block):
+    """Lines of a text file; (number, text) pairs, the number empty on the folded rest of a line."""
+
+    def __init__(self, text: str = "", lines: tuple[tuple[str, str], ...] = ()) -> None:
+        super().__init__(4.0, 8.0)
+        self._text = text
+        self._lines = lines
+
+    def wrap(self, width: float, height: float) -> tuple[float, float]:
+        """Size in a column."""
+        if not self._lines and self._text:
+            cells = int((width - _MARGIN) / (_CELL * _SIZE))
+            self._lines = tuple(pair for i, line in enumerate(self._text.rstrip("\n").split("\n"), 1) for pair in _folded(str(i), line, cells))
+        self.width, self.height = width, _LEADING * len(self._lines) + 4.0
+        return width, self.height
+
+    def split(self, width: float, height: float) -> list[Block]:
+        """Whole lines to each page."""
+        self.wrap(width, height)
+        count = min(int((height - 4.0) / _LEADING), len(self._lines) - _LEAST)
+        if count < _LEAST:
+            return []
+        return [Listing(lines=self._lines[:count]), Listing(lines=self._lines[count:])]
+
+    def draw(self) -> None:
+        """Draw numbers, a fine rule, and the lines."""
+        canv, y = self.canv, self.height - 2.0
+        canv.saveState()
+        canv.setFillColorRGB(*GREY)
+        ink = Ink(canv)
+        ink.rule(_MARGIN - 5.0, 0.0, 0.4, self.height)
+        for i, (number, _) in enumerate(self._lines, 1):
+            box = _set(number, 0.8)
+            ink.box(box, _MARGIN - 9.0 - box.width * MM, y - i * _LEADING + 3.0)
+        ink.flush()
+        canv.restoreState()
+        for i, (_, text) in enumerate(self._lines, 1):
+            ink.box(_set(text), _MARGIN, y - i * _LEADING + 3.0)
+        ink.flush()
+
+
+def _set(text: str, factor: float = 1.0) -> Box:
+    return run(text, Face.MONO, factor * _SIZE / MM)
+
+
+def _wide(char: str) -> float:
+    """Cells that a character takes."""
+    return 1 / _CELL if is_han(char) else 1.0
+
+
+def _folded(number: str, line: str, cells: int) -> list[tuple[str, str]]:
+    """The line cut after so many cells, at a blank where one is near; the rest is indented."""
+    indent = " " * (len(line) - len(line.lstrip(" ")) + 2)
+    out: list[tuple[str, str]] = []
+    rest = line
+    while sum(map(_wide, rest)) > cells:
+        used, count = 0.0, 0
+        while used + _wide(rest[count]) <= cells:
+            used += _wide(rest[count])
+            count += 1
+        blank = rest.rfind(" ", len(indent) + count // 2, count)
+        count = blank + 1 if blank > 0 else count
+        out.append((number if not out else "", rest[:count]))
+        rest = indent + rest[count:]
+    return [*out, (number if not out else "", rest)]
