@@ -112,6 +112,8 @@ def draw_rate(st: Statics, rate: Rate) -> None:
 
 def _mass_works(st: Statics, link: str, centre: str) -> Iterator[Work]:
     for acting in st.inertia.get(link, []):
+        if abs(nominal(acting.vector)) < NO_LENGTH:
+            continue  # a_S = 0 in this position
         rate = along_force(st, At(centre, link), unit(acting.vector), acting.named.symbol)
         size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
         yield Work(named=acting.named, expr=size * rate.expr, sign=rate.sign, rate=rate)

@@ -110,7 +110,7 @@ def _chart(study: Study, press: Press, found: Compared) -> str:
     last: dict[str, str] = {}
     for key in found.keys:
         last[study.whole.info(key).shown_unit] = key
-    keys = list(last.values())[:_SHOWN]
+    keys = list(last.values())[-_SHOWN:]
     plot = curves(study.turn, tuple(keys), press.lang, panel=47.0, marks=False)
     x = [study.turn.drive.factor * station.phi for station in found.stations]
     for axes, key in zip(plot.figure.axes, keys, strict=True):
