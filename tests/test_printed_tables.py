@@ -30,7 +30,7 @@ from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle import Motion
 from vecpoly.problem.load import load
 
-PRINTED = Path(__file__).parent / "data" / "printed"
+PRINTED = Path(__file__).parent.parent / "problems" / "homework" / "tables"
 Reals = NDArray[np.float64]
 FEW = settings(max_examples=6, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 TURN = np.arange(0.0, 361.0, 10.0)

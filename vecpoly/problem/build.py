@@ -46,6 +46,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
+    tables = _tables(spec, tree, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
     return Problem(
@@ -60,11 +61,25 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         scales=scales,
         printed=printed,
         errata=tuple(spec.errata),
+        tables=tables,
         given=_given(bodies, motion, acting),
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
     )
+
+
+def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
+    """Files of printed tables, found beside the file that names them."""
+    found = []
+    for i, name in enumerate(spec.tables):
+        with faults.at("tables", i):
+            place = tree.places.get(("tables", i))
+            file = (Path(place.file).parent if place else Path()) / name
+            if not file.is_file():
+                raise FaultError(f"no table '{name}' beside this file (looked for {file})")
+            found.append(file)
+    return tuple(found)
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:

@@ -123,6 +123,7 @@ class Problem:
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()
+    tables: tuple[Path, ...] = ()  # printed tables over the cycle
     given: Given = field(default_factory=Given)
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None

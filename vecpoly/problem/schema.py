@@ -127,6 +127,7 @@ class ProblemSpec(Spec):
     method: Literal["polygons", "centres"] = Field("polygons", description="velocities by vector polygons, or by instant centres")
     printed: list[PrintedSpec] = []
     errata: list[Text] = []
+    tables: list[str] = Field([], description="printed tables (CSV or XLSX) to be checked, as paths beside this file")
     sheet: SheetSpec | None = None
     guesses: dict[str, Pair] = {}
     loads: dict[str, LoadSpec] = {}

@@ -25,6 +25,7 @@ from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, frames, picture
+from .printed_tables import printed_tables
 from .tables import empty_table, percent, printed_table, readings_table, symbol_of
 from .titles import subject
 
@@ -102,7 +103,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         }
     checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
     return common | {
-        "lines": objects.add("tab", lines) if lines else "",
+        "lines": objects.add("tab", lines) if lines else "", "tables": printed_tables(solution.problem, lang, objects),
         "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
         "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",

@@ -8,6 +8,7 @@ from ...solution import Solution
 from ...words import Lang, Words
 from ..content import Objects
 from ..picture import picture
+from ..printed_tables import printed_tables
 from . import analysis, appendix, axes, comparison, drawings, modelling, results, statement, structure
 from .numbering import Press, drawn
 from .study import study
@@ -28,6 +29,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "model": modelling.chapter(subject, press), "results": results.chapter(subject, press),
         "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)), "comparison": comparison.chapter(subject, press, stations),
         "analysis": analysis.chapter(subject, press, stations), "appendix": appendix.chapter(subject, press),
+        "tables": printed_tables(subject.problem, lang, objects),
     }
 
 
