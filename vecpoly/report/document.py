@@ -103,7 +103,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         }
     checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
     return common | {
-        "lines": objects.add("tab", lines) if lines else "", "tables": printed_tables(solution.problem, lang, objects),
+        "lines": objects.add("tab", lines) if lines else "", "tables": printed_tables(solution.problem, lang),
         "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
         "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",

@@ -7,20 +7,20 @@ from typing import Any
 from ..check.table import TableCheck, check_table
 from ..problem.problem import Problem
 from ..words import Lang
-from .content import Objects
-from .flow.table import DataTable
-
-_HEAD = {"zh": ("列", "结论", "说明"), "en": ("Column", "Verdict", "What is behind it")}
 
 
-def printed_tables(problem: Problem, lang: Lang, objects: Objects) -> list[dict[str, Any]]:
+def printed_tables(problem: Problem, lang: Lang) -> list[dict[str, Any]]:
     """One entry a table: its file name, what is to be said of the whole, the verdict on each column, remarks."""
-    return [_table(check_table(problem, file), lang, objects) for file in problem.tables]
+    return [_table(check_table(problem, file), lang) for file in problem.tables]
 
 
-def _table(checked: TableCheck, lang: Lang, objects: Objects) -> dict[str, Any]:
-    rows = [(one.column.header, one.verdict.words.of(lang), one.words.of(lang)) for one in checked.columns]
+def _table(checked: TableCheck, lang: Lang) -> dict[str, Any]:
     return {
-        "name": checked.name, "whole": [words.of(lang) for words in checked.whole], "notes": [words.of(lang) for words in checked.notes],
-        "columns": objects.add("tab", DataTable(_HEAD[lang], rows, (22.0, 30.0, 118.0), "lll")),
+        "name": checked.name, "whole": _run_on([words.of(lang) for words in checked.whole], lang), "notes": _run_on([words.of(lang) for words in checked.notes], lang),
+        "columns": [one.words.of(lang) for one in checked.columns],
     }
+
+
+def _run_on(texts: list[str], lang: Lang) -> str:
+    """Several remarks in one box, numbered."""
+    return texts[0] if len(texts) == 1 else ("　" if lang == "zh" else "  ").join(f"({i}) {text}" for i, text in enumerate(texts, 1))

@@ -29,7 +29,7 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "model": modelling.chapter(subject, press), "results": results.chapter(subject, press),
         "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)), "comparison": comparison.chapter(subject, press, stations),
         "analysis": analysis.chapter(subject, press, stations), "appendix": appendix.chapter(subject, press),
-        "tables": printed_tables(subject.problem, lang, objects),
+        "tables": printed_tables(subject.problem, lang),
     }
 
 
