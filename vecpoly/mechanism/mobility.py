@@ -44,21 +44,14 @@ def mobility(mech: Mechanism) -> Mobility:
     )
 
 
-def _thought(mech: Mechanism) -> set[str]:
-    """The links that only stand for higher pairs."""
-    return {contact.substitute for contact in mech.contacts}
-
-
 def _pins(mech: Mechanism) -> list[tuple[str, ...]]:
     """The links at each hinge, without substitutes."""
-    thought = _thought(mech)
-    return [tuple(name for name in names if name not in thought) for names in hinges(mech).values()]
+    return [tuple(name for name in names if name not in mech.substitutes) for names in hinges(mech).values()]
 
 
 def _real(mech: Mechanism) -> list[Joint]:
     """The joints, without those of substitutes."""
-    thought = _thought(mech)
-    return [joint for joint in mech.joints if not thought & set(ends(joint))]
+    return [joint for joint in mech.joints if not mech.substitutes & set(ends(joint))]
 
 
 def check(mech: Mechanism) -> Mobility:

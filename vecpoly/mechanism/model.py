@@ -204,10 +204,14 @@ class Mechanism:
         return self.drives[0]
 
     @property
+    def substitutes(self) -> frozenset[str]:
+        """Names of the links that are only thought, in place of higher pairs."""
+        return frozenset(contact.substitute for contact in self.contacts)
+
+    @property
     def bodies(self) -> tuple[str, ...]:
         """Names of the moving links that exist, without the substitutes of higher pairs."""
-        thought = {contact.substitute for contact in self.contacts}
-        return tuple(link.name for link in self.links if link.name not in thought)
+        return tuple(link.name for link in self.links if link.name not in self.substitutes)
 
     @property
     def frame_number(self) -> str:

@@ -26,28 +26,33 @@ def load_named(load: Load) -> Named:
     return Named(load.name, load_symbol(load.name), "N" if isinstance(load, Force) else "N·m")
 
 
+def without_friction(named: Named) -> Named:
+    """The same reaction or balancing load without friction: R_12,0, M_10."""
+    stem, _, sub = named.key.partition("_")
+    zero = f"{sub},0" if named.is_vector else f"{sub}0"
+    return Named(f"{named.key}_0", f"{stem}_{{{zero}}}", named.unit, named.is_vector)
+
+
 def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
     """Links that press on each other in a joint or a contact, as names; each pair once."""
-    thought = {contact.substitute for contact in mech.contacts}
     found = [(a, b) for names in hinges(mech).values() for i, a in enumerate(names) for b in names[i + 1:]]
     found += [ends(joint) for joint in mech.joints if not isinstance(joint, Revolute)]
     found += [contact.links for contact in mech.contacts]
-    return tuple(dict.fromkeys(pair for pair in found if not thought & set(pair)))
+    return tuple(dict.fromkeys(pair for pair in found if not mech.substitutes & set(pair)))
 
 
 def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     """Every quantity of the loaded mechanism by its key."""
     unknown = load_named(loads.unknown)
-    stem, _, sub = unknown.key.partition("_")
-    found = [unknown, Named("eta", "η", "")]
-    found += [Named(f"{unknown.key}_0", f"{stem}_{{{sub}0}}", unknown.unit)]
-    found += [Named(f"{unknown.key}_{way}", f"{stem}_{{{sub}0}}", unknown.unit) for way in ("lever", "power")]
+    ideal = without_friction(unknown)
+    found = [unknown, Named("eta", "η", ""), ideal]
+    found += [Named(f"{unknown.key}_{way}", ideal.symbol, unknown.unit) for way in ("lever", "power")]
     if unknown.unit == "N·m":
         found.append(Named("h", "h", "m"))
     for a, b in pairs(mech):
         for by, on in ((a, b), (b, a)):
             named = reaction(mech.number(by), mech.number(on))
-            found += [named, Named(f"{named.key}_0", f"R_{{{mech.number(by)}{mech.number(on)},0}}", "N", True)]
+            found += [named, without_friction(named)]
     for mass in loads.masses:
         link = mass.link
         found += [Named(f"F_I{link}", f"F_{{I{link}}}", "N", True), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m"), Named(f"h_{link}", f"h_{link}", "m")]

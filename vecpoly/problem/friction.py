@@ -43,7 +43,7 @@ def read_friction(entries: dict[str, FrictionSpec], mech: Mechanism, faults: Fau
 def _slide(one: str, other: str, mech: Mechanism) -> tuple[str, str]:
     """(block, guide) of the sliding pair of two links by printed numbers; for a pin in a slot the block is thought."""
     pair = {mech.named(one), mech.named(other)}
-    known, thought = [], {contact.substitute for contact in mech.contacts}
+    known, thought = [], mech.substitutes
     for joint in mech.joints:
         if not isinstance(joint, Prismatic) or joint.block in thought:
             continue
@@ -71,7 +71,7 @@ def _pinned(name: str, mech: Mechanism) -> None:
 
 def _pins(mech: Mechanism) -> tuple[str, ...]:
     """Letters of the pins that exist; those of the substitutes of contacts do not."""
-    thought = {contact.substitute for contact in mech.contacts}
+    thought = mech.substitutes
     return tuple(letter for letter, names in hinges(mech).items() if len(set(names) - thought) > 1)
 
 

@@ -61,7 +61,7 @@ def _slides(desk: Desk) -> list[Direct]:
 def _slots(desk: Desk) -> list[Direct]:
     """A pin that runs in a slot: a contact whose common normal stands on the slot at the pin."""
     real, out = set(real_links(desk.mech)), []
-    thought = {contact.substitute for contact in desk.mech.contacts}
+    thought = desk.mech.substitutes
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and joint.pin_in_slot and joint.block not in real | thought and joint.guide in real:
             carrier = next(name for name in desk.mech.links_at(joint.pin) if name in real)

@@ -15,6 +15,7 @@ from ...plane import Line, Points, Reals, cross, foot, nominal
 from ...quantity import Expr, Quantity, Sum, magnitude
 from .group_body import draw_arm
 from .letters import arm_about_point
+from .readings import measured
 from .state import Acting, Statics
 
 
@@ -53,9 +54,7 @@ def size_of(st: Statics, force: Acting) -> Quantity:
     """A force in N: given or computed, or read off the polygon on which it was found."""
     if force.drawn is None:
         return magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
-    drawn = force.drawn
-    on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
-    return magnitude(force.named.symbol, (st.board.mu(drawn.place) * on_paper).value, "N")
+    return magnitude(force.named.symbol, measured(st, force.drawn).value, "N")
 
 
 def _of_forces(st: Statics, pane: Pane, link: str, about: Points) -> Iterator[tuple[Expr, Reals]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...mechanism.model import FRAME, Revolute
+from ...mechanism.model import FRAME
 from ...plane import Line, Points, dot, nominal
 from ...vector.equation import Term
 from ...words import Words
@@ -23,7 +23,6 @@ def close_polygon(st: Statics, held: Held, load: Resultant, line: Line, through:
         Term(rel=force, symbol=force.symbol, direction=Words("作用线已知", "line known"), magnitude="?", along=line.along),
         Term(rel=frame, symbol=frame.symbol, direction=Words("方向已定", "direction found"), magnitude="?", along=u)))
     sought, rest = drawn[force.key], drawn[frame.key]
-    at = x + u * dot(u, st.desk.at[held.joint.point] - x) if isinstance(held.joint, Revolute) else x
-    st.settle(FRAME, link, rest.end - rest.start, at, rest, sense)
+    st.settle(FRAME, link, rest.end - rest.start, st.at_joint(held.joint, Line(x, u)), rest, sense)
     sign = 1 if nominal(dot(sought.end - sought.start, line.along)) > 0 else -1
     st.balance = keep_measured(st, force, sought, sign)

@@ -20,7 +20,7 @@ from .state import Statics
 _SOURCE = "机械原理, equilibrium of a link under a couple"
 
 
-@method(stage=Stage.FORCE, group="link under a couple", source=_SOURCE, example="crank-press",
+@method(stage=Stage.FORCE, group="link under a couple", source=_SOURCE, example="",
         title=Words("受力偶的构件：R = M / h", "Link under a couple: R = M / h"))
 def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     """R of `by` along its known line, −R of the parent tangent to the friction circle of its pin; R h balances the couple M.
@@ -40,7 +40,7 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     u = line.along
     if st.ideal is None:  # the sense follows from the couple
         u = u * np.where(np.asarray(moment) * (np.conj(line.at - centre) * u).imag > 0, -1, 1)
-    at = centre + 1j * u * sense * st.rho(pin)  # the parent's force is along −u
+    at = st.touch(pin, -u, sense)
     across = foot(Line(line.at, u), at)
     turning = (np.conj(across - at) * u).imag  # of the couple that u at `across` and −u at `at` form, per mm of force
     if abs(float(nominal(turning))) < NO_LENGTH:
@@ -57,7 +57,7 @@ def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points
     arm = board.compute("h", board.mu(View.MECHANISM) * board.measure(at, across, "h"), "m")
     size = board.compute(named.symbol, magnitude("M", np.abs(st.moment(link)), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
-    if st.ideal is not None or not st.loads.friction:
+    if not st.preliminary:
         board.join(View.MECHANISM, at, across, Role.CONSTRUCTION)
         board.join(View.MECHANISM, at - line.along * 16.0, at + line.along * 16.0, Role.DIRECTION)
     st.settle(by, link, vector, line.at)

@@ -18,7 +18,7 @@ from .three_forces import direction_through
 _SOURCE = "机械原理, three forces through one point"
 
 
-@method(stage=Stage.FORCE, group="crank, balancing force", source=_SOURCE, example="4-4",
+@method(stage=Stage.FORCE, group="crank, balancing force", source=_SOURCE, example="",
         title=Words("曲柄：平衡力，三力汇交", "Crank: balancing force, three forces through one point"))
 def force_on_crank(st: Statics, held: Held) -> None:
     """P + F + R_frame = 0: P and F meet in a point, R_frame passes through it, tangent to the friction circle."""

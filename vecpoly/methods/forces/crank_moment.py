@@ -18,7 +18,7 @@ from ...words import Words
 from ..registry import Stage, method
 from .link_polygon import draw_polygon
 from .pieces import Held
-from .readings import keep_value
+from .readings import keep_value, measured
 from .resultant import Resultant, resultant
 from .senses import TURN, pin_words
 from .state import Drawn, Statics
@@ -43,7 +43,7 @@ def moment_on_crank(st: Statics, held: Held) -> None:
     drawn = _frame_side(st, held, load)
     u = -load.line.along
     sense = st.moment_sense(pin, FRAME, held.link)
-    at = st.desk.at[pin] - 1j * u * sense * st.rho(pin)
+    at = st.touch(pin, u, sense)
     frame = st.named(FRAME, held.link).symbol
     one, one_en = (load.symbols.zh, load.symbols.en) if len(load.forces) == 1 else ("已知力的合力", "the sum of the known forces")
     st.board.remark(Words(f"机架反力 ${frame}$ 与{' ' if len(load.forces) == 1 else ''}{one}等值、反向、平行。", f" The frame's reaction ${frame}$ is equal, opposite and parallel to {one_en}."))
@@ -77,7 +77,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     _leave(st, line, at, across, st.named(FRAME, held.link).symbol)
     signed = -np.sign(couple) * value.value
     keep_value(st, named, signed, size * arm)
-    if st.rubbing or not st.loads.friction:
+    if not st.preliminary:
         keep_value(st, Named("h", "h", "m"), arm.value, arm)
     st.balance = signed
 
@@ -91,7 +91,7 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
     named = load.forces[0].named if len(load.forces) == 1 else st.named(FRAME, held.link)
     if drawn is None:
         return magnitude(named.symbol, np.abs(load.vector) * st.scale.value, "N")
-    expr = st.board.mu(drawn.place) * st.board.measure(drawn.start, drawn.end, drawn.letters)
+    expr = measured(st, drawn)
     if len(load.forces) > 1:
         st.board.write(worked(sym(named.symbol), expr, "N"))
     return magnitude(named.symbol, expr.value, "N")
@@ -99,7 +99,7 @@ def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quan
 
 def _leave(st: Statics, line: Line, at: Points, across: Points, symbol: str) -> None:
     """The two parallel lines and the arm on the diagram, in the pass that counts."""
-    if st.ideal is None and st.loads.friction:
+    if st.preliminary:
         return
     board, u = st.board, line.along
     reach = u * dot(u, line.at - across)

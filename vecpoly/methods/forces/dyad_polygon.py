@@ -21,6 +21,7 @@ from ...words import Words
 from .arms import Turning, acting_on
 from .group_body import polygon_title
 from .link_polygon import LETTERS
+from .readings import measured
 from .state import Acting, Drawn, Statics
 
 SAME = 1e-6  # mm: shorter vectors are not drawn
@@ -151,8 +152,7 @@ def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
     there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
     if abs(end - start) > SAME and not there:
         st.board.mark(drawn.place, Vector(a=start, b=end, role=Role.RESULT, label=named.symbol))
-    on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
-    st.board.write(worked(sym(named.symbol), st.board.mu(drawn.place) * on_paper, "N"))
+    st.board.write(worked(sym(named.symbol), measured(st, drawn), "N"))
 
 
 def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:

@@ -17,6 +17,7 @@ from .arms import Turning
 from .arrows import REACH
 from .dyad_polygon import Reaction
 from .group_body import SHORT, draw_forces, group_pane
+from .readings import measured
 from .senses import inclined, pin_words, slide_words
 from .state import Drawn, Statics
 
@@ -28,7 +29,7 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
     vector = drawn.end - drawn.start
     sense = st.moment_sense(point, by, on)
     st.board.remark(pin_words(st, point, by, on))
-    st.settle(by, on, vector, st.desk.at[point] - 1j * _along(vector) * sense * st.rho(point), drawn, sense)
+    st.settle(by, on, vector, st.touch(point, _along(vector), sense), drawn, sense)
 
 
 def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tuple[str, Turning]) -> None:
@@ -53,19 +54,16 @@ def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tu
 
 def lean(st: Statics, d: Dyad, joint: Prismatic, by: str, on: str) -> Reaction:
     """A slide's reaction along the normal of its guide, inclined by φ where there is friction."""
-    found = st.ideal.push(by, on) if st.ideal is not None else None
-    towards = 1j * st.desk.guide_line(joint).along if found is None else found.vector
     why = slide_words(st, joint, by, on)
     st.board.step(Words(why.zh, why.en.strip()), group_pane(st, d.link_j, d.link_k))
     direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
-    return Reaction(by=by, on=on, line=inclined(st, joint, by, on, towards), direction=direction)
+    return Reaction(by=by, on=on, line=inclined(st, joint, by, on), direction=direction)
 
 
 def _displaced(st: Statics, pane: Pane, by: str, on: str, point: str, drawn: Drawn, turning: Turning) -> Points:
     """The point of the line nearest to the point of moments."""
     i, j = st.mech.number(by), st.mech.number(on)
-    on_paper = st.board.measure(drawn.start, drawn.end, drawn.letters)
-    force = magnitude(st.named(by, on).symbol, (st.board.mu(drawn.place) * on_paper).value, "N")
+    force = magnitude(st.named(by, on).symbol, measured(st, drawn).value, "N")
     st.board.step(Words(f"由构件 {j} 的 $ΣM_{point}$ = 0 定出 $R_{{{i}{j}}}$ 的作用线至 ${point}$ 的距离：",
                         f"$ΣM_{point}$ = 0 of link {j} gives the distance of the line of $R_{{{i}{j}}}$ from ${point}$:"), pane)
     arm = st.board.compute(f"h_{{{i}{j}}}", turning.size / force, "m")

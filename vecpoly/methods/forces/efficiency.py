@@ -23,7 +23,7 @@ def read_efficiency(st: Statics) -> None:
 
     Raises LockedError where it is not in (0, 1].
     """
-    if not st.rubbing or st.ideal is None:
+    if st.ideal is None:
         keep_value(st, ETA, 1.0, magnitude("η", 1.0, ""))
         return
     given = powers(st.ideal)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...errors import NoMethodError
 from ...mechanism.assur import Group, joint_letter
 from ...mechanism.model import Joint, Revolute
-from ...plane import Line, Points, cross, foot, nominal, unit
+from ...plane import Line, cross, nominal, unit
 from ..registry import Stage, find
 from .parallel_forces import PARALLEL
 from .pieces import Held, TwoForce, pieces
@@ -44,8 +44,8 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     if not two.contact:
         passed = st.push(two.link, two.on)
         assert passed is not None
-        st.settle(two.link, two.on, passed.vector, _touch(st, two.inner, line), passed.drawn, _sense(st, two.inner, two.link, two.on))
-        st.settle(two.by, two.link, passed.vector, _touch(st, two.outer, line), passed.drawn, _sense(st, two.outer, two.by, two.link))
+        st.settle(two.link, two.on, passed.vector, st.at_joint(two.inner, line), passed.drawn, _sense(st, two.inner, two.link, two.on))
+        st.settle(two.by, two.link, passed.vector, st.at_joint(two.outer, line), passed.drawn, _sense(st, two.outer, two.by, two.link))
     return True
 
 
@@ -60,11 +60,6 @@ def line_of(st: Statics, two: TwoForce) -> Line:
 def _sense(st: Statics, joint: Joint, by: str, on: str) -> int:
     """Sense of the moment of R_by,on about the pin of a joint (0: no pin, or no friction)."""
     return st.moment_sense(joint.point, by, on) if isinstance(joint, Revolute) else 0
-
-
-def _touch(st: Statics, joint: Joint, line: Line) -> Points:
-    """The point of a line of action at a joint: nearest to the pin, or where the line passes the slide."""
-    return foot(line, st.desk.at[joint.point]) if isinstance(joint, Revolute) else line.at
 
 
 def _parallel(st: Statics, load: Resultant, two: TwoForce) -> bool:

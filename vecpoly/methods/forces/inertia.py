@@ -17,7 +17,7 @@ from ...plane import Points, Reals, nominal, unit
 from ...quantity import Quantity, magnitude, worked
 from ...words import Words
 from ..desk import POLE
-from ..kinematics.image import imaged
+from ..kinematics.image import found_tip
 from .masses import masses
 from .senses import TURN
 from .state import Acting, Statics
@@ -44,18 +44,9 @@ def weight_named(mass: Mass) -> Named:
     return Named(f"G_{mass.link}", f"G_{{{mass.link}}}", "N", True)
 
 
-def centre_tip(st: Statics, mass: Mass, view: View) -> Points:
-    """End of the centre of mass's vector on a velocity or acceleration polygon; found by the image where it is missing."""
-    desk = st.desk
-    at = desk.canonical(At(mass.centre, mass.link))
-    if not desk.has_tip(view, at):
-        imaged(desk, view, mass.link, at)
-    return desk.tip(view, at)
-
-
 def _inertia(st: Statics, mass: Mass) -> None:
     link, s = mass.link, st.desk.name(At(mass.centre))
-    tip = centre_tip(st, mass, View.ACCELERATION)
+    tip = found_tip(st.desk, View.ACCELERATION, At(mass.centre, link))
     st.board.step(Words(f"构件 {link} 的惯性力 $F_{{I{link}}}$ 与质心加速度 $a_{{{mass.centre}}}$ 方向相反，作用于质心 ${s}$。",
                         f"The inertia force $F_{{I{link}}}$ of link {link} acts at its centre of mass ${s}$, against the acceleration $a_{{{mass.centre}}}$."), View.MECHANISM)
     force = _force(st, mass, tip)
@@ -74,7 +65,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     letters = f"{POLE[View.ACCELERATION]} {st.desk.tip_label(View.ACCELERATION, At(mass.centre))}"
     if abs(complex(nominal(tip))) < NO_LENGTH:
         board.remark(Words(f"因 $a_{{{mass.centre}}}$ = 0，故 $F_{{I{link}}}$ = 0。", f" Here $a_{{{mass.centre}}}$ = 0, so $F_{{I{link}}}$ = 0."))
-        _keep(st, Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j), 0.0)
+        st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j), 0.0)
         return None
     on_paper = board.measure(0j, tip, letters)
     accel = board.compute(f"a_{{{mass.centre}}}", board.mu(View.ACCELERATION) * on_paper, "m/s^2")
@@ -85,7 +76,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     reading = Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size.value)),
                       vector=complex(nominal(size.value * np.exp(1j * direction))), mm=float(nominal(on_paper.value)), line=letters,
                       scale=board.scales[View.ACCELERATION].symbol, formula=worked(size.node, expr, "N"))
-    _keep(st, reading, size.value)
+    st.keep(reading, size.value)
     return _settle(st, mass, named, vector, st.desk.where(At(mass.centre)))
 
 
@@ -104,7 +95,7 @@ def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
         board.remark(Words(f"惯性力矩 $M_{{I{link}}}$ 与 $α_{link}$ 转向相反，为{way.zh}。",
                            f" The inertia couple $M_{{I{link}}}$ turns against $α_{link}$, {way.en}."))
     signed = -mass.inertia * np.asarray(rate, dtype=float)[()]
-    _keep(st, Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(signed)), formula=formula), signed)
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(signed)), formula=formula), signed)
     return couple, sense
 
 
@@ -115,12 +106,12 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
     along = unit(force.vector)
     named = quantities(st.mech, st.loads)[f"h_{link}"]
     if not sense:
-        _keep(st, Reading(key=named.key, symbol=named.symbol, unit="m", scalar=0.0), 0.0)
+        st.keep(Reading(key=named.key, symbol=named.symbol, unit="m", scalar=0.0), 0.0)
         _draw_force(st, force.named.symbol, s, along)
         return
     expr = couple / magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
     arm = board.compute(named.symbol, expr, "m")
-    _keep(st, Reading(key=named.key, symbol=named.symbol, unit="m", scalar=float(nominal(arm.value)), formula=worked(arm.node, expr, "m")), arm.value)
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit="m", scalar=float(nominal(arm.value)), formula=worked(arm.node, expr, "m")), arm.value)
     if float(nominal(arm.value)) > st.mech.scale:
         board.remark(Words(f"$h_{link}$ 大于机构尺寸，$F_{{I{link}}}$ 与 $M_{{I{link}}}$ 不再合成。",
                            f" $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart."))
@@ -169,7 +160,3 @@ def draw_arm(st: Statics, place: Place, symbol: str, s: Points, at: Points, alon
     if abs(b - a) > SHORT:
         st.board.plot(place, (a + b) / 2, symbol, Dot.NONE)
         st.board.mark(place, RightAngle(at=b, u=u, v=(a - b) / abs(b - a)))
-
-
-def _keep(st: Statics, reading: Reading, values: Reals) -> None:
-    st.readings[reading.key], st.repeats[reading.key] = reading, values

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...board.board import NO_LENGTH
-from ...board.construction import Pane, Reading, View
+from ...board.construction import Pane, View
 from ...board.marks import Dot, Role, Vector
 from ...errors import EquilibriumError
+from ...formula import sym
 from ...mechanism.loads import Force, Load, Moment
 from ...mechanism.quantities import load_named, quantities
 from ...names import At, Named
@@ -21,10 +22,11 @@ from ...plane import Line, Points, Reals, cross, foot, nominal, unit
 from ...quantity import Expr, Quantity, Sum, magnitude, worked
 from ...words import Words
 from ..desk import POLE
+from ..kinematics.image import found_tip
 from ..registry import Stage, method
 from .letters import arm_about_pole, pair_symbol
 from .pairs import Pair, pair_of
-from .power_terms import velocity_tip
+from .readings import keep_nothing, keep_value
 from .state import Statics
 
 _SOURCE = "机械原理, Zhukovsky's lever"
@@ -145,22 +147,26 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
         _say_pair(st, pair, plain)
     st.board.remark(Words("量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得（逆时针为正）：", " Measure the arms about $p$; $Σ M_p$ = 0 gives (counter-clockwise positive):"))
     if not moments:
-        _keep(st, named, 0.0)
+        keep_nothing(st, named)
         return
     total = Sum(tuple(m.terms[0] for m in moments), tuple(-arm.way * m.signs[0] for m in moments))
     if pair is None:
-        _keep(st, named, total.value / arm.mm.value, total / arm.mm)
+        _result(st, named, total / arm.mm)
         return
     force = st.board.compute(pair_symbol(plain.symbol), total / arm.mm, "N")
-    expr = force * st.desk.length(pair.p, pair.q)
-    _keep(st, named, expr.value, expr)
+    _result(st, named, force * st.desk.length(pair.p, pair.q))
+
+
+def _result(st: Statics, named: Named, expr: Expr) -> None:
+    st.board.write(worked(sym(named.symbol), expr, named.unit))
+    keep_value(st, named, expr.value, expr)
 
 
 def _tip(st: Statics, tips: Tips, at: At) -> Points:
     """A tip of the velocity polygon turned by 90° clockwise, carried over once."""
     own = st.desk.canonical(at)
     if own not in tips:
-        there = velocity_tip(st, at)
+        there = found_tip(st.desk, View.VELOCITY, at)
         moved = abs(complex(nominal(there))) > NO_LENGTH
         tips[own] = st.board.hand.carry_vector(-1j * there) if moved else 0j
     return tips[own]
@@ -187,10 +193,3 @@ def _draw_arm(st: Statics, pane: Pane, tip: Points, end: Points, letter: str) ->
         st.board.join(pane, tip, end, Role.CONSTRUCTION)
         st.board.right_angle(pane, end, -unit(end), unit(tip - end))
 
-
-def _keep(st: Statics, named: Named, value: Reals, expr: Expr | None = None) -> None:
-    formula = None if expr is None else worked(magnitude(named.symbol, 0.0, named.unit).node, expr, named.unit)
-    if formula is not None:
-        st.board.write(formula)
-    st.readings[named.key] = Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula)
-    st.repeats[named.key] = np.asarray(value, dtype=float)

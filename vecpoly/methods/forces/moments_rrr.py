@@ -16,7 +16,7 @@ from .state import Statics
 _SOURCE = "机械原理, dynamic-static analysis of Assur groups"
 
 
-@method(stage=Stage.FORCE, group="RRR", source=_SOURCE, example="six-bar-dynamic",
+@method(stage=Stage.FORCE, group="RRR", source=_SOURCE, example="C-inertia",
         title=Words("RRR 杆组的动态静力分析", "Forces in an RRR group"))
 def forces_rrr(st: Statics, d: Dyad) -> None:
     """R^t_pj + ΣF_j + ΣF_k + R^t_qk + R^n_qk + R^n_pj = 0, normals along the links; then R_kj closes link j alone."""

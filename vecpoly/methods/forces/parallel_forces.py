@@ -38,13 +38,13 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
 
 def _about_pin(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     assert isinstance(held.joint, Revolute)
-    centre, sense = st.desk.at[held.joint.point], st.moment_sense(held.joint.point, held.parent, held.link)
-    u = line.along
+    pin, u = held.joint.point, line.along
+    sense = st.moment_sense(pin, held.parent, held.link)
     for way in (1, -1):  # the sense of the parent's force decides on which side it touches
-        touch = centre - 1j * u * way * sense * st.rho(held.joint.point)
+        touch = st.touch(pin, u * way, sense)
         arm = cross(line.at - touch, u)
         if abs(float(nominal(arm))) < 1e-9:
-            raise EquilibriumError(f"link {st.mech.number(held.link)}: the line of the force of link {st.mech.number(by)} passes through {held.joint.point}, "
+            raise EquilibriumError(f"link {st.mech.number(held.link)}: the line of the force of link {st.mech.number(by)} passes through {pin}, "
                                    "so it balances no load; choose another input position")
         size = -cross(load.at - touch, load.vector) / arm
         rest: Points = -(load.vector + size * u)

@@ -7,7 +7,7 @@ import numpy as np
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...mechanism.model import Prismatic, Revolute
-from ...plane import Line, Points
+from ...plane import Line
 from ...words import Words
 from ..registry import Stage, method
 from .pieces import TwoForce
@@ -28,25 +28,18 @@ def line_of_block(st: Statics, two: TwoForce) -> Line:
     slide, pin = (two.inner, two.outer) if isinstance(two.inner, Prismatic) else (two.outer, two.inner)
     assert isinstance(slide, Prismatic) and isinstance(pin, Revolute)
     slid, pinned = (two.on, two.by) if slide is two.inner else (two.by, two.on)
-    centre = st.desk.at[pin.point]
     number = st.mech.number(two.link)
     st.board.step(Words(f"滑块 {number} 只受两力，两力等值、反向、共线。", f"Only two forces act on block {number}: equal, opposite, in one line."), View.MECHANISM)
     if st.ideal is None:
         st.board.remark(Words(f"不计摩擦，作用线过 ${pin.point}$ 且垂直于导路。", f" Without friction the line passes through ${pin.point}$, normal to the guide."))
-        return Line(centre, 1j * st.desk.guide_line(slide).along)
+        return Line(st.desk.at[pin.point], 1j * st.desk.guide_line(slide).along)
     st.board.remark(slide_words(st, slide, slid, two.link))
     st.board.remark(pin_words(st, pin.point, pinned, two.link))
-    u = st.board.hand.tilt(inclined(st, slide, slid, two.link, _ideal(st, slid, two.link)))  # force of the guide's link on the block
+    u = st.board.hand.tilt(inclined(st, slide, slid, two.link))  # force of the guide's link on the block
     sense = st.moment_sense(pin.point, pinned, two.link)
-    at = centre - 1j * (-u) * sense * st.rho(pin.point)  # the pin's force on the block is along −u
+    at = st.touch(pin.point, -u, sense)  # the pin's force on the block is along −u
     st.board.join(View.MECHANISM, at - u * 22.0, at + u * 22.0, Role.DIRECTION)
     st.board.plot(View.MECHANISM, at + u * 22.0, st.named(slid, two.link).symbol, Dot.NONE)
     on_loaded = u if pinned == two.on else -u
     return Line(at, np.asarray(on_loaded)[()])
 
-
-def _ideal(st: Statics, by: str, on: str) -> Points:
-    assert st.ideal is not None
-    found = st.ideal.push(by, on)
-    assert found is not None
-    return found.vector

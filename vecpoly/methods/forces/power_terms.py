@@ -16,7 +16,7 @@ from ...names import At, Named, omega
 from ...plane import Points, Reals, dot, nominal, unit
 from ...quantity import Expr, magnitude
 from ..desk import POLE
-from ..kinematics.image import imaged
+from ..kinematics.image import found_tip
 from .letters import foot_letter
 from .state import Statics
 
@@ -80,7 +80,7 @@ def turning(st: Statics, link: str) -> Rate:
 def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:
     """The component of a point's velocity along a force, measured from the pole to the foot of the perpendicular from the tip."""
     board, desk = st.board, st.desk
-    tip = velocity_tip(st, at)
+    tip = found_tip(desk, View.VELOCITY, at)
     part = dot(along, tip)
     foot = along * part
     small = np.abs(part) < NO_LENGTH
@@ -88,15 +88,6 @@ def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:
     letters = f"{POLE[View.VELOCITY]} {whole if abs(nominal(foot - tip)) < NO_LENGTH else foot_letter(whole, symbol)}"
     sign = np.where(small, 0, np.sign(part))[()]
     return Rate(expr=board.mu(View.VELOCITY) * board.measure(0j, foot, letters), sign=sign, letters=letters, tip=tip, foot=foot)
-
-
-def velocity_tip(st: Statics, at: At) -> Points:
-    """End of a point's velocity on the polygon; found by the image where it is missing."""
-    desk = st.desk
-    own = desk.canonical(at)
-    if not desk.has_tip(View.VELOCITY, own):
-        imaged(desk, View.VELOCITY, at.link, own)
-    return desk.tip(View.VELOCITY, own)
 
 
 def draw_rate(st: Statics, rate: Rate) -> None:

@@ -13,7 +13,7 @@ from ...mechanism.quantities import pairs
 from ...names import Named
 from ...plane import Reals, nominal
 from ...problem.problem import Problem
-from ...quantity import Expr, worked
+from ...quantity import Expr, Product, worked
 from .state import Acting, Drawn, Statics
 
 _SIDE = {1: "ccw", -1: "cw", 0: ""}
@@ -22,8 +22,17 @@ _SIDE = {1: "ccw", -1: "cw", 0: ""}
 def keep_value(st: Statics, named: Named, value: Reals, expr: Expr) -> None:
     """A signed value with the formula from which it was computed."""
     formula = worked(sym(named.symbol), expr, named.unit)
-    st.readings[named.key] = Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula)
-    st.repeats[named.key] = np.asarray(value, dtype=float)
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula), value)
+
+
+def keep_nothing(st: Statics, named: Named) -> None:
+    """A value that is zero because nothing works."""
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=0.0), 0.0)
+
+
+def measured(st: Statics, drawn: Drawn) -> Product:
+    """A force in N as μ_F × its length on the polygon."""
+    return st.board.mu(drawn.place) * st.board.measure(drawn.start, drawn.end, drawn.letters)
 
 
 def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Reals:
@@ -32,9 +41,8 @@ def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Rea
     expr = st.board.mu(drawn.place) * on_paper
     st.board.write(worked(sym(named.symbol), expr, named.unit))
     value = sign * expr.value
-    st.readings[named.key] = Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), mm=float(nominal(on_paper.value)),
-                                     line=drawn.letters, scale=st.scale.symbol, formula=worked(sym(named.symbol), expr, named.unit))
-    st.repeats[named.key] = np.asarray(value, dtype=float)
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), mm=float(nominal(on_paper.value)),
+                    line=drawn.letters, scale=st.scale.symbol, formula=worked(sym(named.symbol), expr, named.unit)), value)
     return value
 
 
@@ -42,8 +50,7 @@ def write_sizes(st: Statics, *forces: Acting) -> None:
     """R = μ_F × length on the polygon, written into the step."""
     for force in forces:
         if force.drawn is not None:
-            on_paper = st.board.measure(force.drawn.start, force.drawn.end, force.drawn.letters)
-            st.board.write(worked(sym(force.named.symbol), st.board.mu(View.FORCE) * on_paper, "N"))
+            st.board.write(worked(sym(force.named.symbol), measured(st, force.drawn), "N"))
 
 
 def read_reactions(st: Statics, mech: Mechanism) -> None:
@@ -64,11 +71,10 @@ def _reaction(st: Statics, force: Acting) -> None:
     zero = abs(complex(nominal(force.vector))) < NO_LENGTH
     vector = size * np.exp(1j * board.hand.gauge(np.angle(ends[1] - ends[0])))
     metres = complex(nominal(force.at)) * board.scales[View.MECHANISM].value
-    st.readings[named.key] = Reading(
+    st.keep(Reading(
         key=named.key, symbol=named.symbol, unit="N", scalar=0.0 if zero else float(nominal(size)), vector=0j if zero else complex(nominal(vector)),
         mm=float(nominal(on_paper.value)), line=ends[2], scale=scale.symbol, formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
-        acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent]))
-    st.repeats[named.key] = np.asarray(size, dtype=float)
+        acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent])), size)
 
 
 def largest_load(problem: Problem) -> float:

@@ -8,7 +8,7 @@ from ...board.construction import View
 from ...errors import NoSlipSenseError
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega
-from ...plane import Points, nominal
+from ...plane import Points, dot, nominal
 from ...quantity import number
 from ...words import Words
 from ..kinematics.image import known_tips
@@ -65,11 +65,15 @@ def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: str) ->
     return leant
 
 
-def inclined(st: Statics, joint: Prismatic, by: str, on: str, towards: Points) -> Points:
-    """Direction of R_by,on in a slide: the normal of the guide on the side of `towards`, inclined by φ against the sliding of `on` past `by`."""
-    desk = st.desk
-    line = desk.guide_line(joint)
-    normal = 1j * line.along * np.where((np.conj(1j * line.along) * towards).real < 0, -1, 1)
+def inclined(st: Statics, joint: Prismatic, by: str, on: str) -> Points:
+    """Direction of R_by,on in a slide: the normal of the guide, inclined by φ against the sliding of `on` past `by`.
+
+    It presses on the side that the pass before found; in the first pass either side will do.
+    """
+    desk, before = st.desk, st.pushed_before(by, on)
+    normal = 1j * desk.guide_line(joint).along
+    if before is not None:
+        normal = normal * np.where(dot(normal, before) < 0, -1, 1)
     at = desk.at[joint.pin]
     slip = velocity_of(st, on, at) - velocity_of(st, by, at)
     i, j = st.mech.number(by), st.mech.number(on)

@@ -18,7 +18,7 @@ from .state import Statics
 _SOURCE = "机械原理, friction in sliding pairs"
 
 
-@method(stage=Stage.FORCE, group="slide, balancing force", source=_SOURCE, example="4-3a",
+@method(stage=Stage.FORCE, group="slide, balancing force", source=_SOURCE, example="",
         title=Words("滑块：平衡力与导路反力", "Slider: balancing force and reaction of the guide"))
 def force_on_slide(st: Statics, held: Held) -> None:
     """P + F + R_frame = 0 with the directions of F and R_frame known."""
@@ -28,8 +28,7 @@ def force_on_slide(st: Statics, held: Held) -> None:
     number = st.mech.number(held.link)
     st.board.step(Words(f"取构件 {number} 为分离体，已知 {load.symbols.zh}。", f"Isolate link {number}: {load.symbols.en} {'is' if len(load.forces) == 1 else 'are'} known."))
     st.board.remark(slide_words(st, joint, FRAME, held.link))
-    towards = 1j * st.desk.guide_line(joint).along if st.ideal is None else st.ideal.acting[FRAME, held.link].vector
-    u = inclined(st, joint, FRAME, held.link, towards)
+    u = inclined(st, joint, FRAME, held.link)
     parallel = abs(float(nominal(cross(load.line.along, line.along)))) < 1e-9
     x = st.desk.at[joint.pin] if parallel else lines_meet(load.line, line)
     close_polygon(st, held, load, line, (u, x, 0))

@@ -13,12 +13,11 @@ import numpy as np
 from ...board.board import Board
 from ...board.construction import Pane, Place, Reading, Scale, View
 from ...errors import NoSlipSenseError
-from ...mechanism.assur import hinges
 from ...mechanism.loads import Force, Load, Loads, Moment
-from ...mechanism.model import FRAME, Contact, Mechanism, Prismatic
-from ...mechanism.quantities import load_named
+from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
+from ...mechanism.quantities import load_named, without_friction
 from ...names import Named, omega, reaction
-from ...plane import Line, Points, Reals, nominal
+from ...plane import Line, Points, Reals, foot, nominal
 from ...vector.equation import KNOWN
 from ...words import Words
 from ..desk import Desk
@@ -92,9 +91,12 @@ class Statics:
     def named(self, by: str, on: str) -> Named:
         """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
         name = reaction(self.mech.number(by), self.mech.number(on))
-        if self.rubbing or not self.loads.friction:
-            return name
-        return Named(f"{name.key}_0", f"R_{{{name.key[2:]},0}}", "N", True)
+        return without_friction(name) if self.preliminary else name
+
+    @property
+    def preliminary(self) -> bool:
+        """Whether this is the pass without friction that precedes one with friction: it leaves little on the diagram."""
+        return bool(self.loads.friction) and not self.rubbing
 
     @property
     def without_friction(self) -> Statics:
@@ -110,17 +112,13 @@ class Statics:
     def unknown_named(self) -> Named:
         """The balancing load's name in this pass: M_1, or M_10 without friction."""
         name = load_named(self.unknown)
-        if self.rubbing or not self.loads.friction:
-            return name
-        stem, _, sub = name.key.partition("_")
-        return Named(f"{name.key}_0", f"{stem}_{{{sub}0}}", name.unit)
+        return without_friction(name) if self.preliminary else name
 
     def polygon(self, name: str, title: Words) -> Pane:
         """The force polygon of this name, begun where it is new; one without friction stands apart."""
-        ideal = bool(self.loads.friction) and not self.rubbing
         zero = Words("不计摩擦时", " without friction")
-        return self.board.open_pane(View.FORCE, f"{name} ideal" if ideal else name,
-                                    Words(zero.zh + title.zh, title.en + zero.en) if ideal else title)
+        return self.board.open_pane(View.FORCE, f"{name} ideal" if self.preliminary else name,
+                                    Words(zero.zh + title.zh, title.en + zero.en) if self.preliminary else title)
 
     # -- forces -----------------------------------------------------------------------------------------------
 
@@ -149,10 +147,19 @@ class Statics:
         drawn = other.drawn.reversed() if other is not None and other.drawn is not None else None
         return None if other is None else Acting(named=self.named(by, on), vector=-other.vector, at=other.at, drawn=drawn, tangent=-other.tangent)
 
+    def pushed_before(self, by: str, on: str) -> Points | None:
+        """The reaction's vector in the pass that went before, if there was one."""
+        found = None if self.ideal is None else self.ideal.push(by, on)
+        return None if found is None else found.vector
+
     def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0) -> Acting:
         """Keep a reaction as found."""
         self.acting[by, on] = Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent)
         return self.acting[by, on]
+
+    def keep(self, reading: Reading, value: Reals) -> None:
+        """Keep an answer, as it is read and by every hand."""
+        self.readings[reading.key], self.repeats[reading.key] = reading, np.asarray(value, dtype=float)
 
     def known(self, link: str) -> list[Acting]:
         """All known forces on a link: loads, inertia force, weight, reactions already found."""
@@ -192,7 +199,7 @@ class Statics:
             return 0.0
         if isinstance(joint, Contact):
             return self.share * friction.contacts.get(joint.point, 0.0)
-        return self.share * friction.slides.get((joint.block, joint.guide), friction.slides.get((joint.guide, joint.block), 0.0))
+        return self.share * friction.slides.get((joint.block, joint.guide), 0.0)
 
     def turning(self, link: str, against: str) -> float:
         """ω of a link relative to another, as drawn (rad/s)."""
@@ -212,6 +219,14 @@ class Statics:
                                    f"choose another input position, or leave out the friction of {point}")
         return -1 if rate > 0 else 1
 
+    def touch(self, point: str, along: Points, sense: int) -> Points:
+        """Where a force along a unit vector, with a moment of this sense about the pin, touches its friction circle."""
+        return self.desk.at[point] - 1j * along * sense * self.rho(point)
+
+    def at_joint(self, joint: Joint, line: Line) -> Points:
+        """Where a line of action passes a joint: nearest to the pin, or the point that the line was laid through."""
+        return foot(line, self.desk.at[joint.point]) if isinstance(joint, Revolute) else line.at
+
     @property
     def speed(self) -> float:
         """A speed typical of the mechanism (m/s)."""
@@ -223,7 +238,3 @@ class Statics:
     def _rate(self) -> float:
         drive = self.mech.drive
         return abs(drive.rate) / (self.mech.scale if drive.slide else 1.0)
-
-    def pin_between(self, a: str, b: str) -> str | None:
-        """Letter of the hinge that joins two links, if one does."""
-        return next((point for point, names in hinges(self.mech).items() if {a, b} <= set(names)), None)

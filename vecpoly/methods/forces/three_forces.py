@@ -29,7 +29,7 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
         return
     x = st.board.meet(load.line, line, f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}")
     u, sense = direction_through(st, held.joint, held.parent, link, x)
-    _draw(st, x, (load.at, line.at), (u, _touch(st, held.joint, x, u)), st.named(held.parent, link).symbol)
+    _draw(st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), st.named(held.parent, link).symbol)
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
 
 
@@ -48,17 +48,16 @@ def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
 def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) -> tuple[Points, int]:
     """Direction of R_by,on through a point of its line, and the sense of its moment about the pin (0: none)."""
     i, j = st.mech.number(by), st.mech.number(on)
-    towards = _ideal(st, by, on)
     if isinstance(joint, Prismatic):
         st.board.remark(slide_words(st, joint, by, on))
-        return inclined(st, joint, by, on, towards if towards is not None else 1j * st.desk.guide_line(joint).along), 0
+        return inclined(st, joint, by, on), 0
     if not isinstance(joint, Revolute):
         raise NoMethodError(f"no graphical method on file finds the reaction of links {i} and {j}: they roll on each other; 'vecpoly exact' still answers")
     st.board.remark(pin_words(st, joint.point, by, on))
     centre = st.desk.at[joint.point]
     sense = st.moment_sense(joint.point, by, on)
-    ahead = towards if towards is not None else centre - x
-    return st.board.tangent_from(x, centre, st.rho(joint.point), sense, ahead), sense
+    before = st.pushed_before(by, on)
+    return st.board.tangent_from(x, centre, st.rho(joint.point), sense, centre - x if before is None else before), sense
 
 
 def polygon(st: Statics, held: Held, load: Resultant, known_line: tuple[str, Points, Points], through: tuple[Points, Points, int]) -> None:
@@ -72,7 +71,7 @@ def polygon(st: Statics, held: Held, load: Resultant, known_line: tuple[str, Poi
         Term(rel=two, symbol=two.symbol, direction=_lies(st, held), magnitude="?", along=u)))
     side, last = drawn[one.key], drawn[two.key]
     first = st.settle(by, link, side.end - side.start, at, side)
-    other = st.settle(held.parent, link, last.end - last.start, _touch(st, held.joint, x, u), last, sense)
+    other = st.settle(held.parent, link, last.end - last.start, st.at_joint(held.joint, Line(x, u)), last, sense)
     st.board.remark(Words(f"由图量得 ${one.symbol}$、${two.symbol}$。", f" measure ${one.symbol}$ and ${two.symbol}$."))
     write_sizes(st, first, other)
 
@@ -86,16 +85,9 @@ def _lies(st: Statics, held: Held) -> Words:
     return Words("过交点", "through the point")
 
 
-def _touch(st: Statics, joint: Joint, x: Points, u: Points) -> Points:
-    """The point of the line nearest to the pin (where it touches the circle), or where it meets the guide."""
-    if isinstance(joint, Revolute):
-        return x + u * dot(u, st.desk.at[joint.point] - x)
-    return x
-
-
 def _draw(st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], symbol: str) -> None:
     """The meeting point, and the lines that pass through it, on the diagram: the reaction's from the meeting point to its pin."""
-    if st.ideal is None and st.loads.friction:
+    if st.preliminary:
         return
     board, (u, touch) = st.board, third
     reach = float(nominal(dot(u, touch - x)))
@@ -107,7 +99,3 @@ def _draw(st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Po
         if 1.0 < abs(nominal(at - x)) < 260.0:
             board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, Role.DIRECTION)
 
-
-def _ideal(st: Statics, by: str, on: str) -> Points | None:
-    found = st.ideal.push(by, on) if st.ideal is not None else None
-    return None if found is None else found.vector

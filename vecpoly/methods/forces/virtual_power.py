@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from ...board.construction import Reading, View
+from ...board.construction import View
 from ...errors import EquilibriumError
-from ...formula import Node
+from ...formula import sym
 from ...mechanism.loads import Load
 from ...mechanism.quantities import quantities
 from ...names import Named
@@ -16,6 +14,7 @@ from ...words import Words
 from ..registry import Stage, method
 from .letters import power_symbol
 from .power_terms import Work, draw_rate, rate_of, works
+from .readings import keep_nothing, keep_value
 from .state import Statics
 
 _SOURCE = "机械原理, principle of virtual power: the powers of all given forces, inertia included, sum to zero"
@@ -45,12 +44,12 @@ def balancing_by_power(st: Statics, load: Load | None = None) -> None:
     draw_rate(st, rate)
     moving = [part for part in parts if nominal(part.value)]
     if not moving:
-        _keep(st, named, 0.0, None)
+        keep_nothing(st, named)
         return
     expr = Sum(tuple(moving), (-rate.way,) * len(moving)) / rate.expr
-    st.board.write(worked(magnitude(named.symbol, 0.0, named.unit).node, expr, named.unit))
+    st.board.write(worked(sym(named.symbol), expr, named.unit))
     total = sum(part.value for part in parts)
-    _keep(st, named, -total / (rate.sign * rate.expr.value), worked(magnitude(named.symbol, 0.0, named.unit).node, expr, named.unit))
+    keep_value(st, named, -total / (rate.sign * rate.expr.value), expr)
 
 
 def _written(st: Statics, work: Work) -> Quantity:
@@ -65,7 +64,3 @@ def _written(st: Statics, work: Work) -> Quantity:
         st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" ${work.named.symbol}$ does no work."))
     return quantity
 
-
-def _keep(st: Statics, named: Named, value: Reals, formula: Node | None) -> None:
-    st.readings[named.key] = Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula)
-    st.repeats[named.key] = np.asarray(value, dtype=float)

@@ -8,7 +8,7 @@ from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...names import At, Kind, Rel, alpha, omega
-from ...plane import Reals, cross, nominal, similar
+from ...plane import Points, Reals, cross, nominal, similar
 from ...quantity import magnitude
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
@@ -42,6 +42,14 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
         _by_image(desk, view, link, at, held)
     elif held:
         _by_turning(desk, view, link, at, held[0])
+
+
+def found_tip(desk: Desk, view: View, at: At) -> Points:
+    """End of the vector of a link's point on a polygon; found by the image where it is missing."""
+    own = desk.canonical(at)
+    if not desk.has_tip(view, own):
+        imaged(desk, view, at.link, own)
+    return desk.tip(view, own)
 
 
 def images_of_link(desk: Desk, view: View, link: str) -> None:

@@ -28,7 +28,7 @@ from .turning import angular_acceleration
 _VIEW = View.ACCELERATION
 
 
-@method(stage=Stage.ACCELERATION, group="RRG", source="机械原理, pure rolling", example="3-13",
+@method(stage=Stage.ACCELERATION, group="RRG", source="机械原理, pure rolling", example="",
         title=Words("纯滚动齿轮杆组的加速度", "Acceleration of a group with a rolling gear"))
 def acceleration_rrg(desk: Desk, d: Dyad) -> None:
     """a_C (∥ rack) or a_O + a^n_CO + a^t_CO = a_P + a^n_CP + a^t_CP."""

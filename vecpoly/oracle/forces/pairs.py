@@ -60,7 +60,7 @@ class Pair:
 
 def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction) -> tuple[Pair, ...]:
     """Every pair of bodies that press on each other; `rates` holds the links' velocities (of a unit drive where it rests)."""
-    thought = {contact.substitute for contact in mech.contacts}
+    thought = mech.substitutes
     found = [_pin(mech, bodies, rates, joint, friction.pins.get(joint.point, 0.0)) for joint in _pins(mech, thought)]
     for joint in mech.joints:
         if isinstance(joint, Prismatic) and not {joint.guide, joint.block} & thought:
@@ -72,7 +72,7 @@ def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction)
     return tuple(found)
 
 
-def _pins(mech: Mechanism, thought: set[str]) -> Iterator[Revolute]:
+def _pins(mech: Mechanism, thought: frozenset[str]) -> Iterator[Revolute]:
     """The hinges' pins; where a substitute link stands between two bodies at one hinge, they are pinned to each other."""
     for joint in mech.joints:
         if isinstance(joint, Revolute) and not {joint.a, joint.b} & thought:

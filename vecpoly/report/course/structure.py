@@ -36,7 +36,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 def _joints(study: Study, press: Press) -> str:
     rows: list[tuple[str, ...]] = []
     comma = "、" if press.lang == "zh" else ", "
-    thought = {contact.substitute for contact in study.mech.contacts}
+    thought = study.mech.substitutes
     for point, names in hinges(study.mech).items():
         real = [name for name in names if name not in thought]
         kind = Words("转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）", "revolute" if len(real) < 3 else f"compound hinge, {len(real) - 1} revolutes")
