@@ -8,6 +8,7 @@ from typing import Any
 
 import pdfplumber
 import pytest
+from reportlab.platypus.flowables import Spacer
 
 from vecpoly.board.construction import EquationTable
 from vecpoly.report.flow import (
@@ -124,6 +125,15 @@ def test_the_table_repeats_its_header_on_every_page(tmp_path: Path) -> None:
     assert len(found) >= 3
     assert all("序号" in page for page in found)
     assert sum("表" in page for page in found) == 1
+
+
+@pytest.mark.parametrize("room", range(180, 240, 4))
+@pytest.mark.parametrize("whole", [False, True])
+def test_a_table_begun_anywhere_on_a_page_keeps_all_rows_in_order(tmp_path: Path, room: int, whole: bool) -> None:
+    table = DataTable(["$φ$", "ω"], [[f"r{i}", "1.0"] for i in range(33)], lang="en")
+    table.whole = whole
+    text = "".join(pages(write(tmp_path, [Para("first", lang="en"), Spacer(1, room), table, Para("end", lang="en")])))
+    assert re.findall(r"r(\d+)", text) == [str(i) for i in range(33)]
 
 
 def test_headings_and_sheets_are_in_the_outline(tmp_path: Path) -> None:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from reportlab.platypus.doctemplate import FrameBreak
+from reportlab.platypus.flowables import Flowable
+
 from ...typeset.box import MM
 from ...typeset.canvas import Ink
 from ...words import Lang
@@ -87,7 +90,7 @@ class DataTable(Block):
     def _advance(self, line: Line) -> float:
         return max(self.style.leading, line.ascent * MM + line.descent * MM + 2.0)
 
-    def split(self, width: float, height: float) -> list[Block]:
+    def split(self, width: float, height: float) -> list[Flowable]:
         """Whole rows to each page, the header on both."""
         self.wrap(width, height)
         used, count = self._top() + _HEAVY, 0
@@ -99,8 +102,9 @@ class DataTable(Block):
         if count < min(least, len(self.rows)):
             return []
         head, tail = self._part(0, count), self._part(count, len(self.rows))
-        head.spaceAfter = tail.spaceBefore = 0.0
-        return [head, tail]
+        head.spaceBefore, head.spaceAfter = self.spaceBefore, 0.0
+        tail.spaceBefore, tail.spaceAfter = 0.0, self.spaceAfter
+        return [head, FrameBreak(), tail]  # the rest is not split once more on this page
 
     def _part(self, start: int, end: int) -> DataTable:
         caption = self.caption if start == 0 else ""
