@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from vecpoly.errors import MobilityError, ProblemFileError, UnknownNameError, VecpolyError
+from vecpoly.errors import MobilityError, NotAskedError, ProblemFileError, UnknownNameError, VecpolyError
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
@@ -63,6 +63,11 @@ CASES = {
         "links.3",
         "has no length",
     ),
+    "a length that overflows": ("AB: 40 mm", "AB: 1e300 mm", "line 5", "links.1.AB", "'1e300 mm' is too large for a length"),
+    "a length that vanishes": ("AB: 40 mm", "AB: 1e-300 mm", "line 5", "links.1.AB", "'1e-300 mm' must be greater than zero"),
+    "an angle lost in rounding": ("60 deg", "1e18 deg", "line 8", "input.phi", "'1e18 deg' is too large for an angle"),
+    "a speed whose square overflows": ("10 rad/s", "1e160 rad/s", "line 8", "input.omega", "too large for an angular velocity"),
+    "a direction from a point to itself": ("60 deg", "60 deg from AA", "line 8", "input.phi", "A and A are one place"),
     "two lengths": ("CD: 80 mm", "CD: 80 mm, DF: 3 mm", "line 7", "links.3.DF", "already has the length CD"),
     "misspelt key": ("frame", "fram", "line 3", "fram", "did you mean 'frame'?"),
     "misspelt key of the input": ("omega:", "omgea:", "line 8", "input.omgea", "did you mean 'omega'?"),
@@ -222,6 +227,18 @@ def test_a_folder_is_no_problem_file(tmp_path: Path) -> None:
         load(tmp_path / "p.yaml")
 
 
+def test_a_folder_is_told_from_an_unknown_problem(tmp_path: Path) -> None:
+    (tmp_path / "class-7").mkdir()
+    with pytest.raises(ProblemFileError, match="class-7: is a folder, not a problem file"):
+        load(tmp_path / "class-7")
+
+
+def test_a_base_that_is_no_file_is_told_with_the_line_that_names_it(tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").write_text("id: a\nextends: gone.yaml\n", encoding="utf-8")
+    with pytest.raises(ProblemFileError, match=r"a\.yaml, line 2: extends: gone\.yaml: no such file"):
+        load(tmp_path / "a.yaml")
+
+
 def test_extends_in_a_circle_and_of_nothing(tmp_path: Path) -> None:
     (tmp_path / "a.yaml").write_text("id: a\nextends: b.yaml\n", encoding="utf-8")
     (tmp_path / "b.yaml").write_text("id: b\nextends: a.yaml\n", encoding="utf-8")
@@ -278,3 +295,15 @@ def test_faults_of_an_assignment(name: str, tmp_path: Path) -> None:
     text, message = ASSIGNMENTS[name]
     found = sheet(tmp_path, f"title: t\n{text}\n")
     assert message in found and "sheet.yaml, line " in found
+
+
+def test_what_has_no_value_is_refused_by_its_name() -> None:
+    text = load("4-1").text
+    assert "l2: 180 mm" in text
+    with pytest.raises(NotAskedError, match="f_vee has no value with these data"):
+        loads(text.replace("l2: 180 mm", "l2: 1e-15 mm")).solve()
+
+
+def test_a_find_that_asks_for_nothing_is_refused_at_its_place() -> None:
+    message = refusal("find: [v_C]", "find: []")
+    assert "p.yaml, line 10" in message and "find: at least one entry is needed" in message

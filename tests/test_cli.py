@@ -204,6 +204,11 @@ def test_a_place_that_cannot_be_written_is_named_in_one_line(run: Run, tmp_path:
     assert ".tmp" not in result.stderr
 
 
+def test_a_file_where_a_folder_should_be_is_named_as_what_is_in_the_way(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way", encoding="utf-8")
+    assert run("report", "3-9", "-o", "file").stderr == "vecpoly: file: is a file, not a folder; choose another place\n"
+
+
 def test_every_fault_of_a_file_gets_its_line(run: Run, tmp_path: Path) -> None:
     run("new", "x.yaml")
     text = (tmp_path / "x.yaml").read_text("utf-8").replace("AB: 40 mm", "AB: 40 kg").replace("omega: 10", "omegaa: 10")

@@ -90,7 +90,7 @@ def test_check_weighs_the_printed_answers_of_a_device(run: Run) -> None:
     data = {line["symbol"]: line for line in json.loads(run("check", "5-5", "--json", "-").stdout)["answers"]}
     assert data["eta"]["verdict"] == "reproduced" and data["eta"]["exact"] == pytest.approx(0.218515, rel=1e-5)
     assert "no printed answers" in run("check", "4-3a").stdout
-    assert run("check", "5-6", "5-7").exit_code == 0
+    assert run("check", "5-6").exit_code == 0 and run("check", "5-6", "5-7").exit_code == 1  # 5-7: its printed η′ is wrong
 
 
 # -- figures --------------------------------------------------------------------------------------------------------

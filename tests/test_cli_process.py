@@ -50,12 +50,29 @@ def test_a_reader_that_goes_away_is_met_with_silence() -> None:
     assert said == b"" and process.returncode == 0
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="a shell of another kind")
+@pytest.mark.parametrize("words", ["list", "solve 3-9 --json -", "--help"])
+def test_closed_streams_are_no_error(words: str) -> None:
+    done = subprocess.run(["sh", "-c", f'exec "$0" -m vecpoly {words} >&-', sys.executable], stderr=subprocess.PIPE, check=False, timeout=60)
+    assert done.returncode == 0 and done.stderr == b""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize("words", ["list", "--help", "--version"])
+def test_a_full_disk_behind_the_output_is_told_in_a_line(words: str) -> None:
+    with Path("/dev/full").open("wb") as full:
+        done = subprocess.run([sys.executable, "-m", "vecpoly", words], stdout=full, stderr=subprocess.PIPE, check=False, timeout=60)
+    assert done.returncode == 2 and done.stderr == b"vecpoly: No space left on device\n"
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
 def test_ctrl_c_leaves_with_130_and_nothing_half_written(tmp_path: Path) -> None:
     process = subprocess.Popen([sys.executable, "-m", "vecpoly", "demo", "-o", str(tmp_path)], stderr=subprocess.PIPE)
-    time.sleep(2.5)  # past start-up, in the middle of drawing
+    while not any(tmp_path.glob("*.pdf")):  # past start-up, in the middle of drawing
+        assert process.poll() is None
+        time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=120)
     assert process.returncode == 130 and b"Traceback" not in said
     assert not [p for p in tmp_path.iterdir() if p.suffix != ".pdf"]
 

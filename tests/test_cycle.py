@@ -319,7 +319,7 @@ def test_curves_carry_units_and_differ_without_colour() -> None:
     turn = cycle(load("A-27"))
     plot = curves(turn, ("omega_2", "omega_3", "omega_5", "phi_5"), "zh")
     svg = plot.svg()
-    assert "rad/s" in svg and "主动件" in svg and plot.width == pytest.approx(150.0)
+    assert "rad/s" in svg and "原动件" in svg and plot.width == pytest.approx(150.0)
     long = [item for item in plot.scene.items if isinstance(item, Stroke) and len(item.points) > 300]
     assert len(long) == 4 and len({item.dash for item in long[:3]}) == 3
     assert all(0 <= z.real <= plot.width and 0 <= z.imag <= plot.height for item in long for z in item.points)

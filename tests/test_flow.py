@@ -9,8 +9,8 @@ from typing import Any
 import pdfplumber
 import pytest
 from reportlab.platypus.flowables import Spacer
+from texts import ZH, equation
 
-from vecpoly.board.construction import EquationTable
 from vecpoly.report.flow import (
     Callout,
     DataTable,
@@ -24,13 +24,6 @@ from vecpoly.report.flow import (
     TitleBlock,
 )
 from vecpoly.typeset.box import MM
-from vecpoly.words import Words
-
-ZH = (
-    "图示**铰链四杆机构**中，已知各构件的尺寸及原动件 $AB$ 以等角速度 $ω_1$ 逆时针转动，试用矢量方程图解法"
-    "求构件 $BC$ 的角速度 $ω_2$（比例尺 $μ_l$）。选取“速度比例尺”，由极点作垂线，代表《速度》；"
-    "方向如图所示——这就是所求。学生：陈喆、王堃。"
-)
 
 
 def write(tmp_path: Path, story: list[Any], name: str = "a.pdf") -> Path:
@@ -44,15 +37,6 @@ def pages(path: Path) -> list[str]:
 
 def squeezed(text: str) -> str:
     return re.sub(r"\s", "", text)
-
-
-def equation(terms: int = 3) -> EquationTable:
-    return EquationTable(
-        symbols=("v_C", "v_B", *("v_CB",) * (terms - 2)),
-        signs=("", "=", *("+",) * (terms - 2)),
-        directions=(Words("∥ 导路", "∥ guide"), *(Words("⊥$AB$", "⊥$AB$"),) * (terms - 1)),
-        magnitudes=("?", *("$ω_1 l_{AB}$",) * (terms - 1)),
-    )
 
 
 def test_chinese_text_comes_out_as_it_went_in(tmp_path: Path) -> None:

@@ -7,31 +7,16 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from texts import ZH, equation
 
-from vecpoly.board.construction import EquationTable
 from vecpoly.formula import Row, Txt, sym
 from vecpoly.report.flow import DataTable, EquationFlow, Para
 from vecpoly.report.flow.cells import NO_END, NO_START, Cell, Kind, cells, gap
 from vecpoly.report.flow.formula import lines as formula_lines
 from vecpoly.report.flow.lines import break_lines, fit
 from vecpoly.typeset.box import MM
-from vecpoly.words import Words
 
-ZH = (
-    "图示**铰链四杆机构**中，已知各构件的尺寸及原动件 $AB$ 以等角速度 $ω_1$ 逆时针转动，试用矢量方程图解法"
-    "求构件 $BC$ 的角速度 $ω_2$（比例尺 $μ_l$）。选取“速度比例尺”，由极点作垂线，代表《速度》；"
-    "方向如图所示——这就是所求。学生：陈喆、王堃。"
-)
 EM = 10.5 / MM
-
-
-def equation(terms: int = 3) -> EquationTable:
-    return EquationTable(
-        symbols=("v_C", "v_B", *("v_CB",) * (terms - 2)),
-        signs=("", "=", *("+",) * (terms - 2)),
-        directions=(Words("∥ 导路", "∥ guide"), *(Words("⊥$AB$", "⊥$AB$"),) * (terms - 1)),
-        magnitudes=("?", *("$ω_1 l_{AB}$",) * (terms - 1)),
-    )
 
 
 PIECES = st.sampled_from(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
@@ -107,11 +108,11 @@ def meet(p: complex, q: complex, r: float, s: float, left: bool) -> complex:
 
 
 def ten_bar(phi: float, left: bool, g_left: bool, k_left: bool, e_left: bool = True, m_left: bool = True) -> dict[str, complex]:
-    """Problem 30 by ruler and compasses: frame from its distances, then circle by circle (mm)."""
+    """Problem 30 by ruler and compasses: frame from its distances, then circle by circle (mm); B lies opposite the crank's angle φ."""
     h, f, a = 0j, 310 + 0j, 542.3 + 41.5j
     d = meet(h, f, 363, 200, True)
     k = meet(d, f, 54, 218, k_left)
-    b = a + 100 * np.exp(1j * phi)
+    b = a - 100 * np.exp(1j * phi)
     c = meet(b, d, 273, 136, left)
     g = meet(b, c, 490, 232, g_left)
     return {"C": c, "G": g, "E": meet(g, f, 145, 282, e_left), "M": meet(g, k, 136, 191, m_left), "K": k, "D": d}
@@ -160,3 +161,32 @@ def test_a_length_that_cannot_close_is_refused_in_one_sentence() -> None:
     with pytest.raises(AssemblyError, match="do not meet"):
         cycle(type(problem.mechanism)(frame=problem.mechanism.frame, links=links, joints=problem.mechanism.joints,
                                       drives=problem.mechanism.drives, branches=problem.mechanism.branches))
+
+
+def test_the_last_dyad_of_problem_30_comes_within_0_37_mm_of_its_folded_position_near_159_degrees() -> None:
+    turn = cycle(load("A-30"))
+    dyad = next(t for t in facts(turn).transmissions if t.links == "78")
+    reach = 1e3 * abs(complex(np.asarray(turn.at("p_G", [dyad.least.phi]))[0]) - turn.mech.frame["K"])
+    assert dyad.is_folded and np.degrees(dyad.least.phi) == pytest.approx(159.42, abs=0.01) and reach - (191 - 136) == pytest.approx(0.37, abs=0.005)
+
+
+@pytest.mark.parametrize(("phi", "omega", "alpha", "speeds", "pulls"), [
+    (45, -1.834541725, 43.55556526, (0.26637098, 0.19540085), (1.7177985, 3.4525344)),
+    (135, 1.995240068, 8.418687999, (0.22575274, 0.29129059), (2.6053981, 2.4129386)),
+])
+def test_exercise_10_at_both_readings_of_its_crank_angle(phi: float, omega: float, alpha: float, speeds: tuple[float, ...], pulls: tuple[float, ...]) -> None:
+    turn = cycle(load("ex10"), over=np.radians([phi]))
+    told = {"omega_2": omega, "alpha_2": alpha, "v_D": speeds[0], "v_E": speeds[1], "a_D": pulls[0], "a_E": pulls[1]}
+    for key, value in told.items():
+        assert complex(turn.column(key)[0]).real == pytest.approx(value, rel=1e-8) if "_2" in key else turn.real(key)[0] == pytest.approx(value, rel=1e-7), key
+
+
+@pytest.mark.parametrize("rate", [2 * np.pi * 40 / 60, 40 / 60])
+def test_the_conveyor_at_the_right_speed_and_at_the_speed_of_the_report(rate: float) -> None:
+    mech = load("C-conveyor").mechanism
+    turn = cycle(replace(mech, drives=(replace(mech.drive, rate=rate),)), over=np.radians([0.0, 150.0, 300.0]))
+    scale = rate / (2 * np.pi * 40 / 60)
+    for key, power, told in (("phi_2", 0, (1.1994168, 0.76010321, 1.4001201)), ("omega_2", 1, (-1.8177769, 0.60268823, 0.34411519)),
+                             ("alpha_2", 2, (-3.812965, 3.2408062, -7.6764047)), ("omega_3", 1, (-1.8177769, 1.2415487, -1.0243069)),
+                             ("alpha_3", 2, (4.2522599, -1.4787358, -5.8113029))):
+        assert turn.real(key) == pytest.approx(np.array(told) * scale**power, rel=1e-7), key

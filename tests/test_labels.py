@@ -6,14 +6,15 @@ import cmath
 import math
 import random
 import time
+from functools import cache
 
 import pytest
 import shapely
-from label_faults import faults
+from label_faults import astray, faults
 
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.marks import Dot, LinkNumber, Point, Role, Segment, Vector
-from vecpoly.drawing.figure import drawing
+from vecpoly.drawing.figure import Drawing, drawing
 from vecpoly.drawing.scene import Rect
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
@@ -105,5 +106,22 @@ def test_a_figure_is_lettered_quickly() -> None:
 
 @pytest.mark.parametrize("name", [entry.id for entry in library()])
 def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(name: str) -> None:
-    for each in solve(load(name), repeats=0).construction.figures:
-        assert faults(drawing(each)) == []
+    for each in _drawn(name):
+        assert faults(each) == []
+
+
+@pytest.mark.parametrize("name", [entry.id for entry in library()])
+def test_no_label_of_the_library_stands_nearer_to_another_point_link_or_vector_than_to_its_own(name: str) -> None:
+    for each in _drawn(name):
+        assert astray(each) == []
+
+
+@cache
+def _drawn(name: str) -> tuple[Drawing, ...]:
+    return tuple(drawing(each) for each in solve(load(name), repeats=0).construction.figures)
+
+
+def test_a_letter_that_finds_no_place_beside_its_own_point_is_led_to_it() -> None:
+    crowd = [Point(at=0.9 * cmath.rect(1.0, k * math.pi / 3), label=f"n_{k}^′", dot=Dot.POINT) for k in range(6)]
+    drawn = drawing(figure(Point(at=0j, label="p′", dot=Dot.POLE), *crowd))
+    assert astray(drawn) == [] and any(label.foot is not None for label in drawn.labels)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from pydantic import BaseModel
+from texts import SLIDER_CRANK
 
 from vecpoly.devices.base import Angle, Device, Length, Ratio
 from vecpoly.errors import ProblemFileError, UnknownNameError
@@ -11,15 +12,7 @@ from vecpoly.names import Named
 from vecpoly.problem import devices
 from vecpoly.problem.load import loads
 
-GOOD = """\
-id: t
-title: test
-frame: {A: [0 mm, 0 mm]}
-links:
-  1: {AB: 80 mm}
-  2: {BC: 230 mm}
-  3: {block: C}
-joints: [3 slides on y = -15 mm]
+GOOD = SLIDER_CRANK + """\
 input: {link: 1, phi: 52 deg, omega: 10 rad/s ccw}
 branch: [C right of B]
 loads:
@@ -71,7 +64,7 @@ CASES = {
     "a load that is called as a reaction": ("  F: {", "  R_12: {", "line 12", "loads.R_12", "is the name of a reaction"),
     "negative f": ("f: 0.1", "f: -0.1", "line 16", "friction.B.f", "f = -0.1: a coefficient of friction is not negative"),
     "f with a unit": ("f: 0.1", "f: 0.1 mm", "line 16", "friction.B.f", "'0.1 mm' is no pure number; write e.g. f: 0.1"),
-    "f that is no number": ("f: 0.1", "f: nan", "line 16", "friction.B.f", "is not negative and finite"),
+    "f that is no number": ("f: 0.1", "f: nan", "line 16", "friction.B.f", "is not a finite number"),
     "negative rho": ("rho: 6 mm", "rho: -6 mm", "line 15", "friction.A.rho", "'-6 mm' must not be negative; write e.g. 6 mm"),
     "rho larger than the link": ("rho: 6 mm", "rho: 45 mm", "line 15", "friction.A.rho", "radius 45 mm is more than half of AB = 80 mm"),
     "f r larger than the link": ("f: 0.1, r: 20 mm", "f: 0.9, r: 60 mm", "line 16", "friction.B.r", "radius 54 mm is more than half of BA = 80 mm"),
@@ -218,7 +211,7 @@ DEVICE = {
     "a datum of the wrong kind": ("24 deg", "24 mm", "line 4", "data.alpha", "is a length; write e.g. 60 deg"),
     "a datum below zero": ("30 mm", "-30 mm", "line 4", "data.b", "must be greater than zero"),
     "a negative ratio": ("f: 0.2", "f: -0.2", "line 4", "data.f", "must not be negative"),
-    "not a number": ("f: 0.2", "f: nan", "line 4", "data.f", "must not be negative or infinite"),
+    "not a number": ("f: 0.2", "f: nan", "line 4", "data.f", "is not a finite number"),
     "a value for the data": ("data: {alpha: 24 deg, f: 0.2, b: 30 mm}", "data: 3", "line 4", "data", "a mapping (key: value) is expected here"),
     "an unknown question": ("[eta]", "[etta]", "line 5", "find[0]", "'etta' is nothing that this device is asked for; did you mean 'eta'?"),
     "a misspelt key": ("find", "fidn", "line 5", "fidn", "unknown key 'fidn'; did you mean 'find'?"),
@@ -235,6 +228,31 @@ def test_faults_of_a_device_are_told_in_the_same_way(case: str) -> None:
     assert message.startswith(f"p.yaml, {line}, column ")
     assert f": {path}: " in message
     assert text in message
+
+
+SKETCH = """\
+id: s
+title: four bars
+device: structure
+data:
+  joints:
+    A: R(0, 1) at (0, 0)
+    B: R(1, 2) at (0, 10)
+    C: R(2, 3) at (40, 10)
+    D: R(3, 0) at (40, 0)
+  drivers: [1]
+"""
+
+
+@pytest.mark.parametrize(("old", "new", "text"), [
+    ("C: R(2, 3) at (40, 10)", "C: R(2, 3) at (1e300, 10)", "'(1e300, 10)' is no place on paper"),
+    ("C: R(2, 3) at (40, 10)", "C: R(2, 3) at (40, nan)", "'(40, nan)' is no place on paper"),
+    ("C: R(2, 3) at (40, 10)", "C: P(2, 3) at (40, 10) along inf deg", "'inf deg' is no direction"),
+    ("C: R(2, 3) at (40, 10)", "C: P(2, 3) at (40, 10) along nan deg", "'nan deg' is no direction"),
+])
+def test_a_place_or_direction_beyond_all_paper_is_told(old: str, new: str, text: str) -> None:
+    loads(SKETCH)
+    assert old in SKETCH and text in refusal(SKETCH.replace(old, new))
 
 
 def test_data_without_a_device_are_told() -> None:

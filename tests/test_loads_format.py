@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from texts import SLIDER_CRANK
 
 from vecpoly.check.exact import exact_values
 from vecpoly.check.printed import check_problem
@@ -25,15 +26,7 @@ from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem
 from vecpoly.problem.schema import json_schema
 
-CRANK = """\
-id: t
-title: test
-frame: {A: [0 mm, 0 mm]}
-links:
-  1: {AB: 80 mm}
-  2: {BC: 230 mm}
-  3: {block: C}
-joints: [3 slides on y = -15 mm]
+CRANK = SLIDER_CRANK + """\
 input: {link: 1, phi: 52 deg, omega: ccw}
 branch: [C right of B]
 loads:

@@ -246,6 +246,14 @@ def test_the_own_position_out_of_reach_is_refused_likewise() -> None:
         solve(triple(180.0))
 
 
+def test_a_position_that_alone_does_not_close_is_told_so() -> None:
+    """Crank and frame are equally long: at 0° the rod's pin falls on the block's, and any direction of the rod fits."""
+    mech = swinging_block(0.03, 0.03, 57.0, 10.0)
+    with pytest.raises(AssemblyError, match=r"at 0 deg: they can just before and just after it, .* joints fall together") as told:
+        solve(mech, [0.0])
+    assert "within" not in str(told.value)
+
+
 def test_failing_positions_may_be_left_blank() -> None:
     motion = solve(triple(), np.radians([90.0, 180.0]), strict=False)
     assert np.isfinite(motion.alpha("2")[0]) and np.isnan(motion.alpha("2")[1]) and np.isnan(motion.position("C")[1])

@@ -8,20 +8,32 @@ from dataclasses import replace
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from vecpoly import oracle
+from vecpoly.board.extent import bounds
+from vecpoly.board.scales import round_up
 from vecpoly.cli.app import app
+from vecpoly.data import data_dir
+from vecpoly.drawing.figure import scale_box
+from vecpoly.drawing.scene import Rect
 from vecpoly.mechanism.branch import margin
-from vecpoly.player.figures import shown_figures
+from vecpoly.player.figures import key_of, shown_figures
+from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened, scales_of
 from vecpoly.player.ink import Ink, path
+from vecpoly.player.motion import moving
 from vecpoly.player.page import LIMIT, PLACES, player_html
 from vecpoly.player.steps import said
-from vecpoly.player.turned import cycle
+from vecpoly.player.turned import Cycle, cycle, in_order
 from vecpoly.problem.load import load
+from vecpoly.problem.problem import Problem
 from vecpoly.solution import Solution, solve
 from vecpoly.typeset.fonts import Face
 
@@ -168,12 +180,25 @@ def test_circles_become_arcs_and_polygons_do_not() -> None:
 # -- the crank turned --------------------------------------------------------------------------------------------
 
 
-def test_the_first_place_is_the_given_one_and_reads_the_same() -> None:
+def test_the_first_place_is_the_given_one() -> None:
     solution = solved(KINEMATICS)
     through = cycle(solution, 8)
     given = through.turns[through.start].solution
-    assert through.whole and len(through.turns) == 8
-    assert {key: answer.drawn for key, answer in given.answers.items()} == {key: answer.drawn for key, answer in solution.answers.items()}
+    assert through.whole and through.round and through.start == 0 and len(through.turns) == 8
+    assert given.problem.mechanism.drive == solution.problem.mechanism.drive
+    assert {key: answer.exact for key, answer in given.answers.items()} == {key: answer.exact for key, answer in solution.answers.items()}
+
+
+def test_what_is_read_at_a_place_is_what_a_problem_given_there_would_read() -> None:
+    turn = cycle(solved(KINEMATICS), 9).turns[2]
+    scales = turn.solution.problem.scales
+    text = Path(data_dir("problems") / "ch3" / "3-9.yaml").read_text(encoding="utf-8")
+    there = load_text(re.sub(r"phi: 45 deg", f"phi: {turn.shown.rstrip('°')} deg", text))
+    assert there.mechanism.drive.position != solved(KINEMATICS).problem.mechanism.drive.position
+    own = solve(replace(there, scales=scales), repeats=0)
+    for key, answer in turn.solution.answers.items():
+        assert answer.exact == pytest.approx(own.answers[key].exact, rel=1e-9)
+        assert answer.drawn == pytest.approx(own.answers[key].drawn, rel=1e-9)
 
 
 @pytest.mark.parametrize("name", [KINEMATICS, "3-5", "A-27"])
@@ -201,16 +226,72 @@ def test_the_assembly_is_kept_round_the_turn(name: str) -> None:
             assert complex(own.origin(link.name)) == pytest.approx(complex(motion.origin(link.name)[i]), abs=1e-9 * mech.scale)
 
 
-def test_scales_stay_through_the_cycle() -> None:
-    for name in (KINEMATICS, LARGE):
-        turns = cycle(solved(name), 6).turns
-        for view, scale in {(f.view, f.scale) for f in solved(name).construction.figures if not f.name}:
-            assert {f.scale.value for turn in turns for f in turn.solution.construction.figures if f.view is view and not f.name} == {scale.value}
+BESIDE_A_DEAD_POINT = "B-24"  # its accelerations grow to twenty times those of the given place
+
+
+@cache
+def turned_and_drawn(name: str) -> tuple[Cycle, list[dict[str, Any]], Ink]:
+    ink, through = Ink(), cycle(solved(name), 36)
+    return through, moving(through, solved(name).construction, ink), ink
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, BESIDE_A_DEAD_POINT])
+def test_nearly_all_places_share_their_scales_and_none_is_finer_than_given(name: str) -> None:
+    given = scales_of(solved(name).construction)
+    scales = [turn.solution.problem.scales for turn in turned_and_drawn(name)[0].turns]
+    assert {one.mu_l for one in scales} == {given.mu_l}
+    for field in ("mu_v", "mu_a"):
+        values = [getattr(one, field) for one in scales]
+        assert min(values) >= getattr(given, field)
+        assert max(map(values.count, values)) >= MOST * len(values) - 1
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, BESIDE_A_DEAD_POINT])
+def test_no_polygon_leaves_its_pane(name: str) -> None:
+    through, figures, _ = turned_and_drawn(name)
+    assert not any(figure["cut"] for figure in figures)
+    for figure in figures[1:]:
+        x, y, wide, high = (side / 100 for side in figure["clip"])
+        assert max(wide, high) < 2 * SIDE
+        for turn in through.turns:
+            low, up = bounds(next(f.marks for f in turn.solution.construction.figures if key_of(f) == figure["key"]))
+            assert x <= low.real and up.real <= x + wide and y <= -up.imag and -low.imag <= y + high
+
+
+def test_the_scale_under_a_figure_is_that_of_its_drawing_at_every_place() -> None:
+    through, figures, ink = turned_and_drawn(BESIDE_A_DEAD_POINT)
+    given = {key_of(f): f.scale for f in solved(BESIDE_A_DEAD_POINT).construction.figures}
+    assert any(len(figure["captions"]) > 1 for figure in figures)
+    for figure in figures:
+        for number, turn in zip(figure["scale"], through.turns, strict=True):
+            drawn = next(f for f in turn.solution.construction.figures if key_of(f) == figure["key"])
+            caption = figure["captions"][number]
+            assert f'href="#{ink.type(scale_box(drawn.scale))}"' in caption["svg"]
+            assert caption["other"] == (drawn.scale != given[figure["key"]])
+
+
+@given(reaches=st.lists(st.tuples(*[st.floats(-3, 3)] * 2), min_size=1, max_size=12), given=st.sampled_from([0.003, 0.02, 1.0, 25.0]))
+@settings(max_examples=60, deadline=None)
+def test_any_polygons_fit_together_at_round_scales(reaches: list[tuple[float, float]], given: float) -> None:
+    tips = [complex(np.sign(x) * 10 ** abs(x), np.sign(y) * 10 ** abs(y)) for x, y in reaches]
+    boxes = [{"": Rect(min(z.real, 0), min(z.imag, 0), max(z.real, 0), max(z.imag, 0))} for z in tips]
+    values = coarsened(boxes, boxes[0], given)
+    side = max(SIDE, AMPLE * max(boxes[0][""].width, boxes[0][""].height))
+    drawn = [z * given / value for z, value in zip(tips, values, strict=True)]
+    for part in (np.real(drawn), np.imag(drawn)):
+        assert max(*part, 0) - min(*part, 0) <= side * (1 + 1e-9)
+    assert all(value == given or (value > given and round_up(value) == pytest.approx(value)) for value in values)
+
+
+def test_a_drive_that_passes_dead_points_goes_round_from_the_given_place() -> None:
+    assert in_order([0, 1, 2, 4, 5, 6, 7, 9, 10, 11], 12) == ([0, 1, 2, 4, 5, 6, 7, 9, 10, 11], True)
+    assert in_order([0, 1, 2, 7, 8, 9, 10, 11], 12) == ([7, 8, 9, 10, 11, 0, 1, 2], False)
+    assert in_order([0], 12) == ([0], False) and in_order([], 12) == ([], False)
 
 
 def test_a_rocker_that_cannot_turn_round_is_run_through_from_end_to_end() -> None:
     through = cycle(solved("3-4a"), PLACES)
-    assert not through.whole and 2 < len(through.turns) < PLACES
+    assert not through.whole and not through.round and 2 < len(through.turns) < PLACES
     angles = np.array([turn.solution.problem.mechanism.drive.position for turn in through.turns])
     assert np.allclose(np.abs((np.diff(angles) + np.pi) % (2 * np.pi) - np.pi), 2 * np.pi / PLACES)
 
@@ -234,9 +315,7 @@ find: [v_B, omega_3]
     assert through.turns[through.start].shown == "110 mm"
 
 
-def load_text(text: str):  # type: ignore[no-untyped-def]
-    from tempfile import TemporaryDirectory
-
+def load_text(text: str) -> Problem:
     with TemporaryDirectory() as folder:
         file = Path(folder) / "problem.yaml"
         file.write_text(text, encoding="utf-8")

@@ -32,7 +32,7 @@ from vecpoly.problem.load import load
 
 PRINTED = Path(__file__).parent.parent / "problems" / "homework" / "tables"
 Reals = NDArray[np.float64]
-FEW = settings(max_examples=6, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+FEW = settings(max_examples=2, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 TURN = np.arange(0.0, 361.0, 10.0)
 SIX_BAR = ("theta2_deg", "theta3_deg", "theta4_deg", "omega2_rad_s", "omega4_rad_s", "alpha3_rad_s2", "vE_m_s", "aE_m_s2")
 DOUBLE_CRANK = ("phi2_deg", "phi5_deg", "omega5_rad_s", "alpha5_rad_s2", "vF_m_s")
@@ -40,8 +40,14 @@ GUIDES = ("phi3_deg", "phi5_deg", "omega5_rad_s", "alpha5_rad_s2", "xD_mm", "aD_
 
 
 @cache
+def timed(problem: str, table: str) -> tuple[TableCheck, float]:
+    start = process_time()
+    check = check_table(load(problem), PRINTED / f"{table}_printed.csv")
+    return check, process_time() - start
+
+
 def checked(problem: str, table: str) -> TableCheck:
-    return check_table(load(problem), PRINTED / f"{table}_printed.csv")
+    return timed(problem, table)[0]
 
 
 def slips(column: ColumnCheck) -> set[Slip]:
@@ -99,11 +105,12 @@ def test_problem_16_has_right_angles_and_velocities_thirteen_of_them_with_three_
     assert "13 of them printed with 3 digits only" in phi.words.en and "13 行只印了 3 位" in phi.words.zh
 
 
-def test_the_accelerations_of_problem_16_are_right_at_90_and_270_degrees_only_and_no_slip_explains_them() -> None:
+def test_the_accelerations_of_problem_16_lack_the_divisor_of_their_dyad() -> None:
     alpha = checked("A-16", "A_p16").column("alpha5_rad_s2")
-    assert alpha.verdict is Level.WRONG and not alpha.explanations
+    assert alpha.verdict is Level.WRONG and [one.slip for one in alpha.explanations] == [Slip.DIVISOR]
+    assert alpha.best.level is Level.REPRODUCED and alpha.best.rows_right == 361
     assert "wrong in 359 of 361 rows, right only at 90°, 270°" in alpha.words.en
-    assert "no usual slip explains it" in alpha.words.en and "contradict" in alpha.words.en
+    assert "$α_{3}$ not divided by the coefficient of its dyad, $l_{CB} cos θ$" in alpha.words.en and "以 mm 计" in alpha.words.zh
 
 
 @pytest.mark.parametrize(("table", "problem", "l1", "l1_of_rates"), [
@@ -127,7 +134,7 @@ def test_the_six_bar_tables_were_computed_with_two_crank_lengths(table: str, pro
             assert 1e3 * found(column, Slip.RATES)[0] == pytest.approx(l1_of_rates, abs=1e-9)
         factor = found(check.column(f"omega{link}_rad_s"), Slip.FACTOR)
         assert factor == [pytest.approx(l1_of_rates / l1, rel=1e-9)]
-    assert "no one mechanism" in check.whole[-1].en
+    assert "no one mechanism" in check.whole[-2].en
 
 
 @pytest.mark.parametrize(("table", "problem", "header", "rows"), [
@@ -149,24 +156,54 @@ def test_the_dyad_angles_of_table_1a_are_right_with_low_accuracy() -> None:
         assert np.degrees(column.given.largest) == pytest.approx(largest, abs=1e-4)
 
 
-@pytest.mark.parametrize(("table", "problem"), [("B_table_1A", "B-24"), ("B_table_1B", "B-29.5")])
-def test_speed_and_acceleration_of_e_are_wrong_by_no_usual_slip(table: str, problem: str) -> None:
-    for header in ("vE_m_s", "aE_m_s2"):
-        column = checked(problem, table).column(header)
-        assert column.verdict is Level.WRONG and not column.explanations
+V_E = "the term $l_{BC} ω_{2}$ lacks its $ω_{2}$ and has $φ_{3}$ for $φ_{2}$ in its x component; the term $l_{CE} ω_{2}$ has the wrong sign in its y component"
+A_E = ("the term $l_{BC} α_{2}$ has $φ_{3}$ for $φ_{2}$ in its x component; the term $l_{BC} ω_{2}^2$ has $φ_{3}$ for $φ_{2}$ in its y component; "
+       "the term $l_{CE} α_{2}$ has the wrong sign in its y component")
+
+
+@pytest.mark.parametrize(("table", "problem", "l1", "l1_of_rates"), [
+    ("B_table_1A", "B-24", 24.0, 26.5), ("B_table_1B", "B-29.5", 29.5, 24.0), ("B_table_1A", "B-26.5", 24.0, 26.5), ("B_table_1B", "B-26.5", 29.5, 24.0),
+])
+def test_speed_and_acceleration_of_e_hold_three_slips_of_their_formulas_beside_the_two_crank_lengths(table: str, problem: str, l1: float, l1_of_rates: float) -> None:
+    check = checked(problem, table)
+    for header, slips_told in (("vE_m_s", V_E), ("aE_m_s2", A_E)):
+        column = check.column(header)
+        assert column.verdict is Level.WRONG and [one.slip for one in column.explanations] == [Slip.FORMULA]
+        assert column.best.level is Level.REPRODUCED and column.best.rows_right == 37
+        words = column.explanations[0].words
+        assert words.en.startswith(f"angles with $l_{{AB}}$ = {l1:g} mm, but rates computed with $l_{{AB}}$ = {l1_of_rates:g} mm; besides, in the formula of")
+        assert words.en.endswith(slips_told)
+    assert "$l_{BC} ω_{2}$ 项漏乘 $ω_{2}$，x 分量误用 $φ_{3}$ 代替 $φ_{2}$；$l_{CE} ω_{2}$ 项 y 分量正负号相反" in check.column("vE_m_s").words.zh
+
+
+VARIANTS = {"B_table_1A": ("$l_{AB}$ = 24 mm is that of variant B, 26.5 mm that of variant A.", "$l_{AB}$ = 24 mm 即方案 B 的尺寸，26.5 mm 即方案 A 的尺寸。"),
+            "B_table_1B": ("$l_{AB}$ = 29.5 mm is that of variant C, 24 mm that of variant B.", "$l_{AB}$ = 29.5 mm 即方案 C 的尺寸，24 mm 即方案 B 的尺寸。")}  # fmt: skip
+
+
+@pytest.mark.parametrize(("table", "problem"), [("B_table_1A", "B-24"), ("B_table_1B", "B-29.5"), ("B_table_1A", "B-26.5"), ("B_table_1B", "B-26.5")])
+def test_lengths_that_belong_to_variants_of_the_problem_are_named_by_them(table: str, problem: str) -> None:
+    last = checked(problem, table).whole[-1]
+    assert (last.en, last.zh) == VARIANTS[table]
+
+
+def test_a_slip_that_many_columns_share_leaves_no_room_for_one_that_fits_a_single_column() -> None:
+    check = checked("B-24", "B_table_1A")
+    told = {slip.words.en for one in check.columns for slip in one.explanations if slip.slip is not Slip.FORMULA}
+    assert told == {"angles with $l_{AB}$ = 24 mm, but rates computed with $l_{AB}$ = 26.5 mm",
+                    "a constant factor 1.10417 = 26.5/24, the ratio of two values of $l_{AB}$"}
+    assert "the printed" not in check.column("omega3_rad_s").words.en and "so it is 1.1042 times" in check.column("omega3_rad_s").words.en
 
 
 def test_a_table_that_numbers_its_links_otherwise_is_matched_by_its_angles() -> None:
     check = checked("B-24", "B_table_1A")
     assert [check.column(f"theta{n}_deg").column.target.key for n in (2, 3, 5, 6)] == ["phi_2", "phi_3", "phi_4", "phi_5"]
-    assert any("5 → 4, 6 → 5" in note.en for note in check.notes)
+    assert any("its links 5, 6 are the problem's links 4, 5" in note.en for note in check.notes)
+    assert check.column("theta5_deg").column.label.en == "the table's $θ_{5}$ (our $φ_{4}$)"
 
 
 def test_a_table_is_checked_within_five_seconds_of_work() -> None:
     for problem, table in (("A-16", "A_p16"), ("B-26.5", "B_table_1A")):
-        start = process_time()
-        check_table(load(problem), PRINTED / f"{table}_printed.csv")
-        assert process_time() - start < 5.0
+        assert timed(problem, table)[1] < 5.0
 
 
 # -- true tables ------------------------------------------------------------------------------------------------
@@ -233,7 +270,7 @@ def test_another_length_is_found(against: Callable[..., TableCheck], which: int,
 
 
 @FEW
-@given(st.sampled_from([21.0, 25.5, 30.0]))
+@given(st.sampled_from([21.0, 30.0]))
 def test_rates_with_another_crank_length_are_found(against: Callable[..., TableCheck], l1: float) -> None:
     mech = load("B-24").mechanism
     poses = oracle.solve(mech, np.radians(TURN))
@@ -461,17 +498,17 @@ def run(*words: object) -> tuple[int, str, str]:
 
 def test_the_command_prints_a_verdict_on_each_column_in_both_languages() -> None:
     code, shown, _ = run("check", "A-16", "--table", PRINTED / "A_p16_printed.csv")
-    assert code == 0 and "ω_5" in shown and "right only at 90°, 270°" in shown and "$" not in shown
+    assert code == 1 and "ω_5" in shown and "right only at 90°, 270°" in shown and "$" not in shown
     _, shown, _ = run("check", "A-16", "--table", PRINTED / "A_p16_printed.csv", "--lang", "zh")
-    assert "361 行中有 359 行错误，仅在 90°, 270° 正确" in shown and "两列自相矛盾" in shown and "$" not in shown
+    assert "361 行中有 359 行错误，仅在 90°、270° 相符" in shown and "漏除以杆组的系数" in shown and "$" not in shown
     assert "速度和加速度却按 $l_{AB}$ = 26.5 mm 计算" in checked("B-26.5", "B_table_1A").column("omega2_rad_s").words.zh
 
 
 def test_the_command_writes_json() -> None:
     code, shown, _ = run("check", "A-16", "--table", PRINTED / "A_p16_printed.csv", "--json", "-")
     data = json.loads(shown)
-    assert code == 0 and [column["verdict"] for column in data["columns"]] == ["reproduced", "reproduced", "wrong"]
-    assert data["columns"][2]["rows_right"] == 2 and data["columns"][2]["explanations"] == []
+    assert code == 1 and data["agrees"] is False and [column["verdict"] for column in data["columns"]] == ["reproduced", "reproduced", "wrong"]
+    assert data["columns"][2]["rows_right"] == 2 and [one["slip"] for one in data["columns"][2]["explanations"]] == ["missing divisor"]
 
 
 @pytest.mark.parametrize(("words", "told"), [

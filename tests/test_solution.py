@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from texts import CLASS_III
 
 from vecpoly.errors import AssemblyError, DeadPointError, NoMethodError
 from vecpoly.problem.library import library
@@ -113,22 +114,8 @@ def test_a_drag_link_turns_through_every_position() -> None:
 
 
 def test_a_class_iii_group_is_refused_by_name_and_not_drawn_wrongly() -> None:
-    text = """
-id: c3
-title: {zh: 三级机构, en: class III}
-frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm], G: [100 mm, 250 mm]}
-links:
-  1: {AB: 50 mm}
-  2: {BC: 120 mm}
-  3: {CE: 80 mm, F: {CF: 80 mm, EF: 80 mm, side: left of CE}}
-  4: {ED: 110 mm}
-  5: {FG: 120 mm}
-input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
-guesses: {C: [80 mm, 120 mm], E: [160 mm, 110 mm], F: [120 mm, 180 mm]}
-find: [v_C, omega_3]
-"""
     with pytest.raises(NoMethodError, match="class III"):
-        solve(loads(text))
+        solve(loads(CLASS_III))
 
 
 def test_the_conveyor_at_120_degrees_agrees_with_the_report_s_whole_cycle_table() -> None:

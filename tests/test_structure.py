@@ -23,7 +23,7 @@ from vecpoly.oracle.devices.structure import reduced, without_high_pairs
 from vecpoly.oracle.devices.structure_match import assur, rank_of
 from vecpoly.oracle.devices.structure_rank import Ranks, determined, ranks
 from vecpoly.problem.load import load, loads
-from vecpoly.report.content import conclusions
+from vecpoly.report.content import cautions, conclusions
 
 CASES: dict[str, Any] = json.loads((Path(__file__).parent / "data" / "ch2.json").read_text(encoding="utf-8"))
 ROMAN = {"II": 2, "III": 3, "IV": 4}
@@ -207,7 +207,7 @@ def test_a_disagreement_of_count_and_rank_is_said() -> None:
         "A": "R(0, 1) at (0, 0)", "B": "R(1, 2) at (20, 35)", "C": "R(2, 3) at (120, 35)", "D": "R(3, 0) at (100, 0)",
         "E": "P(2, 4) at (70, 35) along (1, 0)", "F": "P(4, 0) at (70, 35) along (1, 0)"}, ["1"])))
     assert solution.answers["determined"].drawn != solution.answers["determined"].exact
-    assert any("Beware" in line for line in conclusions(solution, "en")) and any("二者不符" in line for line in conclusions(solution, "zh"))
+    assert any("Beware" in line for line in cautions(solution, "en")) and any("二者不符" in line for line in cautions(solution, "zh"))
 
 
 def text(joints: dict[str, str], drivers: list[str]) -> str:
@@ -238,7 +238,7 @@ def test_a_bad_joint_is_refused_with_the_remedy(change: dict[str, str], said: st
     assert said in str(refusal.value) and "line" in str(refusal.value)
 
 
-@pytest.mark.parametrize(("driver", "said"), [("7", "driver 7 is no link"), ("2", "neither pinned to the frame"), ("1+7", "driver 7 is no link")])
+@pytest.mark.parametrize(("driver", "said"), [("7", "driver 7 is no link"), ("2", "neither pinned to the frame"), ("1+7", "driver 7 is no link"), ("1+1", "stands twice")])
 def test_a_bad_driver_is_refused(driver: str, said: str) -> None:
     with pytest.raises(ProblemFileError, match=said.replace("+", r"\+")):
         loads(text(GOOD, [driver]))

@@ -13,13 +13,14 @@ import numpy as np
 
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
-from .check.exact import exact_lines, exact_values
+from .check.exact import Exact
 from .devices.base import Device
+from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
 from .methods.centres.compare import comparable
-from .methods.centres.plan import needs_centres
 from .methods.devices.plan import construct_device
-from .methods.plan import construct, stages
+from .methods.passes import needs_centres, stages
+from .methods.plan import construct
 from .problem.problem import Problem
 from .words import Lang
 
@@ -148,13 +149,13 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
 
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
-    exact = exact_values(problem)  # first: its refusals know the range of the input that does assemble
+    truth = Exact(problem)
+    exact = truth.values  # first: its refusals know the range of the input that does assemble
     construction, spread = _constructed(problem, hand(by, seed=seed, repeats=repeats))
-    lines = exact_lines(problem)
     readings, exact, spread = comparable(construction.readings, exact, spread)
     construction = replace(construction, readings=readings)
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
-    answers = {key: _answer(reading, exact[key], spread[key], lines.get(key), reading.unit in turning) for key, reading in construction.readings.items()}
+    answers = {key: _answer(reading, exact[key], spread[key], truth.lines.get(key), reading.unit in turning) for key, reading in construction.readings.items()}
     return Solution(problem, construction, answers)
 
 
@@ -165,7 +166,7 @@ def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str,
     if problem.loads is not None:
         return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View})
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)))
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), fits_sheet)
 
 
 def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[complex, str] | None, turns: bool) -> Answer:

@@ -98,6 +98,8 @@ class Quantity:
     text: str
 
 
+MOST, LEAST = 1e20, 1e-20  # of any number; of any quantity in SI
+MOST_ANGLE = 1e6  # rad
 _NUMBER = re.compile(
     r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
 )
@@ -128,7 +130,14 @@ def read(text: object, dim: Dim) -> Quantity:
             f"'{text}' is not {dim.label}: its unit '{m[2]}' is {_named(dimension)}; write e.g. {dim.example}"
         )
     per_mm = 1e-3 if dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
-    return Quantity(sign * _times(number, factor * per_mm), text)
+    return Quantity(sign * _sensible(_times(number, factor * per_mm), text, dim), text)
+
+
+def _sensible(si: float, text: str, dim: Dim) -> float:
+    """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
+    if abs(si) > (MOST_ANGLE if dim is Dim.ANGLE else MOST):
+        raise FaultError(f"'{text}' is too large for {dim.label}; check number and unit, and write e.g. {dim.example}")
+    return 0.0 if abs(si) < LEAST else si
 
 
 def _times(number: float, factor: float) -> float:
@@ -145,6 +154,17 @@ def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     if quantity.si <= 0:
         raise FaultError(f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}")
     return quantity
+
+
+def pure(text: object, example: str) -> float:
+    """A finite number without a unit; raises FaultError."""
+    try:
+        number = float(str(text).replace("−", "-"))
+    except ValueError:
+        raise FaultError(f"'{text}' is no pure number; write e.g. {example}") from None
+    if not abs(number) <= MOST:
+        raise FaultError(f"'{text}' is not a finite number; write e.g. {example}")
+    return number
 
 
 @lru_cache(maxsize=256)

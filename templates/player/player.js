@@ -1,4 +1,4 @@
-// The player: which step or place is shown, the controls, the keyboard, the language.
+// The player: which step or place is shown, and in which language.
 const root = document.documentElement, slider = one("#slider"), live = one("#live");
 const figures = all("#drawn .figure").map((node) => ({
   node, key: node.dataset.key, box: node.dataset.box.split(" ").map(Number), steps: node.dataset.steps.split(" ").map(Number),
@@ -6,10 +6,12 @@ const figures = all("#drawn .figure").map((node) => ({
 }));
 const steps = all("#steps li"), COUNT = steps.length;
 const FEW = 4; // figures that are shown together on a wide screen
-const PACE = { steps: 2600, turn: 90 }; // ms
+const PACE = { step: 2600, zh: 110, en: 45, turn: 90 }; // ms: at least for a step, for a character to be read, for a place
+const KEYS = { ArrowLeft: "←", ArrowRight: "→" };
+const SPEEDS = [1, 2, 0.25, 0.5], FAST = ["1×", "2×", "¼×", "½×"], SIZES = [100, 125, 150, 200]; // times the pace; % of the usual text
 
 const player = {
-  mode: "steps", step: 1, place: 0, view: "auto", timer: null, way: 1, ready: false, rest: null,
+  mode: "steps", step: 1, place: 0, view: "auto", timer: null, way: 1, ready: false, rest: null, speed: 1, laid: "",
 
   lang: () => root.dataset.lang,
   word: (zh, en) => (player.lang() === "zh" ? zh : en),
@@ -19,16 +21,24 @@ const player = {
   high: () => (player.turning() ? turn.data.shown.length - 1 : COUNT),
 
   go(to, speak = true) {
-    to = Math.min(Math.max(to, player.low()), player.high());
+    to = Math.min(Math.max(Math.round(to), player.low()), player.high());
     if (player.turning()) player.showPlace(to);
     else player.showStep(to);
     slider.value = to;
     one("#counter").textContent = player.turning() ? turn.data.shown[to] : `${to} / ${COUNT}`;
     slider.setAttribute("aria-valuetext", player.turning() ? turn.data.shown[to] : player.word(`第 ${to} 步，共 ${COUNT} 步`, `step ${to} of ${COUNT}`));
-    const ends = player.turning() && turn.data.all;
-    for (const id of ["first", "back"]) one(`#${id}`).disabled = !ends && to === player.low();
-    for (const id of ["last", "next"]) one(`#${id}`).disabled = !ends && to === player.high();
+    const ends = player.turning() && turn.data.round;
+    for (const id of ["first", "back"]) one(`#${id}`).setAttribute("aria-disabled", !ends && to === player.low());
+    for (const id of ["last", "next"]) one(`#${id}`).setAttribute("aria-disabled", !ends && to === player.high());
     if (speak && !player.timer) player.speak(to);
+    player.note();
+  },
+
+  // The address leads back here: play.html#step=7, #turn=10 places beyond the given one. Safari allows few such notes in a short time.
+  note() {
+    clearTimeout(player.noted);
+    const here = player.turning() ? `#turn=${player.place - turn.start}` : `#step=${player.step}`;
+    if (player.ready) player.noted = setTimeout(() => { try { history.replaceState(null, "", `${here}&lang=${player.lang()}`); } catch { /* no address to change */ } }, 500);
   },
 
   // A step is told at once; a moving drive when it has come to rest.
@@ -67,12 +77,19 @@ const player = {
       part.classList.toggle("cur", inside.some((node) => node.classList.contains("cur")));
       part.classList.toggle("off", inside.every((node) => node.classList.contains("off")));
     }
-    const panel = one("#panel"), node = steps[to - 1], top = node.offsetTop, low = top + node.offsetHeight;
-    if (low > panel.scrollTop + panel.clientHeight || top < panel.scrollTop) {
-      const target = Math.max(0, top - Math.max(24, panel.clientHeight - node.offsetHeight - 40));
-      panel.scrollTo({ top: target, behavior: !player.ready || calm.matches || Math.abs(target - panel.scrollTop) > 2 * panel.clientHeight ? "instant" : "smooth" });
-    }
-    if (player.view === "auto") player.frame();
+    player.reveal(steps[to - 1]);
+    const drawn = figures.filter((figure) => figure.steps.includes(to));
+    if (player.view === "free" && drawn.length && !drawn.some((figure) => stage.seen(figure.key))) player.look("auto");
+    else if (player.view === "auto") player.frame();
+  },
+
+  // Scroll to a step: where it stands alone, with its heading; in the list, with steps before it.
+  reveal(node) {
+    const panel = one("#panel"), top = node.offsetTop, low = top + node.offsetHeight, room = panel.clientHeight;
+    const alone = stage.narrow() || root.dataset.panel === "off";
+    if (!alone && low <= panel.scrollTop + room && top >= panel.scrollTop) return;
+    const target = Math.max(0, alone ? Math.min(top - 40, low + 8 - room) : top - Math.max(24, room - node.offsetHeight - 40));
+    panel.scrollTo({ top: target, behavior: alone || !player.ready || calm.matches || Math.abs(target - panel.scrollTop) > 2 * room ? "instant" : "smooth" });
   },
 
   showPlace(to) {
@@ -84,7 +101,13 @@ const player = {
   frame(at_once = false) {
     const show = (keys) => {
       for (const figure of player.turning() ? turn.figures : figures) figure.node.classList.toggle("aside", keys.length > 0 && !keys.includes(figure.key));
-      if (player.view !== "free") stage.show(keys, at_once);
+      if (player.view === "free") return;
+      const together = stage.narrow() && keys.length > 1 && player.view === "auto" ? keys : []; // on a phone, what stands between them gives way
+      if (!player.turning() && together.join() !== player.laid) {
+        player.laid = together.join();
+        stage.arrange(figures.filter((figure) => !together.length || together.includes(figure.key)));
+      }
+      stage.show(keys, at_once);
     };
     if (player.view !== "auto") return show(["all", "free"].includes(player.view) ? [] : [player.view]);
     if (player.turning()) return show([]);
@@ -117,6 +140,7 @@ const player = {
     if (one("#turn")) {
       one("#turn").hidden = !turning;
       one("#gaps").hidden = !turn.data || turn.data.all;
+      one("#others").hidden = !turn.data || !turn.data.figures.some((figure) => figure.captions.some(({ other }) => other));
       one("#cut").hidden = !turn.data || !turn.data.figures.some((figure) => figure.cut);
       one("#mode-steps").setAttribute("aria-pressed", String(!turning));
       one("#mode-turn").setAttribute("aria-pressed", String(turning));
@@ -131,14 +155,16 @@ const player = {
     player.go(player.at());
   },
 
-  // On a phone the first two figures turn alone unless another is asked for: all together would be too small.
+  // On a phone the first two figures that move turn alone unless another is asked for: all together would be too small.
   arrange() {
     const everything = player.turning() ? turn.figures : figures;
-    const shown = player.turning() && player.view === "auto" && stage.narrow() ? everything.slice(0, 2) : everything;
+    const shown = player.turning() && player.view === "auto" && stage.narrow() ? player.first() : everything;
     for (const figure of everything) figure.node.style.display = shown.includes(figure) ? "" : "none";
     stage.arrange(shown);
+    player.laid = "";
     player.frame(true);
   },
+  first: () => turn.figures.filter((figure) => figure.moves).slice(0, 2),
 
   setLang(lang) {
     root.dataset.lang = root.lang = lang;
@@ -149,24 +175,31 @@ const player = {
 
   relabel() {
     const turning = player.turning(), names = turning && {
-      first: ["起始位置", "First place"], back: ["退一个位置", "Back"], next: ["进一个位置", "Next"], last: ["最后位置", "Last place"], slider: ["主动件的位置", "Place of the drive"] };
+      first: ["起始位置", "First place"], back: ["退一个位置", "Back"], next: ["进一个位置", "Next"], last: ["最后位置", "Last place"], slider: [slider.dataset.turnZh, slider.dataset.turnEn] };
+    const folded = root.dataset.panel === "off", full = Boolean(document.fullscreenElement);
+    const states = { play: player.timer && ["暂停", "Pause"], "panel-off": folded && ["展开说明", "Unfold the explanation"], present: full && ["退出全屏", "Leave full screen"] };
     for (const node of all("[data-zh]")) {
-      const [zh, en] = (names && names[node.id]) || [node.dataset.zh, node.dataset.en];
-      const text = node.id === "play" && player.timer ? player.word("暂停", "Pause") : player.word(zh, en);
+      const [zh, en] = states[node.id] || (names && names[node.id]) || [node.dataset.zh, node.dataset.en];
+      const text = player.word(zh, en) + (node.id === "speed" ? ` ${node.textContent}` : "");
       node.setAttribute("aria-label", text);
-      if (node.matches("button:not(#language):not(.number)")) node.title = text;
+      if (node.matches("button:not(#language):not(.number)")) node.title = text + (node.ariaKeyShortcuts ? ` (${KEYS[node.ariaKeyShortcuts] || node.ariaKeyShortcuts})` : "");
     }
   },
 
   play() {
     if (player.timer) return player.stop();
     if (!player.turning() && player.step === COUNT) player.go(1);
-    player.timer = setInterval(player.tick, PACE[player.mode]);
     root.toggleAttribute("data-playing", true);
+    player.wait();
     player.relabel();
   },
+  // A step stays until it can have been read.
+  wait() {
+    const reading = player.turning() ? PACE.turn : Math.max(PACE.step, PACE[player.lang()] * steps[player.step - 1].innerText.length);
+    player.timer = setTimeout(() => { player.tick(); if (player.timer) player.wait(); }, reading / player.speed);
+  },
   stop() {
-    clearInterval(player.timer);
+    clearTimeout(player.timer);
     player.timer = null;
     root.toggleAttribute("data-playing", false);
     player.relabel();
@@ -177,7 +210,7 @@ const player = {
       player.go(player.step + 1);
       live.textContent = player.said(player.step);
       if (player.step === COUNT) player.stop();
-    } else if (turn.data.all) player.go((player.place + 1) % turn.data.shown.length);
+    } else if (turn.data.round) player.go((player.place + 1) % turn.data.shown.length);
     else {
       if (player.place + player.way > player.high() || player.place + player.way < 0) player.way = -player.way;
       player.go(player.place + player.way);
@@ -187,54 +220,6 @@ const player = {
   next(by) {
     player.stop();
     const many = player.high() + 1;
-    player.go(player.turning() && turn.data.all ? (player.place + by + many) % many : player.at() + by);
+    player.go(player.turning() && turn.data.round ? (player.place + by + many) % many : player.at() + by);
   },
 };
-
-one("#first").onclick = () => { player.stop(); player.go(player.low()); };
-one("#last").onclick = () => { player.stop(); player.go(player.high()); };
-one("#back").onclick = () => player.next(-1);
-one("#next").onclick = () => player.next(1);
-one("#play").onclick = () => player.play();
-slider.oninput = () => { player.stop(); player.go(+slider.value); };
-one("#zoom-in").onclick = () => stage.zoom(1.3);
-one("#zoom-out").onclick = () => stage.zoom(1 / 1.3);
-one("#zoom-fit").onclick = () => player.fit();
-one("#language").onclick = () => player.setLang(player.lang() === "zh" ? "en" : "zh");
-for (const chip of all("#views button")) chip.onclick = () => player.look(chip.dataset.view);
-for (const node of steps) one(".number", node).onclick = () => { player.stop(); player.go(+node.dataset.step); };
-if (one("#mode-turn")) {
-  one("#mode-steps").onclick = () => player.setMode("steps");
-  one("#mode-turn").onclick = () => player.setMode("turn");
-}
-
-document.addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
-  const on = event.target instanceof Element ? event.target : document.body;
-  if (on === slider && event.key !== " ") return; // the slider has keys of its own
-  if (event.key === " " && on.closest("button, summary")) return;
-  const act = { ArrowRight: () => player.next(1), ArrowLeft: () => player.next(-1), PageDown: () => player.next(1), PageUp: () => player.next(-1),
-    Home: () => one("#first").onclick(), End: () => one("#last").onclick(), " ": () => player.play() }[event.key];
-  if (!act) return;
-  event.preventDefault();
-  act();
-});
-
-// On paper: every step, and the finished figures.
-let before = null;
-addEventListener("beforeprint", () => {
-  before = { step: player.step, open: one("#problem").open };
-  one("#problem").open = true;
-  if (!player.turning()) { player.go(COUNT, false); for (const { group } of figures.flatMap((figure) => figure.groups)) group.setAttribute("class", ""); }
-  for (const node of all("#steps .off")) node.classList.remove("off");
-  stage.show([], true);
-});
-addEventListener("afterprint", () => { one("#problem").open = before.open; player.go(player.turning() ? player.place : before.step, false); player.frame(true); });
-
-new ResizeObserver(() => player.arrange()).observe(paper);
-one("#problem").open = innerWidth > 1100 && innerHeight > 700;
-const wish = new URLSearchParams(location.hash.slice(1)); // play.html#step=7, #turn=10, #lang=en
-if (wish.has("lang")) root.dataset.lang = root.lang = wish.get("lang") === "en" ? "en" : "zh";
-if (wish.has("turn") && one("#motion")) { turn.load(); player.place = turn.start + +wish.get("turn"); player.setMode("turn"); }
-else { player.step = +wish.get("step") || 1; player.setMode("steps"); }
-document.fonts.ready.then(() => requestAnimationFrame(() => { player.go(player.at(), false); player.ready = true; }));

@@ -16,7 +16,7 @@ const stage = {
     return { w: Math.max(paper.clientWidth, 1), h: Math.max(paper.clientHeight, 1) };
   },
 
-  narrow: () => matchMedia("(max-width: 760px), (max-aspect-ratio: 1/1)").matches,
+  narrow: () => matchMedia("(max-width: 47.5em), (max-aspect-ratio: 1/1)").matches,
 
   // Rows or columns of figures, in order: whichever shows them largest in this window.
   arrange(figures) {
@@ -71,6 +71,12 @@ const stage = {
     player.free();
   },
 
+  // Whether a figure can be seen at all.
+  seen(key) {
+    const b = stage.spots.get(key), c = stage.camera;
+    return Boolean(b) && (b.x < c.x + c.w && c.x < b.x + b.w && b.y < c.y + c.h && c.y < b.y + b.h);
+  },
+
   // Move by parts of the window.
   pan(u, v) {
     cancelAnimationFrame(stage.aim);
@@ -121,18 +127,19 @@ function shelves(figures, cut, across) {
   return across ? { places, w: length, h: depth - GAP } : { places, w: depth - GAP, h: length };
 }
 
-// Mouse, pen and fingers.
-const pointers = new Map();
+// Mouse, pen and fingers; a press that hardly moves is no pan.
+const pointers = new Map(), STILL = 5;
 const spread = () => {
   const [a, b] = [...pointers.values()];
   return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, d: Math.hypot(a.x - b.x, a.y - b.y) };
 };
 paper.addEventListener("pointerdown", (event) => {
   paper.setPointerCapture(event.pointerId);
-  pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  pointers.set(event.pointerId, { x: event.clientX, y: event.clientY, still: pointers.size === 0 });
 });
 paper.addEventListener("pointermove", (event) => {
-  if (!pointers.has(event.pointerId)) return;
+  const own = pointers.get(event.pointerId);
+  if (!own || (own.still && pointers.size === 1 && Math.hypot(event.clientX - own.x, event.clientY - own.y) < STILL)) return;
   const { w, h } = stage.size(), frame = paper.getBoundingClientRect();
   const before = pointers.size > 1 ? spread() : pointers.get(event.pointerId);
   pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
@@ -149,11 +156,8 @@ paper.addEventListener("wheel", (event) => {
 paper.addEventListener("dblclick", () => player.fit());
 paper.addEventListener("keydown", (event) => {
   const step = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
-  if (event.key === "+" || event.key === "=") stage.zoom(1.25);
-  else if (event.key === "-") stage.zoom(0.8);
-  else if (event.key === "0") player.fit();
-  else if (event.shiftKey && step) stage.pan(...step);
-  else return;
+  if (!event.shiftKey || !step) return;
+  stage.pan(...step);
   event.preventDefault();
   event.stopPropagation();
 });

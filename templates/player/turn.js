@@ -13,8 +13,8 @@ const turn = {
     home.style.setProperty("--bold", Math.sqrt(turn.data.figures[0].size)); // lines as much stronger as letters are larger
     turn.figures = turn.data.figures.map((figure, number) => {
       const node = document.createElementNS(SVG, "g"), [x, y, w, h] = figure.clip, rect = `x="${x}" y="${y}" width="${w}" height="${h}"`;
-      node.innerHTML = `<clipPath id="clip${number}"><rect ${rect}/></clipPath>${figure.cut ? `<rect class="frame" ${rect}/>` : "<g/>"}<g clip-path="url(#clip${number})"></g>${figure.caption}`;
-      const inside = node.children[2];
+      node.innerHTML = `<clipPath id="clip${number}"><rect ${rect}/></clipPath><rect class="frame" ${rect}/><g clip-path="url(#clip${number})"></g>${figure.captions.map(({ svg, other }) => `<g class="${other ? "other" : ""}">${svg}</g>`).join("")}`;
+      const inside = node.children[2], captions = [...node.children].slice(3);
       const sets = figure.sets.map((set) => {
         const group = document.createElementNS(SVG, "g"), layers = new Map();
         if (set.lang) group.setAttribute("class", set.lang);
@@ -30,12 +30,13 @@ const turn = {
         return { moving: set.moving, layers };
       });
       home.append(node);
-      return { key: figure.key, box: figure.box, node, inside, sets };
+      return { key: figure.key, box: figure.box, node, inside, captions, scale: figure.scale, sets, moves: sets.some((set) => set.moving.some((layers_at) => layers_at && Object.keys(layers_at).length)) };
     });
   },
 
   draw(index) {
     for (const figure of turn.figures) {
+      figure.captions.forEach((caption, i) => (caption.style.display = i === figure.scale[index] ? "" : "none"));
       for (const set of figure.sets) {
         const here = set.moving[index];
         figure.inside.style.display = here ? "" : "none";
@@ -45,14 +46,14 @@ const turn = {
     one("#degrees").textContent = turn.data.shown[index];
     all("#turn tbody tr").forEach((row, i) => {
       const [zh, en, way_zh, way_en, exact] = turn.data.readings[index][i];
-      const chinese = document.documentElement.dataset.lang === "zh";
+      const chinese = root.dataset.lang === "zh";
       [chinese ? zh : en, chinese ? way_zh : way_en, exact].forEach((text, k) => (row.children[k + 1].innerHTML = text));
     });
   },
 
   // Words for a screen reader: the angle and every reading.
   said(index) {
-    const rows = all("#turn tbody tr").map((row) => [...row.children].slice(0, 3).map((cell) => cell.innerText.trim()).join(" "));
+    const rows = all("#turn tbody tr").map((row) => [one(`th .${root.dataset.lang}`, row), ...[...row.cells].slice(1, 3)].map((cell) => cell.textContent.trim()).join(" "));
     return `${turn.data.shown[index]}. ${rows.join("; ")}`;
   },
 };

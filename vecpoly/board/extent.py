@@ -11,13 +11,17 @@ from .marks import (
     Arc,
     Cell,
     Disc,
+    Dot,
     FrictionCircle,
     GearMark,
     ImageOf,
     Mark,
     Outline,
     Plate,
+    Point,
     RightAngle,
+    Role,
+    Segment,
     TurnArrow,
 )
 
@@ -32,6 +36,11 @@ def extent(marks: Iterable[Mark]) -> tuple[float, float]:
     """Width and height (mm) of that box."""
     low, high = bounds(marks)
     return high.real - low.real, high.imag - low.imag
+
+
+def figured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """The marks that grow with the scale: without ruled directions, which run on by so many mm, and letters at their ends."""
+    return tuple(m for m in marks if not (isinstance(m, Segment) and m.role is Role.DIRECTION) and not (isinstance(m, Point) and m.dot is Dot.NONE))
 
 
 def corners(mark: Mark) -> Iterator[complex]:

@@ -2,69 +2,110 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .. import oracle
 from ..devices.base import Device
+from ..errors import NotAskedError
 from ..mechanism.assur import hinges
 from ..mechanism.centre_quantities import KEYS, centre_quantities
+from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..mechanism.quantities import given_value, pairs
 from ..names import Kind, Rel, reaction
-from ..oracle.centres import Centres, slowest
-from ..oracle.devices.registry import device_answers
-from ..oracle.forces import forces
 from ..problem.asks import AskNamed, AskPoint
 from ..problem.problem import Problem
 from .roles import refuse_wrong_roles
 
+if TYPE_CHECKING:
+    from ..oracle.forces import Forces
 
-def exact_values(problem: Problem, mech: Mechanism | None = None) -> dict[str, complex | float]:
+Values = dict[str, complex | float]
+
+
+def exact_values(problem: Problem) -> Values:
     """Key → exact value: complex for vectors and positions, float for ω, α, moments, efficiencies; all SI."""
-    if isinstance(problem.subject, Device):
-        found_by_key = device_answers(problem.subject)
-        return {ask.rel.key: found_by_key[ask.rel.key] for ask in problem.asks}
-    mech = mech or problem.mechanism
-    return _kinematic(problem, mech) | _central(problem, mech) | _static(problem, mech)
+    return Exact(problem).values
 
 
-def _central(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
-    """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction (deg)."""
-    keys = [ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)]
-    known = centre_quantities(mech) if any(key.startswith(KEYS) for key in keys) else {}
-    centres = Centres(mech)
-    return {key: centres.value(key) for key in keys if key in known}
+@dataclass(frozen=True)
+class Exact:
+    """The oracle's opinion of a problem: motion and equilibrium are solved once, when they are first wanted."""
 
+    problem: Problem
 
-def _static(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
-    """Reactions, balancing loads and the like."""
-    asked = [ask.rel for ask in problem.asks if isinstance(ask, AskNamed) and not ask.rel.key.startswith(KEYS)]
-    if problem.loads is None or not asked:
-        return {}
-    data = {named.key: value for named in asked if (value := given_value(problem.loads, named.key)) is not None}
-    sought = [named for named in asked if named.key not in data]
-    result = forces(mech, problem.loads) if sought else None
-    if result is not None:
-        refuse_wrong_roles(mech, problem.loads, result)
-    return data | {named.key: complex(value) if named.is_vector else float(value.real)
-                   for named in sought if result for value in [result.value(named.key)]}
+    @cached_property
+    def motion(self) -> oracle.Motion:
+        """Positions, velocities, accelerations in the position drawn."""
+        return oracle.solve(self.problem.mechanism)
 
+    @cached_property
+    def balance(self) -> Forces:
+        """The equilibrium; raises EquilibriumError where a load does not do what the problem says of it."""
+        from ..oracle.forces import forces
 
-def exact_lines(problem: Problem) -> dict[str, tuple[complex, str]]:
-    """Key of every reaction asked for → a point of its line (m), and the sense of its moment about the pin, "" where it has none."""
-    asked = {ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed)}
-    if problem.loads is None or isinstance(problem.subject, Device) or not any(key.startswith("R_") for key in asked):
-        return {}
-    mech, result, motion = problem.subject, forces(problem.subject, problem.loads), oracle.solve(problem.subject)
-    found: dict[str, tuple[complex, str]] = {}
-    for by, on in ((by, on) for a, b in pairs(mech) for by, on in ((a, b), (b, a))):
-        numbers = mech.number(by), mech.number(on)
-        key = reaction(*numbers).key
-        if key in asked:
-            point, pin = complex(result.line(*numbers)), pin_of(mech, by, on)
-            force = complex(result.value(key))
-            found[key] = (point, _tangent(point - complex(motion.position(pin)), force) if pin else "")
-    return found
+        mech, loads = self.problem.mechanism, self.problem.loads or Loads()
+        found = forces(mech, loads)
+        refuse_wrong_roles(loads, found)
+        return found
+
+    @cached_property
+    def values(self) -> Values:
+        """Key → exact value, of all that is asked; raises NotAskedError for what has none with these data, such as 0/0."""
+        found = self._values()
+        for key, value in found.items():
+            if not np.isfinite(value):
+                raise NotAskedError(f"{key} has no value with these data; leave it out of `find`, or check the data")
+        return found
+
+    def _values(self) -> Values:
+        if isinstance(self.problem.subject, Device):
+            from ..oracle.devices.registry import device_answers
+
+            with np.errstate(invalid="ignore", divide="ignore"):
+                found_by_key = device_answers(self.problem.subject)
+            return {ask.rel.key: found_by_key[ask.rel.key] for ask in self.problem.asks}
+        return _kinematic(self.problem, self.motion) | self._central() | self._static()
+
+    def _central(self) -> Values:
+        """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction (deg)."""
+        mech, keys = self.problem.mechanism, [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed)]
+        if not any(key.startswith(KEYS) for key in keys):
+            return {}
+        from ..oracle.centres import Centres
+
+        known, centres = centre_quantities(mech), Centres(mech)
+        return {key: centres.value(key) for key in keys if key in known}
+
+    def _static(self) -> Values:
+        """Reactions, balancing loads and the like."""
+        asked = [ask.rel for ask in self.problem.asks if isinstance(ask, AskNamed) and not ask.rel.key.startswith(KEYS)]
+        if self.problem.loads is None or not asked:
+            return {}
+        data = {named.key: value for named in asked if (value := given_value(self.problem.loads, named.key)) is not None}
+        return data | {named.key: complex(value) if named.is_vector else float(value.real)
+                       for named in asked if named.key not in data for value in [self.balance.value(named.key)]}
+
+    @cached_property
+    def lines(self) -> dict[str, tuple[complex, str]]:
+        """Key of every reaction asked for → a point of its line (m), and the sense of its moment about the pin, "" where it has none."""
+        asked = {ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed)}
+        if self.problem.loads is None or isinstance(self.problem.subject, Device) or not any(key.startswith("R_") for key in asked):
+            return {}
+        mech = self.problem.subject
+        found: dict[str, tuple[complex, str]] = {}
+        for by, on in ((by, on) for a, b in pairs(mech) for by, on in ((a, b), (b, a))):
+            numbers = mech.number(by), mech.number(on)
+            key = reaction(*numbers).key
+            if key in asked:
+                point, pin = complex(self.balance.line(*numbers)), pin_of(mech, by, on)
+                force = complex(self.balance.value(key))
+                found[key] = (point, _tangent(point - complex(self.motion.position(pin)), force) if pin else "")
+        return found
 
 
 def pin_of(mech: Mechanism, a: str, b: str) -> str:
@@ -80,10 +121,9 @@ def _tangent(arm: complex, force: complex) -> str:
     return "ccw" if moment > 0 else "cw"
 
 
-def _kinematic(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
-    motion = oracle.solve(mech)
+def _kinematic(problem: Problem, motion: oracle.Motion) -> Values:
     found = {ask.at: (ask.link, _place(motion, ask)) for ask in problem.asks if isinstance(ask, AskPoint)}
-    values: dict[str, complex | float] = {}
+    values: Values = {}
     for ask in problem.asks:
         if isinstance(ask, AskNamed):
             continue
@@ -100,6 +140,8 @@ def _kinematic(problem: Problem, mech: Mechanism) -> dict[str, complex | float]:
 
 def _place(motion: oracle.Motion, ask: AskPoint) -> complex:
     if ask.slowest is not None:
+        from ..oracle.centres import slowest
+
         return slowest(motion.mech, ask.link, *ask.slowest)
     if ask.velocity is not None:
         return complex(motion.point_with(ask.link, velocity=ask.velocity))

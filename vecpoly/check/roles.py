@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from cmath import rect
+from typing import TYPE_CHECKING
 
-from .. import oracle
 from ..errors import EquilibriumError
 from ..mechanism.loads import Force, Load, Loads
-from ..mechanism.model import Mechanism
 from ..names import At
-from ..oracle.forces import Forces
+
+if TYPE_CHECKING:
+    from ..oracle import Motion
+    from ..oracle.forces import Forces
 
 NONE = 1e-9  # of the greatest power: no power at all
 
 
-def refuse_wrong_roles(mech: Mechanism, loads: Loads, balance: Forces) -> None:
+def refuse_wrong_roles(loads: Loads, balance: Forces) -> None:
     """Raise EquilibriumError where a load does not do what the problem says of it."""
     if not any(load.role for load in loads.all):
         return
-    motion = oracle.solve(mech)
-    powers = {load.name: _size(load, balance) * _rate(load, motion) for load in loads.all}
+    powers = {load.name: _size(load, balance) * _rate(load, balance.motion) for load in loads.all}
     greatest = max(map(abs, powers.values()))
     for load in loads.all:
         power = powers[load.name]
@@ -34,7 +35,7 @@ def _size(load: Load, balance: Forces) -> float:
     return float(balance.value(load.name).real) if load.size is None else load.size
 
 
-def _rate(load: Load, motion: oracle.Motion) -> float:
+def _rate(load: Load, motion: Motion) -> float:
     """What one newton, or one newton metre, of the load gives (m/s, rad/s)."""
     if isinstance(load, Force):
         speed = complex(motion.velocity(At(load.point, load.link)))

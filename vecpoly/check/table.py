@@ -19,8 +19,10 @@ from .table_base import explained, weighed_by
 from .table_columns import Table, read_table
 from .table_explain import Explanation, suspect
 from .table_sheet import read_sheet
+from .table_variants import whose_lengths
+from .table_verdict import of_whole
 from .table_weigh import Column, Level, Weighing
-from .table_words import of_column, of_whole
+from .table_words import of_column
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -49,14 +51,20 @@ class ColumnCheck:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class TableCheck:
-    """The check of a whole table: its columns, what was taken for granted (`notes`), the verdict on the whole."""
+    """The check of a whole table (`title`: how its file's first comment calls it, else its name): its columns, what was taken for granted (`notes`), the verdict on the whole."""
 
     problem: str
     name: str
+    title: Words
     table: Table
     columns: tuple[ColumnCheck, ...]
     notes: tuple[Words, ...]
     whole: tuple[Words, ...]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether no column is wrong, not even in certain rows."""
+        return all(one.verdict < Level.ROWS and not one.explanations for one in self.columns)
 
     def column(self, header: str) -> ColumnCheck:
         """The column with this header."""
@@ -70,7 +78,8 @@ def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] |
     """
     if isinstance(problem.subject, Device):
         raise TableError(f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle")
-    table = read_table(read_sheet(Path(path)), problem, columns or {})
+    sheet = read_sheet(Path(path))
+    table = read_table(sheet, problem, columns or {})
     given = suspect(problem.mechanism, table.positions, table.columns)
     if given is None:
         raise TableError(f"{problem.id} cannot be assembled, so there is nothing to compare {table.name} with")
@@ -79,8 +88,8 @@ def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] |
     checks = tuple(_checked(table, i, weighed, told) for i in range(len(table.columns)))
     names = "、".join(table.left_out), ", ".join(table.left_out)
     left = (Words(f"未比较的列：{names[0]}", f"columns left out: {names[1]}"),) if table.left_out else ()
-    return TableCheck(problem=problem.id, name=table.name, table=table, columns=checks, notes=(*table.notes, *left),
-                      whole=of_whole(table, weighed, told))
+    return TableCheck(problem=problem.id, name=table.name, title=sheet.title, table=table, columns=checks, notes=(*table.notes, *left),
+                      whole=(*of_whole(table, weighed, told), *whose_lengths(problem, told)))
 
 
 def _checked(table: Table, i: int, weighed: Sequence[Weighing], told: Sequence[tuple[Explanation, ...]]) -> ColumnCheck:

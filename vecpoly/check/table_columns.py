@@ -9,6 +9,7 @@ from math import pi
 import numpy as np
 
 from .. import oracle
+from ..cycle.transmission import folded
 from ..errors import TableError
 from ..mechanism.model import Drive, Mechanism
 from ..oracle import Motion
@@ -47,7 +48,7 @@ class Table:
 def read_table(sheet: Sheet, problem: Problem, said: Mapping[str, str]) -> Table:
     """The table of this sheet; raises TableError for whatever cannot be read or belongs to no such mechanism."""
     mech = problem.mechanism
-    head = read_header(sheet, mech, said)
+    head = read_header(sheet, mech, said, problem.loads)
     notes: list[Words] = []
     drive = _drive(sheet, head.drive, mech.drive, mech.scale, notes)
     shown = drive * 1e3 if mech.drive.slide else np.degrees(drive)
@@ -114,10 +115,11 @@ def _numbered(sheet: Sheet, head: Headings, mech: Mechanism, motion: Motion, not
     way = renumbered(raw, mech, motion)
     if not way:
         return head
-    pairs = ", ".join(f"{number} → {link}" for number, link in way.items())
-    notes.append(Words(f"表中构件号与题目不同，按转角对应为：{pairs}", f"the table numbers its links otherwise; by their angles they are: {pairs}"))
+    theirs, ours = (", ".join(names) for names in (way, way.values()))
+    notes.append(Words(f"表中构件编号与题目不同：按转角判断，表中的构件 {theirs} 即题目的构件 {ours}。".replace(", ", "、"),
+                       f"The table numbers its links otherwise: by their angles, its links {theirs} are the problem's links {ours}."))
     columns = tuple(
-        replace(h, target=h.target.on(way[h.target.of_link]), renumbered=True) if h.target and not h.said and h.target.of_link in way else h for h in head.columns)
+        replace(h, target=h.target.on(way[h.target.of_link]), renumbered=h.target.named_as_in(h.text)) if h.target and not h.said and h.target.of_link in way else h for h in head.columns)
     return replace(head, columns=columns)
 
 
@@ -125,7 +127,7 @@ def _unit_by_size(target: Target, values: Reals) -> Unit:
     """Degrees where a number is larger than a full turn in radians; SI else."""
     if target.is_angle and np.nanmax(np.abs(values)) > 2 * pi + 0.02:
         return _DEG
-    return _CHOICES[target.unit][-1 if target.unit == "m" else 0]
+    return _CHOICES.get(target.unit, (Unit(name=target.unit, factor=1.0),))[-1 if target.unit == "m" else 0]
 
 
 def _column(sheet: Sheet, heading: Heading, motion: Motion, notes: list[Words]) -> Column:
@@ -138,9 +140,17 @@ def _column(sheet: Sheet, heading: Heading, motion: Motion, notes: list[Words]) 
     if heading.unit is None:
         notes.append(_guessed(heading.text, unit))
     values, half = values * unit.factor, half * unit.factor
+    if target.other is not None and target.other.is_transmission:  # some tell the obtuse one
+        values = folded(values)
     column = Column(header=heading.text, target=target, values=values, half=half, texts=sheet.column(heading.index),
-                    unit=unit.name, factor=unit.factor, renumbered=heading.renumbered)
+                    unit=unit.name, factor=unit.factor, renumbered=heading.renumbered, floor=_floor(target, motion.mech))
     return _directed(column, exact, notes)
+
+
+def _floor(target: Target, mech: Mechanism) -> float:
+    """Rounding noise of a quantity that is zero, from the size and the speed of the mechanism; of a force 1e-9 N."""
+    size, rate = mech.scale, max(abs(mech.drive.rate), 1e-9) / (mech.scale if mech.drive.slide else 1.0)
+    return 1e-11 * {"rad": 1.0, "rad/s": rate, "rad/s^2": rate**2, "m": size, "m/s": size * rate, "m/s^2": size * rate**2}.get(target.unit, 100.0)
 
 
 def _fitting(target: Target, values: Reals, exact: Reals) -> Unit:
@@ -153,7 +163,7 @@ def _fitting(target: Target, values: Reals, exact: Reals) -> Unit:
             return float(np.nanmedian(np.abs(wrapped(values * unit.factor - exact))))
         return abs(float(np.log((np.nanmedian(np.abs(values)) * unit.factor + 1e-300) / (np.nanmedian(np.abs(exact)) + 1e-300))))
 
-    return min(_CHOICES[target.unit], key=off)
+    return min(_CHOICES.get(target.unit, (Unit(name=target.unit, factor=1.0),)), key=off)
 
 
 def _directed(column: Column, exact: Reals, notes: list[Words]) -> Column:
@@ -165,7 +175,7 @@ def _directed(column: Column, exact: Reals, notes: list[Words]) -> Column:
         return column
     notes.append(Words(f"{column.header}：沿构件反方向计量，与题目所取方向差 180°（不算错误）",
                        f"{column.header}: counted along the link from its other end, 180° from the problem's direction (no mistake)"))
-    return replace(column, values=column.values - pi)
+    return replace(column, values=column.values - pi, turned=pi)
 
 
 def _guessed(header: str, unit: Unit) -> Words:
@@ -174,6 +184,6 @@ def _guessed(header: str, unit: Unit) -> Words:
 
 def shown_position(value: float, slide: bool) -> str:
     """A position of the drive as text: 90°, 12 mm."""
-    return f"{value:.6g} mm" if slide else f"{value:.6g}°".replace("-", "−")
+    return f"{round(value, 9) + 0.0:.6g}{' mm' if slide else '°'}".replace("-", "−")
 
 

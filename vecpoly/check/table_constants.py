@@ -10,12 +10,15 @@ import numpy as np
 from ..names import Kind
 from ..oracle.run import wrapped
 from ..words import Words
+from .table_fit import as_good
 from .table_guess import Guess, Slip
 from .table_target import Reals
 from .table_truth import Truth
 from .table_weigh import Column
 
-CLOSE = 2e-3  # relative deviation of a fitted factor from the one that is named
+CLOSE = 4.0  # standard errors within which a fitted factor is the one that is named
+NEAR = 5e-3  # relative: near enough to the one that is named for it to be tried
+UNITY = 1e-6  # relative: a drive with this rate is one of 1 rad/s
 _FACTORS = (
     (2 * pi, Slip.FACTOR, Words("多乘 2π", "a factor 2π too many")),
     (1 / (2 * pi), Slip.FACTOR, Words("少乘 2π（把 r/s 当作 rad/s）", "2π left out (rev/s taken for rad/s)")),
@@ -42,25 +45,30 @@ def constants(column: Column, truth: Truth) -> Iterator[Guess]:
     if column.target.is_angle:
         yield from _zeros(column, exact)
         yield from _angle_units(exact)
+        yield from _quadrant(column, exact)
         return
-    factor = _ratio(column, exact)
-    if factor is None:
+    found = _ratio(column, exact)
+    if found is None:
         return
-    named = [one for one in (*_FACTORS, *_drive_factors(truth)) if not column.target.is_place or (one[1] is not Slip.OMEGA and one[0] in _OF_PLACES)]
-    hits = [(value, slip, words) for value, slip, words in named if abs(abs(factor) / value - 1) < CLOSE]
+    factor, sigma = found
+    named = [one for one in (*_drive_factors(truth), *_FACTORS) if not column.target.is_place or (one[1] is not Slip.OMEGA and one[0] in _OF_PLACES)]
+    hits = [(value, slip, words) for value, slip, words in named if abs(abs(factor) - value) < max(CLOSE * sigma, NEAR * value)]
     sign = Words("，且符号相反", ", and the sign reversed") if factor < 0 else Words.same("")
-    if abs(factor + 1) < CLOSE:
+    if abs(factor + 1) < CLOSE * sigma:
         yield Guess(slip=Slip.SIGN, words=Words("符号（转向）相反", "opposite sign (sense)"), expected=-exact, parameter=-1.0)
+        return
     for value, slip, words in hits:
         yield Guess(slip=slip, words=words + sign, expected=np.copysign(value, factor) * exact, parameter=float(np.copysign(value, factor)))
-    if not hits and abs(abs(factor) - 1) > CLOSE:
+    if all(abs(abs(factor) - value) > CLOSE * sigma for value, _, _ in hits) and abs(factor - 1) > CLOSE * sigma:
+        factor = _round_number(factor, 2 * sigma)
         factor, ratio = _lengths_ratio(column, truth, factor)
         words = Words(f"差常数倍 {factor:.6g}", f"a constant factor {factor:.6g}") + ratio
-        yield Guess(slip=Slip.FACTOR, words=words, expected=factor * exact, parameter=factor)
+        written = len(f"{abs(factor):.6g}".lstrip("0.").replace(".", ""))
+        yield Guess(slip=Slip.FACTOR, words=words, expected=factor * exact, parameter=factor, odd=0 if ratio.en else max(written - 2, 0))
 
 
-def _ratio(column: Column, exact: Reals) -> float | None:
-    """The factor by least squares, without the rows that lie far from it; with as few digits as do as well."""
+def _ratio(column: Column, exact: Reals) -> tuple[float, float] | None:
+    """The factor by least squares, without the rows that lie far from it, and its standard error."""
     good = column.there & np.isfinite(exact) & (exact != 0)
     if good.sum() < 3:
         return None
@@ -70,9 +78,17 @@ def _ratio(column: Column, exact: Reals) -> float | None:
         off = np.abs(printed - factor * true)
         kept = off <= np.maximum(3 * np.median(off), 2 * half)
         factor = float((printed[kept] * true[kept]).sum() / max(float((true[kept] ** 2).sum()), 1e-300))
-    doubt = float(np.median(half[kept]) / max(float(np.abs(true[kept]).max()), 1e-300))
-    rounded = (float(f"{factor:.{n}g}") for n in range(2, 8))
-    return next((value for value in rounded if abs(value - factor) <= doubt), factor) or None
+    power = float((true[kept] ** 2).sum())
+    scatter = float(np.sqrt(np.mean(np.maximum(np.abs(printed - factor * true)[kept], half[kept] / 2) ** 2)))
+    largest = float(np.abs(true[kept]).max())
+    alike = float(np.median(half[kept])) / largest if np.ptp(np.abs(true[kept])) < 1e-6 * largest else 0.0  # equal numbers are all rounded one way
+    return (factor, max(scatter / np.sqrt(power), alike)) if factor and power else None
+
+
+def _round_number(value: float, within: float) -> float:
+    """With as few digits as the error leaves."""
+    rounded = (float(f"{value:.{n}g}") for n in range(1, 8))
+    return next((one for one in rounded if abs(one - value) <= within), value)
 
 
 def _drive_factors(truth: Truth) -> Iterator[tuple[float, Slip, Words]]:
@@ -80,7 +96,7 @@ def _drive_factors(truth: Truth) -> Iterator[tuple[float, Slip, Words]]:
     if truth.mech.drive.slide:
         return
     rate, symbol = abs(truth.mech.drive.rate), f"$ω_{{{truth.mech.drive.link}}}$"
-    if not rate or abs(rate - 1) < CLOSE:
+    if not rate or abs(rate - 1) < UNITY:
         return
     yield 1 / rate, Slip.OMEGA, Words(f"漏乘 {symbol}", f"{symbol} left out")
     yield rate, Slip.OMEGA, Words(f"多乘一次 {symbol}", f"{symbol} taken once too often")
@@ -112,13 +128,21 @@ def _zeros(column: Column, exact: Reals) -> Iterator[Guess]:
         shift = _middle(wrapped(column.values - sign * exact)[column.there])
         if shift is None:
             continue
-        shift = _round_angle(shift)
+        shift = _round_angle(shift, column, sign * exact)
         if not shift and sign > 0:
             continue
         deg = f"{degrees(shift):+.6g}°".replace("-", "−")
         zero = Words(f"角度零位差 {deg}", f"the zero of the angle shifted by {deg}") if shift else Words.same("")
         words = Words("，".join(filter(None, (zh, zero.zh))), ", ".join(filter(None, (en, zero.en))))
         yield Guess(slip=Slip.ZERO if shift else Slip.SIGN, words=words, expected=sign * exact + shift, parameter=shift if shift else -1.0)
+
+
+def _quadrant(column: Column, exact: Reals) -> Iterator[Guess]:
+    """The principal value of an arctangent: all within half a turn, some rows 180° off."""
+    turns = np.round(np.nan_to_num(column.values - exact) / pi)
+    if np.ptp((column.values + column.turned)[column.there]) <= pi * (1 + 1e-3) and (turns % 2).any() and (turns[column.there] % 2 == 0).any():
+        words = Words("反正切只取主值，未判别象限（部分行差 180°）", "the principal value of an arctangent, its quadrant not looked at (180° off in some rows)")
+        yield Guess(slip=Slip.QUADRANT, words=words, expected=exact + turns * pi)
 
 
 def _middle(angles: Reals) -> float | None:
@@ -132,10 +156,16 @@ def _middle(angles: Reals) -> float | None:
     return float(best + np.median(off[np.abs(off) <= np.median(np.abs(off)) * 3 + 1e-15]))
 
 
-def _round_angle(angle: float) -> float:
-    """Whole degrees where it is nearly so; 0 for whole turns."""
+def _round_angle(angle: float, column: Column, exact: Reals) -> float:
+    """The roundest number of degrees that fits as well; 0 for whole turns."""
     deg = degrees(float(wrapped(np.array([angle]))[0]))
-    return float(np.radians(round(deg))) if abs(deg - round(deg)) < 0.01 else float(np.radians(deg))
+    half = np.maximum(column.half, 1e-300)
+    best = np.abs(wrapped(column.values - exact - angle) / half)[column.there]
+    near = best <= max(5 * float(np.median(best)), 3.0)
+    for one in (round(deg / 5) * 5.0, round(deg), round(deg, 1), round(deg, 2)):
+        if as_good((wrapped(column.values - exact - np.radians(one)) / half)[column.there][near], np.maximum(best[near], 0.5)):
+            return float(np.radians(one))
+    return float(np.radians(deg))
 
 
 def _angle_units(exact: Reals) -> Iterator[Guess]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ..oracle import Motion
 from ..words import Words
 from .table_target import Reals
 
@@ -19,12 +20,15 @@ class Slip(StrEnum):
     UNIT = "unit"
     SIGN = "sign"
     ZERO = "zero of the angle"
+    QUADRANT = "quadrant"
     BRANCH = "other assembly"
     SWAPPED = "another column"
     TERM = "missing term"
+    DIVISOR = "missing divisor"
     DIFFERENCE = "finite difference"
     RADIANS = "degrees taken for radians"
     DRIVE = "position of the drive"
+    FORMULA = "slips in a formula"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -40,3 +44,7 @@ class Guess:
     parameter: float | None = None
     whole_turns: bool | None = None
     length: str = ""  # symbol of the length that was found
+    odd: int = 0  # how many digits more than usual its number needs
+
+
+Told = tuple[Slip, Words, Motion, Reals]  # a slip that is another motion, the motion, and the positions of its drive

@@ -8,18 +8,20 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from ..errors import FaultError, TableError, VecpolyError
+from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..oracle import Motion
 from ..problem.faults import meant
 from ..units import unit_of
 from .table_sheet import Sheet
-from .table_target import STEMS, Target, is_drive, read_target
+from .table_target import STEMS, Target, is_drive, read_other, read_target
 
 LEFT_OUT = "-"
 _BRACKETS = re.compile(r"(.*?)\s*[\[(（]\s*([^\[（]+?)\s*[\])）]")
 _SLASH = re.compile(r"([^/]+?)\s*/\s*\(?([^()]+|\([^()]+\)/[^()]+)\)?")
 _SUFFIX = re.compile(r"(.+?)[_ ](deg|rad|°|(?:deg|rad|mm|cm|m)(?:[_/]s(?:\^?2|²)?)?|rpm|r_min|r/min)")
-_SPELLING = str.maketrans({"²": "^2", "·": "*", "°": "deg", "−": "-"})
+_SPELLING = str.maketrans({"²": "^2", "·": "*", "°": "deg", "−": "-", "⁻": "-", "¹": "1", "º": "deg"})
+_PER_SECOND = re.compile(r"[*·. ]?s\^?(?:\{?(?:-|−|⁻)([12¹²])\}?)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,7 +41,7 @@ class Heading:
     target: Target | None
     unit: Unit | None
     said: bool = False  # whether the user said what it is
-    renumbered: bool = False  # whether the table gives its link another number
+    renumbered: str = ""  # symbol in the table, where it gives its link another number
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +53,7 @@ class Headings:
     left_out: tuple[str, ...]
 
 
-def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str]) -> Headings:
+def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: Loads | None = None) -> Headings:
     """Read the header, with what the user says about columns: header → quantity, unit, `quantity[unit]`, or - to leave it out.
 
     Raises TableError for a column that does not exist, for a misspelt quantity, for a unit of another kind, and where no
@@ -62,9 +64,9 @@ def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str]) -> Headi
             raise TableError(f"{sheet.name}: there is no column '{header}'{meant(header, sheet.header)}")
     found, left_out = [], []
     for i, text in enumerate(sheet.header):
-        heading = _heading(sheet, i, said.get(text, ""), mech)
+        heading = _heading(sheet, i, said.get(text, ""), mech, loads)
         if heading is None:
-            left_out.append(text)
+            left_out.append(text or f"{i + 1}")
         else:
             found.append(heading)
     drive = [h for h in found if h.target is None]
@@ -88,7 +90,7 @@ def split(text: str) -> tuple[str, str]:
     return text.strip(), ""
 
 
-def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism) -> Heading | None:
+def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism, loads: Loads | None) -> Heading | None:
     text, where = sheet.header[i], sheet.at(sheet.head_line, i)
     if said == LEFT_OUT:
         return None
@@ -104,6 +106,8 @@ def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism) -> Heading | None
             mech.drive.slide and name.replace("_", "") == f"s{mech.drive.link}"):
         return Heading(index=i, text=text, target=None, unit=_drive_unit(unit, mech, where))
     target = read_target(name)
+    if target is None or (target.of_link and target.of_link not in mech.bodies):
+        target = read_other(name, mech, loads) or target
     if target is None:
         if said or get_close_matches(re.sub(r"[_\d]", "", name).lower(), [s for s in STEMS if len(s) > 2], n=1, cutoff=0.75):
             raise TableError(f"{where}: '{name}' is no quantity; write phi5, omega5, alpha5, xE, vE, vxE, aE, or leave the column out with --columns {text}=-")
@@ -133,6 +137,7 @@ def _is_unit(text: str) -> bool:
 
 
 def _plain(text: str) -> str:
+    text = _PER_SECOND.sub(lambda m: "/s^2" if m[1] in "2²" else "/s", text).removeprefix("(").removesuffix(")") if "(" not in text[1:] else text
     return re.sub(r"(?<=[a-z])2$", "^2", text.translate(_SPELLING)).replace("^", "**")
 
 

@@ -11,14 +11,12 @@ from ..errors import VecpolyError
 from ..names import At, Kind, Rel
 from ..oracle import Motion
 from ..words import Words
-from .table_guess import Guess, Slip
+from .table_guess import Guess, Slip, Told
 from .table_lengths import other_assemblies
 from .table_rates import Loops
 from .table_target import Part, Reals, Target, others
 from .table_truth import Truth, solved
 from .table_weigh import Column
-
-Told = tuple[Slip, Words, Motion]
 
 
 def other_motions(truth: Truth) -> list[Told]:
@@ -26,10 +24,10 @@ def other_motions(truth: Truth) -> list[Told]:
     found: list[Told] = []
     for words, mech in other_assemblies(truth.mech):
         if (motion := solved(mech, truth.positions)) is not None:
-            found.append((Slip.BRANCH, words, motion))
+            found.append((Slip.BRANCH, words, motion, truth.positions))
     for slip, words, positions in _positions(truth):
         if (motion := solved(truth.mech, positions)) is not None:
-            found.append((slip, words, motion))
+            found.append((slip, words, motion, positions))
     return found
 
 
@@ -43,14 +41,11 @@ def _positions(truth: Truth) -> Iterator[tuple[Slip, Words, Reals]]:
         return
     yield Slip.RADIANS, Words("把曲柄转角的度数当作弧度代入", "the crank angle in degrees was taken for radians"), np.degrees(q)
     yield Slip.RADIANS, Words("对已是弧度的曲柄转角又乘了 π/180", "the crank angle, already in radians, was multiplied by π/180 again"), np.radians(q)
-    yield Slip.DRIVE, Words("曲柄转角按反方向计量", "the crank angle counted the other way round"), -q
-    for turn in (90, -90, 180):
-        yield Slip.DRIVE, Words(f"曲柄转角零位差 {turn:+d}°", f"the zero of the crank angle shifted by {turn:+d}°"), q + np.radians(turn)
 
 
 def at_other_motions(column: Column, motions: Sequence[Told]) -> Iterator[Guess]:
     """The column's quantity in each of these motions."""
-    for slip, words, motion in motions:
+    for slip, words, motion, _ in motions:
         yield Guess(slip=slip, words=words, expected=column.target.of(motion))
 
 
@@ -78,6 +73,15 @@ def terms(column: Column, truth: Truth, left_out: Sequence[tuple[Words, Motion]]
         yield Guess(slip=Slip.TERM, words=words, expected=column.target.of(motion))
     if rel.kind is Kind.A and rel.ref is None:
         yield from _of_point(column.target, rel, truth)
+
+
+def divisors(column: Column, undivided: Sequence[tuple[Kind, Words, Motion]]) -> Iterator[Guess]:
+    """A rate of one dyad that was not divided by the dyad's determinant, and all that hangs on it."""
+    rel = column.target.rel
+    rate = {Kind.OMEGA: Kind.OMEGA, Kind.V: Kind.OMEGA, Kind.ALPHA: Kind.ALPHA, Kind.A: Kind.ALPHA}.get(rel.kind) if rel else None
+    for kind, words, motion in undivided:
+        if kind is rate:
+            yield Guess(slip=Slip.DIVISOR, words=words, expected=column.target.of(motion))
 
 
 def loops_without(truth: Truth) -> list[tuple[Words, Motion]]:
@@ -120,23 +124,25 @@ def differences(column: Column, columns: Sequence[Column], truth: Truth) -> Iter
     before = integral(column.target)
     base = next((one for one in columns if one.target == before), None)
     drive = truth.mech.drive
-    if base is None or not drive.rate:
+    if base is None or before is None or not drive.rate:
         return
-    values = np.unwrap(base.values) if base.target.is_angle and base.there.all() else base.values
-    symbol, blank = f"${base.target.symbol}$", np.array([np.nan])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slope = np.diff(values) / np.diff(truth.positions)
-        central = (values[2:] - values[:-2]) / (truth.positions[2:] - truth.positions[:-2])
-    ways = (("向前差分", "forward", np.concatenate([slope, blank])), ("向后差分", "backward", np.concatenate([blank, slope])),
-            ("中心差分", "central", np.concatenate([blank, central, blank])))
-    for zh, en, rate in ways:
-        yield Guess(slip=Slip.DIFFERENCE, words=Words(f"由所列 {symbol} 的{zh}得出", f"{en} differences of the printed {symbol}"), expected=rate * drive.rate)
-        if abs(drive.rate - 1) > 1e-9:
-            yield Guess(slip=Slip.DIFFERENCE, expected=rate, words=Words(f"由所列 {symbol} 对转角的{zh}得出，漏乘 $ω_{{{drive.link}}}$",
-                                                                         f"{en} differences of the printed {symbol} by the angle, $ω_{{{drive.link}}}$ left out"))
-        if not drive.slide:
-            yield Guess(slip=Slip.DIFFERENCE, expected=rate * drive.rate * pi / 180,
-                        words=Words(f"由所列 {symbol} 对度数的{zh}得出，少乘 180/π", f"{en} differences of the printed {symbol} by degrees, 180/π left out"))
+    symbol, exact = f"${base.target.symbol}$", truth.of(before)
+    for zh, en, values in (("所列 ", "the printed ", base.values), ("", "", exact)):
+        values = np.unwrap(values) if base.target.is_angle and np.isfinite(values).all() else values
+        with np.errstate(divide="ignore", invalid="ignore"):
+            slope = np.diff(values) / np.diff(truth.positions)
+            central = (values[2:] - values[:-2]) / (truth.positions[2:] - truth.positions[:-2])
+        ways = (("向前差分", "forward", np.concatenate([slope, slope[-1:]])), ("向后差分", "backward", np.concatenate([slope[:1], slope])),
+                ("中心差分", "central", np.concatenate([slope[:1], central, slope[-1:]])))
+        for way_zh, way, rate in ways:
+            told = Words(f"由{zh}{symbol} 的{way_zh}得出", f"{way} differences of {en}{symbol}")
+            yield Guess(slip=Slip.DIFFERENCE, words=told, expected=rate * drive.rate)
+            if abs(drive.rate - 1) > 1e-9:
+                yield Guess(slip=Slip.DIFFERENCE, expected=rate, words=Words(f"由{zh}{symbol} 对转角的{way_zh}得出，漏乘 $ω_{{{drive.link}}}$",
+                                                                             f"{way} differences of {en}{symbol} by the angle, $ω_{{{drive.link}}}$ left out"))
+            if not drive.slide:
+                yield Guess(slip=Slip.DIFFERENCE, expected=rate * drive.rate * pi / 180,
+                            words=Words(f"由{zh}{symbol} 对度数的{way_zh}得出，少乘 180/π", f"{way} differences of {en}{symbol} by degrees, 180/π left out"))
 
 
 def integral(target: Target) -> Target | None:

@@ -43,14 +43,14 @@ class Loops:
         rows = tuple(r for joint in mech.joints for r in [row(mech, joint, False)] if not {r.a, r.b} <= {*driven, FRAME})
         links = tuple(link.name for link in mech.links if link.name not in driven)
         count = max(poses.shape[0] if poses.shape else 1, 1)
-        bodies = {name: _posed(body, count) for name, body in poses.bodies.items()}
-        bodies |= {name: _driven(bodies[name], poses.bodies[name]) for name in driven}
-        matrix = _jacobian(rows, links, bodies, count)
+        bodies = {name: posed(body, count) for name, body in poses.bodies.items()}
+        bodies |= {name: driven_as(bodies[name], poses.bodies[name]) for name in driven}
+        matrix = jacobian(rows, links, bodies, count)
         lost: NDArray[np.bool_] = np.asarray(~np.isfinite(matrix).all(axis=(1, 2)))
         matrix = np.where(lost[:, None, None], np.eye(matrix.shape[1]), matrix)
         inverse = _inverse(matrix)
         inverse[lost] = np.nan
-        rates = _solved(inverse, _stack(rows, [r.rate(bodies[r.a], bodies[r.b]) for r in rows], count))
+        rates = bent(inverse, stacked(rows, [r.rate(bodies[r.a], bodies[r.b]) for r in rows], count))
         return cls(mech, poses.shape, rows, links, inverse, bodies | _with(bodies, links, rates, np.zeros_like(rates)))
 
     def motion(self, less: tuple[Points, ...] | None = None) -> Motion:
@@ -58,7 +58,7 @@ class Loops:
         gaps = [r.accel(self.moved[r.a], self.moved[r.b]) for r in self.rows]
         if less is not None:
             gaps = [gap - part for gap, part in zip(gaps, less, strict=True)]
-        bends = _solved(self.inverse, _stack(self.rows, gaps, len(self.inverse)))
+        bends = bent(self.inverse, stacked(self.rows, gaps, len(self.inverse)))
         rates = {name: self.moved[name] for name in self.links}
         bodies = self.moved | {
             name: body.moving(body.velocity, body.omega, bends[:, i, 0] + 1j * bends[:, i, 1], bends[:, i, 2])
@@ -107,20 +107,20 @@ def mixed(mech: Mechanism, poses: Motion) -> Motion:
     return Loops.of(mech, poses).motion()
 
 
-def _posed(body: Body, count: int) -> Body:
+def posed(body: Body, count: int) -> Body:
     """The same pose, told by the link's own origin, with no rates yet."""
     at, unit = np.broadcast_to(body.point(0j), (count,)), np.broadcast_to(body.unit, (count,))
     still, none = np.zeros(count, np.complex128), np.zeros(count)
     return Body(0j, np.asarray(at), np.asarray(unit), None, still, none, still, none)
 
 
-def _driven(body: Body, given: Body) -> Body:
+def driven_as(body: Body, given: Body) -> Body:
     """The driving link with the rates that are given."""
     return body.moving(body.velocity + given.velocity_of(0j), body.omega + given.omega,
                        body.acceleration + given.acceleration_of(0j), body.alpha + given.alpha)
 
 
-def _jacobian(rows: tuple[Row, ...], links: tuple[str, ...], bodies: Bodies, count: int) -> Reals:
+def jacobian(rows: tuple[Row, ...], links: tuple[str, ...], bodies: Bodies, count: int) -> Reals:
     matrix = np.zeros((count, 2 * len(rows), 3 * len(links)))
     for i, r in enumerate(rows):
         for name, block in zip((r.a, r.b), r.jac(bodies[r.a], bodies[r.b]), strict=True):
@@ -138,12 +138,12 @@ def _inverse(matrix: Reals) -> Reals:
         return np.asarray(np.linalg.pinv(matrix), np.float64)
 
 
-def _stack(rows: tuple[Row, ...], gaps: list[Points], count: int) -> Reals:
+def stacked(rows: tuple[Row, ...], gaps: list[Points], count: int) -> Reals:
     full = [np.broadcast_to(gap, (count,)) for gap in gaps]
     return np.stack([part for gap in full for part in (gap.real, gap.imag)], axis=1)
 
 
-def _solved(inverse: Reals, gaps: Reals) -> Reals:
+def bent(inverse: Reals, gaps: Reals) -> Reals:
     """-J⁻¹ g as positions × links × 3."""
     return (inverse @ -gaps[..., None]).reshape(len(gaps), -1, 3)
 

@@ -5,16 +5,21 @@ from __future__ import annotations
 import csv
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from ..errors import TableError
+from ..words import Words
 
 FEWEST = 5  # rows below which nothing can be told
 _NUMBER = re.compile(r"[+\-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?")
-_BLANK = ("", "-", "--", "/", "—", "–", "－")
-_PLAIN = str.maketrans({"−": "-", "－": "-", "＋": "+", "．": ".", "\u00a0": " "})
+_BLANK = ("", "-", "--", "/", "—", "–", "－", "nan", "NaN", "NAN", "n/a", "N/A", "#N/A", "null")
+_PLAIN = str.maketrans({"−": "-", "－": "-", "＋": "+", "．": ".", "\u00a0": " ", "\u2009": " "})
+
+_COMMA = re.compile(r"[+\-]?\d+,\d+(?:[eE][+\-]?\d+)?")
+_EXPONENT = re.compile(r"^([+\-]?\d*\.?\d*)[dD]([+\-]?\d+)$")
+_MARKS = (";", "\t", ",", "，")
 
 Lines = Iterator[tuple[int, list[str]]]
 
@@ -29,6 +34,7 @@ class Sheet:
     rows: tuple[tuple[str, ...], ...]
     lines: tuple[int, ...]
     head_line: int = 1
+    title: Words = field(default_factory=lambda: Words.same(""))
 
     def column(self, i: int) -> tuple[str, ...]:
         """The cells of one column; a blank or a dash is an empty text."""
@@ -36,7 +42,7 @@ class Sheet:
 
     def at(self, line: int, column: int) -> str:
         """Where a cell stands, for messages."""
-        return f"{self.name}, line {line}, column {column + 1} ('{self.header[column]}')"
+        return f"{self.name}, line {line}, column {column + 1} ('{self.header[column]}')" if self.header[column] else f"{self.name}, line {line}, column {column + 1}"
 
     def number(self, i: int, row: int) -> float:
         """The cell as a number; NaN where it is blank; raises TableError with file, line and column."""
@@ -65,14 +71,16 @@ def digits(text: str) -> int:
 
 
 def read_sheet(path: Path) -> Sheet:
-    """Read a CSV file (comma, semicolon or tab; UTF-8 or GB 18030) or the first sheet of an XLSX file.
+    """Read a CSV file (comma, semicolon, tab or spaces; UTF-8, UTF-16 or GB 18030; 3.14 or 3,14) or the first sheet of an XLSX file.
 
     Raises TableError where the file cannot be read, is ragged, has no header or too few rows.
     """
-    lines = [(n, cells) for n, cells in _lines(path) if any(cells) and not cells[0].startswith("#")]
+    lines = [(n, cells) for n, cells in _lines(path) if any(cells)]
+    while len(lines) > 1 and sum(map(bool, lines[0][1])) == 1 < sum(map(bool, lines[1][1])):
+        lines.pop(0)  # a title
     if not lines:
         raise TableError(f"{path.name}: the table is empty")
-    (head_line, header), body = lines[0], lines[1:]
+    (head_line, header), body = lines[0], _pointed(lines[1:])
     if all(is_number(cell) for cell in header if cell):
         raise TableError(f"{path.name}, line {head_line}: the first row must name the columns, e.g. phi1, omega5, alpha5")
     while header and not header[-1]:
@@ -85,8 +93,17 @@ def read_sheet(path: Path) -> Sheet:
         units = [cell.strip("[]()（） ") for cell in body.pop(0)[1]]
     if len(body) < FEWEST:
         raise TableError(f"{path.name}: {len(body)} rows of numbers; at least {FEWEST} are needed to compare columns")
-    return Sheet(name=path.name, header=tuple(header), units=tuple(units[: len(header)]), head_line=head_line,
+    return Sheet(name=path.name, header=tuple(header), units=tuple(units[: len(header)]), head_line=head_line, title=_title(path),
                  rows=tuple(tuple(cells[: len(header)]) for _, cells in body), lines=tuple(line for line, _ in body))
+
+
+def _title(path: Path) -> Words:
+    """A first line '# 表 1-A / Table 1-A' of a text file; else the file's name."""
+    first = b"" if path.suffix.lower() in (".xlsx", ".xlsm") else path.read_bytes().partition(b"\n")[0]
+    if not first.startswith((b"#", b"\xef\xbb\xbf#")):
+        return Words.same(path.name)
+    zh, _, en = _decoded(first, path.name).lstrip("#").strip().partition(" / ")
+    return Words(zh.strip(), (en or zh).strip())
 
 
 def _lines(path: Path) -> Lines:
@@ -100,20 +117,38 @@ def _of_text(path: Path) -> Lines:
         raw = path.read_bytes()
     except OSError as error:
         raise TableError(f"{path}: {error.strerror or 'cannot be read'}") from None
-    if b"\0" in raw:
-        raise TableError(f"{path.name} is no table of text; save it as CSV")
-    for code in ("utf-8-sig", "gb18030"):
+    text = _decoded(raw, path.name)
+    rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
+    first = max((line for _, line in rows[:3]), key=lambda line: max(map(line.count, _MARKS)), default="")
+    mark = max(_MARKS, key=first.count)
+    if not first.count(mark):
+        apart = re.compile(r"\s{2,}" if re.search(r"\S\s{2,}\S", first) else r"\s+")
+        return ((n, [_cell(cell) for cell in apart.split(line.strip())]) for n, line in rows)
+    if mark == "，":
+        rows, mark = [(n, line.replace("，", ",")) for n, line in rows], ","
+    cells = csv.reader((line for _, line in rows), delimiter=mark)
+    return ((rows[min(cells.line_num, len(rows)) - 1][0], [_cell(cell) for cell in row]) for row in cells)
+
+
+def _decoded(raw: bytes, name: str) -> str:
+    marked = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
+    if b"\0" in raw and not marked:
+        raise TableError(f"{name} is no table of text; save it as CSV")
+    for code in ("utf-16",) if marked else ("utf-8-sig", "gb18030"):
         try:
-            text = raw.decode(code)
-            break
+            return raw.decode(code)
         except UnicodeDecodeError:
             continue
-    else:
-        raise TableError(f"{path.name} is neither UTF-8 nor GB 18030 text; save it as CSV in UTF-8")
-    first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
-    mark = max(",;\t，", key=first.count)
-    reader = csv.reader(text.replace("，", ",").splitlines() if mark == "，" else text.splitlines(), delimiter="," if mark == "，" else mark)
-    return ((reader.line_num, [_cell(cell) for cell in cells]) for cells in reader)
+    raise TableError(f"{name} is neither UTF-8 nor GB 18030 text; save it as CSV in UTF-8")
+
+
+def _pointed(lines: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:
+    """Numbers with a point: 3,14 is 3.14 where no cell has a point; 1.5D+02 is 1.5E+02; 30° is 30."""
+    lines = [(n, [_EXPONENT.sub(r"\1e\2", cell.removesuffix("°")) if cell[:1] in "+-.0123456789" else cell for cell in cells]) for n, cells in lines]
+    cells = [cell for _, row in lines for cell in row]
+    if any("." in cell and is_number(cell) for cell in cells) or not any(_COMMA.fullmatch(cell) for cell in cells):
+        return lines
+    return [(n, [cell.replace(",", ".") if _COMMA.fullmatch(cell) else cell for cell in row]) for n, row in lines]
 
 
 def _of_workbook(path: Path) -> Lines:

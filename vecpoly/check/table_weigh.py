@@ -63,13 +63,15 @@ class Column:
     texts: tuple[str, ...]
     unit: str
     factor: float
-    renumbered: bool = False  # whether the table gives the link another number
+    renumbered: str = ""  # symbol in the table, where it gives the link another number
+    floor: float = 0.0  # SI: what is rounding noise of a zero
+    turned: float = 0.0  # rad that the table counts more than the problem does: 180° where a link is looked at from its other end
 
     @property
     def label(self) -> Words:
-        """How the column is called: its symbol; with its header where the table numbers the links otherwise."""
+        """How the column is called: its symbol; that of the table beside it where the table numbers the links otherwise."""
         symbol = f"${self.target.symbol}$"
-        return Words(f"{self.header}（{symbol}）", f"{self.header} ({symbol})") if self.renumbered else Words.same(symbol)
+        return Words(f"表中 ${self.renumbered}$（即 {symbol}）", f"the table's ${self.renumbered}$ (our {symbol})") if self.renumbered else Words.same(symbol)
 
     @property
     def there(self) -> Mask:
@@ -87,6 +89,7 @@ class Weighing:
     outliers: Mask
     doubt: float  # largest of the rows that are no outliers
     typical: float  # median deviation in half units of the last digit
+    spread: float  # root mean square of the same, without the rows that stand apart
 
     @property
     def rows_right(self) -> int:
@@ -99,6 +102,12 @@ class Weighing:
         kept = np.abs(self.off[~self.outliers & np.isfinite(self.off)])
         return float(kept.max()) if len(kept) else float("nan")
 
+    @property
+    def worst(self) -> float:
+        """Largest deviation (SI) of all rows."""
+        known = np.abs(self.off[np.isfinite(self.off)])
+        return float(known.max()) if len(known) else float("nan")
+
 
 def weigh(column: Column, expected: Reals, sensitivity: Reals, whole_turns: bool | None = None) -> Weighing:
     """Compare a column with what it ought to hold (SI); `sensitivity` is the change of the quantity per relative change of the lengths.
@@ -110,23 +119,35 @@ def weigh(column: Column, expected: Reals, sensitivity: Reals, whole_turns: bool
         off = wrapped(off)
     there = column.there
     gap = np.where(there, np.where(np.isfinite(off), np.abs(off), np.inf), 0.0)
-    slack = 1e-12 * max(scale_of(column.target, expected), 1e-30)
+    slack = max(1e-12 * scale_of(column.target, expected), column.floor, 1e-42)
     right = there & (gap <= column.half * (1 + 1e-6) + slack)
     size = np.maximum(sensitivity, 0.1 * scale_of(column.target, expected)) + 1e-300
     doubt = np.where(right, 0.0, np.maximum(gap - column.half, 0.0) / size)
-    outliers = _outliers(doubt, there)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        units = gap / np.maximum(column.half, slack)
+    outliers = _outliers(doubt, units, there)
     kept = there & ~outliers
     worst = float(doubt[kept].max(initial=0.0))
-    near = bool((gap[kept] <= 2 * LAST_DIGIT * column.half[kept]).all())
+    near = bool((units[kept] <= 2 * LAST_DIGIT).all())
     if not kept.any() or (worst > LOW and not near):
         level, outliers = Level.WRONG, np.zeros_like(outliers)
     elif outliers.any():
         level = Level.ROWS
     else:
         level = Level.REPRODUCED if right[kept].all() else Level.LAST_DIGIT if near else Level.LOW
-    with np.errstate(divide="ignore", invalid="ignore"):
-        typical = float(np.median(gap[there] / np.maximum(column.half[there], slack)))
-    return Weighing(level=level, off=off, right=right, outliers=outliers, doubt=worst, typical=typical)
+    return Weighing(level=level, off=off, right=right, outliers=outliers, doubt=worst, typical=float(np.median(units[there])), spread=spread_of(units[there]))
+
+
+def spread_of(units: Reals) -> float:
+    """Root mean square of what does not stand apart from the median."""
+    median = float(np.median(units))
+    return float(np.sqrt(np.mean(units[units <= max(APART * median, 3.0)] ** 2))) if np.isfinite(median) else float("inf")
+
+
+def deviations(column: Column, expected: Reals) -> Reals:
+    """Printed − expected (SI), of angles but for whole turns."""
+    off = column.values - expected
+    return wrapped(off) if column.target.is_angle else off
 
 
 def scale_of(target: Target, values: Reals) -> float:
@@ -139,13 +160,15 @@ def scale_of(target: Target, values: Reals) -> float:
     return float(np.ptp(known)) / 2 if target.is_place else float(np.abs(known).max())
 
 
-def _outliers(doubt: Reals, there: Mask) -> Mask:
-    """The rows above the lowest gap in the doubts, where few enough lie above it."""
+def _outliers(doubt: Reals, units: Reals, there: Mask) -> Mask:
+    """The rows above the lowest gap in the doubts, where few enough lie above it and all these are off by more than their last digit."""
     order = np.argsort(-np.where(there, doubt, -1.0))
-    ranked, count = doubt[order], int(there.sum())
+    ranked, far, count = doubt[order], units[order], int(there.sum())
     found = np.zeros(len(doubt), np.bool_)
     for k in range(min(int(FEW * count), count - 1), 0, -1):
-        if ranked[k] <= LOW and ranked[k - 1] >= max(OUTLIER, APART * ranked[k]):
+        fine = ranked[k] <= LOW or float(far[k:count].max()) <= 2 * LAST_DIGIT
+        apart = ranked[k - 1] >= max(OUTLIER, APART * ranked[k]) and float(far[:k].min()) > 2 * LAST_DIGIT
+        if fine and apart:
             found[order[:k]] = True
             break
     return found

@@ -11,7 +11,7 @@ from .check import check
 from .cycle import cycle
 from .demo import demo
 from .draw import draw
-from .errors import told
+from .errors import REFUSED, tell, told
 from .exact import exact
 from .listing import listing
 from .new import new
@@ -70,4 +70,8 @@ app.command("demo")(demo)
 def main() -> None:
     """Entry point of the command `vecpoly`."""
     speak_utf8()
-    app(prog_name="vecpoly")
+    try:
+        app(prog_name="vecpoly")
+    except OSError as error:  # help and version are printed before a command runs
+        tell(error)
+        raise SystemExit(REFUSED) from None

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from .check_table import check_table_of, columns_said
-from .errors import Tally, about
+from .errors import DISAGREES, Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import ColumnsOption, JsonOption, Lang, LangOption, Problems, TableOption
@@ -32,6 +32,8 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies
     are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are compared.
+
+    Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """
     said = columns_said(columns)
     found = problems(names)
@@ -39,6 +41,7 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
         check_table_of(found, table_file, said, json, lang)
         return
     from ..check.printed import check_problem
+    from ..check.verdict import Verdict
 
     tally = Tally()
     checked: list[tuple[Problem, PrintedCheck]] = []
@@ -52,6 +55,8 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
         data = [_as_json(problem, result) for problem, result in checked]
         write_json(data if len(names) > 1 else data[0], json)
     tally.settle()
+    if any(line.verdict is Verdict.WRONG for _, result in checked for line in result.answers):
+        raise typer.Exit(DISAGREES)
 
 
 def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:

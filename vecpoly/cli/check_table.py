@@ -1,4 +1,7 @@
-"""vecpoly check --table: the columns of a printed table against the oracle, each with its verdict and the slip behind it."""
+"""vecpoly check --table: the columns of a printed table against the oracle, each with its verdict and the slip behind it.
+
+Exit code 0: every column agrees; 1: one is wrong, or wrong in certain rows; 2: the table cannot be read.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..errors import TableError
-from .errors import about
+from .errors import DISAGREES, about
 from .files import write_json
 from .options import Lang
 from .terminal import add, show, table
@@ -39,7 +42,7 @@ def columns_said(texts: Sequence[str] | None) -> dict[str, str]:
 
 
 def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, str], json: str | None, lang: Lang) -> None:
-    """Compare the table with one problem."""
+    """Compare the table with one problem; exit code 1 where a column is wrong."""
     from ..check.table import check_table
 
     if len(problems) != 1:
@@ -50,6 +53,8 @@ def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, s
         _print(problems[0], checked, lang)
     if json is not None:
         write_json(as_json(checked), json)
+    if not checked.agrees:
+        raise typer.Exit(DISAGREES)
 
 
 def _print(problem: Problem, checked: TableCheck, lang: Lang) -> None:
@@ -74,14 +79,14 @@ def _row(one: ColumnCheck, lang: Lang) -> tuple[str, ...]:
     more = f" (+{len(one.explanations) - 1})" if len(one.explanations) > 1 else ""
     return (
         column.header, bare(column.target.symbol), given.level.words.of(lang), f"{given.rows_right}/{int(column.there.sum())}",
-        amount(column, given.largest), slips + more, one.best.level.words.of(lang) if one.explanations else "",
+        bare(amount(column, given.worst)), slips + more, one.best.level.words.of(lang) if one.explanations else "",
     )  # fmt: skip
 
 
 def as_json(checked: TableCheck) -> dict[str, Any]:
     """The check as plain data."""
     return {
-        "id": checked.problem, "table": checked.name, "rows": len(checked.table.positions),
+        "id": checked.problem, "table": checked.name, "agrees": checked.agrees, "rows": len(checked.table.positions),
         "notes": [words.en for words in checked.notes], "whole": [words.en for words in checked.whole],
         "columns": [_column(one) for one in checked.columns],
     }  # fmt: skip
@@ -91,7 +96,7 @@ def _column(one: ColumnCheck) -> dict[str, Any]:
     column, given = one.column, one.given
     return {
         "header": column.header, "symbol": column.target.key, "unit": column.unit, "verdict": given.level.label,
-        "rows": int(column.there.sum()), "rows_right": given.rows_right, "largest": _number(given.largest / column.factor),
+        "rows": int(column.there.sum()), "rows_right": given.rows_right, "largest": _number(given.worst / column.factor),
         "wrong_rows": list(one.rows), "explanations": [_explanation(slip, column.factor) for slip in one.explanations], "words": one.words.en,
     }  # fmt: skip
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from math import ceil, degrees, floor, isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,7 +13,7 @@ from ..errors import NotAskedError, UnknownNameError
 from .errors import about
 from .files import write_bytes
 from .jobs import problems
-from .options import Lang, LangOption, OutOption
+from .options import Lang, LangOption
 from .terminal import add, say, show, table
 from .wording import bare, number, unit
 
@@ -19,8 +21,10 @@ if TYPE_CHECKING:
     from ..curves import Plot
     from ..cycle import Cycle
     from ..problem.problem import Problem
+    from ..words import Words
 
 TABLES, PLOTS = (".csv", ".xlsx"), (".svg", ".pdf", ".png")
+STDOUT = Path("-")
 MOST = 2_000_001  # positions
 _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
@@ -28,30 +32,33 @@ _COLUMNS = {
 
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as A-27, or a file.", show_default=False)]
 Count = Annotated[int, typer.Option("-n", min=2, max=MOST, help="Number of positions, both ends included.")]
-Step = Annotated[float | None, typer.Option("--step", min=1e-6, help="Step of the drive in degrees (mm of a sliding input), instead of -n.", show_default=False)]
+Step = Annotated[float | None, typer.Option("--step", min=1e-6, max=1e6, help="Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).", show_default=False)]
+Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
 PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", help="Draw curves: .svg, .pdf or .png.", show_default=False)]
 Of = Annotated[str, typer.Option("--of", metavar="KEYS", help="Quantities, such as omega_5,alpha_5,a_F,M_1; phi_5, s_45, gamma_23, v_F.x too.", show_default=False)]
 Path_ = Annotated[str, typer.Option("--path", metavar="LETTERS", help="With --plot: the paths of these points, F or E,F.", show_default=False)]
 Hodograph = Annotated[str, typer.Option("--hodograph", metavar="KEY", help="With --plot: the hodograph of a vector, a_F.", show_default=False)]
 
 
-def cycle(name: Id, n: Count = 361, step: Step = None, output: OutOption = None, plot: PlotOption = None, of: Of = "",
+def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot: PlotOption = None, of: Of = "",
           path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en") -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
     _checked(output, TABLES)
     _checked(plot, PLOTS)
+    if path and hodograph:
+        raise NotAskedError("--path and --hodograph are two drawings: ask for one of them")
     if (path or hodograph) and plot is None:
         raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
     (problem,) = _one(problems([name]))
     from ..cycle import cycle as whole
 
     with about(problem.id):
-        turn = whole(problem, n if step is None else _count(problem, step))
+        turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
         keys = tuple(part.strip() for part in of.split(",") if part.strip())
         for key in keys:
             turn.info(key)
         if output is not None:
-            say(f"wrote {write_bytes(output, _encoded(turn, keys, output, lang))}")
+            _write(turn, keys, output, lang)
         if plot is not None:
             drawn = _drawn(turn, problem, keys, path, hodograph, lang)
             data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}[plot.suffix.lower()]()
@@ -61,7 +68,7 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: OutOption = None,
 
 
 def _checked(path: Path | None, endings: tuple[str, ...]) -> None:
-    if path is not None and path.suffix.lower() not in endings:
+    if path is not None and path.suffix.lower() not in endings and not (path == STDOUT and endings is TABLES):
         raise UnknownNameError(f"{path}: can be {', '.join(endings)}; end the file's name with one of these")
 
 
@@ -71,15 +78,25 @@ def _one(found: list[Problem]) -> list[Problem]:
     return found
 
 
-def _count(problem: Problem, step: float) -> int:
-    """Positions that a step makes of the drive's range."""
-    from ..cycle import cycle as whole
-
-    turn = whole(problem, 2)
-    count = round((turn.high - turn.low) * turn.drive.factor / step) + 1
+def _multiples(turn: Cycle, step: float) -> list[float]:
+    """The drive's positions (rad or m) at the whole multiples of a step within its range: 0°, 7°, 14° ... 357°."""
+    factor = turn.drive.factor
+    first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
+    count = last - first + 1
     if count > MOST:
         raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {MOST} are possible")
-    return max(count, 2)
+    if count < 2:
+        low, high = turn.low * factor, turn.high * factor
+        raise NotAskedError(f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step")
+    return [k * step / factor for k in range(first, last + 1)]
+
+
+def _write(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> None:
+    data = _encoded(turn, keys, output, lang)
+    if output == STDOUT:
+        typer.echo(data.decode(), nl=False)
+    else:
+        say(f"wrote {write_bytes(output, data)}")
 
 
 def _encoded(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> bytes:
@@ -87,7 +104,7 @@ def _encoded(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> by
     from ..cycle import table as tabled
 
     made = tabled(turn, keys)
-    return csv_bytes(made) if output.suffix.lower() == ".csv" else xlsx_bytes(made, turn.name, lang)
+    return csv_bytes(made) if output.suffix.lower() != ".xlsx" else xlsx_bytes(made, turn.name, lang)
 
 
 def _drawn(turn: Cycle, problem: Problem, keys: tuple[str, ...], path: str, hodograph: str, lang: Lang) -> Plot:
@@ -111,10 +128,12 @@ def _asked(turn: Cycle, problem: Problem) -> tuple[str, ...]:
 
 def _print(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang) -> None:
     """Facts in sentences, extremes in a table, the paths of the points."""
-    from ..cycle import Shape, facts, path, path_sentences, sentences
+    from ..cycle import Shape, facts, force_sentences, path, path_sentences, sentences
 
     typer.echo(f"{problem.id}  {bare(problem.title.of(lang))}\n")
-    for words in sentences(turn, facts(turn)):
+    for words in _zero(turn, problem):
+        typer.echo(f"  {_plain(words.of(lang))}")
+    for words in (*sentences(turn, facts(turn)), *force_sentences(turn)):
         typer.echo(f"  {_plain(words.of(lang))}")
     made = table("", [(name, "right" if i > 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
     for key in keys or tuple(column.key for column in turn.columns):
@@ -127,16 +146,37 @@ def _print(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang) -> 
             typer.echo("  " + ("" if lang == "zh" else " ").join(_plain(words.of(lang)) for words in path_sentences(turn, found)))
 
 
+def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
+    """That the drive's angle counts from the x axis, where the problem counts it from elsewhere, or to another point of the link."""
+    from ..words import Words
+
+    drive, symbol = turn.mech.drive, turn.drive.symbol
+    given = next((datum for datum in problem.given.motion if datum.symbol == f"φ_{drive.link}"), None)
+    if given is None or drive.slide:
+        return
+    lead = degrees(drive.position - given.si)
+    if abs(lead - 360 * round(lead / 360)) > 1e-9:
+        here = f"{number(degrees(drive.position), 6)}°"
+        yield Words(f"各角由 $x$ 轴量起：题目所给的 ${symbol}$ = {given.text} 在此为 {here}。",
+                    f"Angles count from the $x$ axis: the position given as ${symbol}$ = {given.text} is {here} here.")
+
+
 def _row(turn: Cycle, key: str) -> tuple[str, ...]:
     from ..cycle import extremes
+    from ..cycle.facts import transmission
 
     found, info = extremes(turn, key), turn.info(key)
+    acute = transmission(turn, key) if key.startswith("gamma_") else None
     cells: list[str] = []
-    for spot in (found.highest, found.lowest):
+    for spot in (acute.greatest, acute.least) if acute else (found.highest, found.lowest):
         here = "—" if spot is None or found.is_constant else number(turn.drive.factor * spot.phi, 7) + unit("deg" if turn.drive.unit == "rad" else " mm")
-        cells += ["—" if spot is None else number(info.factor * spot.value, 7), here]
+        cells += ["—" if spot is None else _value(info.factor * spot.value), here]
     size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
     return size, unit(info.shown_unit), *cells
+
+
+def _value(value: float) -> str:
+    return number(value, 7) if isfinite(value) else "∞" if value > 0 else "−∞"
 
 
 def _plain(text: str) -> str:

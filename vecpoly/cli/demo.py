@@ -1,4 +1,4 @@
-"""vecpoly demo: the exercises of chapters 2 to 5 (structure, kinematics, forces, efficiency), an assignment a chapter, in both languages."""
+"""vecpoly demo: the exercises of chapters 2 to 5 (structure, kinematics, forces, efficiency), an assignment a chapter, a course report and a step player."""
 
 from __future__ import annotations
 
@@ -9,16 +9,18 @@ import typer
 
 from .jobs import job
 from .options import Lang
-from .report import draw, write
+from .play import play
+from .report import draw, report, write
 from .terminal import progress, say
 
 ASSIGNMENTS = ("assignment-ch2", "assignment-ch3", "assignment-ch4", "assignment-ch5")
+COURSE, PLAYED = "A-27", "3-9"
 LANGS: tuple[Lang, ...] = ("zh", "en")
 Folder = Annotated[Path, typer.Option("-o", "--output", help="The folder to write to.")]
 
 
 def demo(output: Folder = Path("out")) -> None:
-    """Render chapters 2 to 5 as assignments, in both languages."""
+    """Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player."""
     from ..data import data_dir
 
     for name in ASSIGNMENTS:
@@ -26,3 +28,6 @@ def demo(output: Folder = Path("out")) -> None:
         solutions = draw(progress(sheet.problems, f"drawing {name}"), "drafting", 0)
         for lang in LANGS:
             say(f"wrote {write(sheet, solutions, output / f'{name}.{lang}.pdf', lang, 'solution')}")
+    for lang in LANGS:
+        report([COURSE], output / f"course-{COURSE}.{lang}.pdf", lang, "course")
+    play(PLAYED, output / f"play-{PLAYED}.html")

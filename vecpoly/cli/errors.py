@@ -12,7 +12,7 @@ import typer
 
 from ..errors import VecpolyError
 
-REFUSED, INTERRUPTED = 2, 130
+DISAGREES, REFUSED, INTERRUPTED = 1, 2, 130
 
 
 @contextmanager

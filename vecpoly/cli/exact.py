@@ -22,14 +22,14 @@ _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact
 def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
     """Print the analytic answers, without a drawing."""
     found = problems(names)
-    from ..check.exact import exact_lines, exact_values
+    from ..check.exact import Exact
 
     tally = Tally()
     data: list[dict[str, Any]] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
-            values, units = exact_values(problem), {ask.rel.key: ask.rel.unit for ask in problem.asks}
-            lines = exact_lines(problem)
+            truth = Exact(problem)
+            values, lines, units = truth.values, truth.lines, {ask.rel.key: ask.rel.unit for ask in problem.asks}
             data.append({"id": problem.id, "answers": {key: _plain(key, value, units[key]) | _line(lines.get(key)) for key, value in values.items()}})
             if json != "-":
                 _print(problem, values, lang)

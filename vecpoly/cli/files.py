@@ -7,6 +7,7 @@ import os
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from errno import EISDIR, ENOTDIR
 from pathlib import Path
 from typing import Any
 
@@ -14,16 +15,21 @@ import typer
 
 
 def parent_of(path: Path) -> Path:
-    """The path, its folder made."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    """The path, its folder made; a file that stands where the folder should be is named."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        file = next(folder for folder in path.parents if folder.exists())
+        raise NotADirectoryError(ENOTDIR, "is a file, not a folder; choose another place", str(file)) from None
     return path
 
 
 @contextmanager
 def named(path: Path) -> Iterator[Path]:
     """The path, its folder made; what fails inside names this file, not a temporary one beside it."""
+    target = parent_of(path)
     try:
-        yield parent_of(path)
+        yield target
     except BrokenPipeError:
         raise
     except OSError as error:
@@ -34,7 +40,7 @@ def write_bytes(path: Path, data: bytes) -> Path:
     """Write beside the place, then move there: nobody ever sees half a file."""
     with named(path) as target:
         if target.is_dir():
-            raise IsADirectoryError(21, "is a folder; name a file in it", str(target))
+            raise IsADirectoryError(EISDIR, "is a folder; name a file in it", str(target))
         handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
         try:
             with os.fdopen(handle, "wb") as file:

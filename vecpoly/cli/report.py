@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import VecpolyError
+from ..errors import NoMethodError, VecpolyError
 from .errors import Tally, about
 from .files import named
 from .jobs import Job, jobs
@@ -36,19 +36,26 @@ def report(
     for job, path in progress(plan, "writing"):
         with tally.job():
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
-            solutions = draw(inner, hand, seed)
+            solutions = draw(inner, hand, seed, style)
             say(f"wrote {write(job, solutions, path, lang, style)}")
     tally.settle()
 
 
-def draw(problems: Iterable[Problem], hand: Hand, seed: int) -> list[Solution]:
-    """Solve these problems by one hand."""
+def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "solution") -> list[Solution]:
+    """Solve these problems by one hand; a course report also goes without drawings where no method draws them."""
     from ..solution import solve
 
     solutions = []
     for problem in problems:
         with about(problem.id):
-            solutions.append(solve(problem, by=hand, seed=seed))
+            try:
+                solutions.append(solve(problem, by=hand, seed=seed))
+            except NoMethodError as error:
+                if style != "course":
+                    raise
+                from ..report.course.undrawn import undrawn
+
+                solutions.append(undrawn(problem, error, by=hand))
     return solutions
 
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from io import TextIOWrapper
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
@@ -17,7 +19,8 @@ T = TypeVar("T")
 
 
 def speak_utf8() -> None:
-    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page)."""
+    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page), closed ones going nowhere."""
+    sys.stdout, sys.stderr = (stream or Path(os.devnull).open("w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(encoding="utf-8", errors="replace")

@@ -1,4 +1,4 @@
-"""Curves of a cycle in one restrained style: quantities over the drive's position, hodographs, paths of points.
+"""Curves of a cycle in one restrained style: quantities over the drive's position, hodographs, paths of points, the mechanism in several positions.
 
     plot = curves(turn, ("omega_4", "omega_5"), "zh")
     plot.scene                                   # a drawing of the house: into a report, true to size, fonts embedded
@@ -12,6 +12,7 @@ from __future__ import annotations
 from .hodograph import hodograph
 from .over import curves
 from .plot import Plot
+from .poses import poses
 from .trace import trace
 
-__all__ = ["Plot", "curves", "hodograph", "trace"]
+__all__ = ["Plot", "curves", "hodograph", "poses", "trace"]

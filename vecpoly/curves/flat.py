@@ -31,7 +31,7 @@ def plane(low: complex, high: complex, width: float, height: float, labels: tupl
     at = style.axes(figure, left, style.FOOT, wide, tall)
     at.set_xlim(low.real, high.real)
     at.set_ylim(low.imag, high.imag)
-    step = _step(14.0 / scale)
+    step = _step(10.0 / scale)
     for axis in (at.xaxis, at.yaxis):
         axis.set_major_locator(MultipleLocator(step))
     style.text(at, 1.0, style.FOOT + tall + 2.2, labels[1])
@@ -67,5 +67,5 @@ def mark_stations(cycle: Cycle, at: Any, placer: Placer, key: str, factor: float
             continue
         normal = 1j * d
         outward = -normal if (np.conj(normal) * (z - middle)).real < 0 else normal
-        said = style.number(round(float(cycle.drive.factor * q), 3)) + ("°" if cycle.drive.unit == "rad" else "")
+        said = style.number(round(float(cycle.drive.factor * q), 1)) + ("°" if cycle.drive.unit == "rad" else "")
         placer.put(z, said, outward, 2.8)

@@ -6,20 +6,25 @@ from typing import Any
 
 import numpy as np
 
-from ..cycle import Column, Cycle, extremes
-from ..drawing.style import Hue
+from ..cycle import Column, Cycle
+from ..drawing.style import THIN, Dash, Hue
 from ..errors import NotAskedError
+from ..typeset import layout_words
 from ..words import Lang, Words
 from . import style
 from .plot import Plot
 from .record import MM
+from .turning import turning
+
+LEAST_GAMMA = 40.0  # degrees: the usual bound of transmission angles
+_SAMPLE, _AFTER, _GAP, _LINE = 8.5, 1.2, 3.5, 5.0  # of the legend, mm
 
 
 def curves(cycle: Cycle, keys: tuple[str, ...], lang: Lang = "zh", *, width: float = style.WIDTH, panel: float = style.PANEL,
            marks: bool = True) -> Plot:
     """The columns over the drive's position; each unit has a panel of its own.
 
-    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's greatest and least value.
+    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its middle.
     Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
@@ -28,16 +33,18 @@ def curves(cycle: Cycle, keys: tuple[str, ...], lang: Lang = "zh", *, width: flo
     limits = [_limits(cycle, group) for group in groups]
     probe = style.axes(style.sheet(width, height), 20.0, 20.0, 50.0, panel - 25.0)
     left = max(style.gutter(probe, limit) for limit in limits) + 1.0
-    for i, (group, limit) in enumerate(zip(groups, limits, strict=True)):
+    labels = [style.axis_label(_common(group), group[0].shown_unit) for group in groups]
+    beside = all(_legend_width(group) + layout_words(label, style.LABEL).width + 6.0 <= width - style.RIGHT for group, label in zip(groups, labels, strict=True))
+    room = panel - style.FOOT - style.TOP - (0.0 if beside else _LINE)
+    for i, (group, limit, label) in enumerate(zip(groups, limits, labels, strict=True)):
         foot = height - panel * (i + 1) + style.FOOT
-        at = style.axes(figure, left, foot, width - left - style.RIGHT, panel - style.FOOT - style.TOP)
+        at = style.axes(figure, left, foot, width - left - style.RIGHT, room)
         _panel(cycle, at, group, limit, marks)
-        label = style.axis_label(_common(group), group[0].shown_unit)
-        top = foot + panel - style.FOOT - style.TOP + 2.2
-        style.text(at, 1.0, top, label)
+        top = foot + room + 2.2
+        style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         drive = cycle.drive
         style.text(at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, _drive_label(drive, lang), ha="center")
-        _legend(figure, at, width - style.RIGHT, top, group)
+        _legend(at, width - style.RIGHT, top, group)
     return Plot(figure, _title(cycle, groups), lang)
 
 
@@ -60,7 +67,8 @@ def _grouped(cycle: Cycle, keys: tuple[str, ...]) -> list[list[Column]]:
 
 
 def _values(cycle: Cycle, column: Column) -> Any:
-    return column.factor * cycle.real(column.key)
+    values = column.factor * cycle.real(column.key)
+    return np.minimum(values, 180.0 - values) if column.key.startswith("gamma_") else values  # the acute angle counts
 
 
 def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
@@ -69,8 +77,12 @@ def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
     if not values.size:
         return 0.0, 1.0
     low, high = _clipped(values)
+    if "/s" in group[0].unit or group[0].unit in ("N", "N·m"):
+        low, high = (0.0 if 0 < low < 0.6 * high else low), (0.0 if 0.6 * low < high < 0 else high)  # a rate of one sign is seen against nothing
+    elif group[0].key.startswith("gamma_"):
+        low, high = min(low, LEAST_GAMMA), high
     margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
-    return low - (margin if low else 0.0), high + margin
+    return low - (margin if low else 0.0), high + (margin if high else 0.0)
 
 
 def _clipped(values: Any) -> tuple[float, float]:
@@ -91,11 +103,13 @@ def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float
         at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
     for column, pen in zip(group, style.PENS, strict=False):
         style.line(at, phi, _values(cycle, column), pen, column.key)
-        found = extremes(cycle, column.key) if marks else None
-        if found is None or found.is_constant:
-            continue
-        spots = [s for s in (found.highest, found.lowest) if s and not s.end and limit[0] <= column.factor * s.value <= limit[1]]
-        style.dots(at, [drive.factor * s.phi for s in spots], [column.factor * s.value for s in spots], pen.hue)
+        spots = turning(phi, _values(cycle, column), cycle.whole and drive.unit == "rad" and not column.turns) if marks else []
+        if column.key.startswith("gamma_"):
+            spots = [min(spots, key=lambda spot: spot[1])] if spots else []
+        spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
+        style.dots(at, [x for x, _ in spots], [y for _, y in spots], pen.hue)
+    if all(column.key.startswith("gamma_") for column in group) and limit[0] < LEAST_GAMMA < limit[1]:
+        style.line(at, [phi[0], phi[-1]], [LEAST_GAMMA] * 2, style.Pen(Dash.DASHED, Hue.GREY, THIN))
 
 
 def _common(group: list[Column]) -> str:
@@ -106,21 +120,21 @@ def _common(group: list[Column]) -> str:
     return ", ".join(stems)
 
 
-def _legend(figure: Any, at: Any, right: float, top: float, group: list[Column]) -> None:
-    """Samples of the pens with their symbols, in one row that ends at the right edge of the axes."""
-    from ..typeset import layout_words
-
-    if len(group) < 2:
-        return
-    sample, gap = 9.0, 4.0
+def _legend_width(group: list[Column]) -> float:
+    """What the samples and symbols of a group take (mm)."""
     widths = [layout_words(f"${column.symbol}$", style.LABEL).width for column in group]
-    x = right - sum(widths) - len(group) * (sample + 1.5) - (len(group) - 1) * gap
-    for column, pen, wide in zip(group, style.PENS, widths, strict=False):
-        (drawn,) = at.plot([x, x + sample], [top + 1.1] * 2, transform=None, clip_on=False, color=pen.hue.value, linewidth=pen.width * MM, scalex=False, scaley=False)
+    return sum(widths) + len(group) * (_SAMPLE + _AFTER) + (len(group) - 1) * _GAP if len(group) > 1 else 0.0
+
+
+def _legend(at: Any, right: float, top: float, group: list[Column]) -> None:
+    """Samples of the pens with their symbols, in one row that ends at the right edge of the axes."""
+    x = right - _legend_width(group)
+    for column, pen in zip(group if len(group) > 1 else (), style.PENS, strict=False):
+        (drawn,) = at.plot([x, x + _SAMPLE], [top + 1.1] * 2, transform=None, clip_on=False, color=pen.hue.value, linewidth=pen.width * MM, scalex=False, scaley=False)
         if pen.dash.pattern:
             drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
-        style.text(at, x + sample + 1.5, top, f"${column.symbol}$")
-        x += sample + 1.5 + wide + gap
+        style.text(at, x + _SAMPLE + _AFTER, top, f"${column.symbol}$")
+        x += _SAMPLE + _AFTER + layout_words(f"${column.symbol}$", style.LABEL).width + _GAP
 
 
 def _title(cycle: Cycle, groups: list[list[Column]]) -> Words:

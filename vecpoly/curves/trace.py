@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..cycle import Cycle, Shape
-from ..cycle import path as shape
+from ..cycle.path import shape_of
 from ..drawing.style import THIN, Dash, Hue
 from ..errors import NotAskedError
 from ..mechanism.model import Revolute
@@ -16,6 +16,7 @@ from . import style
 from .flat import mark_stations, plane
 from .place import Placer
 from .plot import Plot
+from .skeleton import skeleton
 
 LINKS = style.Pen(Dash.FULL, Hue.GREY, THIN)
 
@@ -28,15 +29,15 @@ def trace(cycle: Cycle, points: tuple[str, ...], lang: Lang = "zh", *, width: fl
     if not 0 < len(points) <= len(style.PENS):
         raise NotAskedError(f"{len(points)} paths: name one to {len(style.PENS)} points")
     paths = [1e3 * np.asarray(cycle.column(f"p_{letter}"), np.complex128) for letter in points]
-    lines = _links(cycle)
+    lines = [line[:, 0] for line in skeleton(cycle, np.array([cycle.mech.drive.position]))]
     every = np.concatenate([*paths, *lines, 1e3 * np.array(list(cycle.mech.frame.values()))])
     every = every[np.isfinite(every)]
     low, high = complex(every.real.min(), every.imag.min()), complex(every.real.max(), every.imag.max())
     figure, at = plane(low, high, width, height, (style.axis_label("x", "mm"), style.axis_label("y", "mm")))
     for line in lines:
         style.line(at, line.real, line.imag, LINKS)
-    for letter, path, pen in zip(points, paths, style.PENS, strict=False):
-        once = _once(path) if shape(cycle, letter).shape in (Shape.ARC, Shape.LINE) else path
+    for path, pen in zip(paths, style.PENS, strict=False):
+        once = _once(path) if _swept_twice(path) else path
         style.line(at, once.real, once.imag, pen)
     placer = Placer(at, [*paths, *lines])
     letters = _joints(cycle, at, points)
@@ -48,6 +49,16 @@ def trace(cycle: Cycle, points: tuple[str, ...], lang: Lang = "zh", *, width: fl
     return Plot(figure, Words(f"点 {names} 的轨迹", f"Path of {names.replace('、', ', ')}"), lang)
 
 
+def _swept_twice(path: Any) -> bool:
+    """Whether the path is a line or an arc that the point runs to and fro."""
+    known = path[np.isfinite(path)]
+    size = float(np.abs(known - known.mean()).max())
+    if not size:
+        return False
+    found = shape_of(known, np.gradient(known), size)
+    return found in (Shape.LINE, Shape.ARC) or (found is Shape.CIRCLE and abs(known[-1] - known[0]) > 1e-9 * size)
+
+
 def _once(path: Any) -> Any:
     """A path swept to and fro, drawn once: its points in order of their signed way along it."""
     known = path[np.isfinite(path)]
@@ -55,17 +66,6 @@ def _once(path: Any) -> Any:
     back = np.append(1.0, np.where((np.conj(step[:-1]) * step[1:]).real < 0, -1.0, 1.0))
     way = np.append(0.0, np.cumsum(np.cumprod(back) * np.abs(step)))
     return known[np.argsort(way)]
-
-
-def _links(cycle: Cycle) -> list[Any]:
-    """Each link at the problem's own position as a closed line through its points (mm)."""
-    mech, found = cycle.mech, []
-    for name in mech.bodies:
-        letters = list(mech.link(name).points)
-        places = [complex(np.asarray(cycle.at(f"p_{letter}", [mech.drive.position]))[0]) for letter in letters]
-        if len(places) > 1:
-            found.append(1e3 * np.array([*places, *([places[0]] if len(places) > 2 else [])]))
-    return found
 
 
 def _joints(cycle: Cycle, at: Any, points: tuple[str, ...]) -> dict[str, complex]:

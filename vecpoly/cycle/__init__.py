@@ -11,6 +11,7 @@ from .columns import Column
 from .cycle import Cycle, cycle
 from .extremes import Extremes, Spot, extremes
 from .facts import Facts, facts
+from .force_words import force_sentences
 from .path import Path, Shape, path
 from .sentences import path_sentences, sentences
 from .table import Table, csv_bytes, table, xlsx_bytes
@@ -28,6 +29,7 @@ __all__ = [
     "cycle",
     "extremes",
     "facts",
+    "force_sentences",
     "path",
     "path_sentences",
     "sentences",

@@ -91,7 +91,7 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
     if stem in ("s", "v", "a") and rest in slides(mech):
         return _slide(key, stem, rest, *(mech.number(name) for name in reversed(ends(slides(mech)[rest]))))
     if stem == "gamma" and rest in dyads(mech):
-        return Column(key=key, symbol=f"γ_{{{rest}}}", unit="rad", words=Words(f"杆组 {rest} 的传动角", f"transmission angle of dyad {rest}"))
+        return Column(key=key, symbol=f"γ_{{{rest}}}", unit="rad", words=_gamma_words(mech, rest))
     if stem == "d" and rest in dyads(mech):
         return Column(key=key, symbol=f"d_{{{rest}}}", unit="m", words=Words(f"杆组 {rest} 两外副的距离", f"distance of the outer pins of dyad {rest}"))
     if loads is not None and (named := quantities(mech, loads).get(key)) is not None:
@@ -121,6 +121,14 @@ def _slide(key: str, stem: str, pair: str, block: str, guide: str) -> Column:
     unit, rate = {"s": ("m", f"v_{pair}"), "v": ("m/s", f"a_{pair}"), "a": ("m/s^2", "")}[stem]
     words = Words(f"构件 {block} 沿构件 {guide} 的{zh}", f"{en} of link {block} along link {guide}")
     return Column(key=key, symbol=f"{stem}_{{{pair}}}", unit=unit, words=words, rate=rate)
+
+
+def _gamma_words(mech: Mechanism, name: str) -> Words:
+    """Of a dyad; of the contact whose replacing link is in it."""
+    if len(mech.contacts) == 1 and not {dyads(mech)[name].link_j, dyads(mech)[name].link_k} <= {*mech.bodies}:
+        letter = mech.contacts[0].point
+        return Words(f"高副 ${letter}$ 的传动角（压力角的余角）", f"transmission angle at contact ${letter}$ (90° less the pressure angle)")
+    return Words(f"杆组 {name} 的传动角", f"transmission angle of dyad {name}")
 
 
 def _angle_words(mech: Mechanism, name: str) -> Words:

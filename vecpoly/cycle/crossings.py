@@ -19,10 +19,8 @@ def crossings(cycle: Cycle, point: str, phi: Reals, p: Points, closed: bool) -> 
     """Self-intersections of the polygon p, each refined on the mechanism by Newton's method on p(s) = p(t): place, s, t."""
     found: list[tuple[complex, float, float]] = []
     size = float(np.abs(p - p[0]).max())
-    for s, t in _pairs(p, closed):
-        refined = _refined(cycle, point, phi[s], phi[t])
-        if refined is None:
-            continue
+    pairs = np.array(list(_pairs(p, closed)), np.intp).reshape(-1, 2)
+    for refined in _refined(cycle, point, phi[pairs.T]):
         at, first, _ = refined
         if all(abs(at - other) > 1e-6 * size or abs(first - one) > 1e-5 for other, one, _ in found):
             found.append(refined)
@@ -43,23 +41,21 @@ def _pairs(p: Points, closed: bool) -> Iterator[tuple[int, int]]:
         yield from ((i, int(k)) for k in j[(one <= 0) & (two <= 0)])
 
 
-def _refined(cycle: Cycle, point: str, s: float, t: float) -> tuple[complex, float, float] | None:
-    """p(s) = p(t); None where the two run together: a touch, or a path swept to and fro."""
-    x = np.array([s, t])
-    for _ in range(NEWTON):
-        here = sample(cycle.mech, None, x)
-        p, v = here.value(f"p_{point}"), here.value(f"v_{point}") / cycle.mech.drive.rate
-        det = float((np.conj(v[0]) * v[1]).imag)
-        if abs(det) <= 1e-9 * float(abs(v[0]) * abs(v[1])) or not np.isfinite(det):
-            return None
-        gap = complex(p[1] - p[0])
-        step = np.array([(np.conj(gap) * v[1]).imag, (np.conj(gap) * v[0]).imag]) / det
-        x = x + step
-        if float(np.abs(step).max()) < 1e-14:
+def _refined(cycle: Cycle, point: str, x: Reals) -> Iterator[tuple[complex, float, float]]:
+    """p(s) = p(t) from all pairs (2 × pairs) at once; none of those where the two run together: a touch, or a path swept to and fro."""
+    for _ in range(NEWTON if x.size else 0):
+        here = sample(cycle.mech, None, x.ravel())
+        p, v = here.value(f"p_{point}").reshape(x.shape), here.value(f"v_{point}").reshape(x.shape) / cycle.mech.drive.rate
+        det = np.imag(np.conj(v[0]) * v[1])
+        with np.errstate(invalid="ignore"):
+            sound = np.isfinite(det) & (np.abs(det) > 1e-9 * np.abs(v[0]) * np.abs(v[1]))
+        gap = (p[1] - p[0])[sound]
+        step = np.imag(np.conj(gap) * v[::-1, sound]) / det[sound]
+        x = x[:, sound] + step
+        if not float(np.abs(step).max(initial=0.0)) >= 1e-14:
             break
     full = cycle.high - cycle.low
     x = cycle.low + np.mod(x - cycle.low, full) if cycle.whole else x
-    first, second = sorted(map(float, x))
-    if min(second - first, full - (second - first) if cycle.whole else full) < 1e-4:
-        return None
-    return complex(np.asarray(cycle.at(f"p_{point}", np.array([first])))[0]), first, second
+    for first, second in np.sort(x, axis=0).T.tolist():
+        if min(second - first, full - (second - first) if cycle.whole else full) >= 1e-4:
+            yield complex(np.asarray(cycle.at(f"p_{point}", np.array([first])))[0]), first, second

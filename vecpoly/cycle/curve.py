@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..mechanism.quantities import quantities
 from .cycle import Cycle
 from .sample import sample
 
@@ -36,6 +37,11 @@ class Curve:
         even = drive.rate != 0.0 and drive.accel == 0.0
         return cls(cycle, key, cycle.info(base).rate if even and key != cycle.drive.key else "", _size(cycle, base))
 
+    @property
+    def presses(self) -> bool:
+        """Whether it is a force, or what follows from forces."""
+        return self.cycle.loads is not None and self.key.removesuffix(".abs") in quantities(self.cycle.mech, self.cycle.loads)
+
     def grid(self) -> tuple[Reals, Reals]:
         """Positions all round, and f there."""
         phi, values = self.cycle.on_grid(self.key)
@@ -45,10 +51,10 @@ class Curve:
         """f(φ)."""
         return np.asarray(self.cycle.at(self.key, phi), np.float64)
 
-    def slope(self, phi: Reals) -> Reals:
-        """A positive multiple of df/dφ."""
+    def slope(self, phi: Reals, step: Reals) -> Reals:
+        """A positive multiple of df/dφ; step: of the grid about each place, in which f is as good as a cubic."""
         if not self.rate:
-            return self._difference(phi)
+            return self._difference(phi, step)
         here = sample(self.cycle.mech, None, phi)
         sense = np.sign(self.cycle.mech.drive.rate)
         if not self.key.endswith(".abs"):
@@ -56,11 +62,12 @@ class Curve:
         vector, rate = here.value(self.key.removesuffix(".abs")), here.value(self.rate)
         return np.asarray(sense * np.real(np.conj(vector) * rate), np.float64)
 
-    def _difference(self, phi: Reals) -> Reals:
-        """Seven-point central difference; of the square of a magnitude, which is smooth where the magnitude has a corner."""
-        step = 2.0**-8 * (1.0 if not self.cycle.mech.drive.slide else self.cycle.high - self.cycle.low)
-        values = self.value((phi[:, None] + step * np.arange(-3, 4)).ravel()).reshape(-1, 7)
-        return np.asarray((values**2 if self.key.endswith(".abs") else values) @ _WEIGHTS, np.float64)
+    def _difference(self, phi: Reals, step: Reals) -> Reals:
+        """Seven-point central difference; of a magnitude f·f', f' the vector's difference: smooth where the magnitude has a corner."""
+        around = (phi[:, None] + step[:, None] * np.arange(-3, 4)).ravel()
+        values = np.asarray(self.cycle.at(self.key.removesuffix(".abs"), around)).reshape(-1, 7)
+        rise = values @ _WEIGHTS
+        return np.asarray(np.real(np.conj(values[:, 3]) * rise) if self.key.endswith(".abs") else rise, np.float64)
 
     def reduced(self, phi: Reals) -> Reals:
         """Within the drive's range; what is a hair below a whole turn is its start."""
@@ -73,8 +80,8 @@ class Curve:
 
 def _size(cycle: Cycle, key: str) -> float:
     """The natural magnitude of a quantity: below 1e-10 of it, a change is rounding."""
-    spins = [np.abs(cycle.on_grid(f"omega_{name}")[1]) for name in cycle.mech.bodies]
-    spin = float(np.nanmax(np.stack(spins), initial=0.0)) or abs(cycle.mech.drive.rate) / cycle.mech.scale
+    spins = np.stack([np.abs(cycle.on_grid(f"omega_{name}")[1]) for name in cycle.mech.bodies])
+    spin = _usual(np.nan_to_num(spins).max(axis=0)) or abs(cycle.mech.drive.rate) / cycle.mech.scale
     match cycle.info(key).unit:
         case "m":
             return cycle.mech.scale
@@ -89,5 +96,10 @@ def _size(cycle: Cycle, key: str) -> float:
         case "rad/s^2":
             return spin**2
         case _:
-            whole = np.abs(cycle.on_grid(key.partition(".")[0])[1])
-            return float(np.nanmax(whole, initial=0.0))
+            return _usual(np.abs(cycle.on_grid(key.partition(".")[0])[1]))
+
+
+def _usual(sizes: Reals) -> float:
+    """The middle one of the sizes, for the largest may run away; the largest where that is 0."""
+    known = sizes[np.isfinite(sizes)]
+    return (float(np.median(known)) or float(known.max())) if known.size else 0.0

@@ -17,12 +17,13 @@ from ..problem.problem import Problem
 from ..words import Words
 from .columns import Column, catalogue, column_of
 from .follow import follow
+from .grid import places
 from .sample import Sample, reader, sample
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 BLOCK = 4096
-STEPS = 1440  # of the grid on which turning points are sought
+FEW = 256  # positions, and solved samples, that are kept
 FINE = 720  # steps a turn within which no link turns half round between two of them
 
 
@@ -43,6 +44,8 @@ class Cycle:
     whole: bool
     points: tuple[str, ...] | None = None
     _kept: dict[str, Points | Reals] = field(default_factory=dict, repr=False)
+    _solved: dict[bytes, Sample] = field(default_factory=dict, repr=False)
+    _infos: dict[str, Column] = field(default_factory=dict, repr=False)
 
     @cached_property
     def columns(self) -> tuple[Column, ...]:
@@ -86,8 +89,8 @@ class Cycle:
         """The drive's position: φ_1, or s_1 of a sliding input."""
         link = self.mech.drive.link
         if self.mech.drive.slide:
-            return Column(key=f"s_{link}", symbol=f"s_{{{link}}}", unit="m", words=Words(f"主动件 {link} 的位移", f"travel of the driving link {link}"))
-        return Column(key=f"phi_{link}", symbol=f"φ_{{{link}}}", unit="rad", words=Words(f"主动件 {link} 的转角", f"angle of the driving link {link}"))
+            return Column(key=f"s_{link}", symbol=f"s_{{{link}}}", unit="m", words=Words(f"原动件 {link} 的位移", f"travel of the driving link {link}"))
+        return Column(key=f"phi_{link}", symbol=f"φ_{{{link}}}", unit="rad", words=Words(f"原动件 {link} 的转角", f"angle of the driving link {link}"))
 
     @property
     def assembled(self) -> NDArray[np.bool_]:
@@ -97,7 +100,9 @@ class Cycle:
 
     def info(self, key: str) -> Column:
         """Symbol, unit and words of a column; UnknownNameError where there is none."""
-        return self.drive if key == self.drive.key else column_of(self.mech, self.loads, key)
+        if key not in self._infos:
+            self._infos[key] = self.drive if key == self.drive.key else column_of(self.mech, self.loads, key)
+        return self._infos[key]
 
     def column(self, key: str) -> Points | Reals:
         """The quantity at every position: complex for a vector, SI; angles without jumps of 360°; NaN where it does not exist.
@@ -118,14 +123,23 @@ class Cycle:
     def at(self, key: str, phi: ArrayLike) -> Points | Reals:
         """The quantity at any positions of the drive, solved there; an angle lies on the same turn as the column."""
         places = np.asarray(phi, dtype=np.float64)
-        return places if key == self.drive.key else self._on_turn(key, places, sample(self.mech, self.loads, places).value(key))
+        return places if key == self.drive.key else self._on_turn(key, places, self._sampled(places).value(key))
+
+    def _sampled(self, places: Reals) -> Sample:
+        """The mechanism solved at these positions; with loads the last few are kept, for all columns break off at the same ones."""
+        if self.loads is None or places.size > FEW:
+            return sample(self.mech, self.loads, places)
+        mark = places.tobytes()
+        if mark not in self._solved:
+            if len(self._solved) >= FEW:
+                self._solved.pop(next(iter(self._solved)))
+            self._solved[mark] = sample(self.mech, self.loads, places)
+        return self._solved[mark]
 
     @cached_property
     def _grid(self) -> Sample:
-        """The whole range in a quarter of a degree (of a turn), a little off the round degrees, and two positions more."""
-        step = (self.high - self.low) / STEPS
-        whole = self.low + step * (0.4142 + np.arange(STEPS + 2))
-        return sample(self.mech, self.loads, whole if self.whole else np.linspace(self.low, self.high, STEPS + 1))
+        """Solved all round, as closely as its motion needs."""
+        return sample(self.mech, self.loads, places(self.mech, self.low, self.high, self.whole))
 
     def on_grid(self, key: str) -> tuple[Reals, Points | Reals]:
         """Positions on which turning points are sought (none of them on a round degree), and the quantity there."""
@@ -136,11 +150,11 @@ class Cycle:
         """An angle on the turn on which its column is; anything else as it is."""
         if not self.info(key).turns:
             return values
-        column = self.real(key)
-        known = np.isfinite(column)
+        phi, angle = (self.phi, self.real(key)) if self._parts == 1 else self._trace(key)
+        known = np.isfinite(angle)
         if not known.any():
             return values
-        near = np.interp(places, self.phi[known], column[known])
+        near = np.interp(places, phi[known], angle[known])
         return np.asarray(values + 2 * np.pi * np.round((near - values) / (2 * np.pi)), np.float64)
 
     def rows(self, step: float) -> NDArray[np.intp]:
@@ -155,17 +169,26 @@ class Cycle:
         if drive.rate != 0.0 and drive.accel == 0.0:
             return self
         even = replace(self.mech, drives=(replace(drive, rate=drive.rate or 1.0, accel=0.0), *self.mech.drives[1:]))
-        return replace(self, mech=even, loads=None, _kept={})
+        return replace(self, mech=even, loads=None, _kept={}, _solved={}, _infos={})
+
+    @property
+    def _parts(self) -> int:
+        """Into how many parts a step is cut, that no link turns half round in one of them."""
+        span = abs(self.phi[-1] - self.phi[0]) / (2 * np.pi if not self.mech.drive.slide else self.high - self.low or 1.0)
+        return max(1, int(np.ceil(FINE * max(span, 1.0) / max(len(self.phi) - 1, 1))))
 
     def _followed(self, key: str) -> Reals:
-        """The angle without jumps, followed on a grid fine enough that no link turns half round between two positions."""
-        span = abs(self.phi[-1] - self.phi[0]) / (2 * np.pi if not self.mech.drive.slide else self.high - self.low or 1.0)
-        parts = max(1, int(np.ceil(FINE * max(span, 1.0) / max(len(self.phi) - 1, 1))))
-        if parts == 1:
-            return follow(np.asarray(self.solved(key), np.float64))
-        index = np.arange((len(self.phi) - 1) * parts + 1) / parts
+        """The angle without jumps at every position."""
+        return follow(np.asarray(self.solved(key), np.float64)) if self._parts == 1 else self._trace(key)[1][:: self._parts]
+
+    def _trace(self, key: str) -> tuple[Reals, Reals]:
+        """Positions as fine as need be, and the angle without jumps at each."""
+        index = np.arange((len(self.phi) - 1) * self._parts + 1) / self._parts
         between = np.interp(index, np.arange(len(self.phi)), self.phi)
-        return follow(np.asarray(sample(self.mech, self.loads, between).value(key), np.float64))[::parts]
+        trace = f"{key} between"
+        if trace not in self._kept:
+            self._kept[trace] = follow(np.asarray(sample(self.mech, self.loads, between).value(key), np.float64))
+        return between, np.asarray(self._kept[trace], np.float64)
 
 
 def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None, points: tuple[str, ...] | None = None,
@@ -189,17 +212,17 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
 
 def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
     if not isinstance(problem.subject, Mechanism):
-        raise MobilityError("a device has no cycle; a cycle needs a mechanism with an input")
+        raise MobilityError("a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input")
     return problem.subject, problem.loads, problem.id
 
 
 def _range(mech: Mechanism) -> tuple[float, float, bool]:
-    """Ends of the range of the drive in which the given position lies; whether it is a whole turn."""
+    """Ends of the range of the drive in which the given position lies, told on its turn; whether it is a whole turn."""
     drive, full = mech.drive, 2 * np.pi
     for low, high in oracle.spans(mech):
         if not drive.slide and high - low >= full * (1 - 1e-12):
             return low, low + full, True
-        turn = 0.0 if drive.slide else full * np.floor((drive.position - low) / full + 1e-9)
+        turn = 0.0 if drive.slide else full * float(np.floor((drive.position - low) / full + 1e-9))
         if low - 1e-9 <= drive.position - turn <= high + 1e-9:
-            return low, high, False
+            return low + turn, high + turn, False
     raise AssemblyError("the drive can stand in no position: the mechanism cannot be assembled")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,15 +10,20 @@ from numpy.typing import NDArray
 
 from .curve import Curve
 from .cycle import Cycle
-from .root import ridders
+from .pieces import Piece, ends, pieces, towards
+from .root import highest, ridders
 
 Reals = NDArray[np.float64]
+ROUNDING = 1e-14  # of a value: what may change by chance
 SAME = 1e-6  # rad (or part of the range): roots nearer than this are one
 
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """A value (SI) at a position of the drive (rad, or m); end: at an end of the drive's range, not a turning point."""
+    """A value (SI) at a position of the drive (rad, or m); end: at an end of the drive's range, or where the column breaks off or jumps, not a turning point.
+
+    ±∞ where the value runs away towards that end.
+    """
 
     phi: float
     value: float
@@ -45,7 +51,8 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
     """Maxima, minima and zeros over the drive's whole range, to full accuracy: the mechanism is solved again around each.
 
     A vector's are those of its magnitude. f'(φ) = 0 by Ridders' method on the oracle's derivative where it has one (φ, ω, p, v), else on
-    a seven-point difference. Raises UnknownNameError.
+    a seven-point difference; at a sharp bend by shrinking the bracket. A column that breaks off or jumps also has the values at its ends, ±∞
+    where it runs away towards one. Raises UnknownNameError.
     """
     curve = Curve.of(cycle, key)
     phi, f = curve.grid()
@@ -55,28 +62,45 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
     if known.max() - known.min() <= 1e-10 * max(float(np.abs(known).max()), curve.size):
         flat = Spot(cycle.low, float(known.mean()))
         return Extremes(key, (), (), (), flat, flat)
-    maxima, minima = _turning(curve, phi, f)
-    every = (*maxima, *minima, *_ends(curve, float(known.max() - known.min())))
+    parts = pieces(curve, phi, f)
+    maxima, minima = (_spots(curve, np.concatenate(places)) for places in zip(*(_turning(curve, part) for part in parts), strict=True))
+    broken = [Spot(float(curve.reduced(np.array([q]))[0]), value, True) for part in parts for q, value in ends(curve, part)]
+    every = (*maxima, *minima, *_ends(curve, float(known.max() - known.min())), *broken, *_on_grid(curve, phi, f))
     small = 1e-9 * float(np.abs(known).max())
     touching = tuple(spot for spot in (*maxima, *minima) if abs(spot.value) <= small)
-    return Extremes(key, maxima, minima, _crossing(curve, phi, f, touching), max(every, key=lambda s: s.value, default=None),
-                    min(every, key=lambda s: s.value, default=None))
+    return Extremes(key, maxima, minima, _crossing(curve, parts, touching), max(every, key=lambda s: s.value), min(every, key=lambda s: s.value))
 
 
-def _turning(curve: Curve, phi: Reals, f: Reals) -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
-    """Maxima and minima."""
-    with np.errstate(invalid="ignore"):
-        rise = np.diff(f)
-        top = (rise[:-1] > 0) & (rise[1:] <= 0)
-        turn = np.flatnonzero(top | ((rise[:-1] < 0) & (rise[1:] >= 0)))
-    at = ridders(curve.slope, phi[turn], phi[turn + 2])
-    return _spots(curve, at[top[turn]]), _spots(curve, at[~top[turn]])
+def _on_grid(curve: Curve, phi: Reals, f: Reals) -> Iterator[Spot]:
+    """The greatest and least value on the grid, which nothing that is found may fall short of by more than rounding."""
+    phi, f = phi[phi <= curve.cycle.high], f[phi <= curve.cycle.high]
+    small = 1e-12 * (float(np.nanmax(np.abs(f))) + curve.size)
+    for i, sign in ((int(np.nanargmax(f)), -1.0), (int(np.nanargmin(f)), 1.0)):
+        yield Spot(float(curve.reduced(phi[i : i + 1])[0]), float(f[i]) + sign * small)
 
 
-def _crossing(curve: Curve, phi: Reals, f: Reals, touching: tuple[Spot, ...]) -> tuple[Spot, ...]:
-    with np.errstate(invalid="ignore"):
-        change = np.flatnonzero(np.signbit(f[:-1]) != np.signbit(f[1:]))
-    found = _spots(curve, ridders(curve.value, phi[change], phi[change + 1]))
+def _turning(curve: Curve, piece: Piece) -> tuple[Reals, Reals]:
+    """Places of the maxima and minima of an unbroken piece."""
+    rise = np.diff(piece.f)
+    rise[np.abs(rise) <= ROUNDING * (np.abs(piece.f).max() + curve.size)] = 0.0
+    moving = np.flatnonzero(rise)  # what stands still between two of them is level
+    top = rise[moving[:-1]] > 0
+    turn = np.flatnonzero(top != (rise[moving[1:]] > 0))
+    low, high = piece.phi[moving[turn]], piece.phi[moving[turn + 1] + 1]
+    top = top[turn]
+    step = (high - low) / 2
+    at = ridders(lambda q: curve.slope(q, step), low, high)
+    lost = ~np.isfinite(at)
+    if lost.any():
+        sign = np.where(top[lost], 1.0, -1.0)
+        at[lost] = highest(lambda q: np.append(sign, sign) * curve.value(q), low[lost], high[lost])
+    return at[top], at[~top]
+
+
+def _crossing(curve: Curve, parts: tuple[Piece, ...], touching: tuple[Spot, ...]) -> tuple[Spot, ...]:
+    change = [(part, np.flatnonzero(np.signbit(part.f[:-1]) != np.signbit(part.f[1:]))) for part in parts]
+    low, high = (np.concatenate([part.phi[at + i] for part, at in change]) for i in (0, 1))
+    found = _spots(curve, ridders(curve.value, low, high))
     spots = sorted((*found, *touching), key=lambda s: s.phi)
     return tuple(spot for i, spot in enumerate(spots) if not i or spot.phi - spots[i - 1].phi > SAME)
 
@@ -93,9 +117,11 @@ def _spots(curve: Curve, at: Reals) -> tuple[Spot, ...]:
 
 
 def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
-    """Values at the ends of the drive's range; none of a whole turn that comes back to the same value."""
+    """Values at the ends of the drive's range, ±∞ where it runs away; none of a whole turn that comes back to the same value."""
     cycle = curve.cycle
     first, last = (float(value) for value in curve.value(np.array([cycle.low, cycle.high])))
     if cycle.whole and not abs(last - first) > 1e-6 * span:
         return ()
-    return tuple(Spot(q, value, True) for q, value in ((cycle.low, first), (cycle.high, last)) if np.isfinite(value))
+    room = cycle.high - cycle.low
+    told = ((cycle.low, first, 1.0), (cycle.high, last, -1.0))
+    return tuple(Spot(q, value if cycle.whole else towards(curve, q, inward, value, room), True) for q, value, inward in told if np.isfinite(value))

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from .. import oracle
 from ..mechanism.assur import hinges
 from ..mechanism.model import FRAME
+from .closing import laps_of, turns_of
 from .columns import dyads, slides
 from .cycle import Cycle
 from .extremes import Extremes, Spot, extremes
+from .root import ridders
 from .transmission import folded, is_told
 
+MEETING = 1e-5  # rad: a folded dyad
 POOR, FOLDED = np.radians(40.0), np.radians(15.0)  # below: poor transmission; nearly folded
 
 
@@ -80,16 +85,23 @@ class Peak:
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """The facts of one cycle. turns: net turns of each link in one turn of the drive (0: it rocks); None of no whole cycle."""
+    """The facts of one cycle. turns: net turns of each link in one turn of the drive (0: it rocks); None of no whole cycle.
+
+    laps: turns of the drive after which everything stands as it did, 1 as a rule, None where unknown. unlimited: whether a sliding drive can move on
+    beyond its low, its high end, which then are merely as far as was looked.
+    """
 
     ranges: tuple[str, ...]
     whole: bool
-    turns: dict[str, int] | None
+    turns: dict[str, float] | None
+    laps: int | None
+    unlimited: tuple[bool, bool]
     swings: tuple[Extremes, ...]  # of every rocker and slider on the frame: its limit positions, each to and fro
     strokes: tuple[Stroke, ...]
     transmissions: tuple[Transmission, ...]
     arms: tuple[Extremes, ...]
     dead: tuple[Spot, ...]  # of the drive itself: the ends of its range
+    changes: tuple[tuple[str, tuple[Spot, ...]], ...]  # change points of a drive that turns right round: key of γ, where a dyad lies in one line
     peaks: tuple[Peak, ...]
 
 
@@ -99,18 +111,31 @@ def facts(cycle: Cycle) -> Facts:
     outputs = tuple(extremes(even, key) for key in outputs_of(even))
     told = tuple(t for name, dyad in dyads(even.mech).items() if is_told(even.mech, dyad) if (t := _transmission(even, name, dyad.kind)))
     arms = tuple(extremes(even, f"d_{name}") for name, dyad in dyads(even.mech).items() if dyad.kind == "RPR")
-    dead = () if even.whole or even.mech.drive.slide else tuple(Spot(q, 0.0, True) for q in (even.low, even.high))
-    return Facts(even.ranges, even.whole, turns_of(even), tuple(e for e in outputs if e.maxima), tuple(s for e in outputs if (s := _stroke(even, e))),
-                 told, arms, dead, tuple(p for name in even.mech.bodies if (p := _peak(even, name, told, arms))))
+    unlimited = _unlimited(even)
+    dead = () if even.whole else tuple(Spot(q, 0.0, True) for q, free in zip((even.low, even.high), unlimited, strict=True) if not free)
+    changes = tuple(_changes(even))
+    strokes = () if changes else tuple(s for e in outputs if (s := _stroke(even, e)))
+    return Facts(even.ranges, even.whole, turns_of(even), laps_of(even), unlimited, tuple(e for e in outputs if e.maxima), strokes, told, arms, dead, changes,
+                 tuple(p for name in even.mech.bodies if (p := _peak(even, name, told, arms))))
 
 
-def turns_of(cycle: Cycle) -> dict[str, int] | None:
-    """Net turns of every link in one turn of the drive; None where the drive cannot turn right round."""
-    if not cycle.whole:
-        return None
-    ends = np.array([cycle.low, cycle.high])
-    found = {name: cycle.at(f"phi_{name}", ends) for name in cycle.mech.bodies}
-    return {name: round(float((phi[1] - phi[0]).real) / (2 * np.pi)) for name, phi in found.items() if np.isfinite(phi).all()}
+def _changes(cycle: Cycle) -> Iterator[tuple[str, tuple[Spot, ...]]]:
+    """Where two assemblies of a dyad meet though the drive goes on: which of them follows is not determined there."""
+    for name, dyad in dyads(cycle.mech).items() if cycle.whole else ():
+        if not is_told(cycle.mech, dyad) or dyad.kind == "RPR":
+            continue
+        found = extremes(cycle, f"gamma_{name}")
+        spots = [s for s in (*found.maxima, *found.minima, *found.zeros) if float(folded(np.array(s.value))) < MEETING]
+        if spots:
+            apart = sorted(spots, key=lambda s: s.phi)
+            yield found.key, tuple(s for i, s in enumerate(apart) if not i or s.phi - apart[i - 1].phi > 1e-4)
+
+
+def _unlimited(cycle: Cycle) -> tuple[bool, bool]:
+    """Whether a sliding drive's range ends only where the search for its ends does."""
+    drive, reach = cycle.mech.drive, oracle.SEARCHED * cycle.mech.scale
+    near = 1e-9 * cycle.mech.scale
+    return drive.slide and cycle.low <= drive.position - reach + near, drive.slide and cycle.high >= drive.position + reach - near
 
 
 def outputs_of(cycle: Cycle) -> tuple[str, ...]:
@@ -124,12 +149,24 @@ def outputs_of(cycle: Cycle) -> tuple[str, ...]:
 
 
 def _stroke(cycle: Cycle, found: Extremes) -> Stroke | None:
-    if not cycle.whole or len(found.maxima) != 1 or len(found.minima) != 1:
+    if not cycle.whole or len(found.maxima) != 1 or len(found.minima) != 1 or not _closes(cycle, found.key):
         return None
     lower, upper = found.minima[0], found.maxima[0]
     forth = (upper.phi - lower.phi) % (2 * np.pi)
     forth = forth if cycle.mech.drive.rate > 0 else 2 * np.pi - forth
     return Stroke(found.key, lower, upper, forth, 2 * np.pi - forth)
+
+
+def _closes(cycle: Cycle, key: str) -> bool:
+    """Whether the column comes back to its value after a turn."""
+    first, last = np.asarray(cycle.at(key, np.array([cycle.low, cycle.high])), np.float64)
+    return bool(abs(last - first) < 1e-6 * (cycle.mech.scale if cycle.info(key).unit == "m" else 1.0))
+
+
+def transmission(cycle: Cycle, key: str) -> Transmission | None:
+    """The least and the greatest acute angle of a column gamma_23; None of one without values."""
+    name = key.removeprefix("gamma_")
+    return _transmission(cycle, name, dyads(cycle.mech)[name].kind)
 
 
 def _transmission(cycle: Cycle, name: str, kind: str) -> Transmission | None:
@@ -148,21 +185,27 @@ def _transmission(cycle: Cycle, name: str, kind: str) -> Transmission | None:
 
 
 def _right_angle(cycle: Cycle, key: str, otherwise: float) -> float:
-    """The first position of the grid's nearest 90°."""
-    gamma = cycle.real(key)
-    return float(cycle.phi[int(np.nanargmin(np.abs(gamma - np.pi / 2)))]) if np.isfinite(gamma).any() else otherwise
+    """The first position where γ passes 90°."""
+    phi, gamma = cycle.on_grid(key)
+    with np.errstate(invalid="ignore"):
+        change = np.flatnonzero((gamma[:-1] - np.pi / 2) * (gamma[1:] - np.pi / 2) <= 0)
+    found = ridders(lambda q: np.asarray(cycle.at(key, q), np.float64) - np.pi / 2, phi[change], phi[change + 1])
+    sound = found[np.isfinite(found)]
+    return float(sound.min()) if sound.size else otherwise
 
 
 def _peak(cycle: Cycle, name: str, told: tuple[Transmission, ...], arms: tuple[Extremes, ...]) -> Peak | None:
     """|α| above 2.5 times its rms, within 20° of a dyad's least angle below 40° or of an arm shorter than a third of its longest."""
     key = f"alpha_{name}"
-    alpha = cycle.real(key)
-    rms = float(np.sqrt(np.nanmean(alpha**2))) if np.isfinite(alpha).any() else 0.0
+    phi, alpha = cycle.on_grid(key)
+    known = np.isfinite(alpha)
+    phi, square = phi[known], np.abs(alpha[known]) ** 2
+    rms = float(np.sqrt((square[1:] + square[:-1]) @ np.diff(phi) / 2 / np.ptp(phi))) if known.sum() > 1 else 0.0
     found = extremes(cycle, key)
     if found.highest is None or found.lowest is None or found.is_constant:
         return None
     top = max(found.highest, found.lowest, key=lambda s: abs(s.value))
-    if abs(top.value) < 2.5 * rms:
+    if abs(top.value) < 2.5 * rms or not np.isfinite(top.value):
         return None
     near = [(t.key, t.least) for t in told if t.is_poor]
     near += [(a.key, a.lowest) for a in arms if a.lowest and a.highest and a.lowest.value < a.highest.value / 3]

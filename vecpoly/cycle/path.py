@@ -11,12 +11,14 @@ from numpy.typing import NDArray
 
 from .crossings import crossings
 from .cycle import Cycle
-from .extremes import Spot, extremes
+from .extremes import Extremes, Spot, extremes
+from .root import ridders
 from .sample import sample
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 STEPS = 1440
+FAR = 1e3  # times the mechanism's size: a point beyond it runs off to infinity
 
 
 class Shape(StrEnum):
@@ -42,9 +44,10 @@ class Crossing:
 class Path:
     """The path of a point.
 
-    length: m, there and back where it is swept to and fro; closed: whether it ends where it began; crossings: self-intersections;
+    length: m, there and back where it is swept to and fro, ∞ where it runs off to infinity; closed: whether it ends where it began; crossings: self-intersections;
     cusps: where the point stands still for a moment and turns back, (place in m, position of the drive); turning: how often the tangent turns
-    round (counter-clockwise positive, as the drive moves), None of a path with cusps or an open one; low, high: corners of its box.
+    round (counter-clockwise positive, as the drive moves), None of a path with cusps or an open one; inflections: positions of the drive (rad) at
+    which such a path bends the other way; low, high: corners of its box.
     """
 
     point: str
@@ -56,6 +59,7 @@ class Path:
     turning: int | None
     low: complex
     high: complex
+    inflections: tuple[float, ...] = ()
 
 
 def path(cycle: Cycle, point: str) -> Path:
@@ -69,23 +73,37 @@ def path(cycle: Cycle, point: str) -> Path:
     here = sample(even.mech, None, phi)
     p = np.asarray(here.value(f"p_{point}"), np.complex128)
     v = np.asarray(here.value(f"v_{point}") / even.mech.drive.rate, np.complex128)
-    sound = np.isfinite(p)
-    p, v, phi = p[sound], v[sound], phi[sound]
     size = even.mech.scale
+    with np.errstate(invalid="ignore"):
+        sound = np.isfinite(p)
+        away = np.abs(p - np.median(p[sound])) > FAR * size
+    if away.any():
+        return _endless(point, p[sound & ~away])
+    p, v, phi = p[sound], v[sound], phi[sound]
     low, high = complex(p.real.min(), p.imag.min()), complex(p.real.max(), p.imag.max())
     closed = bool(abs(p[-1] - p[0]) < 1e-9 * size)
     if abs(high - low) < 1e-9 * size:
         return Path(point, Shape.STILL, 0.0, True, (), (), None, low, high)
     shape = shape_of(p, v, size)
+    shape = Shape.ARC if shape is Shape.CIRCLE and not closed else shape
     speeds = extremes(even, f"v_{point}")
     length = _length(even, point, phi, p, v, speeds.zeros)
     if shape is not Shape.CURVE:
         turns = round(_turned(even, point, phi, v)) if shape is Shape.CIRCLE and closed else None
         return Path(point, shape, length, closed, (), (), turns, low, high)
     cusps = _cusps(even, point, v, speeds.minima)
-    turning = round(_turned(even, point, phi, v)) if closed and not cusps and even.whole else None
+    smooth = closed and not cusps and even.whole and bool(np.isfinite(v).all()) and not _kinks(even, point, speeds)
+    turning = round(_turned(even, point, phi, v)) if smooth else None
     found = tuple(Crossing(at, first, second) for at, first, second in crossings(even, point, phi, p, closed))
-    return Path(point, shape, length, closed, found, cusps, turning, low, high)
+    bends = _inflections(even, point, phi) if smooth else ()
+    return Path(point, shape, length, closed, found, cusps, turning, low, high, bends)
+
+
+def _endless(point: str, p: Points) -> Path:
+    """A path that runs off to infinity: what is near has a shape and a box, nothing else can be told."""
+    low, high = complex(p.real.min(), p.imag.min()), complex(p.real.max(), p.imag.max())
+    shape = shape_of(p, np.gradient(p), float(np.abs(p).max()))
+    return Path(point, shape, float("inf"), False, (), (), None, low, high)
 
 
 def shape_of(p: Points, v: Points, size: float) -> Shape:
@@ -130,6 +148,29 @@ def _cusps(cycle: Cycle, point: str, v: Points, minima: tuple[Spot, ...]) -> tup
         return ()
     places = np.asarray(cycle.at(f"p_{point}", np.array(still)))
     return tuple((complex(z), q) for z, q in zip(places, still, strict=True))
+
+
+def _inflections(cycle: Cycle, point: str, phi: Reals) -> tuple[float, ...]:
+    """Where the curvature v × a passes zero, to full accuracy."""
+    def bend(at: Reals) -> Reals:
+        here = sample(cycle.mech, None, at)
+        return np.asarray((np.conj(here.value(f"v_{point}")) * here.value(f"a_{point}")).imag, np.float64)
+
+    curvature = bend(phi)
+    change = np.flatnonzero(curvature[:-1] * curvature[1:] < 0)
+    found = ridders(bend, phi[change], phi[change + 1])
+    return tuple(float(q) for q in found[np.isfinite(found)])
+
+
+def _kinks(cycle: Cycle, point: str, speeds: Extremes) -> bool:
+    """Whether the velocity jumps somewhere: at a change point the path has a corner, and its tangent no number of turns."""
+    phi, v = cycle.on_grid(f"v_{point}")
+    step = np.abs(np.diff(v))
+    top = speeds.highest.value if speeds.highest is not None else 0.0
+    where = int(np.argmax(step))
+    fine = np.linspace(phi[where], phi[where + 1], 65)
+    between = np.abs(np.diff(np.asarray(cycle.at(f"v_{point}", fine))))
+    return not np.isfinite(top) or bool(between.max() > 0.5 * step[where] and step[where] > 1e-3 * top)
 
 
 def _turned(cycle: Cycle, point: str, phi: Reals, v: Points) -> float:

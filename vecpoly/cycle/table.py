@@ -13,6 +13,7 @@ from ..errors import AssemblyError
 from ..words import Lang
 from .columns import Column
 from .cycle import Cycle
+from .transmission import folded
 
 Reals = NDArray[np.float64]
 SHEET_ROWS = 1_048_576  # of a spreadsheet
@@ -43,7 +44,8 @@ def _real(cycle: Cycle, key: str) -> Reals:
     whole = cycle.column(base)
     if part in ("x", "y"):
         return whole.real if part == "x" else whole.imag
-    return np.asarray(cycle.column(key), np.float64)
+    values = np.asarray(cycle.column(key), np.float64)
+    return folded(values) if key.startswith("gamma_") else values  # the acute angle is the transmission angle
 
 
 def csv_bytes(made: Table) -> bytes:

@@ -6,8 +6,6 @@ answers); nothing else is edited. Its `kind` is what a problem file writes after
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Callable
 from functools import cache
 from typing import Annotated, Any, ClassVar
@@ -16,7 +14,8 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 
 from ..errors import FaultError, UnknownNameError
 from ..names import Named
-from ..units import Dim, Quantity, positive, read
+from ..plugins import load_modules
+from ..units import Dim, Quantity, positive, pure, read
 
 
 def _reader(dim: Dim, how: Callable[[object, Dim], Quantity]) -> Callable[[Any], Quantity]:
@@ -36,11 +35,11 @@ def _ratio(text: Any) -> Quantity:
     if isinstance(text, Quantity):
         return text
     try:
-        value = float(text)
-    except (TypeError, ValueError):
-        raise ValueError(f"'{text}' is no pure number; write e.g. 0.15") from None
-    if not 0 <= value < float("inf"):
-        raise ValueError(f"'{text}' must not be negative or infinite; write e.g. 0.15")
+        value = pure(text, "0.15")
+    except FaultError as fault:
+        raise ValueError(fault.text) from None
+    if value < 0:
+        raise ValueError(f"'{text}' must not be negative; write e.g. 0.15")
     return Quantity(value, str(text))
 
 
@@ -65,7 +64,7 @@ Efficiency = Annotated[Quantity, BeforeValidator(_efficiency), _QUANTITY]
 class Device(BaseModel):
     """Data of a device, frozen; its fields are quantities in SI together with how they were written."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     kind: ClassVar[str] = ""
 
     def quantities(self) -> tuple[Named, ...]:
@@ -90,9 +89,7 @@ class Device(BaseModel):
 @cache
 def kinds() -> dict[str, type[Device]]:
     """Every device on file by the name that a problem file uses."""
-    package = importlib.import_module("vecpoly.devices")
-    for module in pkgutil.iter_modules(package.__path__, "vecpoly.devices."):
-        importlib.import_module(module.name)
+    load_modules("vecpoly.devices")
     return {sub.kind: sub for sub in sorted(Device.__subclasses__(), key=lambda s: s.kind)}
 
 

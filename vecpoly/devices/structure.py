@@ -40,9 +40,14 @@ class Structure(Device):
         if self.links and (odd := names ^ {*(_plain(link, self.frame) for link in self.links), FRAME}):
             raise ValueError(f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both")
         chain = self.chain
+        if loose := _loose(chain):
+            told = f"links {', '.join(loose)} hang" if len(loose) > 1 else f"link {loose[0]} hangs"
+            raise ValueError(f"{told} on nothing: no chain of joints leads to the frame; add the missing joint")
         for pair in chain.pairs:
             _check_contact(pair)
         for together in self.drive_sets:
+            if len(set(together)) < len(together):
+                raise ValueError(f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once")
             for link in together:
                 _check_driver(chain, link)
         return self
@@ -107,6 +112,14 @@ class Structure(Device):
 def _plain(link: str, frame: str) -> str:
     """A link's name inside: the frame is always 0."""
     return FRAME if link in (FRAME, frame) else link
+
+
+def _loose(chain: Chain) -> tuple[str, ...]:
+    """Links from which no chain of joints leads to the frame."""
+    reached = {FRAME}
+    while new := {link for pair in chain.pairs if reached & set(pair.links) for link in pair.links} - reached:
+        reached |= new
+    return tuple(link for link in chain.links if link not in reached)
 
 
 def _check_contact(pair: Pair) -> None:

@@ -126,6 +126,7 @@ class Written:
     text: str
 
 
+FAR = 1e6  # mm: no sketch is larger
 _SHAPE = re.compile(r"\s*([A-Z])\s*\((.*)\)\s*at\s*(\([^()]*\))\s*(?:along\s+(.+?))?\s*")
 _MEMBER = re.compile(r"([\w/'′]+)(?:\s+(?:about\s+(\([^()]*\)|[A-Z]\w*['′]?)|(flat)))?")
 _COMMA = re.compile(r",(?![^()]*\))")
@@ -187,7 +188,7 @@ def _place(text: str) -> complex:
         x, y = (float(part) for part in text.strip("()").split(","))
     except ValueError:
         raise ValueError(f"'{text}' is no place; write two numbers in mm, e.g. (35, 92)") from None
-    if not (math.isfinite(x) and math.isfinite(y)):
+    if not (abs(x) <= FAR and abs(y) <= FAR):
         raise ValueError(f"'{text}' is no place on paper; write two numbers in mm, e.g. (35, 92)")
     return complex(x, y) / 1e3
 
@@ -199,7 +200,9 @@ def _direction(text: str) -> complex:
     try:
         turn = math.radians(float(text.removesuffix("deg")))
     except ValueError:
-        raise ValueError(f"'{text}' is no direction; write e.g. (0, 1) or 90 deg") from None
+        turn = math.nan
+    if not math.isfinite(turn):
+        raise ValueError(f"'{text}' is no direction; write e.g. (0, 1) or 90 deg")
     return cmath.rect(1.0, turn)
 
 

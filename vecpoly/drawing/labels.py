@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .obstacles import Complexes, Floats, Obstacles, clip
+from .rivals import misled
 from .scene import Item, Layer, Rect, Stroke, TextBox
 from .style import THIN, Hue
 from .wants import Piece, Spots, Want, smaller, spots
@@ -84,7 +85,7 @@ class _Table:
     def of(cls, wanted: tuple[Want, ...], obstacles: Obstacles, drawn: Rect, frame: Rect | None) -> _Table:
         """Every label's candidates, priced against the lines of the figure."""
         found = tuple(spots(want, drawn.centre) for want in wanted)
-        hard = tuple(_price(w, s, obstacles, frame) for w, s in zip(wanted, found, strict=True))
+        hard = tuple(_price(w, s, obstacles, frame, wanted) for w, s in zip(wanted, found, strict=True))
         total = tuple(h + s.cost + OUTSIDE * _beyond(w, s, drawn) for w, s, h in zip(wanted, found, hard, strict=True))
         return cls(wanted, found, hard, total)
 
@@ -133,8 +134,9 @@ class _Table:
         return Placed(self.wants[i], complex(s.centre[k]), self.trouble(i, chosen), None if foot != foot else foot)
 
 
-def _price(want: Want, found: Spots, obstacles: Obstacles, frame: Rect | None) -> Floats:
+def _price(want: Want, found: Spots, obstacles: Obstacles, frame: Rect | None, wanted: tuple[Want, ...]) -> Floats:
     cost = obstacles.cost(found.centre, want.width, want.height, want.own)
+    cost += misled(want, wanted, found.centre, ~np.isnan(found.foot.real))
     led = np.flatnonzero(~np.isnan(found.foot.real))
     foot, c = found.foot[led], found.centre[led]
     w, h = want.width / 2 + 0.4, want.height / 2 + 0.4

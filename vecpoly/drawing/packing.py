@@ -6,11 +6,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 
-from .space import CLEAR
+from .space import CAPTION, CLEAR, LETTERING, room_inside
 
 Size = tuple[float, float]
 Pair = tuple[int, int]
 FEW = 4  # figures of which all orders are tried
+TITLE = 25.0  # mm: no figure is narrower than its title
+ENOUGH = 6.5  # mm of white between figures that are not crowded
 AMPLE = 9.0  # mm of white that leaves nothing to be wished
 
 
@@ -35,6 +37,13 @@ def pack(sizes: Sequence[Size], page: Size, pairs: Sequence[Pair] = ()) -> Layou
     in_order = [layout for layout in found if _reads(sizes, layout)]
     most = AMPLE if pairs else max(page)  # rows come first: with ample white, pairs stand side by side rather than one above the other
     return max(in_order or found, key=lambda layout: (layout.together, round(min(layout.white, most), 6)), default=None)
+
+
+def fits_sheet(sizes: Sequence[Size]) -> bool:
+    """Whether figures whose bare lines have these sizes go on one upright sheet with their lettering and titles, and some white to spare."""
+    lettered = [(max(w, TITLE) + 2 * LETTERING, h + LETTERING + CAPTION) for w, h in sizes]
+    layout = pack(lettered, room_inside())
+    return layout is not None and layout.white >= ENOUGH
 
 
 def _layouts(sizes: Sequence[Size], page: Size, pairs: Sequence[Pair]) -> Iterator[Layout]:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
-from ..board.construction import Construction, View
+from ..board.construction import Construction, Figure, View
 from ..errors import VecpolyError
 from ..words import Lang, Words
+from .detail import detailed
 from .figure import draw_figure
 from .packing import Layout
 from .paging import Drawn, arranged, paged, reading_order
-from .scene import Rect, Scene
+from .scene import Item, Rect, Scene
 from .space import A4, FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
 
@@ -29,30 +31,57 @@ class Placed:
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """A page of drawings in mm, its origin at the lower left corner of the paper."""
+    """A page of drawings in mm, its origin at the lower left corner of the paper, and what its title strip says."""
 
-    scene: Scene
+    drawn: tuple[Item, ...]
     figures: tuple[Placed, ...]
     landscape: bool
+    strip: Strip
+    lang: Lang
 
     @property
     def size(self) -> tuple[float, float]:
         """Width and height of the paper, mm."""
-        return self.scene.extents.width, self.scene.extents.height
+        return (A4[1], A4[0]) if self.landscape else A4
+
+    @property
+    def scene(self) -> Scene:
+        """Frame, title strip and figures."""
+        page = Rect(0.0, 0.0, *self.size)
+        return Scene((*furniture(page, self.strip, self.lang), *self.drawn), page)
 
 
 def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE) -> tuple[Sheet, ...]:
     """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside its free body.
 
-    Raises VecpolyError where a figure is larger than a sheet.
+    A knot in a polygon is drawn apart, enlarged, where that asks for no further sheet. Raises VecpolyError where a figure is larger than a sheet.
     """
-    drawn = tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang)) for f in reading_order(construction.figures))
+    figures = reading_order(construction.figures)
+    apart = tuple(one for figure in figures for one in detailed(figure))
+    drawn = _drawn(apart, lang)
     pages = paged(drawn)
+    if len(apart) > len(figures) and (pages is None or len(pages) > 1):
+        whole = _drawn(figures, lang)
+        plain = paged(whole)
+        if pages is None or (plain is not None and len(pages) > len(plain)):
+            drawn, pages = whole, plain
     if pages is None:
         raise _too_large(next(one for one in drawn if arranged((one,)) is None))
     return tuple(
         _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang)
         for n, (group, layout) in enumerate(pages, start=1)
+    )
+
+
+def _drawn(figures: Sequence[Figure], lang: Lang) -> tuple[Drawn, ...]:
+    return tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang)) for f in figures)
+
+
+def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
+    """Sheets of several drawings as they are bound together: numbered through, each with its name (Figure 6-1)."""
+    return tuple(
+        replace(sheet, strip=replace(sheet.strip, number=n, total=len(loose), name=name))
+        for n, (sheet, name) in enumerate(zip(loose, names, strict=True), start=1)
     )
 
 
@@ -66,14 +95,11 @@ def _too_large(one: Drawn) -> VecpolyError:
 
 
 def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang) -> Sheet:
-    landscape = layout.page == room_inside(True)
-    width, height = reversed(A4) if landscape else A4
-    page = Rect(0.0, 0.0, width, height)
-    items = list(furniture(page, strip, lang))
+    items: list[Item] = []
     placed: list[Placed] = []
     for one, corner in zip(drawn, layout.corners, strict=True):
         by = corner + complex(FRAME, FRAME + STRIP) - complex(one.scene.extents.x0, one.scene.extents.y0)
         shifted = one.scene.moved(by)
         items.extend(shifted.items)
         placed.append(Placed(one.view, by, shifted.extents, one.name))
-    return Sheet(Scene(tuple(items), page), tuple(placed), landscape)
+    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang)

@@ -147,7 +147,7 @@ def _solid(mark: FrictionCircle | Disc | Outline | Cell, around: Surroundings) -
 def _line(mark: Segment | Vector | Arc, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Segment(a=a, b=b, role=role):
-            p = pen(role, Hue.BLACK)
+            p = pen(role, kind_hue(around.view) if around.view in (View.VELOCITY, View.ACCELERATION) else Hue.BLACK)
             layer = Layer.THIN if p.width == THIN else around.link_layer(a, b)
             return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):

@@ -12,15 +12,16 @@ from .style import GIVEN, NOTE, RESULT, THIN
 
 BAR = 50.0
 BAR_CELL = 62.0  # width of the strip's last cell
+UNNAMED = Words.same("")
 LABELS = {
     "sheet": Words("第 {n} 张　共 {total} 张", "Sheet {n} of {total}"),
-    "hand": Words("作图", "Hand"), "name": Words("姓名", "Name"), "number": Words("学号", "No."),
+    "hand": Words("作图：", "Drawn "), "name": Words("姓名", "Name"), "number": Words("学号", "No."),
     "group": Words("班级", "Class"), "date": Words("日期", "Date"),
     "bar": Words("打印后此线应为 50 mm", "This bar measures 50 mm when printed true to scale"),
 }
 HANDS = {
-    "exact": Words("精确", "exact"), "drafting": Words("仪器绘图，读至 0.1 mm", "drafting, read to 0.1 mm"),
-    "pencil": Words("铅笔，读至 0.5 mm", "pencil, read to 0.5 mm"),
+    "exact": Words("精确", "exactly"), "drafting": Words("仪器绘图，读至 0.1 mm", "with instruments, read to 0.1 mm"),
+    "pencil": Words("铅笔，读至 0.5 mm", "in pencil, read to 0.5 mm"),
 }
 
 
@@ -33,6 +34,7 @@ class Strip:
     hand: str
     number: int
     total: int
+    name: Words = UNNAMED  # of the sheet as a figure of a report
 
 
 def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
@@ -54,13 +56,13 @@ def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
 
 def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...]:
     title, name = strip.title.of(lang), label(strip.problem).of(lang)
-    full = f"{name}　{title}".strip("　") if title else name or strip.problem
+    full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
     hand = HANDS.get(strip.hand, Words(strip.hand, strip.hand)).of(lang)
     sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
     room = x1 - frame.x0 - 4
     right = layout_words(sheet, NOTE)
     return (_text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + 0.75 * STRIP),
-            _text(_fitted(f"{LABELS['hand'].of(lang)}{'：' if lang == 'zh' else ': '}{hand}", NOTE, room - right.width - 3), frame.x0 + 2, frame.y0 + STRIP / 4),
+            _text(_fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3), frame.x0 + 2, frame.y0 + STRIP / 4),
             _text(right, x1 - 2 - right.width, frame.y0 + STRIP / 4))
 
 

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from enum import Enum
 
 import numpy as np
 
@@ -50,6 +51,12 @@ class Piece:
     step: int
 
 
+class Thing(Enum):
+    """What a label can be taken to name when it stands beside it."""
+
+    OTHER, POINT, LINK, VECTOR = range(4)
+
+
 @dataclass(frozen=True, slots=True)
 class Want:
     """A label to be placed beside points of a curve: each with a normal (0: all directions) and a radius to keep."""
@@ -61,6 +68,7 @@ class Want:
     own: tuple[complex, complex]
     one_sided: bool = False
     scale: float = 1.0
+    thing: Thing = Thing.OTHER
 
     @property
     def width(self) -> float:
@@ -127,7 +135,7 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want,
                 found.append(_vector(mark, kind_hue(view, label)))
             case LinkNumber(a=a, b=b, number=number):
                 keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, marks)
-                found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),)))
+                found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
                 found.append(_bow(at, radius, start, TURN if ccw else -TURN, _piece(label, kind_hue(view, label), mark.step)))
             case AngleMark(at=at, radius=radius, start=start, sweep=sweep, label=label) if label:
@@ -165,7 +173,8 @@ def _points(marks: tuple[Mark, ...]) -> Iterable[Want]:
                 pieces.append(comma)
                 x += comma.box.width + 0.3 * LETTER
             pieces.append(_piece(mark.label, Hue.BLACK, mark.step, x))
-        yield Want(tuple(pieces), (at,), (0j,), _keep(at, marks), (at, at))
+        thing = Thing.POINT if any(mark.dot is not Dot.NONE for mark in group) else Thing.OTHER
+        yield Want(tuple(pieces), (at,), (0j,), _keep(at, marks), (at, at), thing=thing)
 
 
 def _keep(at: complex, marks: tuple[Mark, ...]) -> float:
@@ -186,15 +195,15 @@ def _keep(at: complex, marks: tuple[Mark, ...]) -> float:
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:
-    return _line_want(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),))
+    return _line_want(mark.a, mark.b, RESULT / 2, (_piece(mark.label, hue, mark.step),), Thing.VECTOR)
 
 
-def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...]) -> Want:
+def _line_want(a: complex, b: complex, radius: float, pieces: tuple[Piece, ...], thing: Thing) -> Want:
     if abs(b - a) < NEAR:
-        return Want(pieces, (a,), (0j,), radius, (a, a))
+        return Want(pieces, (a,), (0j,), radius, (a, a), thing=thing)
     n = 1j * (b - a) / abs(b - a)
     feet = tuple(a + (b - a) * f for f in FRACTIONS)
-    return Want(pieces, feet, (n,) * len(feet), radius, (a, b))
+    return Want(pieces, feet, (n,) * len(feet), radius, (a, b), thing=thing)
 
 
 def _bow(at: complex, radius: float, start: float, sweep: float, piece: Piece) -> Want:

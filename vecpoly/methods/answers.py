@@ -96,7 +96,8 @@ def _letters(desk: Desk, view: View, rel: Rel) -> str:
     end = desk.tip_label(view, rel.to)
     if rel.kind in (Kind.V, Kind.A):
         return f"{desk.start_label(view, rel.ref)} {end}"
-    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: "k′", Kind.AR: f"k′ {end}"}[rel.kind]
+    k = desk.k_tip(Rel(Kind.AK, rel.to, rel.ref))
+    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: k, Kind.AR: f"{k} {end}"}[rel.kind]
 
 
 def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:

@@ -89,6 +89,12 @@ class Desk:
         """The letter at which a vector starts on a polygon: the pole for absolute ones and for points at rest."""
         return POLE[view] if at is None or self.at_rest(view, at) else self.tip_label(view, at)
 
+    def k_tip(self, rel: Rel) -> str:
+        """The letter at the tip of a Coriolis acceleration: k′; with the number of the point's link where the mechanism has several sliding pairs that turn."""
+        several = sum(isinstance(joint, Prismatic) and joint.guide != FRAME for joint in self.mech.joints) > 1
+        number = rel.to.link or self.coincident.get(rel.to.point, "")
+        return f"k_{number}^′" if several and number else "k′"
+
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 
     def mm(self, metres: float) -> float:

@@ -6,16 +6,16 @@ round scales with which every figure fills its place on the sheet.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 
 import numpy as np
 
 from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
-from ..board.extent import extent
+from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
-from ..board.marks import Dot
-from ..board.scales import round_scale
+from ..board.marks import Dot, Mark
+from ..board.scales import Sketched, enlarged, round_scale
 from ..mechanism.assur import Group, decompose
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import At, Kind, subscripted
@@ -23,15 +23,13 @@ from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
-from .centres.plan import centre_pass, needs_centres, needs_polygons
 from .desk import POLE, Desk
-from .forces.plan import force_pass
-from .forces.readings import largest_load
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.given_vector import find_point
 from .kinematics.image import imaged
+from .passes import stages
 from .registry import Stage, find
 
 TITLES = {
@@ -50,18 +48,20 @@ SECTIONS = {
 }
 _UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
+Fit = Callable[[list[tuple[float, float]]], bool]
+WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
-_ACCELERATIONS = {Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR, Kind.ALPHA}
 
 
-def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]]) -> tuple[Construction, Repeats]:
+def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None) -> tuple[Construction, Repeats]:
     """Solve the problem on a board.
 
-    slots: width and height in mm that each figure should fill. Returns the construction and every answer by all hands.
+    slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet; they are drawn
+    as large as it allows. Returns the construction and every answer by all hands.
     Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
-        scales = _choose_scales(problem, slots)
+        scales = _choose_scales(problem, slots, fit)
         desk = _draw(problem, by, scales)
         readings, repeats = _answers(desk, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
@@ -69,43 +69,59 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
     return construction, repeats
 
 
-def stages(problem: Problem) -> tuple[Stage, ...]:
-    """The passes that the questions need."""
-    rels = [ask.rel for ask in problem.asks if not isinstance(ask, AskNamed)]
-    loads = problem.loads
-    accelerated = any(r.kind in _ACCELERATIONS for r in rels) or (loads is not None and loads.dynamic) or any(
-        isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
-    last = (Stage.FORCE,) if loads is not None else ()
-    central, moving = needs_centres(problem), needs_polygons(problem) or bool(last)
-    return (Stage.POSITION, *((Stage.CENTRES,) if central else ()), *((Stage.VELOCITY,) if moving or not central else ()),
-            *((Stage.ACCELERATION,) if accelerated else ()), *last)
-
-
-def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict[View, Scale]:
+def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> dict[View, Scale]:
     mech, drive = problem.mechanism, problem.mechanism.drive
     size = mech.scale
     speed = abs(drive.rate) * (1.0 if drive.slide else size) or 1.0
     guess = {View.MECHANISM: size / 100, View.VELOCITY: speed / 100,
              View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
-             View.FORCE: largest_load(problem) / 60, View.BODY: size / 100}
-    chosen = _fitted(problem, slots, guess)
+             View.FORCE: _typical_force(problem) / 60, View.BODY: size / 100}
+    given = _given_scales(problem)
+    if all(given[View(stage.value)] for stage in (Stage.VELOCITY, Stage.ACCELERATION, Stage.FORCE) if stage in stages(problem)) and given[View.MECHANISM]:
+        return {view: _scale(view, given[view] or value) for view, value in guess.items()}
+    chosen = _fitted(problem, slots, guess, fit)
     while chosen[View.FORCE].value < guess[View.FORCE] / FAR and problem.scales.mu_f is None:  # inertia forces far below the guess: a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
-        chosen = _fitted(problem, slots, guess)
+        chosen = _fitted(problem, slots, guess, fit)
     return chosen
 
 
-def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float]) -> dict[View, Scale]:
-    """Round scales with which the figures of a sketch at these scales would fill their slots."""
+def _typical_force(problem: Problem) -> float:
+    """A force of the size of those to be drawn (N); of no matter where nothing acts."""
+    if problem.loads is None:
+        return 1.0
+    from .forces.readings import largest_load
+
+    return largest_load(problem)
+
+
+def _given_scales(problem: Problem) -> dict[View, float | None]:
+    wish = problem.scales
+    return {View.MECHANISM: wish.mu_l, View.VELOCITY: wish.mu_v, View.ACCELERATION: wish.mu_a, View.FORCE: wish.mu_f, View.BODY: wish.mu_l}
+
+
+def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> dict[View, Scale]:
+    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet."""
     sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
-    given = {View.MECHANISM: problem.scales.mu_l, View.VELOCITY: problem.scales.mu_v, View.ACCELERATION: problem.scales.mu_a,
-             View.FORCE: problem.scales.mu_f, View.BODY: problem.scales.mu_l}
+    given = _given_scales(problem)
     figures = sketch.board.figures(TITLES)
     chosen = {}
     for view, value in guess.items():
         fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith(("lever", "centre"))), default=value)
         chosen[view] = _scale(view, given[view] or fitted)
+    views = {f.view: f for f in figures}
+    if fit is not None and len(views) == len(figures):
+        sketched = {view: _sketched(view, guess[view], f.marks) for view, f in views.items()}
+        fixed = frozenset(view for view in views if given[view])
+        values = enlarged(sketched, {view: chosen[view].value for view in views}, fixed, fit)
+        chosen |= {view: _scale(view, value) for view, value in values.items()}
     return chosen | {View.BODY: chosen[View.MECHANISM]}
+
+
+def _sketched(view: View, scale: float, marks: tuple[Mark, ...]) -> Sketched:
+    """What a figure takes at any scale."""
+    (w, h), (wide, high) = extent(figured(marks)), extent(marks)
+    return Sketched(scale, (w, h), (wide - w, high - h), WIDE if view is View.MECHANISM else LARGE)
 
 
 def _scale(view: View, value: float) -> Scale:
@@ -121,8 +137,12 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
         if stage is Stage.CENTRES:
+            from .centres.plan import centre_pass
+
             centre_pass(desk, problem, groups)
         elif stage is Stage.FORCE:
+            from .forces.plan import force_pass
+
             statics = force_pass(desk, problem)
             desk.named, desk.named_repeats = statics.readings, statics.repeats
         else:

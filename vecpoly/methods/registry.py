@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache
 from typing import Any
 
 from ..errors import NoMethodError
+from ..plugins import load_modules
 from ..words import Words
 
 
@@ -22,6 +20,12 @@ class Stage(StrEnum):
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
     FORCE = "force"
+
+    @property
+    def folder(self) -> str:
+        """The package whose files draw this stage."""
+        inside = {Stage.CENTRES: "centres", Stage.FORCE: "forces"}.get(self, "kinematics")
+        return f"vecpoly.methods.{inside}"
 
 
 Draw = Callable[[Any, Any], Any]  # (desk or statics, what it is about)
@@ -45,36 +49,30 @@ _METHODS: dict[tuple[Stage, str], Method] = {}
 def method(*, stage: Stage, group: str, title: Words, source: str, example: str) -> Callable[[Draw], Draw]:
     """Register a function as the method for one stage of one kind of group.
 
-    Raises ValueError where another function already covers it.
+    Raises ValueError where another function already covers it, or where it stands in the folder of another stage.
     """
 
     def register(draw: Draw) -> Draw:
         if (stage, group) in _METHODS:
             raise ValueError(f"two methods cover the {stage} of {group}")
+        if not draw.__module__.startswith(f"{stage.folder}."):
+            raise ValueError(f"a method that draws the {stage} belongs into the package {stage.folder}, not into {draw.__module__}")
         _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example, draw=draw)
         return draw
 
     return register
 
 
-@cache
-def _load_all() -> None:
-    package = importlib.import_module("vecpoly.methods")
-    for module in pkgutil.walk_packages(package.__path__, "vecpoly.methods."):
-        if module.name.startswith("vecpoly.methods.devices"):
-            continue  # they have a registry of their own
-        importlib.import_module(module.name)
-
-
 def methods() -> tuple[Method, ...]:
     """All registered methods, by stage and group."""
-    _load_all()
+    for stage in Stage:
+        load_modules(stage.folder)
     return tuple(sorted(_METHODS.values(), key=lambda m: (list(Stage).index(m.stage), m.group)))
 
 
 def find(stage: Stage, group: str) -> Method:
     """The method for this stage and kind of group; raises NoMethodError where none is on file."""
-    _load_all()
+    load_modules(stage.folder)
     try:
         return _METHODS[stage, group]
     except KeyError:

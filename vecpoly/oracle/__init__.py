@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..mechanism.model import Mechanism
+from .feasible import SEARCHED
 from .motion import Motion
 from .plan import plan_for
 
@@ -38,4 +39,4 @@ def spans(mech: Mechanism) -> tuple[tuple[float, float], ...]:
     return plan_for(mech).spans()
 
 
-__all__ = ["Motion", "feasible", "solve", "spans"]
+__all__ = ["SEARCHED", "Motion", "feasible", "solve", "spans"]

@@ -15,6 +15,8 @@ from .plan import plan_for
 from .state import Reals, dot
 
 NONE = 1e-9  # of the mechanism's own rates: differences of rates below it are none
+ROUNDING = 1e-12  # of the mechanism's size: coordinates below it are zero
+ONWARD = 1e-7  # rad/s², and this of the size: rates of difference below it are none
 SAMPLES, ZOOMS, FINER = 1440, 12, 16  # positions a turn; how often a bracket is cut, and into how many pieces
 LIMIT_KEYS = ("extended", "overlapped")
 
@@ -55,7 +57,8 @@ class Centres:
         slip, turn = self._relative(a, b)
         size = self.mech.scale
         if abs(turn) * size > NONE * max(abs(slip), abs(turn) * size):
-            return 1j * slip / turn
+            at = 1j * slip / turn
+            return complex(*(0.0 if abs(part) < ROUNDING * size else part for part in (at.real, at.imag)))
         angle = float(np.degrees(np.angle(1j * slip)) % 180.0)
         return 0.0 if 180.0 - angle < 1e-7 else angle
 
@@ -81,9 +84,21 @@ class Centres:
         turn = float((first.omega - second.omega)[0])
         own = max(abs(float(self.motion.moving(link.name).omega[0])) for link in self.mech.links)
         speed = max(abs(complex(self.motion.moving(link.name).velocity_at(here)[0])) for link in self.mech.links)
-        slip = 0j if abs(slip) <= 1e-12 * speed else slip
-        turn = 0.0 if abs(turn) <= 1e-12 * own else turn
-        if slip == 0 and turn == 0:
+        slip = 0j if abs(slip) <= NONE * speed else slip
+        turn = 0.0 if abs(turn) <= NONE * own else turn
+        return (slip, turn) if slip != 0 or turn != 0 else self._onward(a, b)
+
+    def _onward(self, a: str, b: str) -> tuple[complex, float]:
+        """Of links at rest relative to each other the rates of slip and ω: the centre is where it comes from and goes to.
+
+        The velocity at the origin changes by a_0 − iα r_0 − iω v_0.
+        """
+        drives = tuple(replace(drive, rate=1.0, accel=0.0) for drive in self.mech.drives)
+        motion = _at(replace(self.mech, drives=drives), order=2)
+        bodies = [motion.moving(name, 2) for name in (a, b)]
+        first, second = (complex((m.acceleration - 1j * m.alpha * m.at - 1j * m.omega * m.velocity)[0]) for m in bodies)
+        slip, turn = first - second, float((bodies[0].alpha - bodies[1].alpha)[0])
+        if abs(turn) <= ONWARD and abs(slip) <= ONWARD * self.mech.scale:
             raise NotAskedError(f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other here: they have no one centre")
         return slip, turn
 
@@ -140,6 +155,6 @@ def _pivot(mech: Mechanism) -> str:
     return next(p for p in mech.link(mech.drive.link).points if p in mech.frame)
 
 
-def _at(mech: Mechanism, q: Reals | None = None) -> Motion:
+def _at(mech: Mechanism, q: Reals | None = None, order: int = 1) -> Motion:
     asked = np.array([mech.drive.position]) if q is None else q
-    return Motion(mech, plan_for(mech).bodies(asked, 1, q is None), asked.shape, 1)
+    return Motion(mech, plan_for(mech).bodies(asked, order, q is None), asked.shape, order)

@@ -16,6 +16,8 @@ Ranges = tuple[str, ...]
 Spans = tuple[tuple[float, float], ...]
 Closes = Callable[[Reals], NDArray[np.bool_]]
 SAMPLES, HALVINGS = 1440, 40
+BESIDE = 1e-6  # rad, or m: just before and after a position
+SEARCHED = 4.0  # scales to either side of a sliding drive's own position
 
 
 def scan(closes: Closes, drive: Drive, scale: float) -> Ranges:
@@ -28,7 +30,7 @@ def spans(closes: Closes, drive: Drive, scale: float) -> Spans:
 
     Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
     """
-    low, high = (drive.position - 4 * scale, drive.position + 4 * scale) if drive.slide else (0.0, 2 * np.pi)
+    low, high = (drive.position - SEARCHED * scale, drive.position + SEARCHED * scale) if drive.slide else (0.0, 2 * np.pi)
     q = np.linspace(low, high, SAMPLES + 1)
     good = closes(q)
     if not good.any():
@@ -52,12 +54,21 @@ def _text(low: float, high: float, slide: bool) -> str:
     return f"{round(float(first), 2):g}..{round(float(last), 2):g} {'mm' if slide else 'deg'}"
 
 
-def refusal(step: Step, where: str, gap: float, ranges: Ranges) -> AssemblyError:
-    """The error for links that do not close."""
+def alone(closes: Closes, at: float, scale: float) -> bool:
+    """Whether everything closes just before and just after this position of the drive (rad, or m), so that it stands alone."""
+    return bool(closes(at + BESIDE * min(scale, 1.0) * np.array([-1.0, 1.0])).all())
+
+
+def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool = False) -> AssemblyError:
+    """The error for links that do not close; alone: they do just before and after."""
     links = " and ".join(step.group.links)
     if np.isfinite(gap) and gap > 0:
         what = f"links {links} do not meet at joint {step.joint}: {1e3 * gap:.4g} mm are missing"
     else:
         what = f"links {links} cannot be joined at {step.joint}"
-    room = f"they can where the drive is within {' or '.join(ranges)}" if ranges else "they can in no position"
+    nowhere = "they can in no position" if np.isfinite(gap) else "no assembly was found from the guesses; choose another position of the drive, or other guesses"
+    if alone:
+        why = "" if np.isfinite(gap) and gap > 0 else ", but two of their joints fall together there and leave their direction open"
+        return AssemblyError(f"{what} where the drive stands at {where}: they can just before and just after it{why}; move the drive a little")
+    room = f"they can where the drive is within {' or '.join(ranges)}" if ranges else nowhere
     return AssemblyError(f"{what} where the drive stands at {where}; {room}")

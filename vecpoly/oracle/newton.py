@@ -18,9 +18,12 @@ from .guess import first_guess
 from .rows import Row, row
 from .run import Run, Track
 from .state import Bodies, Body, Points, Reals
+from .watch import PATIENCE, Watch
 
 States = NDArray[np.float64]  # positions × links × (x, y, φ), or positions × 3 links
 ITERATIONS = 40
+SEEDS = 255  # further starts about the first guess
+EXACT = 1e-9  # of the mechanism's size: guesses nearer to an assembly than this are one
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +36,11 @@ class Newton:
     sign: float = 1.0
     two: bool = False
     joint: str = field(default="", kw_only=True)
+    size: float = field(init=False)  # the mechanism's (m)
     walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, kw_only=True)  # strides from the own position → states found
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "size", self.mech.scale)
 
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """Walk the path from the own position outwards, then solve all positions asked for at once."""
@@ -42,7 +49,7 @@ class Newton:
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
-            self.walked[0] = self._solve(first_guess(self.mech, self.group, here), here, None, here)[0]
+            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here), here)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -68,6 +75,36 @@ class Newton:
     def miss(self, bodies: Bodies) -> Reals:
         """No gap to tell: the loops do not close at all."""
         return np.full(1, np.nan)
+
+    def _nearest(self, guess: States, here: Bodies) -> NDArray[np.float64]:
+        """Of the assemblies that Newton reaches from about the guess, the one whose points lie nearest to those guessed (sum of distances)."""
+        if any(r.rolls for r in self.rows):
+            return np.asarray(self._solve(guess, here, None, here, ITERATIONS)[0])
+        seeds = guess if self._exact(guess, here) else np.concatenate([guess, self._scattered(guess)])
+        found = self._solve(seeds, here, seeds, here, ITERATIONS)
+        off = self._off(found)
+        return np.asarray(found[int(np.nanargmin(off))] if np.isfinite(off).any() else found[0])
+
+    def _exact(self, guess: States, here: Bodies) -> bool:
+        """Whether the guesses are an assembly: then none lies nearer to them."""
+        told = {*self.mech.guesses, *(p for name in here for p in self.mech.link(name).points)}
+        whole = all(len(told & set(self.mech.link(name).points)) > 1 for name in self.group.links)
+        return whole and bool(self._off(self._solve(guess, here, guess, here))[0] < EXACT * self.size)
+
+    def _scattered(self, guess: States) -> States:
+        """Further starts about the first guess: half of them near it, the others turned at will."""
+        random = np.random.default_rng(0)
+        scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (0.15 * self.size, 0.15 * self.size, 0.7)
+        scatter[SEEDS // 2:, :, 2] = random.uniform(-np.pi, np.pi, scatter[SEEDS // 2:, :, 2].shape)
+        return np.asarray(guess + scatter)
+
+    def _off(self, found: States) -> Reals:
+        """How far the points lie from those guessed (sum of distances, m)."""
+        bodies, off = self._bodies(found), np.zeros(len(found))
+        points = {p: (name, local) for name in self.group.links for p, local in self.mech.link(name).points.items() if p in self.mech.guesses}
+        for p, (name, local) in points.items():
+            off += np.abs(bodies[name].point(local) - self.mech.guesses[p])
+        return off
 
     def _known(self, bodies: Bodies, track: Track) -> dict[str, Body]:
         """The parents; under a rolling joint with their angles followed."""
@@ -123,30 +160,35 @@ class Newton:
             found[good] = self._solve(seed[good], here, path[track.near][good], ago)
         states[asked] = found
 
-    def _solve(self, seed: States, known: Bodies, ref: States | None, ago: Bodies) -> States:
+    def _solve(self, seed: States, known: Bodies, ref: States | None, ago: Bodies, patience: int = PATIENCE) -> States:
         """Newton's iteration; without reference (at the own position) no slip is left out. NaN where it fails."""
-        states, loose, size = seed.copy(), ref is None, self.mech.scale
-        past = {**ago, **self._bodies(seed if ref is None else ref)}
+        states, loose, left = seed.copy(), ref is None, np.arange(len(seed))
+        past, here, watch = {**ago, **self._bodies(seed if ref is None else ref)}, {**known}, Watch(len(seed), self.size, patience)
         for _ in range(ITERATIONS):
-            now = {**known, **self._bodies(states)}
-            gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(seed), loose)
+            now = {**here, **self._bodies(states[left])}
+            gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(left), loose)
             step = self._linear(self._jacobian(now, loose), gap, loose)
             reach = np.abs(step[..., 2]).max(axis=1)
-            states += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
-            if np.abs(step).max() < 1e-13 * max(size, 1.0):
+            states[left] += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
+            more = watch.goes_on(left, np.abs(gap).max(axis=1), np.abs(step).max(axis=(1, 2)))
+            if not more.any():
                 break
-        states[~(np.abs(gap).max(axis=1) < 1e-9 * size)] = np.nan
+            if not more.all():
+                pick, left = np.flatnonzero(more), left[more]
+                here, past = ({name: body.take(pick) for name, body in bodies.items()} for bodies in (here, past))
+        states[watch.lost] = np.nan
         return states
 
     def _stack(self, gaps: list[Points], count: int, loose: bool = False) -> States:
         """Complex gaps as real equations: positions × 3k."""
-        columns = []
+        stacked, line = np.zeros((count, 3 * len(self.group.links))), 0
         for r, gap in zip(self.rows, gaps, strict=True):
-            full = np.broadcast_to(gap, (count,))
-            columns.append(np.zeros(count) if loose and r.rolls else full.real)
+            if not (loose and r.rolls):
+                stacked[:, line] = gap.real
             if not r.held:
-                columns.append(full.imag)
-        return np.stack(columns, axis=1)
+                stacked[:, line + 1] = gap.imag
+            line += 1 if r.held else 2
+        return stacked
 
     def _jacobian(self, now: Bodies, loose: bool = False) -> States:
         """∂g/∂(x, y, scale φ): positions × 3k × 3k."""
@@ -162,7 +204,7 @@ class Newton:
                     if not r.held:
                         matrix[:, line + 1, column] = block.imag
             line += 1 if r.held else 2
-        matrix[:, :, 2::3] /= self.mech.scale
+        matrix[:, :, 2::3] /= self.size
         return matrix
 
     def _linear(self, matrix: States, right: States, loose: bool = False) -> States:
@@ -174,7 +216,7 @@ class Newton:
         except np.linalg.LinAlgError:
             solved = np.linalg.pinv(matrix) @ -right[..., None]
         steps: States = np.reshape(solved, (len(right), -1, 3)).astype(np.float64)
-        steps[..., 2] /= self.mech.scale
+        steps[..., 2] /= self.size
         return steps
 
     def _bodies(self, states: States) -> dict[str, Body]:

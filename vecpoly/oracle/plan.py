@@ -13,7 +13,7 @@ from ..mechanism.mobility import check
 from ..mechanism.model import FRAME, Mechanism
 from .branches import check_letters, choose
 from .drive import Driver, driver
-from .feasible import Closes, Ranges, Spans, refusal, scan, spans
+from .feasible import Closes, Ranges, Spans, alone, refusal, scan, spans
 from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
 from .steps import Step, is_followed, step_for
@@ -75,15 +75,18 @@ class Plan:
         if open_[run.asked :].any():
             first = run.first(open_)
             gap = np.broadcast_to(step.miss(bodies), run.q.shape)[first]
-            raise refusal(step, run.text(float(run.q[first])), float(gap), self.ranges(step))
+            here = float(run.q[first])
+            raise refusal(step, run.text(here), float(gap), self.ranges(step), alone=alone(self._upto(step).closes(), here, self.mech.scale))
 
     def ranges(self, step: Step | None = None) -> Ranges:
         """Ranges of the drive in which everything closes up to and including this step (all of them: None)."""
-        steps = self.steps
-        if step is not None:
-            names = [known.group for known in steps]
-            steps = (*steps[: names.index(step.group) if step.group in names else len(steps)], step)
-        return scan(replace(self, steps=steps).closes(), self.mech.drive, self.mech.scale)
+        plan = self if step is None else self._upto(step)
+        return scan(plan.closes(), self.mech.drive, self.mech.scale)
+
+    def _upto(self, step: Step) -> Plan:
+        """The plan that ends with this step."""
+        names = [known.group for known in self.steps]
+        return replace(self, steps=(*self.steps[: names.index(step.group) if step.group in names else len(names)], step))
 
     def spans(self) -> Spans:
         """Ranges of the drive (rad, or m) in which everything closes."""

@@ -22,9 +22,10 @@ Blocks = tuple[Jacobian, Jacobian]
 TURN = np.array([0.0, 0.0, 1.0])
 
 
-def _columns(x: Points, turn: Points) -> Jacobian:
+def _columns(x: Points | float, turn: Points) -> Jacobian:
     """∂/∂x, ∂/∂y, ∂/∂φ of a complex quantity that depends on the link's origin by the factor x."""
-    columns: Jacobian = np.stack(np.broadcast_arrays(x, 1j * x, turn), axis=-1)
+    columns: Jacobian = np.empty((*np.broadcast(x, turn).shape, 3), np.complex128)
+    columns[..., 0], columns[..., 1], columns[..., 2] = x, 1j * x, turn
     return columns
 
 
@@ -60,8 +61,7 @@ class Pinned:
         return a.acceleration_of(self.at_a) - b.acceleration_of(self.at_b)
 
     def jac(self, a: Body, b: Body) -> Blocks:
-        one = np.ones_like(a.unit)
-        return _columns(one, _arm(a, self.at_a)), _columns(-np.ones_like(b.unit), -_arm(b, self.at_b))
+        return _columns(1.0, _arm(a, self.at_a)), _columns(-1.0, -_arm(b, self.at_b))
 
 
 @dataclass(frozen=True, slots=True)

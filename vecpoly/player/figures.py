@@ -71,7 +71,7 @@ def caption(figure: Figure, ink: Ink, over: Rect, size: float) -> tuple[str, Rec
     body, low, middle = "", over.y0, over.centre.real
     for lang in LANGS:
         items: tuple[Item, ...] = caption_items(figure, over, lang)
-        body += f'<g class="{lang}">{ink.svg(items)}</g>'
+        body += f'<g class="{lang}">{ink.svg(items[:1])}<g class="mu">{ink.svg(items[1:])}</g></g>'
         low = min(low, over.y0 - size * (over.y0 - Scene.of(items).extents.y0))
     shift = f"{round(UNIT * (1 - size) * middle)} {round(-UNIT * (1 - size) * over.y0)}"
     return f'<g transform="matrix({size:.3g} 0 0 {size:.3g} {shift})">{body}</g>', over | Rect(over.x0, low, over.x1, over.y1)

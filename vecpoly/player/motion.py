@@ -4,26 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from itertools import groupby
-from math import sqrt
 
-import numpy as np
-
-from ..board.construction import Figure, View
-from ..board.extent import bounds
+from ..board.construction import Construction, Figure
 from ..board.marks import Cell, Note
 from ..drawing.paging import reading_order
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
-from ..drawing.style import LETTER, Hue
+from ..drawing.style import Hue
 from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of
 from .ink import Ink
 from .lettering import Follower
+from .panes import magnified, pane
 from .turned import Cycle
-
-AROUND = 12.0  # mm that lettering and title take round a figure
-LEGIBLE = 0.022  # letters that are this part of the sheet's width can be read
-POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
 
 Data = dict[str, object]
 
@@ -37,13 +31,12 @@ class Frames:
     lang: Lang | None  # none: alike in both
 
 
-def moving(cycle: Cycle, ink: Ink) -> list[Data]:
-    """Per figure of the given place: its box, its caption, its standing lines, and its lines for every place, layer by layer."""
-    given = cycle.turns[cycle.start].solution.construction.figures
+def moving(cycle: Cycle, given: Construction, ink: Ink) -> list[Data]:
+    """Per figure of the given drawing: its box, its captions, its standing lines, and its lines for every place, layer by layer."""
     by_key = [{key_of(f): f for f in turn.solution.construction.figures} for turn in cycle.turns]
-    order = reading_order(given)
+    order = [figure for figure in reading_order(given.figures) if key_of(figure) in by_key[cycle.start]]
     places = [[found.get(key_of(figure)) for found in by_key] for figure in order]
-    size = _magnified(places, cycle.start)
+    size = magnified(places, cycle.start)
     return [_figure(figure, there, cycle.start, size, ink) for figure, there in zip(order, places, strict=True)]
 
 
@@ -52,11 +45,21 @@ def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: f
     frames = [_frames(places, start, size, lang) for lang in (LANGS if worded else (None,))]
     given = Scene.of(frames[0].items[start]).extents
     seen = [Scene.of(items).extents for one in frames for items in one.items if items]
-    room = _room(given, seen, figure.view in POLYGONS)
-    under, extents = caption(figure, ink, room, size)
-    return {"key": key_of(figure), "box": box(extents.grown(MARGIN)), "clip": box(room.grown(MARGIN)), "caption": under, "size": round(size, 2), "cut": any((room | one) != room for one in seen),
+    room = pane(given, seen, places)
+    which, captions, extents = _captions(figure, places, room, size, ink)
+    return {"key": key_of(figure), "box": box(extents.grown(MARGIN)), "clip": box(room.grown(MARGIN)), "captions": captions, "scale": which,
+            "size": round(size, 2), "cut": any((room | one) != room for one in seen),
             "sets": [{"lang": one.lang or "", "still": _layers(tuple(i for i in one.items[start] if i in one.still), ink),
                       "moving": [_layers(tuple(i for i in items if i not in one.still), ink) if items else None for items in one.items]} for one in frames]}
+
+
+def _captions(figure: Figure, places: Sequence[Figure | None], room: Rect, size: float, ink: Ink) -> tuple[list[int], list[Data], Rect]:
+    """Which caption belongs to each place; the captions, one for each scale, and whether it is another than the given one; the extents with them."""
+    scales = [figure.scale if one is None else one.scale for one in places]
+    kinds = list(dict.fromkeys(scales))
+    drawn = [caption(replace(figure, scale=scale), ink, room, size) for scale in kinds]
+    captions: list[Data] = [{"svg": svg, "other": scale != figure.scale} for scale, (svg, _) in zip(kinds, drawn, strict=True)]
+    return [kinds.index(scale) for scale in scales], captions, reduce(Rect.__or__, (extents for _, extents in drawn))
 
 
 def _frames(places: Sequence[Figure | None], start: int, size: float, lang: Lang | None) -> Frames:
@@ -73,27 +76,6 @@ def _frames(places: Sequence[Figure | None], start: int, size: float, lang: Lang
 def _stepless(follower: Follower, figure: Figure | None) -> tuple[Item, ...]:
     """The items without their steps, which do not matter here; none where the figure is not drawn."""
     return () if figure is None else tuple(replace(item, step=0) for item in follower.lettered(figure))
-
-
-def _room(given: Rect, seen: Sequence[Rect], polygon: bool) -> Rect:
-    """What nearly all places need, within bounds: polygons may grow much, a mechanism grows only by far points of its construction."""
-    share, beyond = (5, 1.6) if polygon else (10, 1.0)
-    most = given.grown(beyond * max(given.width, given.height))
-    low_x, low_y = (float(np.percentile([getattr(r, side) for r in seen], share)) for side in ("x0", "y0"))
-    high_x, high_y = (float(np.percentile([getattr(r, side) for r in seen], 100 - share)) for side in ("x1", "y1"))
-    return Rect(max(most.x0, low_x), max(most.y0, low_y), min(most.x1, high_x), min(most.y1, high_y)) | given
-
-
-def _magnified(places: Sequence[Sequence[Figure | None]], start: int) -> float:
-    """How much larger letters must be so that they can be read where all figures are seen at once."""
-    area = 0.0
-    for figures in places:
-        seen = [Rect(low.real, low.imag, high.real, high.imag) for low, high in (bounds(one.marks) for one in figures if one is not None)]
-        given = figures[start]
-        if given is not None:
-            room = _room(seen[sum(one is not None for one in figures[:start])], seen, given.view in POLYGONS).grown(AROUND)
-            area += room.width * room.height
-    return min(max(LEGIBLE * sqrt(area) / LETTER, 1.0), 1.6)
 
 
 def _layers(items: tuple[Item, ...], ink: Ink) -> Mapping[int, str]:

@@ -44,7 +44,7 @@ def player_html(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, 
         "figures": _stacked(shown_figures(solution.construction, ink)), "turning": turning,
         "slides": turning and solution.problem.mechanism.drive.slide,
         "names": names(solution, ink.faces) if turning else (), "drive": _drive(solution, ink) if turning else "",
-        "motion": _motion(through, ink) if turning else "",
+        "motion": _motion(through, solution, ink) if turning else "",
     }
     page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
     return page if len(page.encode()) <= LIMIT or not turning else player_html(solution, lang=lang, places=places // 2, seed=seed)
@@ -64,10 +64,10 @@ def _environment() -> Environment:
     return Environment(loader=FileSystemLoader(data_dir("templates") / "player"), autoescape=False, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
 
 
-def _motion(through: Cycle, ink: Ink) -> str:
+def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
     """Figures and readings at all places, as data for the script."""
-    return _json({"shown": [turn.shown for turn in through.turns], "start": through.start, "all": through.whole,
-                  "readings": readings(through.turns, ink.faces), "figures": moving(through, ink)})
+    return _json({"shown": [turn.shown for turn in through.turns], "start": through.start, "all": through.whole, "round": through.round,
+                  "readings": readings(through.turns, ink.faces), "figures": moving(through, solution.construction, ink)})
 
 
 def _title(solution: Solution) -> Words:

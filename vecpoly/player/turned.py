@@ -1,8 +1,7 @@
-"""The same problem with its drive at other places, all through the cycle: the scales stay, and so does the way it was assembled."""
+"""The same problem with its drive at other places, all through the cycle: it stays assembled as it was, and keeps its scales where they will do."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import degrees, pi
 
@@ -10,16 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import oracle
-from ..board.construction import Construction, View
+from ..cycle.pose import posed
 from ..errors import VecpolyError
-from ..mechanism.branch import margin
-from ..mechanism.model import Mechanism, Side, SideOf
+from ..mechanism.model import Mechanism
 from ..problem.problem import Problem, Scales
 from ..solution import Solution, solve
+from .fitting import fitted, scales_of
 
 Places = NDArray[np.float64]
-_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
 TRAVEL = 4.0  # sizes of the mechanism to each side that a sliding drive is tried in
+PASSED = 2  # steps from place to place over which a drive still goes round: a dead point between them is passed
 TRIALS = 721  # places tried of a sliding drive
 
 
@@ -33,11 +32,12 @@ class Turned:
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """The places that can be drawn, in the sense in which the drive moves; which of them is the given one; whether none is missing."""
+    """The places that can be drawn, in the sense in which the drive moves; which is the given one; whether none is missing; whether it goes round."""
 
     turns: tuple[Turned, ...]
     start: int = 0
     whole: bool = False
+    round: bool = False
 
 
 def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
@@ -46,25 +46,46 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
     if not isinstance(problem.subject, Mechanism) or count < 2:
         return Cycle(())
     mech, hand = problem.subject, solution.construction.hand
-    fixed = replace(problem, scales=_scales(solution.construction))
+    fixed = replace(problem, scales=scales_of(solution.construction))
     found: dict[int, Turned] = {}
-    for number, place, branches in _assembled(mech, _places(mech, count)):
-        drive = replace(mech.drive, position=place)
-        moved = replace(fixed, subject=replace(mech, drives=(drive,), branches=branches))
+    places = _places(mech, count)
+    for number, moved in enumerate(posed(fixed, places)):
+        if moved is None:
+            continue
         try:
-            found[number] = Turned(_shown(problem, place - mech.drive.position), solve(moved, by=hand, seed=seed, repeats=0))
+            found[number] = Turned(_shown(problem, float(places[number]) - mech.drive.position), solve(moved, by=hand, seed=seed, repeats=0))
         except VecpolyError:
             continue  # a dead point, or a load that cannot act as it is said to there: no drawing of this place
-    order = sorted(found) if mech.drive.slide else _unbroken(sorted(found), count)
-    own = _given(order, _places(mech, count), mech.drive.position)
-    return Cycle(tuple(found[number] for number in order), own, len(order) == count and not mech.drive.slide)
+    order, goes_round = (sorted(found), False) if mech.drive.slide else in_order(sorted(found), count)
+    own = _given(order, places, mech.drive.position)
+    turns = tuple(found[number] for number in order)
+    return Cycle(_rescaled(turns, own, hand, seed), own, len(order) == count and not mech.drive.slide, goes_round)
 
 
-def _unbroken(numbers: list[int], count: int) -> list[int]:
-    """The numbers round the turn, beginning after the widest gap, so that what hangs together is run through in one go."""
-    gaps = [(after - before) % count for before, after in zip([*numbers[-1:], *numbers], numbers, strict=False)]
-    first = gaps.index(max(gaps)) if len(numbers) < count else 0
-    return numbers[first:] + numbers[:first]
+def _rescaled(turns: tuple[Turned, ...], own: int, hand: str, seed: int) -> tuple[Turned, ...]:
+    """Those places drawn again whose polygons fit their panes only at coarser scales."""
+    return tuple(turn if scales == turn.solution.problem.scales else _redrawn(turn, scales, hand, seed)
+                 for turn, scales in zip(turns, fitted([turn.solution.construction for turn in turns], own), strict=True))
+
+
+def _redrawn(turn: Turned, scales: Scales, hand: str, seed: int) -> Turned:
+    try:
+        return replace(turn, solution=solve(replace(turn.solution.problem, scales=scales), by=hand, seed=seed, repeats=0))
+    except VecpolyError:
+        return turn  # what is small there is too small to be drawn so: it leaves its pane
+
+
+def in_order(numbers: list[int], count: int) -> tuple[list[int], bool]:
+    """The places of a turn in the order in which they are run through, and whether it can go round.
+
+    One that cannot begins after its widest gap, so that what hangs together is run through in one go.
+    """
+    gaps = [(after - before) % count or count for before, after in zip([*numbers[-1:], *numbers], numbers, strict=False)]
+    widest = max(gaps, default=count)
+    if widest <= PASSED:
+        return numbers, True
+    first = gaps.index(widest) if gaps else 0
+    return numbers[first:] + numbers[:first], False
 
 
 def _given(order: list[int], places: Places, own: float) -> int:
@@ -90,22 +111,6 @@ def _along(mech: Mechanism, places: Places) -> Places:
     """A number for each place where everything can be assembled, NaN elsewhere."""
     motion = oracle.solve(mech, places, order=0, strict=False)
     return np.asarray(sum(np.real(motion.origin(link.name)) + np.real(motion.angle(link.name)) for link in mech.links), dtype=np.float64)
-
-
-def _assembled(mech: Mechanism, places: Places) -> Iterator[tuple[int, float, tuple[SideOf, ...]]]:
-    """The places where it can be assembled, with the statements that describe the given assembly there: 'above' may have become 'below'."""
-    motion = oracle.solve(mech, places, order=0, strict=False)
-    letters = {letter for s in mech.branches for letter in (s.point, *s.ref)}
-    at = {letter: np.broadcast_to(motion.position(letter), places.shape) for letter in letters}
-    for i in np.flatnonzero(np.isfinite(_along(mech, places))):
-        here = {letter: complex(values[i]) for letter, values in at.items()}
-        yield int(i), float(places[i]), tuple(s if margin(s, here) >= 0 else replace(s, side=_OPPOSITE[s.side]) for s in mech.branches)
-
-
-def _scales(construction: Construction) -> Scales:
-    """The scales of the given place; those of levers are their own."""
-    used = {f.view: f.scale.value for f in reversed(construction.figures) if not f.name.startswith("lever")}
-    return Scales(mu_l=used.get(View.MECHANISM), mu_v=used.get(View.VELOCITY), mu_a=used.get(View.ACCELERATION), mu_f=used.get(View.FORCE))
 
 
 def _shown(problem: Problem, by: float) -> str:

@@ -10,7 +10,7 @@ from ..errors import FaultError
 from ..mechanism.assur import hinges
 from ..mechanism.loads import Friction
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Rolling
-from ..units import Dim, Quantity, positive, read
+from ..units import Dim, Quantity, positive, pure, read
 from ..words import Words
 from .faults import Faults, meant
 from .problem import Datum
@@ -147,11 +147,11 @@ def _coefficient(spec: FrictionSpec) -> tuple[float, str]:
     if text is None:
         raise FaultError("the coefficient f is missing; write e.g. f: 0.1")
     try:
-        f = float(text)
-    except ValueError:
-        raise FaultError(f"'{text}' is no pure number; write e.g. {key}: 0.1", key) from None
-    if not 0 <= f < math.inf:
-        raise FaultError(f"{key} = {text}: a coefficient of friction is not negative and finite; write e.g. {key}: 0.1", key)
+        f = pure(text, f"{key}: 0.1")
+    except FaultError as fault:
+        raise FaultError(fault.text, key) from None
+    if f < 0:
+        raise FaultError(f"{key} = {text}: a coefficient of friction is not negative; write e.g. {key}: 0.1", key)
     return f, key
 
 

@@ -40,6 +40,8 @@ def locate(where: str | Path, near: Path | None = None) -> Path:
         raise ProblemFileError(f"{text}: no such file")
     found = find(text)
     if found is None:
+        if text and Path(text).is_dir():
+            raise ProblemFileError(f"{text}: is a folder, not a problem file")
         raise UnknownNameError(
             f"no problem '{text}'{meant(text, (entry.id for entry in entries()))}; "
             "'vecpoly list' shows all, and a path must end in .yaml"
@@ -63,7 +65,7 @@ def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:
         )
     try:
         below = locate(base, path.parent if path else None)
-    except UnknownNameError as error:
+    except (ProblemFileError, UnknownNameError) as error:
         raise ProblemFileError(f"{tree.name}, line {line}: extends: {error}") from None
     if below.resolve() in seen or (path and below.resolve() == path.resolve()):
         raise ProblemFileError(f"{tree.name}, line {line}: extends: '{base}' extends itself in a circle")

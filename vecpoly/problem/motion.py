@@ -131,6 +131,8 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
     for letter in (first, second):
         if letter not in frame:
             raise FaultError(f"point '{letter}' is not on the frame{meant(letter, frame)}", "phi")
+    if frame[first] == frame[second]:
+        raise FaultError(f"'{text}': {first} and {second} are one place, from which no direction counts; name two points of the frame", "phi")
     zero = cmath.phase(frame[second] - frame[first])
     return _read("phi", m[1], Dim.ANGLE), zero
 

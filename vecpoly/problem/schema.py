@@ -17,7 +17,7 @@ from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 class Spec(BaseModel):
     """Base: unknown keys are faults."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)  # only what a file needs is built
 
 
 class InputSpec(Spec):
@@ -123,7 +123,7 @@ class ProblemSpec(Spec):
     input: InputSpec | list[InputSpec]
     branch: list[str] = []
     scales: ScalesSpec = ScalesSpec()
-    find: list[str | FindSpec] = []
+    find: list[str | FindSpec] = Field([], min_length=1)
     method: Literal["polygons", "centres"] = Field("polygons", description="velocities by vector polygons, or by instant centres")
     printed: list[PrintedSpec] = []
     errata: list[Text] = []
@@ -148,7 +148,7 @@ class DeviceSpec(Spec):
     device: str
     data: dict[str, Any] = {}
     scales: ScalesSpec = ScalesSpec()
-    find: list[str] = []
+    find: list[str] = Field([], min_length=1)
     printed: list[PrintedSpec] = []
     errata: list[Text] = []
     sheet: SheetSpec | None = None

@@ -11,7 +11,7 @@ from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.quantities import pairs
 from ..names import At, Key, Kind, Named, Rel, parse_rel
-from ..units import Dim, read, unit_of
+from ..units import Dim, pure, read, unit_of
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .draft import letters_of
 from .faults import meant
@@ -190,9 +190,9 @@ def _named_value(text: str, named: Named) -> float:
     if not named.unit:
         m = _PERCENT.fullmatch(text)
         try:
-            return float(m[1].replace("−", "-")) / 100 if m else float(text.replace("−", "-"))
-        except ValueError:
-            raise FaultError(f"'{text}' is no pure number; write e.g. 0.85 or 85 %", "value") from None
+            return pure(m[1], "85 %") / 100 if m else pure(text, "0.85 or 85 %")
+        except FaultError as fault:
+            raise FaultError(fault.text, "value") from None
     factor, dimension = unit_of(named.unit.replace("·", "*").replace("^", "**"))
     dim = next(dim for dim in Dim if dim.dimension == dimension)
     return read(text, dim).si / factor

@@ -8,14 +8,18 @@ from itertools import groupby
 from typing import Any
 
 from ..board.construction import EquationTable, Step
+from ..check.structure import dependence
 from ..mechanism.centre_quantities import count, is_centre, is_place
 from ..mechanism.model import Mechanism
 from ..problem.asks import AskCoriolis, AskNamed, AskPoint
 from ..quantity import number
 from ..solution import YES_NO, Answer, Solution
 from ..words import Lang, Words, label
+from .formulas import beside
 from .structure import numbering, structure
 from .values import asked_load, called
+
+_MOST, _SHORT = 4, 30.0  # formulas of a step in one line, and how long each may be (mm)
 
 
 @dataclass(slots=True)
@@ -49,23 +53,33 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
 
 def pivots(mech: Mechanism) -> Words:
     """Where the fixed points are, in mm: a student cannot draw without them."""
-    places = [f"${name}$({number(1e3 * at.real)}, {number(1e3 * at.imag)})" for name, at in mech.frame.items()]
+    places = [f"${name}$({number(1e3 * at.real, 6)}, {number(1e3 * at.imag, 6)})" for name, at in mech.frame.items()]
     return Words(f"固定点坐标 {'、'.join(places)} mm", f"fixed point{'s' if len(places) > 1 else ''} {', '.join(places)} mm")
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:
     """One sentence for each question that is not answered by a number alone."""
     coriolis = [_coriolis(solution.answers[ask.rel.key]).of(lang) for ask in solution.problem.asks if isinstance(ask, AskCoriolis)]
+    remarks = (solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed))
+    return list(dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None]))
+
+
+def cautions(solution: Solution, lang: Lang) -> list[str]:
+    """Counts in which no hand can err, and which still are not what the oracle says; why, as far as the oracle knows."""
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
-    wrong = [_disagreed(answer).of(lang) for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
-    return coriolis + [_told(answer.reading.remark).of(lang) for answer in named if answer.reading.remark is not None] + wrong
+    wrong = [answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
+    if not wrong:
+        return []
+    why = dependence(solution.problem.subject)
+    return [_disagreed(wrong).of(lang), *([] if why is None else [why.of(lang)])]
 
 
-def _disagreed(answer: Answer) -> Words:
-    """A count in which no hand can err, and which still is not what the oracle says."""
-    symbol, ours, its = f"${answer.reading.symbol}$", number(answer.drawn), number(answer.exact)
-    return Words(f"注意：按计数 {symbol} = {ours}，按独立求得的结果（约束方程的秩）{symbol} = {its}，二者不符，以后者为准。",
-                 f"Beware: the count gives {symbol} = {ours}, the independent result (rank of the constraints) {symbol} = {its}. They disagree; the latter holds.")
+def _disagreed(wrong: list[Answer]) -> Words:
+    """Counts in which no hand can err, and what the oracle says."""
+    ours, its = (", ".join(f"${answer.reading.symbol}$ = {number(value)}" for answer, value in zip(wrong, values, strict=True))
+                 for values in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong]))
+    return Words(f"注意：按计数 {ours.replace(', ', '，')}；按独立求得的结果（约束方程的秩）{its.replace(', ', '，')}，二者不符，以后者为准。",
+                 f"Beware: the count gives {ours}, the independent result (rank of the constraints) {its}. They disagree; the latter holds.")
 
 
 def _told(remark: Words) -> Words:
@@ -146,7 +160,7 @@ def _step(step: Step, lang: Lang, objects: Objects) -> dict[str, Any]:
     return {
         "n": step.number, "words": step.words.of(lang),
         "equation": objects.add("eq", step.equation) if step.equation else "",
-        "formulas": [objects.add("f", node) for node in step.formulas],
+        "formulas": [objects.add("f", node) for node in beside(step.formulas, _MOST, _SHORT)],
     }
 
 

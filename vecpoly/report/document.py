@@ -19,9 +19,10 @@ from ..errors import NotAskedError, UnknownNameError
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
-from .content import Objects, blank_equations, conclusions, sections, statement
+from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
+from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, frames, picture
@@ -103,11 +104,12 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         }
     checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
     return common | {
-        "lines": objects.add("tab", lines) if lines else "", "tables": printed_tables(solution.problem, lang),
+        "lines": objects.add("tab", lines) if lines else "",
+        "tables": printed_tables(solution.problem, lang, lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang))),
         "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
         "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
-        "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang),
+        "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang), "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
         "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
     }

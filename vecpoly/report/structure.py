@@ -8,6 +8,8 @@ from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
 
+_ROMAN = {"class III": "Ⅲ 级", "class IV": "Ⅳ 级", "class V": "Ⅴ 级", "class VI": "Ⅵ 级"}
+
 
 def structure(problem: Problem) -> Words:
     """Number of links, degree of freedom, Assur groups; nothing for a device."""
@@ -38,19 +40,27 @@ def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Wor
     higher = f" − {count.higher}" if count.higher else ""
     sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
     driver = mech.drive.link
-    if any("G" in g.kind for g in groups):
+    if any("G" in g.kind or "gear" in g.kind for g in groups):
         rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
+        if count.higher > len(mech.contacts):
+            rolls = Words("（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a high pair)")
         return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}") + rolls
                 + Words(f"；构件 {driver} 为原动件。", f"; link {driver} drives."))
-    zh = "、".join(f"{g.kind} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}）" for g in groups)
+    zh = "、".join(f"{_ROMAN.get(g.kind, g.kind)} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}）" for g in groups)
     en = ", ".join(f"{g.kind} (links {', '.join(_told(mech, name).en for name in g.links)})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；构件 {driver} 为原动件，",
                     f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}. Link {driver} drives")
     if mech.contacts:
-        return opening + Words(f"高副低代后，其余为 {zh}，属 Ⅱ 级机构。",
-                               f"; with the higher pair replaced by a link and lower pairs, the rest is {kind} {en}: a class II mechanism.")
-    return opening + Words(f"其余为 {zh}，属 Ⅱ 级机构。", f", the rest is {kind} {en}: a class II mechanism.")
+        return opening + Words(f"高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
+                               f"; with the higher pair replaced by a link and lower pairs, the rest is {kind} {en}: a {_class(groups).en} mechanism.")
+    return opening + Words(f"其余为 {zh}，属{_class(groups).zh}机构。", f", the rest is {kind} {en}: a {_class(groups).en} mechanism.")
+
+
+def _class(groups: tuple[Group, ...]) -> Words:
+    """The class of the highest group."""
+    kinds = [kind for kind in _ROMAN if any(group.kind == kind for group in groups)]
+    return Words(f" {_ROMAN[kinds[-1]]}", kinds[-1]) if kinds else Words(" Ⅱ 级", "class II")
 
 
 def _told(mech: Mechanism, link: str) -> Words:

@@ -48,8 +48,9 @@ def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     mm = "—" if r.mm is None else f"{r.mm:.1f}"
     if is_place(r.key) and answer.drawn_vector is not None and answer.exact_vector is not None:
-        drawn, exact = (f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
-        gap = f"{number(1e3 * abs(answer.drawn_vector - answer.exact_vector), 2)} mm"
+        drawn, exact = (f"({_fixed(v.real)}, {_fixed(v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
+        off = abs(answer.drawn_vector - answer.exact_vector)
+        gap = f"{number(1e3 * off if off > _NOTHING else 0.0, 2)} mm"
         return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap,
                 number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE)
     if is_place(r.key):  # at infinity
@@ -64,6 +65,12 @@ def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
     )
 
 
+def _fixed(place: float) -> str:
+    """A coordinate in mm to a hundredth, the last zeros and the sign of zero left out."""
+    text = f"{1e3 * place:.2f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text.replace("-", "−")
+
+
 def _clean(exact: float, error: float) -> float:
     """Zero where only rounding noise is left."""
     return 0.0 if abs(exact) < 1e-9 * max(1.0, abs(error)) else exact
@@ -74,7 +81,7 @@ def _deviation(answer: Answer, factor: float) -> str:
     if answer.computed:
         return "—"
     if not _clean(answer.exact, answer.expected_error):
-        return number(factor * answer.drawn, 2)
+        return f"{number(factor * answer.drawn, 2)} {printed_unit(answer.reading.unit)[1]}".rstrip()
     return percent(answer.relative_deviation, 2)
 
 
@@ -85,7 +92,7 @@ def way(answer: Answer, problem: Problem, lang: Lang) -> str:
     fixed = direction_of_load(problem, answer.key)
     if fixed is not None:
         return Words(f"沿 {_angle(degrees(fixed))}", f"along {_angle(degrees(fixed))}").of(lang)
-    return _SENSE[answer.sense].of(lang)
+    return _SENSE[answer.sense if _clean(answer.exact, answer.expected_error) else None].of(lang)
 
 
 def _angle(turn: float) -> str:

@@ -41,14 +41,14 @@ def _ruled(fig: CentreFigure, way: Way) -> Way:
 
 def _draw(fig: CentreFigure, pair: Pair, way: Way, line: Line, here: Centre) -> None:
     """The line through its two centres and the new one; towards a centre off the paper as far as the edge."""
-    sides = _sides(fig, pair, way)
+    sides = sides_of(pair, way)
     fig.rule(line, here, *(fig.known.of(*side) for side in sides))
     for target in (*sides, pair):
         if fig.far(*target):
             fig.rule_out(line, target)
 
 
-def _sides(fig: CentreFigure, pair: Pair, way: Way) -> tuple[Pair, ...]:
+def sides_of(pair: Pair, way: Way) -> tuple[Pair, ...]:
     """The two centres through which the line of a way goes."""
     return ((pair[0], way.via), (way.via, pair[1])) if way.via else ()
 
@@ -81,7 +81,7 @@ def _line(fig: CentreFigure, pair: Pair, way: Way) -> Words:
         contact = next((c for c in fig.mech.contacts if set(c.links) == set(pair)), None)
         at = contact.point if isinstance(contact, Contact) else ""
         return Words(f"接触点{f' ${at}$ ' if at else ''}的公法线 $nn$ ", f"the common normal $nn$ at the contact{f' ${at}$' if at else ''}")
-    sides = _sides(fig, pair, way)
+    sides = sides_of(pair, way)
     ends = [fig.known.of(*side) for side in sides]
     names = [fig.letters(*side) for side in sides]
     if all(end.endless for end in ends):
@@ -105,7 +105,7 @@ def _where(fig: CentreFigure, search: Search) -> Words:
 def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
     """A pair that was passed over because its lines hardly meet; a centre off the paper; an uncertain meeting."""
     lines = [way.line for way in search.ways if way.line is not None]
-    far = [f"${fig.symbol(*side)}$" for way in search.ways for side in _sides(fig, search.pair, way) if fig.far(*side)]
+    far = [f"${fig.symbol(*side)}$" for way in search.ways for side in sides_of(search.pair, way) if fig.far(*side)]
     if far:
         names = "、".join(dict.fromkeys(far))
         fig.board.remark(Words(f"（{names} 在图外，通向它的连线用比例线段法作出。）", f" ({names.replace('、', ', ')} is off the paper; the line towards it is drawn by proportional segments.)"))

@@ -5,9 +5,8 @@ from __future__ import annotations
 from ...board.construction import View
 from ...formula import Row, Txt, row
 from ...mechanism.assur import Group
-from ...mechanism.centre_quantities import KEYS, count, real_links
-from ...names import Kind
-from ...problem.asks import AskNamed, AskPoint, AskRel
+from ...mechanism.centre_quantities import count, real_links
+from ...problem.asks import AskNamed, AskPoint
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
@@ -23,34 +22,6 @@ from .size import Paper, paper_for
 from .state import NAME, CentreFigure
 
 TITLE = Words("瞬心图", "Instant centres")
-_BY_CENTRES = (Kind.V, Kind.OMEGA)
-
-
-def needs_centres(problem: Problem) -> bool:
-    """Whether the problem asks for centres, or for what is found from them."""
-    asked = any(isinstance(a, AskNamed) and a.rel.key.startswith(KEYS) for a in problem.asks)
-    return asked or problem.by_centres or any(isinstance(a, AskPoint) and a.slowest is not None for a in problem.asks)
-
-
-def needs_polygons(problem: Problem) -> bool:
-    """Whether anything is asked that centres do not give: accelerations, or velocities where the problem does not want them by centres."""
-    return any(not _given_by_centres(problem, ask) for ask in problem.asks)
-
-
-def _given_by_centres(problem: Problem, ask: object) -> bool:
-    match ask:
-        case AskNamed():
-            return True
-        case AskPoint(slowest=slowest):
-            return slowest is not None
-        case AskRel(rel=rel):
-            return rel.kind is Kind.P or (rel.kind in _BY_CENTRES and (problem.by_centres or _of_slowest(problem, ask)))
-    return False
-
-
-def _of_slowest(problem: Problem, ask: AskRel) -> bool:
-    """The velocity of a point that is itself found by centres."""
-    return any(isinstance(a, AskPoint) and a.slowest is not None and a.at == ask.rel.to for a in problem.asks)
 
 
 def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None:
@@ -65,7 +36,7 @@ def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None
     _copy(fig, problem, paper, groups)
     draw_direct(fig, here)
     for search in seen.searches:
-        find(Stage.CENTRES, "Kennedy").draw(fig, search)
+        find(Stage.CENTRES, "Kennedy" if search.trial is None else "trial").draw(fig, search)
     motions = Motions(fig)
     for ask in problem.asks:
         if isinstance(ask, AskPoint) and ask.slowest is not None:
@@ -89,8 +60,15 @@ def _copy(fig: CentreFigure, problem: Problem, paper: Paper, groups: tuple[Group
                       f"So that the centres fall on the paper, draw the mechanism once more to the scale $μ_l$ = {paper.scale.value:g} m/mm.")
     else:
         words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")
-    fig.board.step(words, fig.pane)
+    fig.board.step(words + _sparing(fig), fig.pane)
     fig.board.mark(fig.pane, *mechanism_marks(fig.desk, problem, paper, groups))
+
+
+def _sparing(fig: CentreFigure) -> Words:
+    """How the lines of many centres are drawn."""
+    if not fig.crowded:
+        return Words.same("")
+    return Words("瞬心较多，各连线只画出交点附近的一段。", " There are many centres: of every line only the piece where it cuts is drawn.")
 
 
 def _limit_positions(desk: Desk, problem: Problem) -> None:

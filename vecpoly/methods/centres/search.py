@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
 from ...errors import NoMethodError
-from ...mechanism.centre_quantities import Pair, link_pairs, pair_of, real_links
+from ...mechanism.centre_quantities import Pair, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line
 from .geometry import SHORT, Centre, Through, meeting, parallel, same, sharpness, through
@@ -37,6 +37,7 @@ class Search:
     ways: tuple[Way, ...]
     quality: float
     endless: bool = False
+    trial: tuple[str, tuple[str, str, str], float] | None = None  # by a trial triangle: the link, three others, where its first corner stands
 
 
 @dataclass(slots=True)
@@ -47,24 +48,31 @@ class Known:
     centres: dict[Pair, Centre] = field(default_factory=dict)
     normals: Mapping[Pair, Line] = field(default_factory=dict)
     far: frozenset[Pair] = frozenset()  # centres off the paper: lines through them are a last resort
+    rank: Mapping[str, int] = field(init=False, repr=False)  # the links by number, the frame last
+
+    def __post_init__(self) -> None:
+        self.rank = {name: n for n, name in enumerate(real_links(self.mech))}
+
+    def pair(self, a: str, b: str) -> Pair:
+        """Two links in the order of their numbers."""
+        return (a, b) if self.rank[a] < self.rank[b] else (b, a)
 
     def of(self, a: str, b: str) -> Centre:
         """A known centre."""
-        return self.centres[pair_of(self.mech, a, b)]
+        return self.centres[self.pair(a, b)]
 
     def missing(self) -> tuple[Pair, ...]:
         """Pairs of links without a centre."""
-        return tuple(pair for pair in link_pairs(self.mech) if pair not in self.centres)
+        return tuple(pair for pair in combinations(self.rank, 2) if pair not in self.centres)
 
     def ways(self, pair: Pair) -> Iterator[Way]:
         """All lines on which this centre is known to lie."""
         if pair in self.normals:
             yield Way(via="", line=self.normals[pair])
-        for via in real_links(self.mech):
+        for via in self.rank:
             if via in pair:
                 continue
-            sides = [pair_of(self.mech, via, link) for link in pair]
-            if all(side in self.centres for side in sides):
+            if all(self.pair(via, link) in self.centres for link in pair):
                 yield self.way(pair, via)
 
     def way(self, pair: Pair, via: str) -> Way:
@@ -75,7 +83,7 @@ class Known:
         if same(a, b):
             return Way(via=via, at=a)
         base = 1.0 if a.at is None or b.at is None else min(1.0, abs(a.spot() - b.spot()) / SHORT)
-        away = [pair_of(self.mech, via, link) in self.far for link in pair]
+        away = [self.pair(via, link) in self.far for link in pair]
         line = through(b, a) if away[0] else through(a, b)  # starting on the paper
         return Way(via=via, line=line, base=base * FAR ** sum(away))
 
@@ -83,26 +91,37 @@ class Known:
         """The lines through a centre off the paper that pass a centre on it, or are normals."""
         lines = []
         for way in self.ways(pair):
-            ends = [pair_of(self.mech, way.via, link) for link in pair] if way.via else []
+            ends = [self.pair(way.via, link) for link in pair] if way.via else []
             if way.line is not None and (not ends or any(not self.centres[end].endless and end not in self.far for end in ends)):
                 lines.append(way.line)
         return tuple(lines)
 
 
-def order(known: Known, accuracy: float) -> Iterator[Search]:
+def order(known: Known, accuracy: float, by_trial: Callable[[Known], Search | None] = lambda _: None) -> Iterator[Search]:
     """Every missing centre in an order in which each is found from known ones; `known` grows.
 
-    The first pair of lines that meet well is taken, else the best. Raises NoMethodError where the theorem leads no further.
+    The first pair of lines that meet well is taken, else the best; where no two lines meet, what `by_trial` finds.
+    Raises NoMethodError where nothing leads further.
     """
     while missing := known.missing():
-        options = [best for pair in missing if (best := _best(pair, tuple(known.ways(pair)), accuracy)) is not None]
-        if not options:
+        chosen = _next(known, missing, accuracy) or by_trial(known)
+        if chosen is None:
             names = ", ".join("P_" + "".join(known.mech.number(name) for name in pair) for pair in missing)
             raise NoMethodError(f"the theorem of three centres leads to no further centre ({names} are missing): no two lines through known centres meet "
                                 f"in one of them; 'vecpoly exact' gives them from the velocities")
-        chosen = next((one for one in options if one.quality >= GOOD), None) or max(options, key=lambda one: one.quality)
         known.centres[chosen.pair] = found(chosen)
         yield chosen
+
+
+def _next(known: Known, missing: tuple[Pair, ...], accuracy: float) -> Search | None:
+    """The first centre whose lines meet well, else the one whose lines meet best."""
+    options = []
+    for pair in missing:
+        if (option := _best(pair, tuple(known.ways(pair)), accuracy)) is not None:
+            if option.quality >= GOOD:
+                return option
+            options.append(option)
+    return max(options, key=lambda one: one.quality, default=None)
 
 
 def found(search: Search) -> Centre:

@@ -16,6 +16,7 @@ from ..desk import Desk
 from .direct import Direct, normals
 from .geometry import NONE, Centre
 from .search import Known, Search, order
+from .trial import best_trial
 
 ROOMS = ((150.0, 185.0), (225.0, 118.0))  # mm that the figure may fill on a page, upright or across
 LEAST = 36.0  # mm that the mechanism must measure on it, for its links to be told apart
@@ -49,7 +50,7 @@ def survey(desk: Desk, direct: tuple[Direct, ...], far: frozenset[Pair] = frozen
     """Find all centres on the nominal sheet, without leaving a mark."""
     plain = tuple(_plain(one) for one in direct)
     known = Known(desk.mech, {one.pair: one.centre for one in plain if one.centre is not None}, normals(plain), far)
-    searches = tuple(order(known, desk.board.hand.nominal.square))
+    searches = tuple(order(known, desk.board.hand.nominal.square, best_trial))
     return Survey(searches=searches, centres=known.centres)
 
 

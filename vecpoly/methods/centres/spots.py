@@ -15,7 +15,7 @@ from ...quantity import Quantity, magnitude, paper
 from ...words import Words
 from .state import CentreFigure
 
-STRIP = 60.0  # mm between the two offsets from which a distance off the paper follows
+STRIP, SHORTEST = 60.0, 20.0  # mm, at most and at least, between the two offsets from which a distance off the paper follows
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,16 +73,31 @@ def measured(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
 
 
 def _by_proportion(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
-    """PQ = s d_1 / (d_1 − d_2): d_1 and d_2 are the offsets, s mm apart on the line PQ, from another line that leads to Q."""
+    """PQ = s d_1 / (d_1 − d_2): d_1 and d_2 are the offsets, s mm apart on the line PQ, from another line that leads to Q.
+
+    The second offset lies between P and the edge of the paper; where that is too near, s mm behind P: PQ = s d_1 / (d_2 − d_1).
+    """
     other = another_line(fig, p, q)
     way = unit(q.at - p.at)
-    offsets = [np.abs(cross(other.along, at - other.at)) for at in (p.at, p.at + way * STRIP)]
+    step, behind = _strip(fig, complex(nominal(p.at)), complex(nominal(way)), apart(p, q))
+    offsets = [np.abs(cross(other.along, at - other.at)) for at in (p.at, p.at + (-way if behind else way) * step)]
     d1, d2 = (magnitude(f"d_{n}", fig.board.hand.read(d), "mm") for n, d in zip((1, 2), offsets, strict=True))
-    s = magnitude("s", STRIP, "mm")
-    fig.board.remark(Words(f"（在 ${p.letter}{q.letter}$ 方向上相距 $s$ 的两处量取到另一连线的距离 $d_1$、$d_2$。）",
-                           f" (The offsets $d_1$ and $d_2$ from another line to ${q.letter}$ are measured $s$ apart on ${p.letter}{q.letter}$.)"))
+    s = magnitude("s", step, "mm")
+    back = Words("的反方向上", " backwards") if behind else Words("方向上", "")
+    fig.board.remark(Words(f"（在 ${p.letter}{q.letter}$ {back.zh}相距 $s$ 的两处量取到另一连线的距离 $d_1$、$d_2$。）",
+                           f" (The offsets $d_1$ and $d_2$ from another line to ${q.letter}$ are measured $s$ apart on ${p.letter}{q.letter}${back.en}.)"))
     node = letters_node(f"{p.letter} {q.letter}")
-    return Quantity(paper(node, 0.0).node, fig.board.compute(f"{p.letter}{q.letter}", s * d1 / (d1 - d2), "mm").value, "mm")
+    gap = d2 - d1 if behind else d1 - d2
+    return Quantity(paper(node, 0.0).node, fig.board.compute(f"{p.letter}{q.letter}", s * d1 / gap, "mm").value, "mm")
+
+
+def _strip(fig: CentreFigure, at: complex, way: complex, distance: float) -> tuple[float, bool]:
+    """How far apart the offsets are taken (mm), and whether behind P: on the paper, and never beyond Q."""
+    rooms = [STRIP if (edge := fig.edge(at, w)) is None else abs(edge - at) for w in (way, -way)]
+    ahead = 5.0 * (min(STRIP, rooms[0], 0.9 * distance) // 5.0)
+    if ahead >= SHORTEST:
+        return ahead, False
+    return max(5.0 * (min(STRIP, rooms[1]) // 5.0), SHORTEST), True
 
 
 def another_line(fig: CentreFigure, p: Spot, q: Spot) -> Line:

@@ -9,7 +9,7 @@ import numpy as np
 from ...board.board import Board
 from ...board.construction import Pane
 from ...board.marks import Dot, Point, Role, Segment, Vector
-from ...mechanism.centre_quantities import Pair, centre, pair_of
+from ...mechanism.centre_quantities import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line, nominal
 from ..desk import Desk
@@ -19,6 +19,7 @@ from .size import Paper
 
 NAME = "centres"
 BEYOND = 5.0  # mm a line runs on beyond the outermost of its centres
+MANY = 7  # links: with as many, lines are drawn only where they cut
 GAP, ARROW = 5.0, 13.0  # mm from a slide to the arrow that shows the way to its centre at infinity; its length
 TO_LETTER = 1.5  # mm from an arrow's tip to its letter
 
@@ -59,6 +60,11 @@ class CentreFigure:
         """Whether a centre lies off the paper."""
         return pair_of(self.mech, a, b) in self.paper.far
 
+    @property
+    def crowded(self) -> bool:
+        """Whether there are so many links that whole lines would cover each other."""
+        return len(real_links(self.mech)) >= MANY
+
     # -- marks --------------------------------------------------------------------------------------------------
 
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
@@ -74,10 +80,14 @@ class CentreFigure:
         tip = start + way * (GAP + ARROW)
         self.board.mark(self.pane, Vector(a=start + way * GAP, b=tip, role=Role.DIRECTION), Point(at=tip + way * TO_LETTER, label=label, dot=Dot.NONE))
 
-    def rule(self, line: Line, *on: Centre) -> None:
-        """A thin line through these centres, a little beyond the outermost; towards one off the paper it ends at the edge with an arrow."""
+    def rule(self, line: Line, here: Centre, *on: Centre, whole: bool = False) -> None:
+        """A thin line through these centres, a little beyond the outermost; towards one off the paper it ends at the edge with an arrow.
+
+        Of many links' lines, unless asked for whole, only the piece at `here`, the centre that they give.
+        """
         at, along = complex(nominal(line.at)), complex(nominal(line.along))
-        spots = [c.spot() for c in on if not c.endless] + [at]
+        short = self.crowded and not whole and not here.endless and self.paper.holds(here.spot())
+        spots = [here.spot()] if short else [c.spot() for c in (here, *on) if not c.endless] + [at]
         near = [s for s in spots if self.paper.holds(s)]
         if not near:
             return  # it runs beside the paper
@@ -89,11 +99,11 @@ class CentreFigure:
         """The line's way to a centre off the paper: on to the edge, with an arrow and its letter."""
         at, along = complex(nominal(line.at)), complex(nominal(line.along))
         way = along if float((np.conj(along) * (self.known.of(*target).spot() - at)).real) > 0 else -along
-        tip = self._edge(at, way)
+        tip = self.edge(at, way)
         if tip is not None:
             self.board.mark(self.pane, Vector(a=at, b=tip, role=Role.DIRECTION), Point(at=tip + way * TO_LETTER, label=self.letters(*target), dot=Dot.NONE))
 
-    def _edge(self, at: complex, way: complex) -> complex | None:
+    def edge(self, at: complex, way: complex) -> complex | None:
         """Where a ray from a point of the paper leaves it."""
         low, high = self.paper.corners
         if not self.paper.holds(at):
@@ -104,7 +114,7 @@ class CentreFigure:
 
     def _outwards(self, start: complex, way: complex) -> complex:
         """Of both senses the one that leads to the nearer edge of the paper; up where both are alike."""
-        ahead, back = (self._edge(start, w) for w in (way, -way))
+        ahead, back = (self.edge(start, w) for w in (way, -way))
         if ahead is None or back is None:
             return way
         gap = abs(ahead - start) - abs(back - start)

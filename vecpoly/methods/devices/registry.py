@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from ...devices.base import Device
 from ...errors import NoMethodError
+from ...plugins import load_modules
 from ...words import Words
 from .bench import Bench
 
@@ -43,22 +41,15 @@ def device_method(device: type[Device], *, title: Words, source: str, example: s
     return register
 
 
-@cache
-def _load_all() -> None:
-    package = importlib.import_module("vecpoly.methods.devices")
-    for module in pkgutil.iter_modules(package.__path__, "vecpoly.methods.devices."):
-        importlib.import_module(module.name)
-
-
 def device_methods() -> tuple[DeviceMethod, ...]:
     """All registered constructions, by the device's name."""
-    _load_all()
+    load_modules("vecpoly.methods.devices")
     return tuple(sorted(_METHODS.values(), key=lambda m: m.device.kind))
 
 
 def find_device(device: Device) -> DeviceMethod:
     """The construction of this device; raises NoMethodError where none is on file."""
-    _load_all()
+    load_modules("vecpoly.methods.devices")
     try:
         return _METHODS[type(device)]
     except KeyError:

@@ -25,6 +25,7 @@ from .registry import device_method
 from .structure_apart import draw_groups, no_groups
 from .structure_count import Count, count, freedom
 from .structure_remedy import remedies
+from .structure_repeated import Repeated
 from .structure_replace import Replaced, replaced
 from .structure_sketch import dashed_profiles, draw_chain, pane
 
@@ -120,15 +121,27 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         board.step(Words("没有对运动重复起作用的部分，无虚约束：", "No part repeats what others constrain already: no redundant constraints:"))
         return bench.stated(P_REDUNDANT, 0.0)
     for part in found.repeated:
-        board.step(part.why + Words("，是虚约束。这部分", ": redundant. It ") + Words(
-            f"有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
-            f"has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower and {part.higher} high pairs; its redundant constraints number:"))
-        terms = Times(2, magnitude("p′_L", float(part.lower), "")) + magnitude("p′_H", float(part.higher), "") - Times(3, magnitude("n′", float(len(part.links)), ""))
+        board.step(part.why + _brings(part))
+        high = magnitude("p′_H", float(abs(part.higher)), "")
+        terms = Times(2, magnitude("p′_L", float(part.lower), "")) + high if part.higher >= 0 else Times(2, magnitude("p′_L", float(part.lower), "")) - high
+        if part.links:
+            terms = terms - Times(3, magnitude("n′", float(len(part.links)), ""))
         if len(found.repeated) == 1:
             return bench.worked(P_REDUNDANT, terms)
         board.compute("p′", terms, "")
     board.step(Words("虚约束总数：", "In all:"))
     return bench.stated(P_REDUNDANT, float(found.redundant))
+
+
+def _brings(part: Repeated) -> Words:
+    """What the part consists of; a slide that is eased counts as a high pair afterwards."""
+    if part.higher < 0:
+        return Words("。它只须起一个高副的作用，虚约束数为：", ". It need do no more than a high pair; its redundant constraints number:")
+    one = Words("，是虚约束。", ": redundant. ")
+    if not part.links:
+        return one + Words("虚约束数为：", "Its redundant constraints number:")
+    return one + Words(f"这部分有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
+                       f"It has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower and {part.higher} high pairs; its redundant constraints number:")
 
 
 def _motion(bench: Bench, device: Structure, found: Count) -> None:
@@ -139,7 +152,8 @@ def _motion(bench: Bench, device: Structure, found: Count) -> None:
     board.step(Words(f"机构具有确定运动的条件：$F$ > 0，且原动件数等于 $F$。此处原动件为构件 {told}，共 {len(drive)} 个；",
                      f"The motion is determined if $F$ > 0 and as many links drive. Here link{'s' * (len(drive) > 1)} {', '.join(drive)} drive{'s' * (len(drive) == 1)}; "))
     if f < 1:
-        verdict = Words(f"$F$ = {f}，各构件之间没有相对运动，是{'桁架' if f == 0 else '超静定桁架'}，机构不能运动，不能实现设计意图", f"$F$ = {f}: no link can move against another; this is a truss, and it cannot do its work")
+        f_text = f"{f}".replace("-", "−")
+        verdict = Words(f"$F$ = {f_text}，各构件之间没有相对运动，是{'桁架' if f == 0 else '超静定桁架'}，机构不能运动，不能实现设计意图", f"$F$ = {f_text}: no link can move against another; this is a truss, and it cannot do its work")
     elif f == len(drive):
         verdict = Words(f"原动件数等于自由度 $F$ = {f}，机构的运动确定", f"as many links drive as there are freedoms, $F$ = {f}: the motion is determined")
     elif f > len(drive):

@@ -57,7 +57,7 @@ def take_apart(chain: Chain, drivers: tuple[str, ...]) -> Taken:
 
 def _removable(chain: Chain, drivers: tuple[str, ...]) -> Iterator[Group]:
     """Groups that may come off next: the smallest first, of these the furthest from the driver."""
-    far = _distance(chain, drivers)
+    far = distance(chain, drivers)
     links = sorted((link for link in chain.links if link not in drivers), key=lambda link: -far[link])
     for size in range(2, len(links) + 1, 2):
         for part in combinations(links, size):
@@ -66,7 +66,7 @@ def _removable(chain: Chain, drivers: tuple[str, ...]) -> Iterator[Group]:
                 yield group
 
 
-def _distance(chain: Chain, drivers: tuple[str, ...]) -> dict[str, int]:
+def distance(chain: Chain, drivers: tuple[str, ...]) -> dict[str, int]:
     """How many pairs lie between a link and the nearest driver."""
     far = dict.fromkeys(drivers, 0)
     for step in range(1, len(chain.links) + 1):

@@ -1,4 +1,4 @@
-"""Redundant constraints of parallel and equal links, and of the bar to the middle of a trammel."""
+"""Redundant constraints of parallel and equal links."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from ...devices.structure_pairs import FRAME, Chain, Form, Pair
-from ...names import subscripted
 from ...words import Words
 
 MOST = 4  # links of a parallel part
@@ -143,27 +142,3 @@ def _why(chain: Chain, part: tuple[Bar, ...], links: tuple[str, ...], shift: com
     return Words(f"{told} 且 {same}，去掉构件 {'、'.join(links)} 后，它们所连接的各点之间的距离仍保持不变，这部分对运动不起独立的约束作用",
                  f"{told} and {same}: without link{'s' * (len(links) > 1)} {', '.join(links)} the points that they join keep their distances all the same, "
                  f"and this part adds nothing to the motion")
-
-
-def midpoint(chain: Chain, near: float, drivers: tuple[str, ...]) -> Iterator[Found]:
-    """A bar from where two guides cross at right angles to the middle of the rod between their blocks (elliptic trammel)."""
-    for bar in bars(chain):
-        for root, tip in (bar.ends, bar.ends[::-1]):
-            for rod in tip.links:
-                if rod != bar.link and bar.link not in drivers and _trammel(chain, rod, root, tip, near):
-                    yield (bar.link,), Words(
-                        f"导路互相垂直，且 ${subscripted(tip.letter)}$ 为构件 {rod} 两端铰链的中点，${subscripted(tip.letter)}$ 点的轨迹本来就是以 ${subscripted(root.letter)}$ 为圆心的圆，构件 {bar.link} 不起独立的约束作用",
-                        f"the guides cross at right angles and ${subscripted(tip.letter)}$ is the middle of link {rod}: it moves on a circle about ${subscripted(root.letter)}$ "
-                        f"even without link {bar.link}")
-
-
-def _trammel(chain: Chain, rod: str, root: Pair, tip: Pair, near: float) -> bool:
-    """Whether the rod's ends slide on two guides that cross at the root at right angles, the tip midway between them."""
-    ends = [(p.at, slide.along) for p in chain.at(rod) if p.form is Form.R and p.letter != tip.letter
-            for block in p.links if block != rod for slide in chain.at(block)
-            if slide.form is Form.P and set(slide.links) == {block, FRAME}]
-    for (a, u), (b, v) in combinations(ends, 2):
-        crossing = abs((u.conjugate() * (root.at - a)).imag) < near and abs((v.conjugate() * (root.at - b)).imag) < near
-        if FRAME in root.links and crossing and abs((u.conjugate() * v).real) < 1e-4 and abs((a + b) / 2 - tip.at) < near:
-            return True
-    return False

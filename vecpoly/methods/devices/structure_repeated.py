@@ -9,10 +9,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
-from ...devices.structure_pairs import Chain, Form, Pair
+from ...devices.structure_pairs import FRAME, Chain, Form, Pair
 from ...names import subscripted
 from ...words import Words
-from .structure_parallel import midpoint, parallel
+from .structure_distance import kept, twins
+from .structure_groups import distance
+from .structure_mirror import mirrored
+from .structure_parallel import parallel
+from .structure_tracks import trammel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,12 +49,12 @@ def repeated(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | 
     """The first part that repeats constraints, without a driver; None where nothing does. near: places closer than this (m) are one."""
     for pair, why in _twice(chain, near):
         return Repeated(links=(), letters=(pair.letter,), why=why, before=chain, rest=Chain(chain.links, tuple(p for p in chain.pairs if p is not pair)))
-    for links, why in (*_copies(chain, near, drivers), *parallel(chain, near, drivers), *midpoint(chain, near, drivers)):
+    for links, why in (found for pattern in (twins, _copies, parallel, kept, trammel, mirrored) for found in pattern(chain, near, drivers)):
         rest = chain.without(links)
         part = Repeated(links=links, letters=tuple(p.letter for p in chain.pairs if p.touches(links)), why=why, before=chain, rest=rest)
         if part.redundant > 0:
             return part
-    return _common(chain, near)
+    return _common(chain, near, drivers)
 
 
 def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
@@ -58,7 +62,7 @@ def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
     for one, two in combinations(chain.pairs, 2):
         if set(one.links) != set(two.links) or one.form is not two.form or len(one.links) > 2:
             continue
-        a, b = one.letter, two.letter
+        a, b = subscripted(one.letter), subscripted(two.letter)
         if one.form is Form.P and _level(one.along, two.along):
             yield two, Words(f"移动副 ${a}$、${b}$ 连接同样两个构件且导路平行，只有一个起独立约束作用",
                              f"slides ${a}$ and ${b}$ join the same two links, and their guides are parallel: only one of them constrains")
@@ -76,26 +80,29 @@ def _same_profiles(one: Pair, two: Pair, near: float) -> bool:
     return all((a is None and b is None) or (a is not None and b is not None and abs(a - b) < near) for a, b in pairs)
 
 
-def _slide_round(chain: Chain) -> Pair | None:
-    """The first slide that closes a ring of slides: the others keep its links from turning already."""
-    reached: list[set[str]] = []
-    for pair in chain.pairs:
-        if pair.form is Form.P:
-            here = [group for group in reached if group & set(pair.links)]
-            if len(here) == 1 and set(pair.links) <= here[0]:
-                return pair
-            reached = [group for group in reached if group not in here] + [set(pair.links).union(*here)]
-    return None
+def _slides_round(chain: Chain) -> tuple[Pair, ...]:
+    """The slides that close a ring of slides: without one of them the others still keep its links from turning."""
+    slides = tuple(pair for pair in chain.pairs if pair.form is Form.P)
+    return tuple(pair for pair in slides if pair.links[1] in _reached(pair.links[0], [other.links for other in slides if other is not pair]))
 
 
-def _common(chain: Chain, near: float) -> Repeated | None:
-    """A ring of slides alone (a pair of wedges): no link of it turns, and one of the slides need not see to it."""
-    pair = _slide_round(chain)
+def _reached(start: str, edges: list[tuple[str, ...]]) -> set[str]:
+    found = {start}
+    while new := {link for edge in edges if found & set(edge) for link in edge} - found:
+        found |= new
+    return found
+
+
+def _common(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | None:
+    """A ring of slides alone (a pair of wedges): no link of it turns, and one of the slides, far from the driver, need not see to it."""
+    far = distance(chain, drivers) | {FRAME: len(chain.links)}
+    pair = max(_slides_round(chain), key=lambda pair: min(far[link] for link in pair.links), default=None)
     if pair is None:
         return None
     eased = Pair(letter=pair.letter, form=Form.H, links=pair.links, at=pair.at, about=(pair.at + 200 * near * 1j * pair.along, None))
-    why = Words(f"移动副 ${subscripted(pair.letter)}$ 与其他移动副组成只含移动副的封闭形，各构件的转动已被其他移动副限制，它对转动的限制是重复的（公共约束）",
-                f"slide ${subscripted(pair.letter)}$ closes a ring of slides alone: the others keep its links from turning already, and it need only keep them on the line")
+    d = subscripted(pair.letter)
+    why = Words(f"移动副 ${d}$ 与其他移动副组成只含移动副的封闭形，各构件的转动已被其他移动副限制，它对转动的限制是重复的（公共约束）",
+                f"slide ${d}$ closes a ring of slides alone: the others keep its links from turning already, and it need only keep them on the line")
     return Repeated(links=(), letters=(pair.letter,), why=why, before=chain, rest=Chain(chain.links, tuple(eased if p is pair else p for p in chain.pairs)))
 
 

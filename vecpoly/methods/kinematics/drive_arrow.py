@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.construction import View
-from ...board.marks import Arc, FixedGuide, Segment, Slot, TurnArrow
+from ...board.marks import AngleMark, Arc, FixedGuide, Segment, Slot, TurnArrow
 from ...plane import nominal
 from ..desk import Desk
+from .position_drive import swept
 
 ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
+APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
 def draw_drive_arrow(desk: Desk) -> None:
@@ -27,16 +29,18 @@ def draw_drive_arrow(desk: Desk) -> None:
 
 
 def _arrow_radius(desk: Desk, pivot: complex) -> float:
-    """Its radius: not that of a base circle or an offset circle."""
-    circles = [m.radius for m in desk.board.marks(View.MECHANISM) if isinstance(m, Arc) and abs(m.centre - pivot) < 1e-6 and m.sweep > 6]
-    return next((r for r in ARROW_RADII if all(abs(r - c) > 1.5 for c in circles)), ARROW_RADII[-1])
+    """Its radius: not that of a base circle or an offset circle, nor near the arc of a reflex angle."""
+    marks = desk.board.marks(View.MECHANISM)
+    circles = [m.radius for m in marks if isinstance(m, Arc) and abs(m.centre - pivot) < 1e-6 and m.sweep > 6]
+    reflex = [m.radius for m in marks if isinstance(m, AngleMark) and abs(m.at - pivot) < 1e-6 and abs(m.sweep) > np.pi]
+    free = (r for r in ARROW_RADII if all(abs(r - c) > 1.5 for c in circles) and all(abs(r - c) > APART for c in reflex))
+    return next(free, ARROW_RADII[-1])
 
 
 def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
     """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
-    sweep = (phi + np.pi) % (2 * np.pi) - np.pi
     ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])
-    mark = pivot + radius * np.exp(1j * np.linspace(0.0, sweep, 9))
+    mark = pivot + radius * np.exp(1j * np.linspace(0.0, swept(phi), 18))
     lines = [m.a + (m.b - m.a) * np.linspace(0.0, 1.0, 60) for m in desk.board.marks(View.MECHANISM)
              if isinstance(m, Segment | FixedGuide | Slot)]
     taken = np.concatenate([ground, mark, *lines])

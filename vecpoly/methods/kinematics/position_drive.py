@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees
+import math
 
 import numpy as np
 
@@ -24,7 +24,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     """Lay off φ from the x axis at the fixed pivot, then l_AB / μ_l along it."""
     link, board = desk.mech.link(drive.link), desk.board
     pivot, others = desk.crank(drive.link)
-    phi = number(degrees(drive.position), 6)
+    phi = number(math.degrees(drive.position), 6)
     fixed, fixed_en = "$、$".join(desk.mech.frame), "$, $".join(desk.mech.frame)
     length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
     length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
@@ -62,13 +62,17 @@ def position_slide(desk: Desk, drive: Drive) -> None:
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
 
 
+def swept(position: float) -> float:
+    """How far the arc of an angle runs round: as far as is stated, less full turns."""
+    return math.fmod(position, 2 * math.pi)
+
+
 def _angle(desk: Desk, pivot: str, drive: Drive, reach: float) -> None:
-    """Mark the angle φ at the pivot."""
+    """Mark the angle φ at the pivot: the arc runs in the sense of the stated value."""
     at = complex(nominal(desk.at[pivot]))
     radius = min(11.0, 0.45 * reach)
-    sweep = (drive.position + np.pi) % (2 * np.pi) - np.pi
     desk.board.mark(
         View.MECHANISM,
         Segment(a=at, b=at + radius + 3.5, role=Role.CENTRE),
-        AngleMark(at=at, radius=radius, start=0.0, sweep=float(sweep), label=f"φ_{drive.link}"),
+        AngleMark(at=at, radius=radius, start=0.0, sweep=swept(drive.position), label=f"φ_{drive.link}"),
     )

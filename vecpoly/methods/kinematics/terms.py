@@ -97,12 +97,12 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     vanishes = abs(nominal(expr.value)) < 1e-12
     if not vanishes:
         start = desk.start_label(View.ACCELERATION, ref)
-        board.write_length(View.ACCELERATION, f"{start} k′", size)
+        board.write_length(View.ACCELERATION, f"{start} {desk.k_tip(rel)}", size)
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
     return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
                 direction=ABSENT if vanishes else Words.same(f"⊥$ {plain_symbol(vr)}$"),
-                along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else "k′")
+                along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else desk.k_tip(rel))
 
 
 def plain_symbol(quantity: Quantity) -> str:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import Any
 
 from ...devices.base import Device
 from ...errors import NoMethodError
+from ...plugins import load_modules
 
 Values = Mapping[str, complex | float]
 Exact = Callable[[Any], Values]
@@ -28,16 +26,9 @@ def answers(device: type[Device]) -> Callable[[Exact], Exact]:
     return register
 
 
-@cache
-def _load_all() -> None:
-    package = importlib.import_module("vecpoly.oracle.devices")
-    for module in pkgutil.iter_modules(package.__path__, "vecpoly.oracle.devices."):
-        importlib.import_module(module.name)
-
-
 def device_answers(device: Device) -> Values:
     """The exact value of every quantity of this device; raises NoMethodError where no oracle is on file."""
-    _load_all()
+    load_modules("vecpoly.oracle.devices")
     try:
         return _EXACT[type(device)](device)
     except KeyError:

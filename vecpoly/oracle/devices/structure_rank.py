@@ -14,13 +14,17 @@ from ...devices.structure_pairs import FRAME, Chain, Form
 from .structure_rows import Floats, Rows
 
 RANK = 2e-5  # share of the largest singular value below which one counts as zero; places are written to about 1e-6 of the size
+LOOSE = 1e-3  # share of a dependence below which a constraint has no part in it: rounding of what is written
 CLOSED = 2e-5  # by how much constraints may be broken in the second position, in sizes: rounding of what is written
 STEP, TRIES, ROUNDS = 0.06, 4, 30  # first move along the motion, in rad or sizes; directions tried; Newton rounds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ranks:
-    """Of a chain: coordinates, constraints, rank here and further on (the same where it does not move), and idle links."""
+    """Of a chain: coordinates, constraints, rank here and further on (the same where it does not move), and idle links.
+
+    twice: constraints that a pair repeats of another pair between the same two links.
+    """
 
     coordinates: int
     constraints: int
@@ -28,12 +32,18 @@ class Ranks:
     onward: int
     moved: bool
     idle: tuple[str, ...]
+    twice: int
 
     @property
     def freedom(self) -> int:
-        """F = 3n − rank − F′; 0 where what is left by the rank is no motion, but a play of the second order in a position that cannot be left."""
-        free = self.coordinates - self.onward - len(self.idle)
-        return free if self.moved else min(free, 0)
+        """F = 3n − rank − F′ of a chain that moves.
+
+        One that cannot (what the rank leaves is a play of the second order) is a truss: its surplus of constraints makes F negative, and of
+        these only such count as redundant as two links have twice.
+        """
+        if self.moved:
+            return self.coordinates - self.onward - len(self.idle)
+        return min(self.coordinates - self.constraints + self.twice - len(self.idle), 0)
 
     @property
     def redundant(self) -> int:
@@ -54,7 +64,7 @@ def ranks(chain: Chain) -> Ranks:
     positions = [rows for seed in range(TRIES) if (rows := _onward(here, seed)) is not None]
     onward = max((rank(rows.jacobian()) for rows in positions), default=first)
     return Ranks(coordinates=jac.shape[1], constraints=jac.shape[0], here=first, onward=max(first, onward), moved=bool(positions),
-                 idle=_idle(chain, [jac, *(rows.jacobian() for rows in positions)]))
+                 idle=_idle(chain, [jac, *(rows.jacobian() for rows in positions)]), twice=_twice(chain))
 
 
 def rank(jac: Floats) -> int:
@@ -106,6 +116,26 @@ def _onward(rows: Rows, seed: int) -> Rows | None:
             break
     closed = np.abs(moved.residual()).max(initial=0.0) < CLOSED
     return moved if closed and np.abs(moved.pose - rows.pose).max() > STEP / 4 else None
+
+
+def _twice(chain: Chain) -> int:
+    """How many constraints pairs between the same two links have in common."""
+    surplus = 0
+    for links in {frozenset(pair.links) for pair in chain.pairs if len(pair.links) == 2}:
+        alone = Chain(tuple(link for link in chain.links if link in links), tuple(pair for pair in chain.pairs if set(pair.links) == links))
+        jac = Rows(alone, _size(chain), np.zeros(3 * len(alone.links))).jacobian()
+        surplus += len(jac) - rank(jac)
+    return surplus
+
+
+def dependent(chain: Chain) -> tuple[str, ...]:
+    """Letters of the pairs whose constraints depend on each other in every position: where the left null space of the Jacobian reaches."""
+    here = Rows(chain, _size(chain), np.zeros(3 * len(chain.links)))
+    positions = [rows for seed in range(TRIES) if (rows := _onward(here, seed)) is not None] or [here]
+    jac = max((rows.jacobian() for rows in positions), key=rank)
+    left = np.linalg.svd(jac)[0][:, rank(jac):]
+    owners = [pair.letter for pair in chain.pairs for _ in range((2 if pair.form.is_lower else 1) * pair.count)]
+    return tuple(dict.fromkeys(letter for letter, row in zip(owners, left, strict=True) if np.abs(row).max(initial=0.0) > LOOSE))
 
 
 def _idle(chain: Chain, jacobians: list[Floats]) -> tuple[str, ...]:

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+from .causes import Cause
 from .equilibrium import Forces, forces
 
-__all__ = ["Forces", "forces"]
+__all__ = ["Cause", "Forces", "forces"]

@@ -35,6 +35,7 @@ class Forces:
     system: System
     dry: Balance  # without friction
     wet: Balance  # with it
+    causes: NDArray[np.int8]  # `causes.Cause` by position: why there is no answer
 
     def value(self, key: str) -> Points | Reals:
         """The quantity with this key (`mechanism.quantities`): N, N·m or m, complex for a vector.
@@ -113,4 +114,4 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
         judge.unsolved(dry)
         judge.locked(system, (dry, wet), reached, loads.dynamic, rates)
         judge.parting(system, wet)
-    return Forces(mech, loads, motion, rates, system, dry, wet.without(judge.lost))
+    return Forces(mech, loads, motion, rates, system, dry, wet.without(judge.lost), judge.causes)

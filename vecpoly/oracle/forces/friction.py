@@ -82,10 +82,16 @@ def _newton(base: Points, gain: Points, lam: Reals, u: Reals, rounds: int) -> tu
     return u, found
 
 
+def _foreseen(u: Reals, rise: Reals) -> Reals:
+    """u a step on: as 1/(c - λ), for it runs off, and comes in from afar, like that; u²/(u - rise), to first order u + rise."""
+    share = rise / np.where(u > 0, u, np.inf)
+    return np.where(share < 0.9, u / (1 - np.minimum(share, 0.9)) + np.where(u > 0, 0.0, rise), u + rise)
+
+
 def _continued(base: Points, gain: Points) -> tuple[Reals, Reals]:
     """The branch that begins without friction, followed in λ; it ends where its tangent turns back or it runs off."""
     u, lam = np.abs(base), np.zeros(base.shape[1])
-    step, eye = np.full(base.shape[1], 0.25), np.eye(len(base))[..., None]
+    step, smooth, eye = np.full(base.shape[1], 0.25), np.ones(base.shape[1], np.bool_), np.eye(len(base))[..., None]
     for _ in range(CONTINUED):
         going = np.flatnonzero((lam < 1.0) & (step > LOST))
         if not going.size:
@@ -94,12 +100,13 @@ def _continued(base: Points, gain: Points) -> tuple[Reals, Reals]:
         _, slope = _slope(p0, g, lam_old, u_old)
         rate = _solved(eye - lam_old * slope, _apply(slope, u_old))
         new = np.minimum(lam_old + step[going], 1.0)
-        guess = u_old + (new - lam_old) * rate
+        guess = _foreseen(u_old, (new - lam_old) * rate)
         u_new, found = _newton(p0, g, new, guess, 8)
         _, slope = _slope(p0, g, new, u_new)
         near = np.abs(u_new - guess).max(axis=0) <= 0.1 * np.abs(u_new).max(axis=0)
         good = found & near & (np.linalg.det(np.moveaxis(eye - new * slope, -1, 0)) > 0)
         u[:, going[good]], lam[going[good]] = u_new[:, good], new[good]
-        step[going] *= np.where(good, 2.0, 0.5)
+        step[going] *= np.where(good, np.where(smooth[going], 2.0, 1.0), 0.5)  # what failed a moment ago is not tried again at once
+        smooth[going] = good
     u[:, lam < 1.0] = np.nan
     return u, lam

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ...board.construction import Figure, Scale, View
 from ...board.marks import Block, Dot, GearMark, Ground, LinkNumber, Mark, Plate, Point, Role, Segment, Slot
 from ...mechanism.assur import Group, decompose, ends
-from ...mechanism.model import Circle, Prismatic, Revolute, Rolling
+from ...mechanism.model import Circle, Mechanism, Prismatic, Revolute, Rolling
 from ...names import subscripted
-from ...problem.problem import Shape
+from ...problem.problem import Problem, Shape
 from ...words import Words
 from .study import Study
 
@@ -24,7 +24,9 @@ def apart(study: Study) -> list[Figure]:
     figures = [_figure(study, (drive,), _pins(study, (drive,)), Words(f"原动件 {drive}", f"Driving link {drive}"), "0")]
     for i, group in enumerate(decompose(study.mech), 1):
         names = [study.name(link) for link in group.links]
-        title = Words(f"{group.kind} 杆组（构件 {'、'.join(names)}）", f"{group.kind} group (links {', '.join(names)})")
+        kind = {"gear": Words("齿轮", "gear")}.get(group.kind, Words(f"{group.kind} 杆组", f"{group.kind} group") if group.dyad else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
+        many = "links" if len(names) > 1 else "link"
+        title = Words(f"{kind.zh}（构件 {'、'.join(names)}）", f"{kind.en} ({many} {', '.join(names)})")
         figures.append(_figure(study, group.links, _outer(group) + _inner(group), title, str(i)))
     return figures
 
@@ -35,9 +37,15 @@ def _figure(study: Study, links: tuple[str, ...], pins: tuple[str, ...], title: 
     wide = max((abs(a.real - b.real) for a in places for b in places), default=0.0)
     high = max((abs(a.imag - b.imag) for a in places for b in places), default=0.0)
     mu = max(wide / (_WIDE - 25), high / (_HIGH - 20), study.mech.scale / 60)
-    sketch = _Sketch(study, 1 / mu, links)
-    marks = [mark for link in links for mark in sketch.link(link)] + list(sketch.joints(pins))
-    return Figure(view=View.MECHANISM, title=title, scale=Scale(symbol="", value=mu, unit="m"), marks=tuple(marks), name=name)
+    marks = sketched(study.problem, study.at, study.turned, 1 / mu, links, pins, study.mech)
+    return Figure(view=View.MECHANISM, title=title, scale=Scale(symbol="", value=mu, unit="m"), marks=marks, name=name)
+
+
+def sketched(problem: Problem, at: Mapping[str, complex], turned: Mapping[str, float], per_m: float, links: tuple[str, ...], pins: tuple[str, ...],
+             mech: Mechanism | None = None) -> tuple[Mark, ...]:
+    """These links with these hinges as marks: places of letters (m), angles of links (rad), mm for a metre."""
+    sketch = _Sketch(problem, mech or problem.mechanism, at, turned, per_m, links)
+    return (*(mark for link in links for mark in sketch.link(link)), *sketch.joints(pins))
 
 
 def _outer(group: Group) -> tuple[str, ...]:
@@ -55,15 +63,19 @@ def _pins(study: Study, links: tuple[str, ...]) -> tuple[str, ...]:
 class _Sketch:
     """Links as marks at a scale (mm per m)."""
 
-    def __init__(self, study: Study, per_m: float, links: tuple[str, ...]) -> None:
-        self.study, self.k, self.links = study, per_m, links
+    def __init__(self, problem: Problem, mech: Mechanism, at: Mapping[str, complex], turned: Mapping[str, float], per_m: float, links: tuple[str, ...]) -> None:
+        self.shapes, self.mech, self.at, self.turned, self.k, self.links = problem.given.shapes, mech, at, turned, per_m, links
+
+    def name(self, link: str) -> str:
+        """Its number; the contact's letter for the substitute of a high pair."""
+        return next((c.point for c in self.mech.contacts if c.substitute == link), self.mech.number(link))
 
     def spot(self, letter: str) -> complex:
-        return self.study.at[letter] * self.k
+        return self.at[letter] * self.k
 
     def link(self, name: str) -> Iterator[Mark]:
         """The body of a link with its number."""
-        mech, shape = self.study.mech, self.study.problem.given.shapes.get(name, Shape.BAR)
+        mech, shape = self.mech, self.shapes.get(name, Shape.BAR)
         spots = [self.spot(p) for p in mech.link(name).points]
         slides = [j for j in mech.joints if isinstance(j, Prismatic) and name in (j.guide, j.block)]
         for joint in slides:
@@ -75,15 +87,15 @@ class _Sketch:
             yield from (GearMark(centre=self.spot(c.centre), radius=c.radius * self.k) for c in (rolling.gear, rolling.on)
                         if isinstance(c, Circle) and c.link == name)
         if spots:
-            yield LinkNumber(a=spots[0], b=spots[min(1, len(spots) - 1)], number=self.study.name(name))
+            yield LinkNumber(a=spots[0], b=spots[min(1, len(spots) - 1)], number=self.name(name))
 
     def _sliding(self, name: str, joint: Prismatic, shape: Shape, spots: list[complex]) -> Iterator[Mark]:
-        lean = self.study.turned.get(joint.guide, 0.0) + joint.direction
+        lean = self.turned.get(joint.guide, 0.0) + joint.direction
         along = cmath.rect(1.0, lean)
-        pin = self.spot(joint.pin) if joint.pin in self.study.at else (spots[0] if spots else 0j)
+        pin = self.spot(joint.pin) if joint.pin in self.at else (spots[0] if spots else 0j)
         middle = pin - 1j * along * joint.offset * self.k
         if name == joint.block and shape is not Shape.PIN:
-            yield Block(at=middle, along=along, on_rod=self.study.problem.given.shapes.get(joint.guide) is Shape.ROD)
+            yield Block(at=middle, along=along, on_rod=self.shapes.get(joint.guide) is Shape.ROD)
             if abs(pin - middle) > 3.0:
                 yield Segment(a=middle, b=pin, role=Role.LINK)
         elif name == joint.guide and shape is Shape.SLOT:
@@ -100,9 +112,9 @@ class _Sketch:
 
     def joints(self, pins: tuple[str, ...]) -> Iterator[Mark]:
         """The hinges of the group, and its other letters."""
-        drive = self.study.mech.drive.link
-        for letter in dict.fromkeys((*pins, *(p for link in self.links for p in self.study.mech.link(link).points))):
-            if letter in self.study.mech.frame and self.links == (drive,):
+        drive = self.mech.drive.link
+        for letter in dict.fromkeys((*pins, *(p for link in self.links for p in self.mech.link(link).points))):
+            if letter in self.mech.frame and self.links == (drive,):
                 yield Ground(at=self.spot(letter), down=-1j)
             yield Point(at=self.spot(letter), label=subscripted(letter), dot=Dot.JOINT if letter in pins else Dot.POINT)
 

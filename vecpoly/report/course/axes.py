@@ -8,20 +8,24 @@ from dataclasses import replace
 from math import degrees
 from typing import Any
 
+import numpy as np
+
 from ...board.construction import Figure
 from ...board.marks import AngleMark, Dot, Mark, Point, Role, Segment, TurnArrow, Vector
 from ...drawing.figure import draw_figure
 from ...mechanism.assur import hinges
-from ...mechanism.model import FRAME
+from ...mechanism.model import FRAME, Prismatic
 from ...names import subscripted
 from ...problem.problem import Shape
+from ...quantity import number
 from ...words import Words
 from ..picture import picture
 from .numbering import Press
 from .study import Study
 
-_PICTURE = (125.0, 95.0)  # mm
-_AXIS, _RAY, _RADIUS = 26.0, 15.0, 9.0  # mm
+_PICTURE = (125.0, 68.0)  # mm
+_STILL = 1e-9  # rad, rad/s
+_AXIS, _RAY, _RADIUS = 32.0, 15.0, 9.0  # mm
 _ANGLES = {"zh": ["构件", "转角", "由 $x$ 轴正向量至", "题设位置"], "en": ["Link", "Angle", "Measured from $+x$ to", "Given position"]}
 
 
@@ -36,7 +40,7 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
         marks = tuple(m for m in drawn.marks if not isinstance(m, (AngleMark, TurnArrow)))
         figure = press.figure(draw_figure(replace(drawn, marks=(*marks, *_added(study, drawn, place))), lang=press.lang, caption=False),
                               Words("坐标系与构件的转角", "The coordinate system and the angles of the links"))
-    frame = ("；" if press.lang == "zh" else "; ").join(f"${name}$ ({1e3 * at.real:g}, {1e3 * at.imag:g})".replace("-", "−") for name, at in study.mech.frame.items())
+    frame = ("；" if press.lang == "zh" else "; ").join(f"${name}$ ({number(1e3 * at.real, 6)}, {number(1e3 * at.imag, 6)})" for name, at in study.mech.frame.items())
     return {"figure": figure or "", "origin": subscripted(origin), "at_origin": abs(place) < 1e-12, "frame": frame, "angles": _table(study, press)}
 
 
@@ -71,13 +75,24 @@ def _gear(study: Study, link: str) -> bool:
     return study.problem.given.shapes.get(link) is Shape.GEAR
 
 
+def _guided(study: Study, link: str, letter: str) -> Words:
+    """The axis of a link with one letter: parallel to the link whose angle it keeps, else the guide's positive direction."""
+    joint = next((j for j in study.mech.joints if isinstance(j, Prismatic) and link == j.block and j.guide != FRAME), None)
+    if joint is not None:
+        return Words(f"随构件 {study.name(joint.guide)} 的导路方向（过 ${letter}$）", f"the guide of link {study.name(joint.guide)}, through ${letter}$")
+    return Words(f"导路正方向（过 ${letter}$）", f"the positive direction of the guide, through ${letter}$")
+
+
 def _table(study: Study, press: Press) -> str:
     rows = []
     for link in study.mech.bodies:
         letters = [subscripted(letter) for letter in study.mech.link(link).points]
         if not letters or _gear(study, link):
             continue
-        ray = Words(f"${letters[0]}→{letters[1]}$", f"${letters[0]}→{letters[1]}$") if len(letters) > 1 else Words(f"过 ${letters[0]}$ 的导路方向", f"the guide line through ${letters[0]}$")
-        angle = degrees(cmath.phase(cmath.rect(1.0, study.turned[link]))) % 360.0
-        rows.append((study.name(link), f"$φ_{{{study.name(link)}}}$", ray.of(press.lang), f"{angle:.2f}°"))
+        ray = Words(f"${letters[0]}→{letters[1]}$", f"${letters[0]}→{letters[1]}$") if len(letters) > 1 else _guided(study, link, letters[0])
+        if all(abs(z) < _STILL for z in (study.turned[link],)) and not np.any(np.abs(study.turn.real(f"omega_{link}")) > _STILL):
+            continue  # it keeps its direction along x
+        told = study.turn.at(f"phi_{link}", [study.mech.drive.position])
+        angle = degrees(float(np.asarray(told).real[0]))
+        rows.append((study.name(link), f"$φ_{{{study.name(link)}}}$", ray.of(press.lang), f"{angle:.2f}°".replace("-", "−")))
     return press.table(Words("各构件的转角", "The angles of the links"), _ANGLES[press.lang], rows, "cclr")

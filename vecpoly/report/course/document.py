@@ -4,14 +4,28 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...solution import Solution
+from ...solution import REPEATS, Solution
 from ...words import Lang, Words
 from ..content import Objects
 from ..picture import picture
 from ..printed_tables import printed_tables
-from . import analysis, appendix, axes, comparison, drawings, modelling, results, statement, structure
+from . import (
+    analysis,
+    appendix,
+    axes,
+    book,
+    checking,
+    comparison,
+    drawings,
+    example,
+    modelling,
+    results,
+    statement,
+    structure,
+)
 from .numbering import Press, drawn
 from .study import study
+from .symbols import symbols
 
 _COVER = (130.0, 95.0)  # mm
 KIND = Words("机械原理课程大作业", "Theory of machines: course assignment")
@@ -23,13 +37,14 @@ def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     press = Press(lang, objects)
     stations = comparison.compared(subject)
     return {
-        "id": subject.problem.id, "title": subject.problem.title.of(lang), "kind": KIND.of(lang), "cover": _cover(solution, lang, objects),
-        "hand": solution.construction.hand, "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
-        "task": statement.task(subject, press), "structure": structure.chapter(subject, press), "axes": axes.chapter(subject, press),
-        "model": modelling.chapter(subject, press), "results": results.chapter(subject, press),
-        "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)), "comparison": comparison.chapter(subject, press, stations),
-        "analysis": analysis.chapter(subject, press, stations), "appendix": appendix.chapter(subject, press),
-        "tables": printed_tables(subject.problem, lang),
+        "id": subject.problem.id, "assumed": statement.assumed(subject).of(lang), "title": subject.problem.title.of(lang), "kind": KIND.of(lang), "cover": _cover(solution, lang, objects),
+        "hand": solution.construction.hand, "repeats": REPEATS, "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
+        "symbols": symbols(subject, press), "task": statement.task(subject, press), "structure": structure.chapter(subject, press), "axes": axes.chapter(subject, press),
+        "model": modelling.chapter(subject, press) | {"example": example.section(subject, press)}, "results": results.chapter(subject, press),
+        "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)), "comparison": comparison.chapter(subject, press, stations), "checking": checking.chapter(subject, press),
+        "book": book.chapter(subject, press),  # within chapter 7
+        "tables": (tables := printed_tables(subject.problem, lang, press.table)),  # within chapter 7
+        "analysis": analysis.chapter(subject, press, stations, tables), "appendix": appendix.chapter(subject, press),
     }
 
 

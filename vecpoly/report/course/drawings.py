@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...drawing.pdf import draw_pdf
-from ...drawing.sheet import Sheet, sheets
+from ...drawing.sheet import Sheet, bound, sheets
 from ...errors import VecpolyError
 from ...solution import Solution, solve
 from ...words import Lang, Words
@@ -18,15 +18,18 @@ from ..flow.blocks import spoken
 from ..flow.doc import SheetPage
 from ..flow.table import DataTable
 from ..tables import readings_table
+from .drawn_views import drawn_views
+from .force_words import role_note
 from .numbering import SMALL, Press
 from .positions import at_position
 from .study import Study
 
-POSITIONS, LOADED = 4, 3  # with forces every position fills two sheets
+POSITIONS, LOADED = 4, 3  # with forces, or centres beside polygons, every position fills two sheets
 _APART = np.radians(12.0)
 _NOTHING = 1e-6  # of the greatest value: there is no vector to draw
+_SEP = Words("、", ", ")
 _ALIKE = 0.03  # of the range of a sliding drive
-_CHOSEN = {"zh": ["位置", "选取理由", "比例尺"], "en": ["Position", "Why it is chosen", "Scales"]}
+_CHOSEN = {"zh": ["位置", "选取理由", "比例尺", "图号"], "en": ["Position", "Why it is chosen", "Scales", "Sheet"]}
 
 
 @dataclass(frozen=True)
@@ -40,14 +43,19 @@ class Drawn:
 
 
 def chosen(study: Study, lang: Lang) -> list[Drawn]:
-    """The given position, then those of extreme values of what is asked for, as far as they can be drawn."""
+    """The given position, then those of extreme values of what is asked for, as far as they can be drawn; none where there is no method."""
+    if not study.drawn:
+        return []
     given = study.mech.drive.position
     found = [Drawn(given, Words("题设位置", "the given position"), study.solution, _sheets(study, given, study.solution, lang))]
     for phi, why in _candidates(study):
-        if len(found) == (POSITIONS if study.problem.loads is None else LOADED):
+        if len(found) == (POSITIONS if study.problem.loads is None and len(found[0].sheets) == 1 else LOADED):
             break
         if all(_far(study, phi, other.phi) for other in found):
-            drawn = _drawn(study, phi, why, lang, True) or _drawn(study, phi, why, lang, False)
+            drawn = _drawn(study, phi, why, lang, True)
+            if drawn is None or (len(drawn.sheets) > 1 and study.problem.loads is None):  # at a scale of its own it may need one sheet only
+                own = _drawn(study, phi, why, lang, False)
+                drawn = min((one for one in (drawn, own) if one is not None), key=lambda one: len(one.sheets), default=None)
             found += [drawn] if drawn else []
     return [found[0], *sorted(found[1:], key=lambda one: one.phi)]
 
@@ -87,14 +95,34 @@ def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
 def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
     """Steps of the given position, its readings, the list of the others, all sheets."""
     press.chapter = "6"
-    rows = [(study.where(one.phi), one.why.of(press.lang), scales(one.solution, press.lang)) for one in drawn]
+    if not drawn:
+        return {"positions": "", "sections": [], "scales": "", "readings": "", "others": [], "sheets": []}
+    loose = [(one, sheet) for one in drawn for sheet in one.sheets]
+    names = [press.sheet() for _ in loose]
+    rows = [(study.where(one.phi), _why(study, one).of(press.lang), scales(one.solution, press.lang),
+             _SEP.of(press.lang).join(name.of(press.lang) for (other, _), name in zip(loose, names, strict=True) if other is one)) for one in drawn]
     return {
-        "positions": press.table(Words("作图的位置", "The positions drawn"), _CHOSEN[press.lang], rows, "lll"),
+        "positions": press.table(Words("作图的位置", "The positions drawn"), _CHOSEN[press.lang], rows, "llll"),
+        "views": drawn_views(study.solution.construction).of(press.lang),
         "sections": sections(study.solution, press.lang, press.objects), "scales": scales(study.solution, press.lang),
-        "readings": press.objects.add("tab", readings_table(study.solution, press.lang)),
+        "readings": _given(study, press),
         "others": _others(study, press, drawn[1:]),
-        "sheets": [press.objects.add("sheet", _page(sheet, _name(study, one).of(press.lang))) for one in drawn for sheet in one.sheets],
+        "sheets": [press.objects.add("sheet", _page(sheet, _name(study, one, sheet).of(press.lang)))
+                   for (one, _), sheet in zip(loose, bound([sheet for _, sheet in loose], names), strict=True)],
     }
+
+
+def _given(study: Study, press: Press) -> str:
+    """The readings at the given position beside the exact values."""
+    made = readings_table(study.solution, press.lang)
+    title = Words("题设位置的图解值与精确值", "Drawn and exact values at the given position")
+    return press.table(title, made.header, made.rows, made.align, style=SMALL)
+
+
+def _why(study: Study, one: Drawn) -> Words:
+    """Why the position is chosen, and what drives there where that is not what the problem tells."""
+    note = role_note(study, one.phi)
+    return one.why + Words(f"（{note.zh}）", f" ({note.en})") if note.zh else one.why
 
 
 def _others(study: Study, press: Press, drawn: list[Drawn]) -> list[str]:
@@ -116,14 +144,18 @@ def _readings(study: Study, one: Drawn, press: Press) -> DataTable:
 
 
 def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
-    head = study.problem.title + Words(f"（{study.where(phi)}）", f" ({study.where(phi)})")
-    return sheets(solution.construction, lang=lang, title=head)
+    title, where, note = study.problem.title, study.where(phi), role_note(study, phi)
+    where_en = f"{where}; {note.en}" if note.en else where
+    where = f"{where}，{note.zh}" if note.zh else where
+    zh = f"{title.zh[:-1]}，{where}）" if title.zh.endswith("）") else f"{title.zh}（{where}）"
+    en = f"{title.en[:-1]}, {where_en})" if title.en.endswith(")") else f"{title.en} ({where_en})"
+    return sheets(solution.construction, lang=lang, title=Words(zh, en))
 
 
-def _name(study: Study, one: Drawn) -> Words:
+def _name(study: Study, one: Drawn, sheet: Sheet) -> Words:
     """A sheet's name for the bookmarks."""
     where = spoken(study.where(one.phi))
-    return Words(f"图纸：{where}", f"Sheet: {where}")
+    return sheet.strip.name + Words(f"　{where}", f": {where}")
 
 
 def _page(sheet: Sheet, name: str) -> SheetPage:

@@ -6,18 +6,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from ...drawing.pdf import draw_pdf
-from ...drawing.scene import Scene
+from ...drawing.scene import Item, Scene, TextBox
+from ...typeset import layout_words
 from ...typeset.box import MM
 from ...words import Lang, Words
 from ..content import Objects
 from ..flow.blocks import Drawing, spoken
-from ..flow.style import CELL, Style
+from ..flow.style import CAPTION, CELL, Style
 from ..flow.table import DataTable
 
 _FIGURE, _TABLE = Words("图", "Figure"), Words("表", "Table")
 SMALL = Style(size=8.3, leading=10.0, after=0.0, align="left")
 
-TINY = Style(size=7.5, leading=9.6, after=0.0, align="left")
+_GAP, _ROOM = 4.0, 170.0  # mm between two figures beside each other, and for both
+TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")
 
 
 @dataclass(slots=True)
@@ -39,6 +41,20 @@ class Press:
         """A numbered figure; its name for the template."""
         return self.objects.add("fig", drawn(scene, self._caption(_FIGURE, "figure", title)))
 
+    def figures(self, plots: Sequence[tuple[Scene, Words]]) -> list[str]:
+        """Numbered figures, two beside each other where they are narrow enough; their names for the template."""
+        rows: list[list[tuple[Scene, str]]] = []
+        for scene, title in plots:
+            one = (scene, self._caption(_FIGURE, "figure", title))
+            fits = rows and len(rows[-1]) == 1 and _wide(*rows[-1][0]) + _GAP + _wide(*one) <= _ROOM
+            rows[-1].append(one) if fits else rows.append([one])
+        return [self.objects.add("fig", drawn(*row[0]) if len(row) == 1 else paired(*row)) for row in rows]
+
+    def sheet(self) -> Words:
+        """The number of a sheet, which is a figure that fills its page: Figure 6-1."""
+        number = Words.same(f" {self.number('figure')}")
+        return _FIGURE + number
+
     def table(self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL) -> str:
         """A numbered table; its name for the template."""
         caption = self._caption(_TABLE, "table", title)
@@ -46,11 +62,29 @@ class Press:
         return self.objects.add("tab", made)
 
     def _caption(self, what: Words, kind: str, title: Words) -> str:
-        gap = "　" if self.lang == "zh" else "  "
+        gap = "　" if self.lang == "zh" else ". "
         return f"{what.of(self.lang)} {self.number(kind)}{gap}{title.of(self.lang)}"
 
 
-def drawn(scene: Scene, caption: str) -> Drawing:
+def _wide(scene: Scene, caption: str) -> float:
+    """What a figure and its caption take."""
+    return max(scene.extents.width, layout_words(caption, CAPTION.em).width)
+
+
+def paired(left: tuple[Scene, str], right: tuple[Scene, str]) -> Drawing:
+    """Two captioned scenes beside each other, their captions in one line."""
+    items: list[Item] = []
+    x, foot = 0.0, -max(scene.extents.height for scene, _ in (left, right)) - 4.5
+    for scene, caption in (left, right):
+        e, box = scene.extents, layout_words(caption, CAPTION.em)
+        room = _wide(scene, caption)
+        items += scene.moved(complex(x + (room - e.width) / 2 - e.x0, -e.y1)).items
+        items.append(TextBox(box=box, x=x + (room - box.width) / 2, y=foot))
+        x += room + _GAP
+    return drawn(Scene.of(tuple(items)), "", spoken(f"{left[1]}; {right[1]}"))
+
+
+def drawn(scene: Scene, caption: str, alt: str = "") -> Drawing:
     """A scene as a captioned block of the text."""
     e = scene.extents
-    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), spoken(caption), caption)
+    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), alt or spoken(caption), caption)

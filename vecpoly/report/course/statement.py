@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from ...drawing.figure import draw_figure
 from ...mechanism.mobility import mobility
+from ...names import Rel
+from ...quantity import number
 from ...words import Words
 from ..content import statement
-from ..picture import picture
+from ..picture import picture, to_scale
+from .dimensions import dimensions, rounded
 from .numbering import Press
 from .study import Study
 
@@ -19,6 +23,36 @@ def task(study: Study, press: Press) -> dict[str, Any]:
     """The words of the statement, and the sketch."""
     press.chapter = "1"
     figure = picture(study.problem, study.solution.construction, *_PICTURE)
+    figure = rounded(figure) if figure else None
     scene = draw_figure(figure, lang=press.lang, caption=False) if figure else None
-    title = Words(f"{study.problem.title.zh}（{study.where(study.mech.drive.position)}）", f"{study.problem.title.en} ({study.where(study.mech.drive.position)})")
-    return {**statement(study.solution, press.lang), "picture": press.figure(scene, title) if scene else "", "freedom": mobility(study.mech).freedom}
+    where = study.where(study.mech.drive.position)
+    if figure is not None and to_scale(figure):
+        where += f", ${figure.scale.symbol}$ = {number(figure.scale.value)} {figure.scale.per_mm}"
+    title = Words(f"机构运动简图（{where.replace(', ', '，')}）", f"Kinematic diagram ({where})")
+    told = statement(study.given, press.lang) if study.drawn else _undrawn(study, press)
+    return {**told, "picture": press.figure(scene, title) if scene else "", "dimensions": dimensions(study, press, figure), "freedom": mobility(study.mech).freedom,
+            "more": ("、" if press.lang == "zh" else ", ").join(_more(study)), "assumed": assumed(study).of(press.lang)}
+
+
+def _undrawn(study: Study, press: Press) -> dict[str, str]:
+    """The same for a mechanism that is not drawn: what is asked is named by its symbols."""
+    bare = statement(replace(study.given, problem=replace(study.problem, asks=())), press.lang)
+    symbols = [f"${study.whole.info(ask.rel.key).symbol}$" for ask in study.problem.asks if isinstance(ask.rel, Rel)]
+    return {**bare, "asked": ("、" if press.lang == "zh" else ", ").join(symbols)}
+
+
+def _more(study: Study) -> list[str]:
+    """What is drawn beyond what is asked for."""
+    return [f"${answer.reading.symbol}$" for key, answer in study.solution.answers.items() if key not in study.given.answers]
+
+
+def assumed(study: Study) -> Words:
+    """Where only the sense of the drive's ω is given: what is taken, and how everything scales with it."""
+    if not study.sense_only:
+        return Words.same("")
+    symbol = f"$ω_{{{study.mech.drive.link}}}$"
+    loads = study.problem.loads
+    forces = Words.same("") if loads is None else Words("；惯性力与 ω² 成正比" if loads.dynamic else "；反力和平衡载荷与其大小无关",
+                                                        "; inertia forces with its square" if loads.dynamic else "; reactions and the balancing load do not depend on it")
+    return Words(f"题目只给出 {symbol} 的转向，未给大小，本报告取 |{symbol}| = 1 rad/s 计算和作图。各角速度、速度与 {symbol} 成正比，各角加速度、加速度与 {symbol} 的平方成正比，位置与其大小无关{forces.zh}；转速为其他值时按此换算。",
+                 f"Only the sense of {symbol} is given, not its size: this report takes |{symbol}| = 1 rad/s. All velocities are proportional to {symbol}, all accelerations to its square, and positions do not depend on it{forces.en}; for another speed the results scale accordingly.")

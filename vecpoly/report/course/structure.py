@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...board.construction import Figure
 from ...drawing.figure import draw_figure
-from ...drawing.scene import Scene
+from ...drawing.scene import Scene, TextBox
 from ...mechanism.assur import Group, decompose, hinges, joint_letter
 from ...mechanism.mobility import mobility
 from ...mechanism.model import FRAME, Joint, Prismatic, Revolute
-from ...words import Words
-from ..structure import structure
+from ...typeset import layout_words
+from ...words import Lang, Words
+from ..flow.style import CAPTION
 from .apart import apart
 from .numbering import Press
+from .other_drives import others
+from .special_joints import concluded, special
 from .study import Study
 
 _JOINTS = {"zh": ["运动副", "类型", "相连的构件"], "en": ["Joint", "Kind", "Links joined"]}
 _GROUPS = {"zh": ["次序", "组成", "类型", "级别", "外副", "内副"], "en": ["Order", "Links", "Kind", "Class", "Outer joints", "Inner joint"]}
+_UNDER = 7.0  # mm from a group to its name
 _GAP = 12.0  # mm between two groups drawn apart
 _ROOM = 165.0  # mm
 
@@ -26,10 +31,10 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     press.chapter = "2"
     count = mobility(study.mech)
     return {
-        "words": structure(study.problem).of(press.lang), "count": str(count).replace("·", " × ").replace("F = 3n - 2p_L - p_H", "$F = 3n − 2p_L − p_H$").replace(" - ", " − "),
+        "words": "".join(w.of(press.lang) for w in special(study)), "concluded": concluded(study).of(press.lang), "count": str(count).replace("·", " × ").replace("F = 3n - 2p_L - p_H", "$F = 3n − 2p_L − p_H$").replace(" - ", " − "),
         "joints": _joints(study, press), "groups": _groups(study, press),
         "figure": press.figure(_side_by_side(study, press), Words("原动件与各基本杆组", "The driving link and the Assur groups")),
-        "n": count.links, "lower": count.lower, "higher": count.higher, "freedom": count.freedom,
+        "others": others(study, press), "n": count.links, "lower": count.lower, "higher": count.higher, "freedom": count.freedom,
     }
 
 
@@ -37,7 +42,7 @@ def _joints(study: Study, press: Press) -> str:
     rows: list[tuple[str, ...]] = []
     comma = "、" if press.lang == "zh" else ", "
     thought = study.mech.substitutes
-    for point, names in hinges(study.mech).items():
+    for point, names in sorted(hinges(study.mech).items()):
         real = [name for name in names if name not in thought]
         kind = Words("转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）", "revolute" if len(real) < 3 else f"compound hinge, {len(real) - 1} revolutes")
         if len(real) > 1:
@@ -61,13 +66,14 @@ def _link(study: Study, name: str) -> Words:
 def _groups(study: Study, press: Press) -> str:
     drive = study.mech.drive
     comma = "、" if press.lang == "zh" else ", "
-    pair = Words("移动副" if drive.slide else "转动副", "a slide" if drive.slide else "a hinge").of(press.lang)
+    pivot = next((p for p, names in hinges(study.mech).items() if FRAME in names and drive.link in names), "")
+    pair = "P" if drive.slide else f"R (${pivot}$)"
     first: tuple[str, ...] = ("0", study.name(drive.link), Words("原动件", "driving link").of(press.lang), "I" if press.lang == "en" else "Ⅰ", pair, "—")
     rows = [first]
     for i, group in enumerate(decompose(study.mech), 1):
         outer = comma.join(_joint(out.joint) for out in group.outer)
         inner = comma.join(_joint(joint) for joint in group.inner)
-        kind = group.kind if group.dyad else "—"
+        kind = group.kind if group.dyad else Words("齿轮", "gear").of(press.lang) if group.kind == "gear" else "—"
         rows.append((str(i), comma.join(study.name(name) for name in group.links), kind, _class(group, press.lang), outer, inner))
     return press.table(Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc")
 
@@ -79,13 +85,22 @@ def _joint(joint: Joint) -> str:
 
 
 def _class(group: Group, lang: str) -> str:
+    if group.dyad is None and not group.kind.startswith("class"):
+        return "—"
     told = "II" if group.dyad else group.kind.removeprefix("class ")
     return told if lang == "en" else {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}.get(told, told)
 
 
+def _captioned(figure: Figure, lang: Lang) -> Scene:
+    """A group with its name under it, in the size of a caption."""
+    scene = draw_figure(figure, lang=lang, caption=False)
+    e, box = scene.extents, layout_words(figure.title.of(lang), CAPTION.em)
+    return Scene.of((*scene.items, TextBox(box=box, x=e.centre.real - box.width / 2, y=e.y0 - _UNDER)))
+
+
 def _side_by_side(study: Study, press: Press) -> Scene:
     """All groups in rows, each with its name."""
-    scenes = [draw_figure(figure, lang=press.lang) for figure in apart(study)]
+    scenes = [_captioned(figure, press.lang) for figure in apart(study)]
     lines: list[list[Scene]] = [[]]
     for scene in scenes:
         used = sum(s.extents.width + _GAP for s in lines[-1])

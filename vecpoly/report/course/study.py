@@ -10,7 +10,7 @@ from math import floor, log10
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cycle import Cycle, Extremes, Facts, Spot, cycle, extremes, facts
+from ...cycle import Cycle, Extremes, Facts, Path, cycle, extremes, facts, path
 from ...cycle.sample import Sample, sample
 from ...errors import NotAskedError
 from ...mechanism.assur import hinges
@@ -20,15 +20,16 @@ from ...problem.asks import AskPoint
 from ...problem.problem import Problem
 from ...quantity import number
 from ...solution import Solution
+from .from_pivots import from_pivots
 from .model.build import model
-from .model.equations import Model
+from .model.equations import Model, Values
+from .widened import widened
 from .working import working_range
 
 TABLE_STEP = 10.0  # degrees between the rows of the table
 PARTS = 20  # positions of the curves between two rows
 MOST_POINTS = 2  # whose paths and curves are shown
 _SAME = 1e-9
-_AWAY = 50.0  # times what nine tenths of the values stay below
 
 
 @dataclass(frozen=True)
@@ -36,15 +37,29 @@ class Study:
     """The subject of one course report; everything computed once, when first used."""
 
     solution: Solution
+    given: Solution  # as the problem asks for it
     _extremes: dict[str, Extremes] = field(default_factory=dict, repr=False)
+    _paths: dict[str, Path] = field(default_factory=dict, repr=False)
 
     @property
     def problem(self) -> Problem:
         return self.solution.problem
 
-    @property
+    @cached_property
     def mech(self) -> Mechanism:
-        return self.problem.mechanism
+        """The mechanism, its links told from their fixed pivots."""
+        return from_pivots(self.problem.mechanism)
+
+    @property
+    def drawn(self) -> bool:
+        """Whether there are drawings: there is no method on file for groups of class III."""
+        return bool(self.solution.answers)
+
+    @property
+    def sense_only(self) -> bool:
+        """Whether of the drive's speed only the sense is given: 1 rad/s is taken."""
+        start = f"$ω_{self.mech.drive.link}$"
+        return not self.mech.drive.slide and any(d.words is not None and d.words.zh.startswith(start) for d in self.problem.given.motion)
 
     @cached_property
     def turn(self) -> Cycle:
@@ -59,7 +74,7 @@ class Study:
     @cached_property
     def entire(self) -> Cycle:
         """The cycle from end to end, 20 positions to every row; a range is told on the turn on which the given position lies."""
-        found = cycle(self.problem, n=36 * PARTS + 1)
+        found = cycle(replace(self.problem, subject=self.mech), n=36 * PARTS + 1)
         if found.whole or self.mech.drive.slide:
             return found
         turns = 2 * np.pi * np.floor((self.mech.drive.position - found.low) / (2 * np.pi) + 1e-9)
@@ -93,6 +108,11 @@ class Study:
         shown = {f"alpha_{name}" for name in self.links}
         return replace(found, peaks=tuple(peak for peak in found.peaks if peak.key in shown))
 
+    @property
+    def dense(self) -> bool:
+        """Whether there is so much to tell that curves stand beside each other and short equations in one line."""
+        return len(self.model.groups) - 1 + 2 * (self.problem.loads is not None) >= 3
+
     @cached_property
     def here(self) -> Sample:
         """The given position, exactly."""
@@ -111,7 +131,12 @@ class Study:
 
     @cached_property
     def model(self) -> Model:
-        return model(self.mech, self.at, self.turned)
+        return model(self.mech, self.at, self.turned, frozenset(d.symbol for d in self.problem.given.lengths))
+
+    @cached_property
+    def env(self) -> Values:
+        """Every variable of the model on the fine grid."""
+        return self.model.values(self.turn.phi)
 
     @cached_property
     def links(self) -> tuple[str, ...]:
@@ -141,7 +166,7 @@ class Study:
                   if isinstance(ask.rel, Rel) and not isinstance(ask, AskPoint) and ask.rel.is_vector and ask.rel.ref is None]
         asked = [letter for letter in dict.fromkeys(sought) if letter in moving]
         free = [letter for letter in asked or moving[-1:] if letter not in circling]
-        return tuple(free[-MOST_POINTS:] or asked[-1:] or moving[-1:])
+        return tuple(free[-MOST_POINTS:] or asked[-1:] or moving[-1:] or sorted(driven - set(self.mech.frame))[-1:])
 
     @cached_property
     def outputs(self) -> tuple[str, ...]:
@@ -163,10 +188,11 @@ class Study:
             self._extremes[key] = extremes(self.whole, key)
         return self._extremes[key]
 
-    def unbounded(self, key: str, spot: Spot) -> bool:
-        """Whether the value runs away at an end of the drive's range."""
-        values = np.abs(self.turn.real(key))
-        return spot.end and bool(abs(spot.value) > _AWAY * float(np.nanpercentile(values, 90)))
+    def path(self, letter: str) -> Path:
+        """The facts of a point's path over the whole cycle."""
+        if letter not in self._paths:
+            self._paths[letter] = path(self.whole, letter)
+        return self._paths[letter]
 
     def varies(self, key: str) -> bool:
         """Whether the column has values, and not the same everywhere."""
@@ -197,10 +223,19 @@ class Study:
         return self.turn.info(key).factor * self.turn.real(key)
 
     def where(self, phi: float) -> str:
-        """$φ_1$ = 37.5°."""
+        """$φ_1$ = 37.5°, within a turn."""
         drive = self.turn.drive
-        unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
-        return f"${drive.symbol}$ = {number(round(drive.factor * phi, 6), 4)}{unit}"
+        if drive.shown_unit != "°":
+            return f"${drive.symbol}$ = {number(round(drive.factor * phi, 6), 4)} {drive.shown_unit}"
+        angle = drive.factor * self.reduced(phi)
+        text = f"{angle:.0f}" if abs(angle - round(angle)) < 1e-3 else f"{angle:.1f}"
+        text = "0" if self.whole.whole and text in ("360", "360.0") else text
+        return f"${drive.symbol}$ = {text}°".replace("= -", "= −")
+
+    def reduced(self, phi: float) -> float:
+        """The position within 0 … 360° where the drive turns right round."""
+        turn = 2 * np.pi
+        return float(phi - turn * np.floor(phi / turn + 1e-9)) if self.whole.whole else phi
 
 
 def study(solution: Solution) -> Study:
@@ -209,4 +244,4 @@ def study(solution: Solution) -> Study:
         raise NotAskedError(
             f"problem {solution.problem.id} is about a device, which has no cycle of positions: a course report needs a mechanism with a "
             f"driving link; write its solution report (--style solution) instead")
-    return Study(solution)
+    return Study(widened(solution), solution)

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from ...cycle import Cycle
 from .model.equations import Model
 
-SOUND = 0.1  # of a group's largest determinant: below, rates run away towards the dead point
+SOUND = 0.3  # of a group's largest determinant: below, rates run away towards the dead point
 
 
 def working_range(cycle: Cycle, model: Model) -> Cycle:
-    """The cycle cut to the stretch about the given position in which every group keeps a tenth of its largest determinant.
+    """The cycle cut to the stretch about the given position in which every group keeps three tenths of its largest determinant.
 
     A drive that turns right round keeps its whole cycle.
     """

@@ -120,7 +120,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         text = Frame(MARGIN, MARGIN, width - 2 * MARGIN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
         zero = {"leftPadding": 0, "rightPadding": 0, "topPadding": 0, "bottomPadding": 0}
         sheets = [
-            PageTemplate(name, [Frame(0, 0, *size, **zero)], pagesize=size)
+            PageTemplate(name, [Frame(0, 0, *size, **zero)], onPage=self._foot, pagesize=size)
             for name, size in (("portrait", A4), ("landscape", landscape(A4)))
         ]
         return [PageTemplate("text", [text], onPage=self._furniture, pagesize=A4), *sheets]
@@ -130,14 +130,25 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         width, height = A4
         canvas.saveState()
         canvas.setFillColorRGB(*GREY)
-        ink = Ink(canvas)
-        title = layout_words(self.metadata.title, _SMALL)
+        ink, title = Ink(canvas), layout_words(self.metadata.title, _SMALL)
         ink.box(title, width - MARGIN - title.width * MM, height - MARGIN + 4 * MM)
         ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
-        number = layout_words(f"{canvas.getPageNumber()} / ", _SMALL)
-        ink.box(number, width / 2 - number.width * MM, 11 * MM)
         ink.flush()
-        canvas.translate(width / 2, 11 * MM)
+        canvas.restoreState()
+        self._number(canvas, width, 11 * MM)
+
+    def _foot(self, canvas: Any, _: Any) -> None:
+        """The page number under the frame of a sheet."""
+        self._number(canvas, canvas._pagesize[0], 4.5 * MM)
+
+    def _number(self, canvas: Any, width: float, y: float) -> None:
+        """Page n / N in the middle of the foot."""
+        canvas.saveState()
+        canvas.setFillColorRGB(*GREY)
+        ink, number = Ink(canvas), layout_words(f"{canvas.getPageNumber()} / ", _SMALL)
+        ink.box(number, width / 2 - number.width * MM, y)
+        ink.flush()
+        canvas.translate(width / 2, y)
         canvas.doForm(_TOTAL)
         canvas.restoreState()
 

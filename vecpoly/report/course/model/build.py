@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import radians
 
 from ....errors import NoMethodError
 from ....mechanism.assur import Dyad, Group, decompose
@@ -12,6 +13,7 @@ from .crossing import crossing
 from .drive import drive_symbols, driving, given_rates
 from .equations import GroupModel, Model, Part, Stage
 from .gear import held_gear
+from .looped import looped
 from .points import points
 from .rolling import rolling
 from .rpr import swinging
@@ -22,21 +24,23 @@ from .stages import Arm, Solved
 from .track import Track, Turning, settle, track
 
 
-def model(mech: Mechanism, at: Mapping[str, complex], turned: Mapping[str, float]) -> Model:
-    """The formulas of a mechanism. at, turned: places of its letters (m) and angles of its links (rad) at the given position.
+def model(mech: Mechanism, at: Mapping[str, complex], turned: Mapping[str, float], lengths: frozenset[str] = frozenset()) -> Model:
+    """The formulas of a mechanism. at, turned: places of its letters (m) and angles of its links (rad) at the given position;
+    lengths: the symbols of the given lengths, l_CD.
 
     Raises NoMethodError for a group that has no closed form here.
     """
-    scope = Scope(mech, at, dict(turned) | {FRAME: 0.0})
+    scope = Scope(mech, at, dict(turned) | {FRAME: 0.0}, lengths=lengths)
     groups = [driving(scope), *(_group(scope, group) for group in decompose(mech))]
-    return Model(tuple(groups), drive_symbols(scope)[0], given_rates(scope))
+    step = mech.scale / 50 if mech.drive.slide else radians(4.0)
+    return Model(tuple(groups), drive_symbols(scope)[0], given_rates(scope), mech.drive.position, step)
 
 
 def _group(scope: Scope, group: Group) -> GroupModel:
     if group.kind == "gear":
         return held_gear(scope, group)
     if group.dyad is None:
-        raise NoMethodError(f"no closed form on file for a {group.name}: only dyads (class II groups) have a mathematical model here")
+        return looped(scope, group)
     d = group.dyad
     solved = _solved(scope, d)
     links = (d.link_j, d.link_k)
@@ -130,14 +134,14 @@ def _opening(scope: Scope, d: Dyad) -> Words:
 def _hangs(scope: Scope, joint: Joint, parent: str) -> Words:
     on = Words("机架", "the frame") if parent == FRAME else Words(f"构件 {scope.name(parent)}", f"link {scope.name(parent)}")
     how = _called(joint)
-    return Words(f"以外副（{how.zh}）与{on.zh}相连", f"hangs on {on.en} by {how.en}")
+    return Words(f"以外副（{how.zh}）与{on.zh}相连", f"is connected to {on.en} by {how.en}")
 
 
 def _called(joint: Joint) -> Words:
     match joint:
         case Revolute():
-            return Words(f"转动副 ${joint.point}$", f"the hinge ${joint.point}$")
+            return Words(f"转动副 ${joint.point}$", f"the revolute ${joint.point}$")
         case Prismatic():
-            return Words("移动副", "a slide")
+            return Words("移动副", "a prismatic joint")
         case Rolling():
             return Words("纯滚动副", "a rolling pair")

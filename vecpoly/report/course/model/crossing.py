@@ -29,10 +29,10 @@ def _position(scope: Scope, one: Track, two: Track, c: str, determinant: Expr) -
     (x1, y1), (x2, y2) = one.foot(scope), two.foot(scope)
     dx, dy = Var("Δ_x"), Var("Δ_y")
     return (
-        Part(Words(f"${c}$ 同在两导路上，$s_{{{one.name}}}$、$s_{{{two.name}}}$ 为其沿两导路的坐标，故",
-                   f"${c}$ lies on both guides, at $s_{{{one.name}}}$ and $s_{{{two.name}}}$ along them:"),
+        Part(Words(f"${c}$ 同在两导路上，${one.travel.symbol}$、${two.travel.symbol}$ 为其沿两导路的坐标，故",
+                   f"${c}$ lies on both guides, at ${one.travel.symbol}$ and ${two.travel.symbol}$ along them:"),
              both(one.point(scope), two.point(scope), gives=False)),
-        Part(Words("解此线性方程组得", "two linear equations, solved by"),
+        Part(Words("解此线性方程组得", "The solution of these linear equations is"),
              (Equation(Var("G_1"), determinant), Equation(dx, x2 - x1), Equation(dy, y2 - y1),
               *_solved(one, two, one.travel, two.travel, dx, dy), *both(scope.xy(c), one.point(scope)))),
     )
@@ -48,8 +48,8 @@ def _velocity(scope: Scope, one: Track, two: Track, c: str) -> tuple[Part, ...]:
     (x1, y1), (x2, y2) = one.carried(scope, c), two.carried(scope, c)
     dx, dy = Var("Δ_{vx}"), Var("Δ_{vy}")
     return (
-        Part(Words("将位置方程对时间求导，得", "Differentiated once,"), both(one.velocity(scope, c), two.velocity(scope, c), gives=False)),
-        Part(Words("其中 $v_r$ 为沿导路的滑动速度。解为", "$v_r$ being the sliding speeds; solved by"),
+        Part(Words("将位置方程对时间求导，得", "Differentiating the position equations with respect to time gives"), both(one.velocity(scope, c), two.velocity(scope, c), gives=False)),
+        Part(Words("其中 $v_r$ 为沿导路的滑动速度。解为", "$v_r$ being the sliding speeds. The solution is"),
              (Equation(dx, x2 - x1), Equation(dy, y2 - y1), *_solved(one, two, one.speed, two.speed, dx, dy),
               *both(scope.v(c), one.velocity(scope, c)))),
     )
@@ -59,8 +59,8 @@ def _acceleration(scope: Scope, one: Track, two: Track, c: str) -> tuple[Part, .
     (x1, y1), (x2, y2) = one.dragged(scope, c), two.dragged(scope, c)
     dx, dy = Var("Δ_{ax}"), Var("Δ_{ay}")
     return (
-        Part(Words("再求导一次，得", "Differentiated again,"), both(one.acceleration(scope, c), two.acceleration(scope, c), gives=False)),
-        Part(Words("解为", "solved by"),
+        Part(Words("再求导一次，得", "Differentiating once more gives"), both(one.acceleration(scope, c), two.acceleration(scope, c), gives=False)),
+        Part(Words("解为", "The solution is"),
              (Equation(dx, x2 - x1), Equation(dy, y2 - y1), *_solved(one, two, one.push, two.push, dx, dy),
               *both(scope.a(c), one.acceleration(scope, c)))),
     )

@@ -95,7 +95,7 @@ class Const(Expr):
         return sym(self.symbol) if self.symbol != "π" else Txt("π")
 
     def value(self, env: Env) -> Values:
-        return self.size
+        return env.get(self.symbol, self.size) if self.unit == "m" else self.size  # another length may be tried
 
 
 @dataclass(frozen=True, slots=True)

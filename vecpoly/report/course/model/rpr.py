@@ -31,16 +31,16 @@ class Swing:
     name: str
 
     @property
-    def travel(self) -> Expr:
+    def travel(self) -> Var:
         return Var(f"s_{{{self.name}}}")
 
     @property
-    def speed(self) -> Expr:
-        return Var(f"v_{{r{self.name}}}")
+    def speed(self) -> Var:
+        return Var(f"v_{{{self.name}}}")
 
     @property
-    def push(self) -> Expr:
-        return Var(f"a_{{r{self.name}}}")
+    def push(self) -> Var:
+        return Var(f"a_{{{self.name}}}")
 
 
 def swinging(scope: Scope, joint: Prismatic, g: str, f: str) -> Solved:
@@ -65,7 +65,7 @@ def _swing(scope: Scope, joint: Prismatic, g: str, f: str) -> tuple[Swing, Turni
     psi = Var(f"ψ_{{{name}}}") if lean else scope.phi(joint.guide)
     own = (Equation(scope.phi(joint.guide), psi - Const(f"γ_{{{name}}}", lean, "rad")),) if lean else ()
     it = Swing(guide=joint.guide, block=joint.block, g=g, f=f, psi=psi, offset=Const(f"e_{{{name}}}", 0.0 if abs(offset) < _NONE else offset),
-               ahead=(along.conjugate() * (scope.at[f] - scope.at[g])).real > 0, name=scope.name(joint.block))
+               ahead=(along.conjugate() * (scope.at[f] - scope.at[g])).real > 0, name=scope.pair(joint.block, joint.guide))
     turning = settle(scope, joint.block, joint.guide, joint.direction + joint.turn)
     return it, Turning((*own, *turning.position), turning.velocity, turning.acceleration)
 
@@ -80,9 +80,9 @@ def _position(scope: Scope, it: Swing, turning: Turning) -> tuple[Part, ...]:
         f"${it.f}$ 沿导路正向在 ${it.g}$ 之后，故取负号", f"${it.f}$ lies behind ${it.g}$ along the guide: the root is negative")
     return (
         Part(Words(f"$s_{{{it.name}}}$ 为 ${it.f}$ 沿导路到 ${it.g}$ 的坐标。${it.f}$ 已知，封闭矢量方程的投影为",
-                   f"$s_{{{it.name}}}$ is the place of ${it.f}$ along the guide, from ${it.g}$. With ${it.f}$ known the vector loop gives"),
+                   f"$s_{{{it.name}}}$ is the coordinate of ${it.f}$ along the guide, measured from ${it.g}$. With ${it.f}$ known the vector loop gives"),
              both((xf, yf), (xg + s * u - e * w, yg + s * w + e * u), gives=False)),
-        Part(Words(f"解得（{sense.zh}）", f"solved by ({sense.en})"),
+        Part(Words(f"解得（{sense.zh}）", f"The solution is ({sense.en})"),
              (Equation(s, root if it.ahead else -root), Equation(it.psi, psi), *turning.position)),
     )
 
@@ -92,9 +92,9 @@ def _velocity(scope: Scope, it: Swing, turning: Turning) -> tuple[Part, ...]:
     (xg, yg), (xf, yf), u, w = scope.xy(it.g), scope.xy(it.f), cos(it.psi), sin(it.psi)
     dx, dy = vfx - vgx, vfy - vgy
     return (
-        Part(Words("将位置方程对时间求导，得", "Differentiated once,"),
+        Part(Words("将位置方程对时间求导，得", "Differentiating the position equations with respect to time gives"),
              both((vfx, vfy), (vgx - rate * (yf - yg) + it.speed * u, vgy + rate * (xf - xg) + it.speed * w), gives=False)),
-        Part(Words(f"其中 $v_{{r{it.name}}}$ 为滑块沿导路的相对速度。解为", f"$v_{{r{it.name}}}$ being the block's speed along the guide; solved by"),
+        Part(Words(f"其中 $v_{{{it.name}}}$ 为滑块沿导路的相对速度。解为", f"$v_{{{it.name}}}$ being the block's speed along the guide. The solution is"),
              (Equation(rate, (dy * u - dx * w) / s), Equation(it.speed, dx * u + dy * w + rate * it.offset),
               *turning.velocity)),
     )
@@ -105,10 +105,10 @@ def _acceleration(scope: Scope, it: Swing, turning: Turning) -> tuple[Part, ...]
     (xg, yg), (xf, yf), u, w, e = scope.xy(it.g), scope.xy(it.f), cos(it.psi), sin(it.psi), it.offset
     dx, dy, coriolis = afx - agx, afy - agy, TWO * rate * it.speed
     return (
-        Part(Words("再求导一次（末项的系数 2 来自哥氏加速度），得", "Differentiated again, the factor 2 being Coriolis',"),
+        Part(Words("再求导一次（末项的系数 2 来自哥氏加速度），得", "Differentiating once more gives (the term with the factor 2 is Coriolis')"),
              both((afx, afy), (agx - bend * (yf - yg) - square(rate) * (xf - xg) - coriolis * w + it.push * u,
                                agy + bend * (xf - xg) - square(rate) * (yf - yg) + coriolis * u + it.push * w), gives=False)),
-        Part(Words("解为", "solved by"),
+        Part(Words("解为", "The solution is"),
              (Equation(bend, (dy * u - dx * w + square(rate) * e - coriolis) / s),
               Equation(it.push, dx * u + dy * w + bend * e + square(rate) * s), *turning.acceleration)),
     )

@@ -29,10 +29,11 @@ def _position(scope: Scope, j: Arm, k: Track, c: str) -> tuple[Part, ...]:
     a, b = Var("A_0"), Var("B_0")
     ahead = (k.along.conjugate() * (scope.at[c] - scope.at[j.outer])).real > 0
     sign = Const("M", 1.0 if ahead else -1.0, "")
+    foot = Words(f" ${k.base}$ ", f"${k.base}$") if not k.offset.size else Words(f" ${k.base}$ 在导路上的垂足", f"the foot of ${k.base}$ on it")
     head, side = ("+1", Words("正", "positive")) if ahead else ("−1", Words("负", "negative"))
     return (
-        Part(Words(f"$s_{{{k.name}}}$ 为 ${c}$ 沿导路的坐标，自 ${k.base}$ 在导路上的垂足量起。封闭矢量方程的投影为",
-                   f"$s_{{{k.name}}}$ is the place of ${c}$ along the guide, counted from the foot of ${k.base}$ on it. The vector loop projected on the axes gives"),
+        Part(Words(f"${k.travel.symbol}$ 为 ${c}$ 沿导路的坐标，自{foot.zh}量起。封闭矢量方程的投影为",
+                   f"${k.travel.symbol}$ is the coordinate of ${c}$ along the guide, measured from {foot.en}. The vector loop projected on the axes gives"),
              both(j.tip(scope), k.point(scope), gives=False)),
         Part(Words(f"将 ${j.outer}{c}$ 之长代入，消去 ${j.angle_symbol}$，得", f"Eliminating ${j.angle_symbol}$,"),
              (Equation(a, (xb - xq) * u + (yb - yq) * w), Equation(b, (yb - yq) * u - (xb - xq) * w - k.offset),
@@ -48,8 +49,8 @@ def _velocity(scope: Scope, j: Arm, k: Track, c: str, determinant: Expr) -> tupl
     under, names = _named(scope, k, c, "v", k.carried(scope, c))
     dx, dy = (p - q for p, q in zip(names, scope.v(j.outer), strict=True))
     return (
-        Part(Words("将位置方程对时间求导，得", "Differentiated once,"), both(j.tip_velocity(scope, c), k.velocity(scope, c), gives=False)),
-        Part(Words(f"其中 $v_{{r{k.name}}}$ 为沿导路的滑动速度。解为", f"$v_{{r{k.name}}}$ being the sliding speed along the guide; solved by"),
+        Part(Words("将位置方程对时间求导，得", "Differentiating the position equations with respect to time gives"), both(j.tip_velocity(scope, c), k.velocity(scope, c), gives=False)),
+        Part(Words(f"其中 ${k.speed.symbol}$ 为沿导路的滑动速度。解为", f"${k.speed.symbol}$ being the sliding speed along the guide. The solution is"),
              (*under, Equation(g, determinant), Equation(j.rate, (dy * u - dx * w) / g),
               Equation(k.speed, j.rate * ((xc - xb) * w - (yc - yb) * u) - dx * u - dy * w), *both(scope.v(c), j.tip_velocity(scope, c)))),
     )
@@ -60,8 +61,8 @@ def _acceleration(scope: Scope, j: Arm, k: Track, c: str) -> tuple[Part, ...]:
     (qx, qy), square_rate = k.dragged(scope, c), square(j.rate)
     gx, gy = Var("G_2"), Var("G_3")
     return (
-        Part(Words("再求导一次，得", "Differentiated again,"), both(j.tip_acceleration(scope, c), k.acceleration(scope, c), gives=False)),
-        Part(Words("解为", "solved by"),
+        Part(Words("再求导一次，得", "Differentiating once more gives"), both(j.tip_acceleration(scope, c), k.acceleration(scope, c), gives=False)),
+        Part(Words("解为", "The solution is"),
              (Equation(gx, qx - ax + square_rate * (xc - xb)), Equation(gy, qy - ay + square_rate * (yc - yb)),
               Equation(j.bend, (gy * u - gx * w) / Var("G_1")), Equation(k.push, j.bend * ((xc - xb) * w - (yc - yb) * u) - gx * u - gy * w),
               *both(scope.a(c), j.tip_acceleration(scope, c)))),

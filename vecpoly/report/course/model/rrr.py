@@ -33,13 +33,15 @@ def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
     left = ((at_k - at_j).conjugate() * (at_c - at_j)).imag > 0
     sign = Const("M", 1.0 if left else -1.0, "")
     angle = TWO * Arctan(b + sign * SquareRoot(square(a) + square(b) - square(rest)), a + rest)
+    way = j.angle_symbol if j.straight else "ψ"
+    told = Words.same("") if j.straight else Words(f"（$ψ$ 为 ${j.outer}{c}$ 的方向角）", f", $ψ$ being the direction of ${j.outer}{c}$")
     side = Words("左", "left") if left else Words("右", "right")
     head = "+1" if left else "−1"
     return (
         Part(Words("由封闭矢量多边形在 $x$、$y$ 轴上的投影得", "The vector loop projected on the axes gives"),
              both(j.tip(scope), k.tip(scope), gives=False)),
-        Part(Words(f"消去 ${k.angle_symbol}$，得 $A_0 cos θ + B_0 sin θ − C_0 = 0$（$θ$ 为 ${j.outer}{c}$ 的方向角），式中",
-                   f"Eliminating ${k.angle_symbol}$ leaves $A_0 cos θ + B_0 sin θ − C_0 = 0$, $θ$ being the direction of ${j.outer}{c}$, with"),
+        Part(Words(f"消去 ${k.angle_symbol}$，得 $A_0 cos {way} + B_0 sin {way} − C_0 = 0${told.zh}，式中",
+                   f"Eliminating ${k.angle_symbol}$ leaves $A_0 cos {way} + B_0 sin {way} − C_0 = 0${told.en}, with"),
              (Equation(a, TWO * j.length * (xk - xj)), Equation(b, TWO * j.length * (yk - yj)),
               Equation(rest, square(j.length) + square(xk - xj) + square(yk - yj) - square(k.length)))),
         Part(Words(f"解得（装配模式系数 $M$ = {head}：${c}$ 在矢量 ${j.outer}→{k.outer}$ 的{side.zh}侧）",
@@ -54,9 +56,9 @@ def _velocity(scope: Scope, j: Arm, k: Arm, c: str, determinant: Expr) -> tuple[
     dx, dy = (b - a for a, b in zip(scope.v(j.outer), scope.v(k.outer), strict=True))
     g = Var("G_1")
     return (
-        Part(Words("将位置方程对时间求导，得", "Differentiated once,"),
+        Part(Words("将位置方程对时间求导，得", "Differentiating the position equations with respect to time gives"),
              both(j.tip_velocity(scope, c), k.tip_velocity(scope, c), gives=False)),
-        Part(Words(f"这是 ${j.rate_symbol}$、${k.rate_symbol}$ 的线性方程组，解为", f"two linear equations in ${j.rate_symbol}$ and ${k.rate_symbol}$, solved by"),
+        Part(Words(f"这是 ${j.rate_symbol}$、${k.rate_symbol}$ 的线性方程组，解为", f"These are two linear equations in ${j.rate_symbol}$ and ${k.rate_symbol}$; their solution is"),
              (Equation(g, determinant), Equation(j.rate, ((xc - xk) * dx + (yc - yk) * dy) / g),
               Equation(k.rate, ((xc - xj) * dx + (yc - yj) * dy) / g), *both(scope.v(c), j.tip_velocity(scope, c)))),
     )
@@ -67,8 +69,8 @@ def _acceleration(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
     (ajx, ajy), (akx, aky) = scope.a(j.outer), scope.a(k.outer)
     wj, wk, g, gx, gy = square(j.rate), square(k.rate), Var("G_1"), Var("G_2"), Var("G_3")
     return (
-        Part(Words("再求导一次，得", "Differentiated again,"), both(j.tip_acceleration(scope, c), k.tip_acceleration(scope, c), gives=False)),
-        Part(Words("解为", "solved by"),
+        Part(Words("再求导一次，得", "Differentiating once more gives"), both(j.tip_acceleration(scope, c), k.tip_acceleration(scope, c), gives=False)),
+        Part(Words("解为", "The solution is"),
              (Equation(gx, akx - ajx + wj * (xc - xj) - wk * (xc - xk)), Equation(gy, aky - ajy + wj * (yc - yj) - wk * (yc - yk)),
               Equation(j.bend, ((xc - xk) * gx + (yc - yk) * gy) / g), Equation(k.bend, ((xc - xj) * gx + (yc - yj) * gy) / g),
               *both(scope.a(c), j.tip_acceleration(scope, c)))),

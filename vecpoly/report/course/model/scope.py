@@ -26,12 +26,18 @@ class Scope:
     still: set[str] = field(default_factory=lambda: {FRAME})  # links that do not turn
     anchors: dict[str, str] = field(default_factory=dict)  # a located letter of each link
     done: set[str] = field(default_factory=set)  # letters located
+    lengths: frozenset[str] = frozenset()  # symbols of the given lengths: l_CD
 
     # -- symbols ----------------------------------------------------------------------------------------------
 
     def name(self, link: str) -> str:
         """A link's subscript: its number; that of a high pair's substitute is the letter of the contact."""
         return next((c.point for c in self.mech.contacts if c.substitute == link), link)
+
+    def pair(self, link: str, parent: str) -> str:
+        """The subscript of a link's sliding along another, as in the tables: 45."""
+        one, two = (self.name(name) if name != FRAME else self.mech.number(name) for name in (link, parent))
+        return one + two
 
     def phi(self, link: str) -> Expr:
         """The angle of a link's axis."""
@@ -71,7 +77,12 @@ class Scope:
     def arm(self, link: str, start: str, end: str) -> tuple[Const, Expr]:
         """Length from one letter of a link to another, and its angle against the link's axis."""
         points = self.mech.link(link).points
-        return polar(points[end] - points[start], f"l_{{{start}{end}}}", f"β_{{{start}{end}}}")
+        return polar(points[end] - points[start], self.length(start, end), f"β_{{{start}{end}}}")
+
+    def length(self, start: str, end: str) -> str:
+        """The symbol of a length, its letters in the order in which it is given, else in that of the alphabet."""
+        first, second = (start, end) if f"l_{start}{end}" in self.lengths else (end, start) if f"l_{end}{start}" in self.lengths else sorted((start, end))
+        return f"l_{{{first}{second}}}"
 
     def direction(self, link: str, start: str, end: str) -> Expr:
         """The angle of the ray between two letters of a link."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ....mechanism.model import FRAME, Prismatic
 from .equations import Equation
@@ -18,7 +18,7 @@ _NONE = 1e-12  # m, rad
 class Track:
     """A line fixed on a known link.
 
-    name: subscript of the sliding link; base: letter of the known link from whose foot on the line s counts; offset: of the line
+    name: subscript of the sliding link; pair: of the sliding motion, 45 of link 4 along link 5, nothing where the point only rolls along; base: letter of the known link from whose foot on the line s counts; offset: of the line
     to the left of it; psi: direction of the line; along: the same at the given position.
     """
 
@@ -28,18 +28,19 @@ class Track:
     offset: Const
     psi: Expr
     along: complex
+    pair: str = ""
 
     @property
-    def travel(self) -> Expr:
-        return Var(f"s_{{{self.name}}}")
+    def travel(self) -> Var:
+        return Var(f"s_{{{self.pair or self.name}}}")
 
     @property
-    def speed(self) -> Expr:
-        return Var(f"v_{{r{self.name}}}")
+    def speed(self) -> Var:
+        return Var(f"v_{{{self.pair or f'r{self.name}'}}}")
 
     @property
-    def push(self) -> Expr:
-        return Var(f"a_{{r{self.name}}}")
+    def push(self) -> Var:
+        return Var(f"a_{{{self.pair or f'r{self.name}'}}}")
 
     @property
     def unit(self) -> tuple[Expr, Expr]:
@@ -103,13 +104,13 @@ def track(scope: Scope, joint: Prismatic, link: str, local: complex, name: str =
         lean, turn = -joint.turn, -joint.turn - joint.direction
         across = ((local - joint.origin) * cmath.rect(1.0, -joint.direction)).imag - joint.offset
         base = pin + 1j * across * cmath.rect(1.0, lean)
-    line = line_through(scope, parent, base, lean, name or scope.name(link), joint.through if block else joint.pin)
-    return line, settle(scope, link, parent, turn)
+    line = line_through(scope, parent, base, lean, name or scope.name(link), joint.through if block else joint.pin, joint.origin if block else None)
+    return replace(line, pair=scope.pair(link, parent)), settle(scope, link, parent, turn)
 
 
-def line_through(scope: Scope, parent: str, base: complex, lean: float, name: str, wanted: str = "") -> Track:
-    """The line through a place of a known link, in its coordinates, at an angle to its axis."""
-    letter, offset = _base(scope, parent, base, cmath.rect(1.0, lean), wanted)
+def line_through(scope: Scope, parent: str, base: complex, lean: float, name: str, wanted: str = "", zero: complex | None = None) -> Track:
+    """The line through a place of a known link, in its coordinates, at an angle to its axis; zero: where the joint's own travel is zero."""
+    letter, offset = _base(scope, parent, base, cmath.rect(1.0, lean), wanted, base if zero is None else zero)
     psi = _turned(scope, parent, lean, f"ψ_{{{name}}}" if parent == FRAME else f"γ_{{{name}}}")
     return Track(name=name, parent=parent, base=letter, offset=Const(f"e_{{{name}}}", offset), psi=psi,
                  along=cmath.rect(1.0, scope.turned.get(parent, 0.0) + lean))
@@ -138,9 +139,10 @@ def _clean(turn: float) -> float:
     return 0.0 if abs(turn) < _NONE else turn
 
 
-def _base(scope: Scope, parent: str, base: complex, along: complex, wanted: str) -> tuple[str, float]:
-    """The letter from which the line is told, one on the line if there is any, and its distance from the line."""
+def _base(scope: Scope, parent: str, base: complex, along: complex, wanted: str, zero: complex) -> tuple[str, float]:
+    """The letter from which the line is told, and its distance from the line: the one abreast of the travel's zero, else one on the line if there is any."""
     points = scope.mech.link(parent).points
     gaps = {letter: (along.conjugate() * (base - place)).imag for letter, place in points.items()}
-    letter = min(gaps, key=lambda p: (round(abs(gaps[p]), 9), p != wanted))
+    abreast = {letter: abs((along.conjugate() * (zero - place)).real) < _NONE for letter, place in points.items()}
+    letter = min(gaps, key=lambda p: (not abreast[p], round(abs(gaps[p]), 9), p != wanted))
     return letter, 0.0 if abs(gaps[letter]) < _NONE else gaps[letter]

@@ -1,0 +1,47 @@
+"""Whether a mechanism is back where it began after one turn of its drive, and how far its links have turned."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import lcm
+
+import numpy as np
+
+from .columns import moving_points
+from .cycle import Cycle
+
+SAME = 1e-6  # turns
+MOST = 100  # teeth: parts of a turn that a gear can be away
+
+
+def turns_of(cycle: Cycle) -> dict[str, float] | None:
+    """Net turns of every link in one turn of the drive, an int where it is a whole number; None where the drive cannot turn right round."""
+    if not cycle.whole:
+        return None
+    ends = np.array([cycle.low, cycle.high])
+    found = {name: np.asarray(cycle.at(f"phi_{name}", ends), np.float64) for name in cycle.mech.bodies}
+    return {name: _counted(float(phi[1] - phi[0]) / (2 * np.pi)) for name, phi in found.items() if np.isfinite(phi).all()}
+
+
+def _counted(turns: float) -> float:
+    return round(turns) if abs(turns - round(turns)) < SAME else round(turns, 9)
+
+
+def laps_of(cycle: Cycle) -> int | None:
+    """After how many turns of the drive every link stands as it did: 1 as a rule, more where gears have ratios that are no whole numbers.
+
+    None where this is unknown: a drive that cannot turn right round, links that come back elsewhere, a ratio that is no fraction of small numbers.
+    """
+    turns = turns_of(cycle)
+    if turns is None or not turns:
+        return None
+    parts = [Fraction(count).limit_denominator(MOST) for count in turns.values()]
+    if any(abs(float(part) - count) > SAME for part, count in zip(parts, turns.values(), strict=True)):
+        return None
+    laps = lcm(*(part.denominator for part in parts))
+    return laps if laps > 1 or all(_is_back(cycle, letter) for letter in moving_points(cycle.mech)) else None
+
+
+def _is_back(cycle: Cycle, letter: str) -> bool:
+    first, last = np.asarray(cycle.at(f"p_{letter}", np.array([cycle.low, cycle.high])))
+    return bool(abs(last - first) <= SAME * cycle.mech.scale)

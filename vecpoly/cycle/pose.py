@@ -1,0 +1,90 @@
+"""A problem with its drive at other positions, assembled there as it is on the way from its own position."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import oracle
+from ..errors import VecpolyError
+from ..mechanism.assur import decompose
+from ..mechanism.branch import margin
+from ..mechanism.model import Mechanism, Revolute, Side, SideOf
+from ..names import At
+from ..problem.problem import Problem
+
+SAME = 1e-9  # of the mechanism's size: as far apart as two solutions of one assembly may be
+NEAR = 1e-5  # of that size: farther apart they are two assemblies; near a limit position rounding alone makes 1e-7
+_SIDES = (Side.LEFT, Side.RIGHT, Side.ABOVE, Side.BELOW)
+_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
+Places = Mapping[str, complex]
+
+
+def posed(problem: Problem, positions: ArrayLike) -> Iterator[Problem | None]:
+    """The problem with its drive at each of these positions (rad, or m of travel); None where it cannot be assembled, or no statement tells how."""
+    mech, where = problem.mechanism, np.atleast_1d(np.asarray(positions, dtype=np.float64))
+    for position, at in zip(where, _followed(mech, where), strict=True):
+        there = _assembled(mech, float(position), at)
+        yield None if there is None else replace(problem, subject=there)
+
+
+def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[Places]:
+    """Where every letter is at each position (m); NaN where it cannot be."""
+    motion = oracle.solve(mech, positions, order=0, strict=False)
+    letters = [letter for link in mech.links for letter in link.points]
+    at = {letter: np.broadcast_to(motion.position(At(letter)), positions.shape) for letter in letters}
+    for i in range(len(positions)):
+        yield {letter: complex(values[i]) for letter, values in at.items()} | dict(mech.frame)
+
+
+def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None:
+    """The mechanism with its drive there and statements that put the letters at these places: its own as long as they do."""
+    if not np.isfinite(list(at.values())).all():
+        return None
+    moved = replace(mech, drives=(replace(mech.drive, position=position), *mech.drives[1:]), guesses={letter: at[letter] for letter in mech.guesses})
+    best, least = None, np.inf
+    for branches in _statements(mech, at):
+        there = replace(moved, branches=branches)
+        if (gap := _gap(there, at)) < least:
+            best, least = there, gap
+        if least < SAME * mech.scale:
+            break
+    return best if least < NEAR * mech.scale else None
+
+
+def _gap(mech: Mechanism, at: Places) -> float:
+    """How far the letters come to lie from these places by the statements (m); infinite where these lead to no assembly."""
+    try:
+        motion = oracle.solve(mech, order=0)
+    except VecpolyError:
+        return np.inf
+    return max(abs(complex(motion.position(At(letter))) - place) for letter, place in at.items())
+
+
+def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[SideOf, ...]]:
+    """The mechanism's own statements; those turned round that no longer hold; new ones for every group, a single hinge read in two ways."""
+    yield mech.branches
+    yield tuple(s if margin(s, at) >= 0 else replace(s, side=_OPPOSITE[s.side]) for s in mech.branches)
+    yield tuple(_fresh(mech, at, False))
+    yield tuple(_fresh(mech, at, True))
+
+
+def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[SideOf]:
+    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here."""
+    for group in decompose(mech):
+        pins = [joint.point for joint in group.inner if isinstance(joint, Revolute)]
+        outer = tuple(out.joint.point for out in group.outer if isinstance(out.joint, Revolute))
+        for pin in pins:
+            refs = [outer] if len(outer) == 2 else [(letter,) for letter in outer]
+            sides = _SIDES[:2] if len(outer) == 2 else _by_reach(at, pin, outer, turned)
+            yield from [s for s in (SideOf(point=pin, side=side, ref=ref) for ref, side in product(refs, sides)) if margin(s, at) > 0][:1]
+
+
+def _by_reach(at: Places, pin: str, outer: tuple[str, ...], turned: bool) -> tuple[Side, ...]:
+    """Sides of a single hinge, those in the direction in which the pin is farther away first (turned: last)."""
+    ray = at[pin] - at[outer[0]] if outer else 0j
+    return _SIDES if (abs(ray.real) >= abs(ray.imag)) != turned else (*_SIDES[2:], *_SIDES[:2])

@@ -1,0 +1,51 @@
+"""Which passes over a mechanism the questions of a problem need."""
+
+from __future__ import annotations
+
+from ..mechanism.centre_quantities import KEYS
+from ..names import Kind
+from ..problem.asks import AskNamed, AskPoint, AskRel
+from ..problem.problem import Problem
+from .registry import Stage
+
+_ACCELERATIONS = {Kind.A, Kind.AN, Kind.AT, Kind.AK, Kind.AR, Kind.ALPHA}
+_BY_CENTRES = (Kind.V, Kind.OMEGA)
+
+
+def stages(problem: Problem) -> tuple[Stage, ...]:
+    """The passes that the questions need, in order."""
+    rels = [ask.rel for ask in problem.asks if not isinstance(ask, AskNamed)]
+    loads = problem.loads
+    accelerated = any(r.kind in _ACCELERATIONS for r in rels) or (loads is not None and loads.dynamic) or any(
+        isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
+    last = (Stage.FORCE,) if loads is not None else ()
+    central, moving = needs_centres(problem), needs_polygons(problem) or bool(last)
+    return (Stage.POSITION, *((Stage.CENTRES,) if central else ()), *((Stage.VELOCITY,) if moving or not central else ()),
+            *((Stage.ACCELERATION,) if accelerated else ()), *last)
+
+
+def needs_centres(problem: Problem) -> bool:
+    """Whether the problem asks for centres, or for what is found from them."""
+    asked = any(isinstance(a, AskNamed) and a.rel.key.startswith(KEYS) for a in problem.asks)
+    return asked or problem.by_centres or any(isinstance(a, AskPoint) and a.slowest is not None for a in problem.asks)
+
+
+def needs_polygons(problem: Problem) -> bool:
+    """Whether anything is asked that centres do not give: accelerations, or velocities where the problem does not want them by centres."""
+    return any(not _given_by_centres(problem, ask) for ask in problem.asks)
+
+
+def _given_by_centres(problem: Problem, ask: object) -> bool:
+    match ask:
+        case AskNamed():
+            return True
+        case AskPoint(slowest=slowest):
+            return slowest is not None
+        case AskRel(rel=rel):
+            return rel.kind is Kind.P or (rel.kind in _BY_CENTRES and (problem.by_centres or _of_slowest(problem, ask)))
+    return False
+
+
+def _of_slowest(problem: Problem, ask: AskRel) -> bool:
+    """The velocity of a point that is itself found by centres."""
+    return any(isinstance(a, AskPoint) and a.slowest is not None and a.at == ask.rel.to for a in problem.asks)
