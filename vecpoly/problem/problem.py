@@ -127,7 +127,7 @@ class Problem:
     given: Given = field(default_factory=Given)
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
-    text: str = ""  # the file as written
+    text: str = ""  # the file as written, and the files it extends
 
     @property
     def mechanism(self) -> Mechanism:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
+from pathlib import PurePath
 from typing import Any
 
 from ..errors import ProblemFileError
@@ -124,9 +125,10 @@ class _Reader:
 
 
 def overlay(base: Tree, over: Tree) -> Tree:
-    """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away."""
+    """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away. The base's text follows the other's."""
     places = dict(base.places)
-    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, over.text)
+    text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
+    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text)
 
 
 def _merge(

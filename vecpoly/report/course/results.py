@@ -23,6 +23,7 @@ _HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two ha
 _AWAY = 50.0  # times what nine tenths of the values stay below
 _SPARED = 2  # of five significant digits, in the smaller columns of a quantity
 _ABREAST = 4  # links in one table
+_FLAT = 5.0  # times as large as another curve: that one has a figure of its own
 _COLUMNS, _TIGHT = 9, 12  # beside the drive's position, in small and in tiny type
 _STEMS = {"phi": Words("构件的转角", "Angles of the links"), "omega": Words("构件的角速度", "Angular velocities of the links"),
           "alpha": Words("构件的角加速度", "Angular accelerations of the links")}
@@ -45,16 +46,25 @@ def _links(study: Study, press: Press) -> dict[str, Any]:
     blocks = [keys] if len(keys) <= _TIGHT else [[key for key in keys if key.partition("_")[2] in study.links[i:i + _ABREAST]] for i in range(0, len(study.links), _ABREAST)]
     tables = [tabled(study, press, some, title, SMALL if len(some) <= _COLUMNS else TINY) for some in blocks if some]
     stems = [[key for key in keys if key.startswith(f"{stem}_")] for stem in _STEMS]
-    plots = [curve(study, press.lang, some[i:i + LINES]) for some in stems for i in range(0, len(some), LINES)]
+    panels = [alike for some in stems for alike in ([some] if study.dense else _alike(study, some))]
+    plots = [curve(study, press.lang, some[i:i + LINES]) for some in panels for i in range(0, len(some), LINES)]
     steady = [_steady(study, key) for key in every if key.startswith("omega_") and key not in keys]
     return {"title": Words("构件的转动", "Rotation of the links").of(press.lang), "words": (Words("各构件的数值列于下表，曲线见其后各图。", "Values in the table, curves in the figures below. ") + Words("".join(w.zh for w in steady), "".join(w.en for w in steady))).of(press.lang) if tables or steady else "", "before": [], "tables": tables, "figures": press.figures(plots)}
+
+
+def _alike(study: Study, keys: list[str]) -> list[list[str]]:
+    """Those that can share an axis: none so small beside another that its curve would lie flat on zero."""
+    size = {key: float(np.nanmax(np.abs(study.turn.real(key)))) for key in keys}
+    large = [key for key in keys if size[key] * _FLAT >= max(size.values())]
+    small = [key for key in keys if key not in large]
+    return [large, *_alike(study, small)] if small else [large] if large else []
 
 
 def _steady(study: Study, key: str) -> Words:
     """A link that turns evenly."""
     info, value = study.whole.info(key), float(np.nanmean(study.turn.real(key)))
     symbol, size = f"${info.symbol}$", f"{info.factor * value:.5g} {info.shown_unit}".replace("-", "−")
-    return Words(f"构件 {key[6:]} 匀速转动，{symbol} = {size}，角加速度为零。", f"Link {key[6:]} turns evenly: {symbol} = {size}, and its angular acceleration is zero. ")
+    return Words(f"构件 {key[6:]} 匀速转动，{symbol} = {size}，角加速度为零。", f"Link {key[6:]} rotates uniformly: {symbol} = {size}, and its angular acceleration is zero. ")
 
 
 def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
@@ -111,7 +121,7 @@ def _range(study: Study, press: Press) -> str:
         return ""
     low, high = (study.where(q).split(" = ")[1] for q in (study.whole.low, study.whole.high))
     return Words(f"原动件不能整周转动，以下只列出其工作范围 {low} 至 {high}；两端接近死点，速度和加速度急剧增大，未予列出。",
-                 f"The drive cannot turn right round; told is its working range, {low} to {high}. Beyond it lie dead points, towards which the rates run away.").of(press.lang)
+                 f"The drive cannot make full revolutions; the tables cover its working range, {low} to {high}. Beyond it lie dead points, towards which the rates run away.").of(press.lang)
 
 
 def _step(study: Study) -> str:
