@@ -1,10 +1,33 @@
-"""One error root; every error also refines the built-in error a Python user would expect."""
+"""One error root; every error also refines the built-in error a Python user would expect.
+
+What is refused is data first: a code, a text in Chinese and in English, the numbers that disagree. `str(error)` is
+the English text; `error.words.of("zh")` the Chinese one.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from .words import Words
+
+
+def bilingual(text: Words | str) -> Words:
+    """The text in both languages; a plain string is the same in both."""
+    return text if isinstance(text, Words) else Words.same(text)
+
 
 class VecpolyError(Exception):
-    """Anything that vecpoly refuses to do; its text names the culprit, the numbers and the remedy."""
+    """Anything that vecpoly refuses to do; its text names the culprit, the numbers and the remedy.
+
+    words: the text in both languages. code: what kind of refusal it is, for programs. numbers: symbol -> value as written.
+    """
+
+    def __init__(self, text: Words | str = "", *, code: str = "", numbers: Mapping[str, str | float] | None = None) -> None:
+        super().__init__(text)
+        self.words, self.code, self.numbers = bilingual(text), code, dict(numbers or {})
+
+    def __str__(self) -> str:
+        return self.words.en
 
 
 class ProblemFileError(VecpolyError, ValueError):
@@ -13,9 +36,6 @@ class ProblemFileError(VecpolyError, ValueError):
 
 class UnknownNameError(VecpolyError, KeyError):
     """A letter, link, symbol, method or problem id that does not exist."""
-
-    def __str__(self) -> str:
-        return str(self.args[0]) if self.args else ""
 
 
 class AssemblyError(VecpolyError, ValueError):
@@ -49,9 +69,14 @@ class TableError(VecpolyError, ValueError):
 class FaultError(Exception):
     """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
 
-    def __init__(self, text: str, *path: str | int) -> None:
+    def __init__(self, text: Words | str, *path: str | int) -> None:
         super().__init__(text)
-        self.text, self.path = text, path
+        self.words, self.path = bilingual(text), path
+
+    @property
+    def text(self) -> str:
+        """The English text."""
+        return self.words.en
 
 
 class EquilibriumError(VecpolyError, ValueError):

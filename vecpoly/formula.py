@@ -7,6 +7,7 @@ A symbol is written in one short notation everywhere (words, tables, code): ``v_
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 
@@ -117,6 +118,15 @@ def named(text: str) -> Node:
 def split_words(text: str) -> tuple[tuple[bool, str], ...]:
     """Cut a text at its dollar signs: (is_formula, piece) pairs."""
     return tuple((i % 2 == 1, piece) for i, piece in enumerate(text.split("$")) if piece)
+
+
+def signed(nodes: Iterable[Node], signs: Iterable[int]) -> Row:
+    """A sum: each node behind its sign, +1 or −1; a leading plus is not written."""
+    items: list[Node] = []
+    for i, (node, sign) in enumerate(zip(nodes, signs, strict=True)):
+        items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
+        items.append(node)
+    return Row(tuple(items))
 
 
 def plain(node: Node) -> str:

@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from .formula import Frac, Node, Over, Power, Row, Txt, named
+from .formula import Frac, Node, Over, Power, Row, Txt, named, signed
 from .plane import Reals, nominal
 
 UNIT_TEXT = {"m/s": "m/s", "m/s^2": "m/s^2", "m": "m", "rad/s": "rad/s", "rad/s^2": "rad/s^2", "mm": "mm"}
@@ -138,17 +138,10 @@ class Sum(Algebra):
         return result
 
     def symbol(self) -> Node:
-        return self._row(tuple(term.symbol() for term in self.terms))
+        return signed((term.symbol() for term in self.terms), self.signs)
 
     def numbers(self) -> Node:
-        return self._row(tuple(term.numbers() for term in self.terms))
-
-    def _row(self, nodes: tuple[Node, ...]) -> Node:
-        items: list[Node] = []
-        for i, (node, sign) in enumerate(zip(nodes, self.signs, strict=True)):
-            items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
-            items.append(node)
-        return Row(tuple(items))
+        return signed((term.numbers() for term in self.terms), self.signs)
 
 
 @dataclass(frozen=True, slots=True)

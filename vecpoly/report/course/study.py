@@ -32,7 +32,7 @@ MOST_POINTS = 2  # whose paths and curves are shown
 _SAME = 1e-9
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Study:
     """The subject of one course report; everything computed once, when first used."""
 

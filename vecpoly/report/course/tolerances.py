@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from math import degrees, radians
 from typing import Any
 
@@ -61,6 +62,7 @@ def targets(study: Study) -> tuple[str, ...]:
     return tuple(f"{stem}_{letter}.{axis}" for stem in "pva")
 
 
+@lru_cache(maxsize=1)
 def influences(study: Study) -> tuple[Influence, ...]:
     """Every given dimension changed alone, in the order of the problem."""
     keys = targets(study)

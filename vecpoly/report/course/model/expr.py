@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....formula import Frac, Node, Row, Txt, sym
+from ....formula import Frac, Node, Row, Txt, signed, sym
 
 Values = Any  # a float, or an array over the positions
 Env = Mapping[str, NDArray[np.float64] | float]
@@ -106,11 +106,7 @@ class Sum(Expr):
 
     @property
     def node(self) -> Node:
-        items: list[Node] = []
-        for i, (term, sign) in enumerate(self.terms):
-            items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
-            items.append(term.node)
-        return Row(tuple(items))
+        return signed((term.node for term, _ in self.terms), (sign for _, sign in self.terms))
 
     def value(self, env: Env) -> Values:
         return sum(sign * term.value(env) for term, sign in self.terms)
