@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
+
 from tests.generators.__main__ import text_of
 from tests.generators.family import Family, families
 from tests.generators.judge import Kind, judge
