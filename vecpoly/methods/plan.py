@@ -26,6 +26,7 @@ from .answers import Repeats, answer, named_answer
 from .desk import POLE, Desk
 from .drawn import Drawn
 from .kinematics.cam import letter_contacts, say_replaced
+from .kinematics.class_iii.star import letters_on_legs
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.given_vector import find_point
@@ -215,7 +216,7 @@ def _ensure(desk: Desk, view: View, at: At) -> None:
         imaged(desk, view, at.link, desk.canonical(at))
 
 
-def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
+def _coincident(mech: Mechanism, groups: Collection[Group]) -> dict[str, str]:
     """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first.
 
     P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
@@ -231,6 +232,8 @@ def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
                       if isinstance(joint, Prismatic) and parent != FRAME]
             if moving:
                 letters[d.inner.point] = moving[0]
+    for group in groups:
+        letters |= letters_on_legs(group)
     unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
     return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}
 

@@ -1,0 +1,197 @@
+"""Class III groups with all kinds of legs: a random pose of the central link is laid out first, and the lengths are taken from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .family import family
+
+LEGS = ("hinged", "guided", "guided-rod", "slotted-block", "slotted-slot", "pin")
+
+
+@dataclass(slots=True)
+class Layout:
+    """Links as lettered places in the plane (mm), and what becomes the text of a problem."""
+
+    rng: np.random.Generator
+    frame: dict[str, complex] = field(default_factory=dict)
+    bars: dict[str, dict[str, complex]] = field(default_factory=dict)
+    texts: dict[str, str] = field(default_factory=dict)
+    joints: list[str] = field(default_factory=list)
+    guesses: list[str] = field(default_factory=list)
+    letters: list[str] = field(default_factory=lambda: list("ZYXWVUTSRQPONMLKJIHGFEDC"))
+
+    def letter(self) -> str:
+        return self.letters.pop()
+
+    def on(self, link: str, at: complex) -> str:
+        """A new letter at this place on a link, or on the frame."""
+        name = self.letter()
+        (self.frame if link == "frame" else self.bars[link])[name] = at
+        return name
+
+    def near(self, at: complex, span: float) -> complex:
+        return at + span * complex(*self.rng.uniform(-1, 1, 2))
+
+    def way(self) -> complex:
+        return complex(np.exp(1j * self.rng.uniform(0, 2 * np.pi)))
+
+    def length(self) -> float:
+        return float(self.rng.uniform(40, 160))
+
+
+def bar_text(points: dict[str, complex]) -> str:
+    """A link by its first length and the offsets of its further points."""
+    (p, a), (q, b), *rest = points.items()
+    x = (b - a) / abs(b - a)
+    text = f"{p}{q}: {abs(b - a):.4f} mm"
+    for name, at in rest:
+        local = (at - a) / x
+        text += f", {name}: {{along: {p}{q}, at: {local.real:.4f} mm, left: {local.imag:.4f} mm}}"
+    return "{" + text + "}"
+
+
+def leg(lay: Layout, kind: str, plate: str, parent: str, at: complex, link: str) -> None:
+    """One leg of this kind at the place `at` of the plate, on a known link."""
+    if kind == "hinged":
+        inner = lay.on(plate, at)
+        far = at + lay.length() * lay.way()
+        lay.bars[link] = {lay.on(parent, far): far, inner: at}
+    elif kind in ("guided", "guided-rod"):
+        inner = lay.on(plate, at)
+        _guided(lay, inner, parent, at, link, rod=kind == "guided-rod" and parent != "frame")
+    else:
+        _slotted(lay, kind, plate, parent, at, link)
+
+
+def _guided(lay: Layout, inner: str, parent: str, at: complex, link: str, rod: bool) -> None:
+    way, off = lay.way(), round(float(lay.rng.choice([0.0, lay.rng.uniform(-30, 30)])), 4)
+    foot = at - 1j * way * off
+    lay.texts[link] = f"{{block: {inner}}}"
+    offset = beside(inner, off)
+    if parent == "frame" and lay.rng.random() < 0.5:
+        at_frame, angle = lay.on("frame", foot - lay.length() * way), np.degrees(np.angle(way))
+        lay.joints.append(f"{link} slides on line through {at_frame} at {angle:.9f} deg{offset}")
+        return
+    one, two = lay.on(parent, foot - lay.length() * way), lay.on(parent, foot + lay.length() * way)
+    lay.joints.append(f"{link} slides on {one}{two}{offset}")
+
+
+def _slotted(lay: Layout, kind: str, plate: str, parent: str, at: complex, link: str) -> None:
+    """A pin Q on the parent: a block in a slide of the plate, a pin in it, or a slot about Q in which a pin of the plate's block runs."""
+    way, pin = lay.way(), lay.on(parent, at)
+    if kind == "slotted-slot":
+        off = round(float(lay.rng.choice([0.0, lay.rng.uniform(-20, 20)])), 4)
+        inner = lay.on(plate, at + lay.length() * way + 1j * way * off)
+        lay.texts[link] = f"{{slot: {pin}}}"
+        first, second, *_ = lay.bars[plate].values()
+        turn = np.degrees(np.angle((second - first) / way))
+        lay.joints.append(f"{inner} of {plate} slides in {link}{beside(inner, off)} turned {turn:.9f} deg")
+        return
+    off = round(float(lay.rng.choice([0.0, lay.rng.uniform(-20, 20)])), 4) if kind == "slotted-block" else 0.0
+    foot = at - 1j * way * off
+    one, two = lay.on(plate, foot - lay.length() * way), lay.on(plate, foot + lay.length() * way)
+    if kind == "pin":
+        lay.joints.append(f"{pin} runs in {one}{two} of {plate}")
+        return
+    lay.texts[link] = f"{{block: {pin}}}"
+    lay.joints.append(f"{link} slides on {one}{two}{beside(pin, off)}")
+
+
+def beside(letter: str, off: float) -> str:
+    """A point beside its guide."""
+    return f" with {letter} {abs(off)} mm {'left' if off > 0 else 'right'}" if off else ""
+
+
+def crank(lay: Layout) -> str:
+    """A crank AB; its further points come with the legs that hang on it."""
+    phi = float(lay.rng.integers(0, 360))
+    lay.frame["A"], lay.bars["1"] = 0j, {"A": 0j, "B": lay.rng.uniform(20, 60) * complex(np.exp(1j * np.radians(phi)))}
+    return f"{{link: 1, phi: {phi} deg, omega: {lay.rng.choice([-8, 3, 10])} rad/s, alpha: {lay.rng.choice([0, 5, -20])} rad/s^2}}"
+
+
+def slider(lay: Layout) -> str:
+    """A driving slider on a fixed guide, with a plate of its own."""
+    s, tilt = float(lay.rng.integers(10, 80)), float(lay.rng.integers(-180, 180))
+    way = complex(np.exp(1j * np.radians(tilt)))
+    lay.frame["A"], lay.bars["1"] = 0j, {"B": s * way, lay.letter(): s * way + 50 * lay.way()}
+    # a bar that slides without turning: its line is turned against the guide
+    first, second = list(lay.bars["1"].values())
+    turn = np.degrees(np.angle((second - first) / way))
+    lay.joints.append(f"1 slides on line through A at {tilt} deg turned {turn:.9f} deg")
+    return f"{{link: 1, s: {s} mm, v: {lay.rng.choice([-0.5, 0.2, 1])} m/s, a: {lay.rng.choice([0, 3])} m/s^2}}"
+
+
+def four_bar(lay: Layout) -> tuple[str, str]:
+    """A crank, coupler and rocker before the group: legs may hang on any of the three."""
+    drive = crank(lay)
+    b = lay.bars["1"]["B"]
+    d, c = complex(lay.rng.uniform(120, 200), lay.rng.uniform(-40, 40)), complex(lay.rng.uniform(60, 160), lay.rng.uniform(70, 130))
+    name_c, name_d = lay.letter(), lay.letter()
+    lay.frame[name_d] = d
+    lay.bars["2"], lay.bars["3"] = {"B": b, name_c: c}, {name_d: d, name_c: c}
+    left = ((c - b) / (d - b)).imag > 0
+    return drive, f"branch: [{name_c} {'left' if left else 'right'} of B{name_d}]"
+
+
+def text_of(lay: Layout, drive: str, branch: str, plate: str, finds: list[str]) -> str:
+    """The problem as text."""
+    points = lay.bars[plate]
+    guesses = ", ".join(f"{p}: [{at.real:.3f} mm, {at.imag:.3f} mm]" for p, at in points.items())
+    links = "\n".join(f"  {name}: {lay.texts.get(name) or bar_text(lay.bars[name])}" for name in sorted({*lay.texts, *lay.bars}, key=int))
+    frame = ", ".join(f"{p}: [{at.real:.4f} mm, {at.imag:.4f} mm]" for p, at in lay.frame.items())
+    quoted = ", ".join(f'"{joint}"' for joint in lay.joints)
+    return (f"id: class-iii\ntitle: class III\nframe: {{{frame}}}\nlinks:\n{links}\njoints: [{quoted}]\ninput: {drive}\n{branch}\n"
+            f"guesses: {{{guesses}}}\nfind: [{', '.join(finds)}]\n")
+
+
+def asked(lay: Layout, plate: str) -> list[str]:
+    """Velocities and accelerations of the plate's points, ω and α of every link."""
+    names = sorted({*lay.texts, *lay.bars} - {"1"}, key=int)
+    points = [f"{kind}_{p}" for kind in ("v", "a") for p in lay.bars[plate]]
+    return [*points, *(f"{kind}_{name}" for kind in ("omega", "alpha") for name in names)]
+
+
+def made(lay: Layout, drive: str, branch: str, parents: list[str], kinds: list[str]) -> str:
+    """A group on the known links: at least one leg hangs on a moving one."""
+    plate, start = str(len(lay.bars) + 1), complex(lay.rng.uniform(40, 140), lay.rng.uniform(60, 200))
+    lay.bars[plate] = {lay.letter(): lay.near(start, 60), lay.letter(): lay.near(start, 60)}
+    homes = ["frame", parents[-1]]
+    while len(homes) < 3 or len(set(homes)) < 2:
+        homes = [str(lay.rng.choice(parents[1:] if kind == "pin" else parents)) for kind in kinds]
+    number = int(plate) + 1
+    for kind, home in zip(kinds, homes, strict=True):
+        leg(lay, kind, plate, home, lay.near(start, 70), str(number))
+        number += kind != "pin"
+    return text_of(lay, drive, branch, plate, asked(lay, plate))
+
+
+@family("class-iii")
+def class_iii(rng: np.random.Generator) -> str:
+    """Any three legs on a crank and the frame."""
+    lay = Layout(rng)
+    return made(lay, crank(lay), "", ["frame", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
+
+
+@family("class-iii-hinged")
+def class_iii_hinged(rng: np.random.Generator) -> str:
+    """A plate on three bars."""
+    lay = Layout(rng)
+    return made(lay, crank(lay), "", ["frame", "1"], ["hinged"] * 3)
+
+
+@family("class-iii-slider")
+def class_iii_slider(rng: np.random.Generator) -> str:
+    """Any three legs, driven by a slider."""
+    lay = Layout(rng)
+    return made(lay, slider(lay), "", ["frame", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
+
+
+@family("class-iii-later")
+def class_iii_later(rng: np.random.Generator) -> str:
+    """Any three legs on the links of a four-bar."""
+    lay = Layout(rng)
+    drive, branch = four_bar(lay)
+    return made(lay, drive, branch, ["frame", "1", "2", "3"], [str(kind) for kind in rng.choice(LEGS, 3)])
