@@ -8,7 +8,7 @@ import numpy as np
 
 from .family import family
 
-LEGS = ("hinged", "guided", "guided-rod", "slotted-block", "slotted-slot", "pin")
+LEGS = ("hinged", "guided", "slotted-block", "slotted-slot", "pin")
 
 
 @dataclass(slots=True)
@@ -21,6 +21,7 @@ class Layout:
     texts: dict[str, str] = field(default_factory=dict)
     joints: list[str] = field(default_factory=list)
     guesses: list[str] = field(default_factory=list)
+    finds: list[str] = field(default_factory=list)
     letters: list[str] = field(default_factory=lambda: list("ZYXWVUTSRQPONMLKJIHGFEDC"))
 
     def letter(self) -> str:
@@ -58,19 +59,23 @@ def leg(lay: Layout, kind: str, plate: str, parent: str, at: complex, link: str)
     if kind == "hinged":
         inner = lay.on(plate, at)
         far = at + lay.length() * lay.way()
-        lay.bars[link] = {lay.on(parent, far): far, inner: at}
-    elif kind in ("guided", "guided-rod"):
-        inner = lay.on(plate, at)
-        _guided(lay, inner, parent, at, link, rod=kind == "guided-rod" and parent != "frame")
+        outer = lay.on(parent, far)
+        lay.bars[link] = {outer: far, inner: at}
+        lay.finds += [f"{kind}_{inner}{'' if parent == 'frame' else outer}" for kind in ("an", "at")]
+    elif kind == "guided":
+        _guided(lay, lay.on(plate, at), parent, at, link)
+    elif kind == "parallel":
+        _parallel(lay, plate, parent, at, link)
     else:
         _slotted(lay, kind, plate, parent, at, link)
 
 
-def _guided(lay: Layout, inner: str, parent: str, at: complex, link: str, rod: bool) -> None:
+def _guided(lay: Layout, inner: str, parent: str, at: complex, link: str) -> None:
     way, off = lay.way(), round(float(lay.rng.choice([0.0, lay.rng.uniform(-30, 30)])), 4)
     foot = at - 1j * way * off
     lay.texts[link] = f"{{block: {inner}}}"
     offset = beside(inner, off)
+    lay.finds += [f"{kind}_{inner}{link}{inner}{parent}" for kind in ("v", "ak", "ar") if parent != "frame"]
     if parent == "frame" and lay.rng.random() < 0.5:
         at_frame, angle = lay.on("frame", foot - lay.length() * way), np.degrees(np.angle(way))
         lay.joints.append(f"{link} slides on line through {at_frame} at {angle:.9f} deg{offset}")
@@ -82,6 +87,8 @@ def _guided(lay: Layout, inner: str, parent: str, at: complex, link: str, rod: b
 def _slotted(lay: Layout, kind: str, plate: str, parent: str, at: complex, link: str) -> None:
     """A pin Q on the parent: a block in a slide of the plate, a pin in it, or a slot about Q in which a pin of the plate's block runs."""
     way, pin = lay.way(), lay.on(parent, at)
+    if kind != "pin":
+        lay.finds += [f"{rel}_{pin}{plate}{pin}{link}" for rel in ("v", "ak", "ar")]
     if kind == "slotted-slot":
         off = round(float(lay.rng.choice([0.0, lay.rng.uniform(-20, 20)])), 4)
         inner = lay.on(plate, at + lay.length() * way + 1j * way * off)
@@ -98,6 +105,20 @@ def _slotted(lay: Layout, kind: str, plate: str, parent: str, at: complex, link:
         return
     lay.texts[link] = f"{{block: {pin}}}"
     lay.joints.append(f"{link} slides on {one}{two}{beside(pin, off)}")
+
+
+def _parallel(lay: Layout, plate: str, parent: str, at: complex, link: str) -> None:
+    """A block that slides on the parent and on the plate: the plate keeps its angle to the parent."""
+    own, guide, slide = lay.letter(), lay.way(), lay.way()
+    if parent == "frame":
+        joint = f"{link} slides on line through {lay.on('frame', at - 60 * guide)} at {np.degrees(np.angle(guide)):.9f} deg"
+    else:
+        joint = f"{link} slides on {lay.on(parent, at - 60 * guide)}{lay.on(parent, at + 60 * guide)}"
+    one, two = lay.on(plate, at - 60 * slide), lay.on(plate, at + 60 * slide)
+    lay.texts[link] = f"{{block: {own}}}"
+    lay.joints += [joint, f"{link} slides on {one}{two} of {plate} turned {np.degrees(np.angle(guide / slide)):.9f} deg"]
+    lay.guesses.append(f"{own}: [{at.real:.3f} mm, {at.imag:.3f} mm]")
+    lay.finds += [f"v_{own}", f"a_{own}"]
 
 
 def beside(letter: str, off: float) -> str:
@@ -139,7 +160,7 @@ def four_bar(lay: Layout) -> tuple[str, str]:
 def text_of(lay: Layout, drive: str, branch: str, plate: str, finds: list[str]) -> str:
     """The problem as text."""
     points = lay.bars[plate]
-    guesses = ", ".join(f"{p}: [{at.real:.3f} mm, {at.imag:.3f} mm]" for p, at in points.items())
+    guesses = ", ".join([*(f"{p}: [{at.real:.3f} mm, {at.imag:.3f} mm]" for p, at in points.items()), *lay.guesses])
     links = "\n".join(f"  {name}: {lay.texts.get(name) or bar_text(lay.bars[name])}" for name in sorted({*lay.texts, *lay.bars}, key=int))
     frame = ", ".join(f"{p}: [{at.real:.4f} mm, {at.imag:.4f} mm]" for p, at in lay.frame.items())
     quoted = ", ".join(f'"{joint}"' for joint in lay.joints)
@@ -151,16 +172,17 @@ def asked(lay: Layout, plate: str) -> list[str]:
     """Velocities and accelerations of the plate's points, ω and α of every link."""
     names = sorted({*lay.texts, *lay.bars} - {"1"}, key=int)
     points = [f"{kind}_{p}" for kind in ("v", "a") for p in lay.bars[plate]]
-    return [*points, *(f"{kind}_{name}" for kind in ("omega", "alpha") for name in names)]
+    return [*points, *(f"{kind}_{name}" for kind in ("omega", "alpha") for name in names), *lay.finds]
 
 
 def made(lay: Layout, drive: str, branch: str, parents: list[str], kinds: list[str]) -> str:
     """A group on the known links: at least one leg hangs on a moving one."""
     plate, start = str(len(lay.bars) + 1), complex(lay.rng.uniform(40, 140), lay.rng.uniform(60, 200))
     lay.bars[plate] = {lay.letter(): lay.near(start, 60), lay.letter(): lay.near(start, 60)}
-    homes = ["frame", parents[-1]]
-    while len(homes) < 3 or len(set(homes)) < 2:
-        homes = [str(lay.rng.choice(parents[1:] if kind == "pin" else parents)) for kind in kinds]
+    homes = [str(home) for home in lay.rng.choice(parents, 3)]
+    if len(set(homes)) == 1:  # the whole group would move as one with that link
+        homes[0] = parents[0] if homes[0] != parents[0] else parents[-1]
+    kinds = ["hinged" if kind == "pin" and home == "frame" else kind for kind, home in zip(kinds, homes, strict=True)]
     number = int(plate) + 1
     for kind, home in zip(kinds, homes, strict=True):
         leg(lay, kind, plate, home, lay.near(start, 70), str(number))
@@ -195,3 +217,13 @@ def class_iii_later(rng: np.random.Generator) -> str:
     lay = Layout(rng)
     drive, branch = four_bar(lay)
     return made(lay, drive, branch, ["frame", "1", "2", "3"], [str(kind) for kind in rng.choice(LEGS, 3)])
+
+
+@family("class-iii-parallel")
+def class_iii_parallel(rng: np.random.Generator) -> str:
+    """One leg with two slides, two others of any kind, on a crank and the frame or on a four-bar."""
+    lay = Layout(rng)
+    drive, branch = four_bar(lay) if rng.random() < 0.5 else (crank(lay), "")
+    kinds = ["parallel", *(str(kind) for kind in rng.choice(LEGS, 2))]
+    rng.shuffle(kinds)
+    return made(lay, drive, branch, ["frame", "1", "2", "3"] if branch else ["frame", "1"], kinds)

@@ -5,17 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import AssemblyError
 from ..mechanism.assur import Group
 from ..mechanism.model import Mechanism, Prismatic
 from .state import Bodies
 
 
 def first_guess(mech: Mechanism, group: Group, known: Bodies) -> NDArray[np.float64]:
-    """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad).
-
-    Raises AssemblyError where a link has no point with a place.
-    """
+    """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad)."""
     places = dict(mech.guesses)
     for name, body in known.items():
         places |= {p: complex(body.point(local)[0]) for p, local in mech.link(name).points.items()}
@@ -25,7 +21,7 @@ def first_guess(mech: Mechanism, group: Group, known: Bodies) -> NDArray[np.floa
         name = next((n for n in loose if _unit(mech, n, places, poses) is not None), loose[0])
         poses[name] = _unit(mech, name, places, poses) or 1 + 0j
         loose.remove(name)
-    return np.array([[_pose(mech, group, name, places, poses[name]) for name in group.links]])
+    return np.array([[_pose(mech, name, places, poses[name]) for name in group.links]])
 
 
 def _unit(mech: Mechanism, name: str, places: dict[str, complex], poses: dict[str, complex]) -> complex | None:
@@ -51,13 +47,9 @@ def _unit(mech: Mechanism, name: str, places: dict[str, complex], poses: dict[st
     return None
 
 
-def _pose(mech: Mechanism, group: Group, name: str, places: dict[str, complex], unit: complex) -> list[float]:
+def _pose(mech: Mechanism, name: str, places: dict[str, complex], unit: complex) -> list[float]:
+    """A link without a point of known place lies in the middle of those that are known."""
     link = mech.link(name)
     seen = [p for p in link.points if p in places]
-    if not seen:
-        raise AssemblyError(
-            f"the {group.name} is solved by iteration and needs rough positions: "
-            f"give `guesses` for {', '.join(link.points)} of link {name}"
-        )
-    origin = complex(np.mean([places[p] - unit * link.points[p] for p in seen]))
+    origin = complex(np.mean([places[p] - unit * link.points[p] for p in seen] or list(places.values()) or [0j]))
     return [origin.real, origin.imag, float(np.angle(unit))]

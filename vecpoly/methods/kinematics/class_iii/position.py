@@ -71,8 +71,8 @@ def _which(desk: Desk, star: Star, after: list[dict[str, complex]], fits: bool) 
     if not fits:
         return Words(f"构件 {star.links} 的 {len(after)} 种装配都不符合 branch 的要求；可能的装配（guesses）：{told}",
                      f"links {star.links}: none of their {len(after)} assemblies fulfils the branch statements; the assemblies are, as guesses: {told}")
-    return Words(f"构件 {star.links} 有 {len(after)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可）：{told}",
-                 f"links {star.links} can be joined in {len(after)} ways; say which by `guesses:`, one of these (roughly): {told}")
+    return Words(f"构件 {star.links} 有 {len(after)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
+                 f"links {star.links} can be joined in {len(after)} ways; say which by `branch`, or by `guesses:`, one of these (roughly): {told}")
 
 
 def _laid(desk: Desk, star: Star, found: Assembly, u: Points) -> Points:

@@ -91,15 +91,23 @@ class Star:
 
 def star_of(group: Group) -> Star:
     """The central link and its legs; raises NoMethodError where the group is of another shape."""
+    found = _star(group)
+    if found is None:
+        raise NoMethodError(Words(f"构件 {', '.join(group.links)} 不是一个中心构件带三个支链", f"the {group.name} is not one central link on three legs"), code="no-method")
+    return found
+
+
+def is_star(group: Group) -> bool:
+    """Whether a class III group is one central link on three legs of two joints each."""
+    return group.kind == "class III" and _star(group) is not None
+
+
+def _star(group: Group) -> Star | None:
     inner = {name: [joint for joint in group.inner if name in ends(joint)] for name in group.links}
     plates = [name for name, joints in inner.items() if len(joints) == 3]
     legs = [leg for outer in group.outer if (leg := _leg(outer, inner[outer.link])) is not None]
     if len(plates) != 1 or len(legs) != 3 or len(group.links) != 4:
-        raise NoMethodError(
-            Words(f"构件 {'、'.join(group.links)} 组成的 Ⅲ 级杆组不是由一个中心构件和三个双副构件组成的，尚无图解法；可用“vecpoly exact”求解析解，或改换原动件。",
-                  f"the {group.name} is not one central link on three legs of two joints each, and no graphical method on file draws it; "
-                  f"'vecpoly exact' gives its analytic answers, and another input may make the groups simpler"),
-            code="no-method", numbers={"links": len(group.links), "legs": len(legs)})
+        return None
     return Star(plate=plates[0], legs=(legs[0], legs[1], legs[2]))
 
 
