@@ -38,6 +38,7 @@ class Board:
         self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
+        self._read: dict[frozenset[tuple[complex, ...]], Reals] = {}  # length of every segment that was measured
 
     # -- the record -------------------------------------------------------------------------------------------
 
@@ -220,9 +221,11 @@ class Board:
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens."""
-        mm = self.hand.read(np.abs(b - a))
-        return paper(letters_node(letters), mm)
+        """Read a length off the rule (mm): here, and only here, rounding happens. One segment is read once, whoever asks."""
+        ends = frozenset(tuple(np.atleast_1d(at)[:3].tolist()) for at in (a, b))  # what is one place for the first hands is one point
+        if ends not in self._read:
+            self._read[ends] = self.hand.read(np.abs(b - a))
+        return paper(letters_node(letters), self._read[ends])
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""
