@@ -20,7 +20,7 @@ class Mutant:
 
     path: Path
     line: int
-    function: str  # the innermost function's first line, as the map of tests knows it; "" outside of all
+    function: str  # the innermost function by its qualified name; "" outside of all
     kind: str
     before: str
     after: str
@@ -45,20 +45,25 @@ def _nodes(node: ast.AST, function: str) -> Iterator[tuple[str, ast.AST]]:
     """All nodes that run, each with the function it stands in; no annotations, decorators, assertions, error texts, imports."""
     match node:
         case ast.FunctionDef():
-            inside, children = f"{node.lineno if not node.decorator_list else node.decorator_list[0].lineno}", [*node.args.defaults, *node.body]
+            inside, children = f"{_inner(function)}{node.name}()", [*node.args.defaults, *node.body]
         case ast.AnnAssign():
             inside, children = function, [node.value] if node.value else []
         case ast.Assert() | ast.Import() | ast.ImportFrom():
             return
         case ast.ClassDef():
-            inside, children = function, list(node.body)
+            inside, children = f"{_inner(function)}{node.name}", list(node.body)
         case ast.Subscript():
             inside, children = function, [node.value, node.slice]
         case _:
             inside, children = function, list(ast.iter_child_nodes(node))
     for child in children:
-        yield inside, child
+        yield inside.removesuffix("()"), child
         yield from _nodes(child, inside)
+
+
+def _inner(outside: str) -> str:
+    """What stands before the name of a function or a class, as in __qualname__."""
+    return f"{outside.removesuffix('()')}{'.<locals>' if outside.endswith('()') else ''}." if outside else ""
 
 
 def _slips(node: ast.AST) -> Iterator[tuple[str, ast.expr | ast.stmt, str]]:

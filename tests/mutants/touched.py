@@ -26,7 +26,7 @@ class Listener:
     def __init__(self) -> None:
         self.calls: dict[str, set[str]] = defaultdict(set)
         self.seconds: dict[str, float] = defaultdict(float)
-        self._now: set[tuple[str, int]] = set()
+        self._now: set[tuple[str, str]] = set()
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
@@ -34,8 +34,8 @@ class Listener:
         sys.settrace(self._called)
         yield
         sys.settrace(None)
-        for name, line in self._now:
-            self.calls[f"{Path(name).relative_to(ROOT)}:{line}"].add(item.nodeid)
+        for path, name in self._now:
+            self.calls[f"{Path(path).relative_to(ROOT)}:{name}"].add(item.nodeid)
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         self.seconds[report.nodeid] += report.duration
@@ -43,7 +43,7 @@ class Listener:
     def _called(self, frame: FrameType, _event: str, _arg: Any) -> None:
         code = frame.f_code
         if code.co_filename.startswith(_HOUSE):
-            self._now.add((code.co_filename, code.co_firstlineno))
+            self._now.add((code.co_filename, code.co_qualname))
 
 
 def listen() -> None:
