@@ -1,6 +1,7 @@
 """`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`: so many slips, and which of them no test noticed.
 
-The first run needs the map of tests and functions (`--map` makes it anew): all tests once, about twice their usual time.
+The first run needs the map of tests and functions: all tests once, about twice their usual time. `--map` makes it anew, `--map tests/test_new.py`
+adds what a new file calls; `--count 0` stops after that.
 """
 
 from __future__ import annotations
@@ -27,10 +28,10 @@ def main() -> None:
     parser.add_argument("--room", default="vecpoly", help="a folder or a file")
     parser.add_argument("--kind", default="", help="only slips whose kind contains this")
     parser.add_argument("--budget", type=float, default=20.0, help="seconds of tests chosen for a mutant")
-    parser.add_argument("--map", action="store_true", help="find out anew which test calls which function")
+    parser.add_argument("--map", nargs="*", metavar="FILE", help="find out anew which test calls which function: in all tests, or in these files")
     given = parser.parse_args()
-    if given.map or not MAP.exists():
-        listen()
+    if given.map is not None or not MAP.exists():
+        listen(*(given.map or ()))
     if given.count:
         _tried(_drawn(given.room, given.kind, given.count, given.seed), given.budget)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import sys
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -46,13 +46,22 @@ class Listener:
             self._now.add((code.co_filename, code.co_qualname))
 
 
-def listen() -> None:
-    """Run all tests once and write the map."""
+def listen(*files: str) -> None:
+    """Run these test files (all, where none is named) and write what they call into the map."""
     listener = Listener()
-    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", str(ROOT / "tests")], plugins=[listener])
+    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [str(ROOT / "tests")])], plugins=[listener])
+    calls, seconds = _kept(files) if files else ({}, {})
+    for place, tests in listener.calls.items():
+        calls[place] = sorted({*calls.get(place, ()), *tests})
     MAP.parent.mkdir(exist_ok=True)
-    data = {"calls": {place: sorted(tests) for place, tests in listener.calls.items()}, "seconds": listener.seconds}
-    MAP.write_text(json.dumps(data), encoding="utf-8")
+    MAP.write_text(json.dumps({"calls": calls, "seconds": seconds | listener.seconds}), encoding="utf-8")
+
+
+def _kept(files: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, float]]:
+    """The map without what it says of these files."""
+    data = json.loads(MAP.read_text(encoding="utf-8"))
+    calls = {place: [test for test in tests if test.split("::")[0] not in files] for place, tests in data["calls"].items()}
+    return calls, {test: took for test, took in data["seconds"].items() if test.split("::")[0] not in files}
 
 
 def chosen(path: str, function: str, budget: float) -> tuple[str, ...]:
