@@ -18,7 +18,7 @@ from vecpoly.words import Lang, Words
 
 CHINESE = re.compile(r"[\u3000-\u303f\u3400-\u9fff\uff00-\uffef]")
 ENGLISH = re.compile(r"[A-Za-z]{3,}")
-UNITS = re.compile(r"(?<=\d )(mm|rad|min|deg|kg)\b")
+UNITS = re.compile(r"(?:(?<=\d )|(?<=r/))(mm|rad|min|deg|kg)\b")
 NAMES = {"Assur", "Grashof", "tan", "arctan", "sin", "cos", "rad", "extends"}  # as Chinese textbooks print them; a key of the problem file
 
 

@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from .slips import Mutant, mutants
-from .touched import MAP, ROOT, chosen, listen
-from .trial import Fate, copied, trial
+from .touched import MAP, ROOT, listen, touched
+from .trial import Fate, try_all
 
 _COUNTED = (Fate.KILLED, Fate.HUNG)
 
@@ -40,7 +40,7 @@ def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
     """Mutants by lot: first a file, then a slip in it, so that a long file has no more weight than a short one."""
     start = ROOT / room
     files = [start] if start.is_file() else sorted(start.rglob("*.py"))
-    found = {path: [one for one in mutants(path.relative_to(ROOT), path.read_text(encoding="utf-8")) if kind in one.kind] for path in files}
+    found = {path: [one for one in mutants(path.relative_to(ROOT), path.read_text(encoding="utf-8")) if kind in one.kind and one.function.strip()] for path in files}
     rng, drawn = random.Random(seed), list[Mutant]()
     pools = [pool for pool in found.values() if pool]
     while len(drawn) < count and pools:
@@ -51,13 +51,16 @@ def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
 
 
 def _tried(drawn: Sequence[Mutant], budget: float) -> None:
+    """Try the mutants one after the other, tell of each, and of all."""
     fates: dict[str, Counter[Fate]] = defaultdict(Counter)
-    with copied() as house:
-        for number, mutant in enumerate(drawn, 1):
-            start = time.monotonic()
-            fate = trial(house, mutant, chosen(str(mutant.path), mutant.function, budget), int(8 * budget) + 30)
-            fates[_room(mutant.path)][fate] += 1
-            print(f"{number:4d} {fate.value:9s} {time.monotonic() - start:5.1f} s  {mutant}", flush=True)
+    start = time.monotonic()
+
+    def tell(mutant: Mutant, fate: Fate) -> None:
+        fates[_room(mutant.path)][fate] += 1
+        print(f"{fate.value:9s} {time.monotonic() - start:5.0f} s  {mutant}", flush=True)
+
+    known = touched()
+    try_all(drawn, lambda mutant: known.chosen(str(mutant.path), mutant.function, budget), int(10 * budget) + 30, tell)
     print(_table(fates))
 
 

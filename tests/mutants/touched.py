@@ -1,14 +1,18 @@
 """Which test calls which function: found once by running all tests and listening to every call.
 
-A result that a test file caches is counted for the test that computed it; `chosen` therefore also takes the other tests of such a file.
+A result that the tests keep counts for the test that computed it, so `Touched.chosen` also takes the other tests of such a file. Where files are
+named, nothing is kept from one test to the next.
 """
 
 from __future__ import annotations
 
+import functools
+import gc
 import json
 import sys
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -23,7 +27,8 @@ _HOUSE = str(ROOT / "vecpoly")
 class Listener:
     """A plugin of pytest that keeps, for each test, the functions of the program that were called, and how long it took."""
 
-    def __init__(self) -> None:
+    def __init__(self, forgetful: bool) -> None:
+        self.forgetful = forgetful
         self.calls: dict[str, set[str]] = defaultdict(set)
         self.seconds: dict[str, float] = defaultdict(float)
         self._now: set[tuple[str, str]] = set()
@@ -31,6 +36,8 @@ class Listener:
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
         self._now = set()
+        if self.forgetful:
+            forget()
         sys.settrace(self._called)
         yield
         sys.settrace(None)
@@ -46,9 +53,15 @@ class Listener:
             self._now.add((code.co_filename, code.co_qualname))
 
 
+def forget() -> None:
+    """Empty everything that functions keep of their results."""
+    for kept in (thing for thing in gc.get_objects() if isinstance(thing, functools._lru_cache_wrapper)):
+        kept.cache_clear()
+
+
 def listen(*files: str) -> None:
     """Run these test files (all, where none is named) and write what they call into the map."""
-    listener = Listener()
+    listener = Listener(forgetful=bool(files))
     pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [str(ROOT / "tests")])], plugins=[listener])
     calls, seconds = _kept(files) if files else ({}, {})
     for place, tests in listener.calls.items():
@@ -64,17 +77,31 @@ def _kept(files: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, float]]
     return calls, {test: took for test, took in data["seconds"].items() if test.split("::")[0] not in files}
 
 
-def chosen(path: str, function: str, budget: float) -> tuple[str, ...]:
-    """The tests that call the function (or anything in its file), quickest first, then their neighbours, within so many seconds."""
+@dataclass(frozen=True, slots=True)
+class Touched:
+    """Which tests call a function, and how many seconds each took."""
+
+    calls: dict[str, list[str]]
+    seconds: dict[str, float]
+
+    def chosen(self, path: str, function: str, budget: float) -> tuple[str, ...]:
+        """The tests that call the function (or anything in its file), quickest first, then their neighbours, within so many seconds."""
+        here = self.calls.get(f"{path}:{function}") or sorted({test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests})
+        files, known = {test.split("::")[0] for test in here}, set(here)
+        near = [test for test in self.seconds if test.split("::")[0] in files and test not in known]
+        taken, spent = [], 0.0
+        for test in [*sorted(here, key=self._took), *sorted(near, key=self._took)]:
+            spent += self._took(test)
+            if spent > budget and taken:
+                break
+            taken.append(test)
+        return tuple(taken)
+
+    def _took(self, test: str) -> float:
+        return self.seconds.get(test, 1.0)
+
+
+def touched() -> Touched:
+    """The map as it was written."""
     data = json.loads(MAP.read_text(encoding="utf-8"))
-    calls, seconds = data["calls"], data["seconds"]
-    here = calls.get(f"{path}:{function}") or sorted({test for place, tests in calls.items() if place.startswith(f"{path}:") for test in tests})
-    files = {test.split("::")[0] for test in here}
-    near = [test for test in seconds if test.split("::")[0] in files and test not in set(here)]
-    taken, spent = [], 0.0
-    for test in [*sorted(here, key=lambda one: float(seconds.get(one, 1.0))), *sorted(near, key=lambda one: float(seconds[one]))]:
-        spent += seconds.get(test, 1.0)
-        if spent > budget and taken:
-            break
-        taken.append(test)
-    return tuple(taken)
+    return Touched(data["calls"], data["seconds"])
