@@ -152,14 +152,14 @@ class Board:
             self.mark(view, Point(at=end + past * OVERRUN, label=label, dot=Dot.NONE))
 
     def meet(self, g: Line, h: Line, what: str) -> Points:
-        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked."""
+        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both start at their meeting point."""
         sine = abs(float(nominal(cross(g.along, h.along))))
         if sine < PARALLEL:
             raise DeadPointError(
                 f"{what}: the two direction lines are parallel, the polygon does not close at one point; this is a dead point "
                 f"or change point, choose another input position"
             )
-        if sine < GRAZING:
+        if sine < GRAZING and abs(complex(nominal(g.at - h.at))) > NO_LENGTH:
             angle = degrees(asin(sine))
             self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
         return lines_meet(g, h)
