@@ -12,7 +12,7 @@ from math import asin, degrees
 
 import numpy as np
 
-from ..errors import AssemblyError, DeadPointError, EquilibriumError
+from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
 from ..formula import Node, Row, row
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
 from ..plane.geometry import dot, inclined
@@ -150,13 +150,14 @@ class Board:
         if label:
             self.mark(view, Point(at=end + past * OVERRUN, label=label, dot=Dot.NONE))
 
-    def meet(self, g: Line, h: Line, what: str) -> Points:
+    def meet(self, g: Line, h: Line, what: Words | str) -> Points:
         """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked."""
         sine = abs(float(nominal(cross(g.along, h.along))))
         if sine < PARALLEL:
             raise DeadPointError(
-                f"{what}: the two direction lines are parallel, the polygon does not close at one point; this is a dead point "
-                f"or change point, choose another input position"
+                bilingual(what) + Words(
+                "：两方向线平行，多边形不能闭合于一点；此为死点或转折点位置，请另取原动件位置",
+                ": the two direction lines are parallel, the polygon does not close at one point; this is a dead point or change point, choose another input position")
             )
         if sine < GRAZING:
             angle = degrees(asin(sine))
@@ -171,21 +172,22 @@ class Board:
         start = float(np.angle(p - c)) - half
         self.mark(view, Arc(centre=c, radius=size, start=start, sweep=2 * half, role=Role.CONSTRUCTION))
 
-    def arcs(self, c1: Points, r1: Reals, c2: Points, r2: Reals, what: str) -> tuple[Points, Points]:
+    def arcs(self, c1: Points, r1: Reals, c2: Points, r2: Reals, what: Words | str) -> tuple[Points, Points]:
         """Two compass arcs: both meeting points, the one left of c1 → c2 first."""
         a, b = circles_meet(c1, self.hand.carry(r1), c2, self.hand.carry(r2))
         if not np.isfinite(nominal(a)):
             d, s = float(nominal(abs(c2 - c1))), float(nominal(r1)) + float(nominal(r2))
-            raise AssemblyError(f"{what}: the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart "
-                                f"do not meet (sum {s:.2f} mm)")
+            raise AssemblyError(bilingual(what) + Words(
+                f"：半径 {nominal(r1):.2f} mm 与 {nominal(r2):.2f} mm 的两弧圆心相距 {d:.2f} mm，不相交（半径之和 {s:.2f} mm）",
+                f": the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart do not meet (sum {s:.2f} mm)"))
         return a, b
 
-    def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: str) -> tuple[Points, Points]:
+    def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
         """A compass arc on a ruled line: both meeting points, the one further along the line first."""
         a, b = line_circle_meet(line, centre, self.hand.carry(radius))
         if not np.isfinite(nominal(a)):
             gap = abs(float(nominal(cross(line.along, centre - line.at))))
-            raise AssemblyError(f"{what}: an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away")
+            raise AssemblyError(bilingual(what) + Words(f"：半径 {nominal(radius):.2f} mm 的弧达不到相距 {gap:.2f} mm 的直线", f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away"))
         return a, b
 
     def tangent_from(self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points) -> Points:
@@ -195,8 +197,9 @@ class Board:
         """
         away, size = float(nominal(np.abs(x - centre))), float(nominal(radius))
         if away <= max(size * abs(moment), NO_LENGTH):
-            raise EquilibriumError(f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius "
-                                   f"{size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ")
+            raise EquilibriumError(Words(
+                f"作用线须过距摩擦圆圆心 {away:.2f} mm 的一点，而摩擦圆半径为 {size:.2f} mm，该点在圆内，无切线，在此摩擦下不能平衡；请减小 f 或 ρ",
+                f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius {size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ"))
         ahead, behind = inclined(x - centre, moment * radius / np.abs(x - centre))
         return self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
 
@@ -208,8 +211,9 @@ class Board:
         """
         span, arms = np.abs(q - p), moment_p * rho_p + moment_q * rho_q
         if abs(float(nominal(arms))) >= float(nominal(span)):
-            raise EquilibriumError(f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and "
-                                   f"{float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ")
+            raise EquilibriumError(Words(
+                f"两转动副相距 {float(nominal(span)):.2f} mm，摩擦圆半径为 {float(nominal(rho_p)):.2f} mm 和 {float(nominal(rho_q)):.2f} mm，无公切线，力不能经此构件传递；请减小 f 或 ρ",
+                f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and {float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ"))
         u = inclined(q - p, arms / span)[0 if sense > 0 else 1]
         return Line(p - 1j * u * moment_p * rho_p, self.hand.tilt(u))
 

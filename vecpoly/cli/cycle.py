@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..errors import NotAskedError, UnknownNameError
+from ..words import Words
 from .errors import about
 from .files import write_bytes
 from .jobs import problems
@@ -46,9 +47,13 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
     _checked(output, TABLES)
     _checked(plot, PLOTS)
     if path and hodograph:
-        raise NotAskedError("--path and --hodograph are two drawings: ask for one of them")
+        raise NotAskedError(Words(
+            "--path 与 --hodograph 是两种图；请只取其一",
+            "--path and --hodograph are two drawings: ask for one of them"))
     if (path or hodograph) and plot is None:
-        raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
+        raise NotAskedError(Words(
+            "--path 与 --hodograph 用于绘图；请用 --plot 文件 指明输出",
+            "--path and --hodograph are drawings: say where to with --plot FILE"))
     (problem,) = _one(problems([name]))
     from ..cycle import cycle as whole
 
@@ -69,12 +74,16 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
 
 def _checked(path: Path | None, endings: tuple[str, ...]) -> None:
     if path is not None and path.suffix.lower() not in endings and not (path == STDOUT and endings is TABLES):
-        raise UnknownNameError(f"{path}: can be {', '.join(endings)}; end the file's name with one of these")
+        raise UnknownNameError(Words(
+            f"{path}：可写的格式为 {', '.join(endings)}；请使用其中一种扩展名",
+            f"{path}: can be {', '.join(endings)}; end the file's name with one of these"))
 
 
 def _one(found: list[Problem]) -> list[Problem]:
     if len(found) != 1:
-        raise UnknownNameError(f"one problem at a time; these are {', '.join(problem.id for problem in found)}")
+        raise UnknownNameError(Words(
+            f"一次只能处理一道题；这里有 {', '.join(problem.id for problem in found)}",
+            f"one problem at a time; these are {', '.join(problem.id for problem in found)}"))
     return found
 
 
@@ -84,10 +93,14 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
     first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
     count = last - first + 1
     if count > MOST:
-        raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {MOST} are possible")
+        raise NotAskedError(Words(
+            f"步长 {step:g} 产生 {count} 个位置；至多 {MOST} 个",
+            f"a step of {step:g} makes {count} positions; at most {MOST} are possible"))
     if count < 2:
         low, high = turn.low * factor, turn.high * factor
-        raise NotAskedError(f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step")
+        raise NotAskedError(Words(
+            f"步长 {step:g} 在 {low:.6g} … {high:.6g} {turn.drive.shown_unit} 内不足 2 个位置；请减小步长",
+            f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step"))
     return [k * step / factor for k in range(first, last + 1)]
 
 

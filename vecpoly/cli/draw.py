@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..errors import UnknownNameError
+from ..words import Words
 from .errors import about
 from .files import write_bytes
 from .jobs import problems
@@ -42,7 +43,9 @@ def draw(
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     if path.suffix.lower() not in FORMATS:
-        raise UnknownNameError(f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these")
+        raise UnknownNameError(Words(
+            f"{path}：可绘的格式为 {', '.join(FORMATS)}；请使用其中一种扩展名",
+            f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these"))
     (problem,) = problems([name])
     from ..solution import solve
 
@@ -65,7 +68,9 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     drawn = None if place is None else solution.construction.figure(place)
     if drawn is None:
         there = ", ".join([*named(solution.construction), SHEET])
-        raise UnknownNameError(f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}")
+        raise UnknownNameError(Words(
+            f"{solution.problem.id} 没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
+            f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 

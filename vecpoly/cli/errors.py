@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import typer
 
 from ..errors import VecpolyError
+from ..words import Words
 
 DISAGREES, REFUSED, INTERRUPTED = 1, 2, 130
 
@@ -38,7 +39,7 @@ def about(problem: str) -> Iterator[None]:
     try:
         yield
     except VecpolyError as error:
-        raise type(error)(f"{problem}: {error}") from None
+        raise error.led_by(Words(f"{problem}：", f"{problem}: ")) from None
 
 
 def tell(error: Exception) -> None:

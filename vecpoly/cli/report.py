@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import NoMethodError, VecpolyError
+from ..words import Words
 from .errors import Tally, about
 from .files import named
 from .jobs import Job, jobs
@@ -86,7 +87,9 @@ def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -
     for job in found:
         path = (output or Path()) / f"{job.name}{ending}"
         if path in plan:
-            raise VecpolyError(f"two of the documents would be written to {path}; change the id of one of the problems")
+            raise VecpolyError(Words(
+                f"有两份文档都要写入 {path}；请更改其中一题的 id",
+                f"two of the documents would be written to {path}; change the id of one of the problems"))
         plan[path] = job
     return [(job, path) for path, job in plan.items()]
 

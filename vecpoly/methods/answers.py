@@ -34,13 +34,17 @@ def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
     if named.key in desk.central:
         return desk.central[named.key], desk.central_repeats[named.key]
     if named.key not in desk.named:
-        raise NoMethodError(f"{named.key} was not found on the drawing: no method on file gives it for this mechanism")
+        raise NoMethodError(Words(
+            f"图上没有作出 {named.key}：现有图解法对此机构求不出此量",
+            f"{named.key} was not found on the drawing: no method on file gives it for this mechanism"))
     return desk.named[named.key], desk.named_repeats[named.key]
 
 
 def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     if rel not in desk.turns:
-        raise NoMethodError(f"{rel.key} was not found on the drawing: no method on file gives it")
+        raise NoMethodError(Words(
+            f"图上没有作出 {rel.key}：现有图解法求不出此量",
+            f"{rel.key} was not found on the drawing: no method on file gives it"))
     turn = desk.turns[rel]
     name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
@@ -89,7 +93,9 @@ def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
         return view, start, desk.tip(view, own.to), _letters(desk, view, own)
     if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
         return View.ACCELERATION, 0j, 0j, "—"
-    raise NoMethodError(f"{rel.key} was not drawn: no method on file gives it for this mechanism")
+    raise NoMethodError(Words(
+        f"图上没有作出 {rel.key}：现有图解法对此机构求不出此量",
+        f"{rel.key} was not drawn: no method on file gives it for this mechanism"))
 
 
 def _letters(desk: Desk, view: View, rel: Rel) -> str:

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
+from ..errors import FaultError
 from ..words import Words
 
 _LETTER = "[A-Z][a-z'′]?"
@@ -20,7 +21,9 @@ def _words(value: Any) -> Words:
             return Words(value, value)
         case {"zh": str(zh), "en": str(en), **rest} if not rest:
             return Words(zh.strip(), en.strip())
-    raise ValueError("write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes")
+    raise FaultError(Words(
+        "请写一个文本，或写 {zh: ..., en: ...}；含逗号的文本要加引号",
+        "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"))
 
 
 Text = Annotated[
@@ -93,7 +96,7 @@ def _yes(value: Any) -> bool:
     if isinstance(value, bool):
         return value
     if str(value).lower() not in known:
-        raise ValueError(f"'{value}' is neither yes nor no")
+        raise FaultError(Words(f"“{value}”既不是 yes 也不是 no", f"'{value}' is neither yes nor no"))
     return known[str(value).lower()]
 
 

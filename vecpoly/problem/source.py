@@ -8,6 +8,7 @@ from pathlib import PurePath
 from typing import Any
 
 from ..errors import ProblemFileError
+from ..words import Words
 from .faults import Path, Place
 
 LIMIT = 1_000_000  # bytes; a problem file has about a thousand
@@ -32,17 +33,22 @@ def read_text(path: FilePath) -> str:
         size = path.stat().st_size
         if size > LIMIT:
             raise ProblemFileError(
-                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB"
+                Words(
+                f"{path}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {LIMIT / 1e6:.0f} MB",
+                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB")
             )
         return path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         raise ProblemFileError(
-            f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; "
-            "save the file with the encoding UTF-8"
+            Words(
+            f"{path} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）不是 UTF-8 编码；请将文件另存为 UTF-8",
+            f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; save the file with the encoding UTF-8")
         ) from None
     except OSError as error:
-        raise ProblemFileError(f"{path}: cannot be read: {error.strerror}") from None
+        raise ProblemFileError(Words(
+            f"{path}：不能读取（{error.strerror}）",
+            f"{path}: cannot be read: {error.strerror}")) from None
 
 
 def parse(text: str, name: str) -> Tree:
