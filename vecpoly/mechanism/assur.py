@@ -76,11 +76,9 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known)), None)
         if group is None:
-            raise MobilityError(
-                Words(
+            raise MobilityError(Words(
                 f"构件 {', '.join(rest)} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
-                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many")
-            )
+                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
         groups.append(group)
         known += group.links
         rest = [name for name in rest if name not in group.links]

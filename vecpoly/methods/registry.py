@@ -86,8 +86,6 @@ def find(stage: Stage, group: str) -> Method:
         return _METHODS[stage, group]
     except KeyError:
         covered = ", ".join(sorted({g for s, g in _METHODS if s is stage}))
-        raise NoMethodError(
-            Words(
+        raise NoMethodError(Words(
             f"没有求 {group} 组{stage.words.zh}的图解法（已有：{covered}）；仍可用 vecpoly exact 求解析解",
-            f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); 'vecpoly exact' still gives the analytic answers")
-        ) from None
+            f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); 'vecpoly exact' still gives the analytic answers")) from None

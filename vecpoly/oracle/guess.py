@@ -56,10 +56,8 @@ def _pose(mech: Mechanism, group: Group, name: str, places: dict[str, complex], 
     link = mech.link(name)
     seen = [p for p in link.points if p in places]
     if not seen:
-        raise AssemblyError(
-            Words(
+        raise AssemblyError(Words(
             f"{group.name.zh}须迭代求解，需要大致位置；请用 guesses 给出构件 {name} 上 {', '.join(link.points)} 的位置",
-            f"the {group.name.en} is solved by iteration and needs rough positions: give `guesses` for {', '.join(link.points)} of link {name}")
-        )
+            f"the {group.name.en} is solved by iteration and needs rough positions: give `guesses` for {', '.join(link.points)} of link {name}"))
     origin = complex(np.mean([places[p] - unit * link.points[p] for p in seen]))
     return [origin.real, origin.imag, float(np.angle(unit))]

@@ -115,10 +115,8 @@ def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:
     for i, problem in enumerate(problems):
         with faults.at("problems", i):
             if problem.id in seen:
-                raise FaultError(
-                    Words(
+                raise FaultError(Words(
                     f"id“{problem.id}”已用于 problems[{seen[problem.id]}]；请另取一个，如 id: {problem.id}-b",
-                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b")
-                )
+                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"))
             seen[problem.id] = i
     faults.settle()

@@ -125,11 +125,9 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
     for name, data in spec.links.items():
         with faults.at("links", name):
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
-                raise FaultError(
-                    Words(
+                raise FaultError(Words(
                     f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
-                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)")
-                )
+                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"))
             bodies.drafts[name] = read_link(name, data)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()

@@ -78,9 +78,7 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
         )
     lined = draft.line is not None or draft.shape is Shape.BLOCK
     if line is None or first != line.through or not lined:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
-            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}")
-        )
+            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"))
     return (first,), draft.points[first], cmath.exp(1j * line.direction)

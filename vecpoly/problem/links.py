@@ -114,11 +114,9 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
     if not draft.points:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
-            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, gear, disc or face, e.g. {{block: C}}")
-        )
+            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, gear, disc or face, e.g. {{block: C}}"))
 
 
 def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
@@ -133,24 +131,18 @@ def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
     """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, or of a face."""
     for key in data:
         if key not in ("through", "angle", "left", "right"):
-            raise FaultError(
-                Words(
+            raise FaultError(Words(
                 f"“{key}”不是 {what} 的键",
-                f"'{key}' is no key of a {what}") + meant(key, ('through', 'angle', 'left', 'right')), key
-            )
+                f"'{key}' is no key of a {what}") + meant(key, ('through', 'angle', 'left', 'right')), key)
     letter = str(data.get("through", ""))
     if not ONE.fullmatch(letter):
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"{what} 过哪一点？如写 {what}: {{through: D, angle: 60 deg from CD}}",
-            f"through which point does the {what} pass? write e.g. {what}: {{through: D, angle: 60 deg from CD}}")
-        )
+            f"through which point does the {what} pass? write e.g. {what}: {{through: D, angle: 60 deg from CD}}"))
     if letter not in draft.points:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"点“{letter}”不在构件 {draft.name} 上",
-            f"point '{letter}' is not on link {draft.name}") + meant(letter, draft.points), "through"
-        )
+            f"point '{letter}' is not on link {draft.name}") + meant(letter, draft.points), "through")
     turn = 0j + 1
     if "angle" in data:
         m = ANGLE_FROM.fullmatch(str(data["angle"]))

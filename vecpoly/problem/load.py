@@ -65,11 +65,9 @@ def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:
         return tree
     line = tree.places[("extends",)].line
     if not isinstance(base, str):
-        raise ProblemFileError(
-            Words(
+        raise ProblemFileError(Words(
             f"{tree.name} 第 {line} 行：extends：此处应写题号或题目文件的路径",
-            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here")
-        )
+            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here"))
     try:
         below = locate(base, path.parent if path else None)
     except (ProblemFileError, UnknownNameError) as error:

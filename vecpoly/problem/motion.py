@@ -42,11 +42,9 @@ def read_branch(text: str, letters: Iterable[str]) -> SideOf:
     elif m := _BRANCH_ZH.fullmatch(text.strip()):
         point, side, first, second = m[1], m[4], m[2], m[3]
     else:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"“{text}”不是装配方式的写法；如写“C above AD”“C left of BD”“F left of E”或“C 在 AD 上方”",
-            f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'")
-        )
+            f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'"))
     ref = (first, second) if second else (first,)
     known = set(letters)
     for letter in (point, *ref):
@@ -64,11 +62,9 @@ def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tupl
     turning = [key for key in ("phi", "omega", "alpha") if getattr(spec, key) is not None]
     sliding = [key for key in ("s", "v", "a") if getattr(spec, key) is not None]
     if turning and sliding:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"原动件或转动（phi、omega、alpha）或移动（s、v、a），不能兼有；这里给了 {', '.join(turning)} 和 {', '.join(sliding)}",
-            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given")
-        )
+            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given"))
     return _sliding(spec, draft, joints) if sliding else _turning(spec, draft, bodies, joints)
 
 

@@ -22,11 +22,9 @@ _KEYS = ("along", "at", "left", "right", "angle", "side")
 def place(draft: Draft, point: str, data: Value) -> None:
     """A further point of the link, by offsets, by an angle, or by two lengths."""
     if not isinstance(data, dict):
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"缺少 {point} 的位置；如写 {{along: BC, at: 175 mm, left: 220 mm}}",
-            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}")
-        )
+            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}"))
     if point in draft.points:
         raise FaultError(Words(
             f"点 {point} 已在构件 {draft.name} 上",
@@ -42,11 +40,9 @@ def place(draft: Draft, point: str, data: Value) -> None:
     elif len(lengths) == 2:
         placement = _by_lengths(draft, point, data, lengths)
     else:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"{point} 的位置不完整；请写 along/at/left，或一个长度和一个角，或两个长度和一侧",
-            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, or two lengths and a side")
-        )
+            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, or two lengths and a side"))
     draft.placements.append(placement[0])
     draft.points[point] = placement[1]
 
@@ -92,11 +88,9 @@ def _by_angle(
 ) -> tuple[Placement, complex]:
     m = ANGLE_FROM.fullmatch(str(data["angle"]))
     if m is None or len(lengths) != 1:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             "请写长度和由射线量起的角，如 {BE: 200 mm, angle: 50 deg from BC}",
-            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle"
-        )
+            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle")
     ends = letters_of(lengths[0])
     base, start, unit = ray(draft, m[2])
     if set(ends) != {base[0], point}:
@@ -158,9 +152,7 @@ def _apex(point: str, base: tuple[str, str], c: float, p: float, q: float) -> co
     square = p * p - x * x
     if square < -1e-12 * c * c:
         a, b = base
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             f"不成三角形：{a}{point} = {p * 1e3:g}、{b}{point} = {q * 1e3:g}、{a}{b} = {c * 1e3:g} mm；最长边应小于另两边之和（{max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}），请检查长度",
-            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths")
-        )
+            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"))
     return complex(x, max(square, 0.0) ** 0.5)

@@ -42,11 +42,9 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
     """{point: M2, on: 2, velocity: 0}."""
     m = _POINT.fullmatch(spec.point or "")
     if m is None:
-        raise FaultError(
-            Words(
+        raise FaultError(Words(
             "请写 v_E 之类的符号，或 {point: M2, on: 2, velocity: 0}，或 {coriolis: B3B2}",
-            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}")
-        )
+            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"))
     link = spec.on or m[2]
     bodies.draft(link)
     if link != m[2]:
@@ -185,11 +183,9 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         paper, scale = None, None
     else:
         if not _is_length(spec.value):
-            raise FaultError(
-                Words(
+            raise FaultError(Words(
                 f"“{spec.value}”不是图上长度，而又给了比例尺；如写 41.1 mm",
-                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value"
-            )
+                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value")
         paper = read(spec.value, Dim.LENGTH).si * 1e3
         scale = read(spec.scale, Dim.MU_F if isinstance(rel, Named) else _MU.get(kind, Dim.MU_A)).si
         value = paper * scale

@@ -58,11 +58,9 @@ class Judge:
             here, rest = self.where(at), Words(f"构件 {free.link} 不转动", f"link {free.link} does not turn")
             if free.force.any():
                 rest = Words(f"其在构件 {free.link} 上的作用点不沿其方向运动", f"its point of link {free.link} does not move in its direction")
-            raise EquilibriumError(
-                Words(
+            raise EquilibriumError(Words(
                 f"{here.zh}，{free.name} 不能平衡其余载荷：{rest.zh}，它不作功；请另选平衡载荷，或另取位置",
-                f"{free.name} cannot balance the other loads {here.en}: {rest.en} here, so it does no work; let another load balance, or choose another position")
-            )
+                f"{free.name} cannot balance the other loads {here.en}: {rest.en} here, so it does no work; let another load balance, or choose another position"))
 
     def senseless(self, system: System, rates: Bodies, moving: bool) -> None:
         """NoSlipSenseError where a pair with friction has no relative motion."""
