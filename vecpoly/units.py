@@ -108,7 +108,7 @@ MOST_ANGLE = 1e6  # rad
 _NUMBER = re.compile(
     r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
 )
-_SENSE = re.compile(r"\s*(?:\b(ccw|cw|counter-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
+_SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 _SPELLING = str.maketrans(
     {"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"}
 )

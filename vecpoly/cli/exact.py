@@ -10,7 +10,7 @@ from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import JsonOption, Lang, LangOption, Problems
-from .terminal import add, progress, show, table
+from .terminal import add, progress, say, show, table
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
@@ -72,3 +72,7 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
             size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−")
         add(made, (symbol(key), size, unit(ask.rel.unit), way))
     show(made)
+    if not problem.asks:
+        from ..problem.hints import nothing_asked
+
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")

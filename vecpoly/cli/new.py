@@ -11,7 +11,7 @@ import typer
 from .files import parent_of
 from .terminal import say
 
-_ID = re.compile(r"[A-Za-z0-9][\w.\-]*", re.ASCII)
+_ID = re.compile(r"\w[\w.\-]*")
 _ID_LINE = re.compile(r"^id:[ \t]*[\w.\-'\"]+", re.M)
 _STEM = "my-problem"
 Like = Annotated[str | None, typer.Option("--like", metavar="ID", help="Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.", show_default=False)]

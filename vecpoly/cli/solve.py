@@ -8,7 +8,7 @@ from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
-from .terminal import add, progress, show, table
+from .terminal import add, progress, say, show, table
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
@@ -50,6 +50,8 @@ def solve(
 
 
 def _print(solution: Solution, lang: Lang) -> None:
+    from ..problem.hints import nothing_asked
+
     problem = solution.problem
     title = f"{problem.id}  {bare(problem.title.of(lang))}  ({_HANDS[solution.construction.hand][lang]})"
     left = {0, 3, 6}
@@ -61,3 +63,5 @@ def _print(solution: Solution, lang: Lang) -> None:
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
         ))  # fmt: skip
     show(made)
+    if not problem.asks:
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")

@@ -95,7 +95,16 @@ def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
         return View.ACCELERATION, 0j, 0j, "—"
     raise NoMethodError(Words(
         f"图上没有作出 {rel.key}：现有图解法对此机构求不出此量",
-        f"{rel.key} was not drawn: no method on file gives it for this mechanism"))
+        f"{rel.key} was not drawn: no method on file gives it for this mechanism") + _instead(desk, rel, own))
+
+
+def _instead(desk: Desk, asked: Rel, own: Rel) -> Words:
+    """What to ask instead of ak_B2B3: the same vector the other way round, or those of its kind that were drawn."""
+    drawn = sorted(key for key in desk.ends if key.startswith(f"{own.kind.value}_"))
+    if asked.ref and own.ref and Rel(own.kind, own.ref, own.to).key in drawn:
+        back = Rel(asked.kind, asked.ref, asked.to).key
+        return Words(f"；请改求 {back}（方向相反）", f"; ask {back}, which points the other way")
+    return Words(f"；图上有 {', '.join(drawn)}", f"; drawn are {', '.join(drawn)}") if drawn else Words.same("")
 
 
 def _letters(desk: Desk, view: View, rel: Rel) -> str:

@@ -18,7 +18,7 @@ from ..words import Words
 from .asks import Ask, AskNamed
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
-from .draft import LETTER
+from .draft import LETTER, refuse_frame
 from .faults import Faults, Place, meant
 from .friction import read_friction
 from .joints import Bodies, read_joint, revolutes
@@ -129,6 +129,7 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
                     f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
                     f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"))
             bodies.drafts[name] = read_link(name, data)
+            refuse_frame(bodies.drafts[name], bodies.frame)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies
@@ -188,10 +189,11 @@ def _wanted(
         if isinstance(item, FindSpec) and item.point:
             with faults.at("find", i):
                 named.append(read_point(item, bodies).at)
+    clean = not faults.found
     for i, item in enumerate(spec.find):
         if item == ALL_CENTRES:
             asks += [AskNamed(rel=named) for key, named in forces.items() if key.startswith("P_")]
-        elif not faults.found:
+        elif clean:
             with faults.at("find", i):
                 asks.append(numbered(read_find(item, bodies, named, forces), spec))
     for i, entry in enumerate(spec.printed):

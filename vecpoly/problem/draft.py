@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..errors import FaultError
@@ -82,3 +83,13 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
             f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
             f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"))
     return (first,), draft.points[first], cmath.exp(1j * line.direction)
+
+
+def refuse_frame(draft: Draft, frame: Mapping[str, complex]) -> None:
+    """A bar whose points are all fixed is the frame, which has no entry."""
+    if draft.shape is Shape.BAR and len(draft.points) > 1 and set(draft.points) <= set(frame):
+        letters = "、".join(draft.points)
+        raise FaultError(Words(
+            f"{letters} 都是机架上的点，构件 {draft.name} 就是机架；请去掉此项（机架的点只写在 frame 中）",
+            f"{' and '.join(draft.points)} are points of the frame, so link {draft.name} is the frame itself; leave it out (the frame's points stand under 'frame' alone)"),
+            code="frame-as-link")

@@ -21,8 +21,10 @@ def _words(value: Any) -> Words:
             return Words(value, value)
         case {"zh": str(zh), "en": str(en), **rest} if not rest:
             return Words(zh.strip(), en.strip())
+        case {"zh": str(one), **rest} | {"en": str(one), **rest} if not rest:
+            return Words.same(one.strip())
     raise FaultError(Words(
-        "请写一个文本，或写 {zh: ..., en: ...}；含逗号的文本要加引号",
+        "请写一个文本，或写 {zh: ..., en: ...}（可只写一种语言）；含逗号的文本要加引号",
         "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"))
 
 
@@ -35,7 +37,7 @@ Text = Annotated[
                 {"type": "string"},
                 {
                     "type": "object",
-                    "required": ["zh", "en"],
+                    "minProperties": 1,
                     "additionalProperties": False,
                     "properties": {"zh": {"type": "string"}, "en": {"type": "string"}},
                 },
@@ -88,7 +90,7 @@ Link = Annotated[
 ]
 Centre = Annotated[Any, WithJsonSchema({"anyOf": [_ONE, _PLACE]})]
 Pair = tuple[Number, Number]
-ID = r"^[A-Za-z0-9][\w.\-]*$"
+ID = r"^\w[\w.\-]*$"
 
 
 def _yes(value: Any) -> bool:

@@ -19,6 +19,7 @@ from .faults import meant
 from .joints import Bodies
 from .problem import Printed, Scales
 from .schema import FindSpec, PrintedSpec, ScalesSpec
+from .spelling import did_you_mean, intended
 
 _KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
@@ -95,7 +96,7 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
             f"“{text}”不是两构件的瞬心（用构件号表示，机架号最大）",
             f"'{text}' names no instant centre of two links by their numbers (the frame has the last)") + meant(text, [k for k in forces if k[0] == text[0]]))
     loads = [key for key in forces if not key.startswith(KEYS)]
-    if _FORCES.fullmatch(text):
+    if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads) if loads else Words(
             f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"))
     return read_key(text, bodies, named)
@@ -114,7 +115,8 @@ def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
     try:
         rel = parse_rel(text.translate(_KEY_SPELLING))
     except UnknownNameError as error:
-        raise FaultError(error.words) from None
+        no_symbol = Words(f"“{text}”不是可识别的符号", f"'{text}' is no symbol")
+        raise FaultError(no_symbol + did_you_mean(text) if intended(text) else error.words, code="unknown-symbol") from None
     rel = Rel(rel.kind, _lettered(rel.to, bodies), _lettered(rel.ref, bodies) if rel.ref else None)
     for at in (rel.to, *([rel.ref] if rel.ref else [])):
         if at not in named and rel.key not in {f"p_{at}" for at in named}:
