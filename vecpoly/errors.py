@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
 from .words import Words
@@ -100,7 +100,8 @@ class VecpolyError(Exception):
 
     def led_by(self, words: Words) -> Self:
         """The same refusal with these words in front: the problem, or the file, that it is about."""
-        return type(self)(words + self.words, code=self.code, numbers=self.numbers, faults=self.faults)
+        faults = tuple(fault if fault.place else replace(fault, said=words + fault.said) for fault in self.faults)
+        return type(self)(words + self.words, code=self.code, numbers=self.numbers, faults=faults)
 
     @classmethod
     def of(cls, *faults: Fault) -> Self:

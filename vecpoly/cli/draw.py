@@ -9,11 +9,12 @@ import typer
 
 from ..errors import UnknownNameError
 from ..words import Words
+from .completion import ids
 from .errors import Tally, about
 from .files import write_bytes
-from .jobs import problems
+from .jobs import each, problems
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
-from .terminal import say
+from .terminal import wrote
 
 if TYPE_CHECKING:
     from ..board.construction import Construction, Place
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 SHEET = "sheet"
 FORMATS = (".svg", ".png", ".pdf")
-Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as 3-9, or a file.", show_default=False)]
+Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as 3-9, or a file.", show_default=False, autocompletion=ids)]
 FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
                                            "force:3; sheet is the whole A4 page.")]
 Dpi = Annotated[float, typer.Option("--dpi", min=10, max=1200, help="Resolution of a PNG.")]
@@ -46,16 +47,16 @@ def draw(
         raise UnknownNameError(Words(
             f"{path}：可绘的格式为 {', '.join(FORMATS)}；请使用其中一种扩展名",
             f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these"))
-    (problem,) = problems([name])
+    tally = Tally()
+    found = problems([name], tally)
     from ..solution import solve
 
-    tally = Tally()
-    with about(problem.id):
-        solution = solve(problem, by=hand, seed=seed, repeats=0)
-        pages = scenes(solution, figure, lang)
-    for target, data in encoded(pages, path, dpi):
-        say(f"wrote {write_bytes(target, data)}")
-    tally.weigh(problem.id, solution.construction.warning, lang)
+    for problem in found:
+        with tally.job(), about(problem.id):
+            solution = solve(problem, by=hand, seed=seed, repeats=0)
+            for target, data in encoded(scenes(solution, figure, lang), each(path, problem.id, len(found)), dpi):
+                wrote(write_bytes(target, data))
+            tally.weigh(problem.id, solution.construction.warning, lang)
     tally.settle()
 
 

@@ -21,11 +21,11 @@ _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact
 
 def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
     """Print the analytic answers, without a drawing."""
-    found = problems(names)
+    tally = Tally()
+    found = problems(names, tally)
     from ..check.exact import Exact
     from ..check.precision import noise, sizes
 
-    tally = Tally()
     data: list[dict[str, Any]] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
@@ -35,8 +35,8 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
             data.append({"id": problem.id, "answers": {key: _plain(key, value, units[key]) | _line(lines.get(key)) for key, value in values.items()}})
             if json != "-":
                 _print(problem, values, lang)
-    if json is not None and not tally.failed:
-        write_json(data if len(found) > 1 else data[0], json)
+    if json is not None and data:
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
 

@@ -32,10 +32,10 @@ def solve(
     lang: LangOption = "en",
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
-    found = problems(names)
+    tally = Tally()
+    found = problems(names, tally)
     from ..solution import solve as solved
 
-    tally = Tally()
     solutions: list[Solution] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
@@ -44,9 +44,9 @@ def solve(
         tally.weigh(solution.problem.id, solution.construction.warning, lang)
         if json != "-":
             _print(solution, lang)
-    if json is not None and not tally.failed:
+    if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]
-        write_json(data if len(found) > 1 else data[0], json)
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
 
