@@ -108,7 +108,7 @@ def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
 def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
     printed, name = line.printed, _unit(line.printed)
     text = printed.text if printed.paper_mm is None else f"{printed.text} = {beside(number(printed.value), name)}"
-    gap = percent(line.deviation) if isfinite(line.deviation) else "∞"
+    gap = percent(line.deviation) if isfinite(line.deviation) else "—"  # of an exact zero
     return (
         symbol(printed.symbol), text, beside(number(line.exact), name), gap, line.verdict.words.of(lang),
         bare(line.slip.of(lang)) if line.slip else "",
