@@ -36,13 +36,17 @@ def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
     if named.key in desk.central:
         return desk.central[named.key], desk.central_repeats[named.key]
     if named.key not in desk.named:
-        raise NoMethodError(f"{named.key} was not found on the drawing: no method on file gives it for this mechanism")
+        raise NoMethodError(Words(
+            f"图上没有作出 {named.key}：现有图解法对此机构求不出此量",
+            f"{named.key} was not found on the drawing: no method on file gives it for this mechanism"))
     return desk.named[named.key], desk.named_repeats[named.key]
 
 
 def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     if rel not in desk.turns:
-        raise NoMethodError(f"{rel.key} was not found on the drawing: no method on file gives it")
+        raise NoMethodError(Words(
+            f"图上没有作出 {rel.key}：现有图解法求不出此量",
+            f"{rel.key} was not found on the drawing: no method on file gives it"))
     turn = desk.turns[rel]
     name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
@@ -94,7 +98,18 @@ def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
         return view, start, desk.tip(view, own.to), _letters(desk, view, own)
     if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
         return View.ACCELERATION, 0j, 0j, "—"
-    raise NoMethodError(f"{rel.key} was not drawn: no method on file gives it for this mechanism")
+    raise NoMethodError(Words(
+        f"图上没有作出 {rel.key}：现有图解法对此机构求不出此量",
+        f"{rel.key} was not drawn: no method on file gives it for this mechanism") + _instead(desk, rel, own))
+
+
+def _instead(desk: Desk, asked: Rel, own: Rel) -> Words:
+    """What to ask instead of ak_B2B3: the same vector the other way round, or those of its kind that were drawn."""
+    drawn = sorted(key for key in desk.ends if key.startswith(f"{own.kind.value}_"))
+    if asked.ref and own.ref and Rel(own.kind, own.ref, own.to).key in drawn:
+        back = Rel(asked.kind, asked.ref, asked.to).key
+        return Words(f"；请改求 {back}（方向相反）", f"; ask {back}, which points the other way")
+    return Words(f"；图上有 {', '.join(drawn)}", f"; drawn are {', '.join(drawn)}") if drawn else Words.same("")
 
 
 def _letters(desk: Desk, view: View, rel: Rel) -> str:
