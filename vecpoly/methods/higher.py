@@ -11,8 +11,6 @@ from ..mechanism.other_inputs import other_inputs
 from ..words import Words
 from .kinematics.class_iii.star import is_star
 
-_CLASS = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
-
 
 def refuse_higher(mech: Mechanism, groups: Iterable[Group]) -> None:
     """Raise NoMethodError for the first group that is neither of class II nor a central link on three legs."""
@@ -23,12 +21,11 @@ def refuse_higher(mech: Mechanism, groups: Iterable[Group]) -> None:
 
 def _what(group: Group) -> Words:
     number = group.kind.removeprefix("class ")
-    zh, links = _CLASS.get(number, number), ", ".join(group.links)
     if number == "III":
-        return Words(f"构件 {links} 组成的 Ⅲ 级杆组不是一个中心构件带三个双副支链，尚无图解法。",
-                     f"the {group.name} is not one central link on three legs, and no graphical method on file draws it.")
-    return Words(f"构件 {links} 组成 {zh} 级杆组，没有只用已知矢量列出的两个未知量的方程，图解法不适用。",
-                 f"no graphical method on file draws the {group.name}: no vector equation of it has only two unknowns.")
+        return Words(f"{group.name.zh}不是一个中心构件带三个双副支链，尚无图解法。",
+                     f"the {group.name.en} is not one central link on three legs, and no graphical method on file draws it.")
+    return Words(f"{group.name.zh}没有只用已知矢量列出的两个未知量的方程，图解法不适用。",
+                 f"no graphical method on file draws the {group.name.en}: no vector equation of it has only two unknowns.")
 
 
 def _instead(mech: Mechanism) -> Words:

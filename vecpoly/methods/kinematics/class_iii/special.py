@@ -53,7 +53,7 @@ def find_special(desk: Desk, star: Star, special: Special) -> None:
     one, two = (axis_of(desk, leg) for leg in special.pair)
     desk.board.step(_words(star, special), View.MECHANISM)
     lines = [desk.board.parallel(line.at, line.along) for line in (one, two)]
-    desk.at[special.at.point] = desk.board.meet(lines[0], lines[1], f"axes of links {special.pair[0].link} and {special.pair[1].link}")
+    desk.at[special.at.point] = desk.board.meet(lines[0], lines[1], Words(f"构件 {special.pair[0].link} 与 {special.pair[1].link} 的轴线", f"axes of links {special.pair[0].link} and {special.pair[1].link}"))
     here = complex(nominal(desk.at[special.at.point]))
     if _reach(desk, star, here) > FAR:
         desk.board.remark(Words(f"（${special.at.point}$ 落在图纸外，其方向和距离由作图延长线确定。）", f" (${special.at.point}$ falls off the sheet; the axes are produced beyond its edge.)"))

@@ -93,7 +93,7 @@ def star_of(group: Group) -> Star:
     """The central link and its legs; raises NoMethodError where the group is of another shape."""
     found = _star(group)
     if found is None:
-        raise NoMethodError(Words(f"构件 {', '.join(group.links)} 不是一个中心构件带三个支链", f"the {group.name} is not one central link on three legs"), code="no-method")
+        raise NoMethodError(Words(f"{group.name.zh}不是一个中心构件带三个支链", f"the {group.name.en} is not one central link on three legs"), code="no-method")
     return found
 
 

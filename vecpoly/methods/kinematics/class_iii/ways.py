@@ -69,7 +69,7 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
     front = () if view is View.VELOCITY else (_normal(desk, plate, to, ref, primes),)
     greek, unit = ("ω", "rad/s") if view is View.VELOCITY else ("α", "rad/s^2")
     length = desk.length(ref.point, to.point)
-    size = desk.board.compute(symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit)
+    size = desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit)
     desk.board.write_length(view, letters(desk, view, ref, to), size)
     along = 1j * np.where(np.asarray(rates.value) < 0, -1.0, 1.0) * desk.towards(ref.point, to.point)
     laid = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {ref.point}{to.point}$"), magnitude=f"$ {greek}_{plate} l_{ref.point}{to.point}$",
