@@ -47,10 +47,10 @@ def bar_text(points: dict[str, complex]) -> str:
     """A link by its first length and the offsets of its further points."""
     (p, a), (q, b), *rest = points.items()
     x = (b - a) / abs(b - a)
-    text = f"{p}{q}: {abs(b - a):.4f} mm"
+    text = f"{p}{q}: {abs(b - a):.9f} mm"
     for name, at in rest:
         local = (at - a) / x
-        text += f", {name}: {{along: {p}{q}, at: {local.real:.4f} mm, left: {local.imag:.4f} mm}}"
+        text += f", {name}: {{along: {p}{q}, at: {local.real:.9f} mm, left: {local.imag:.9f} mm}}"
     return "{" + text + "}"
 
 
@@ -162,7 +162,7 @@ def text_of(lay: Layout, drive: str, branch: str, plate: str, finds: list[str]) 
     points = lay.bars[plate]
     guesses = ", ".join([*(f"{p}: [{at.real:.3f} mm, {at.imag:.3f} mm]" for p, at in points.items()), *lay.guesses])
     links = "\n".join(f"  {name}: {lay.texts.get(name) or bar_text(lay.bars[name])}" for name in sorted({*lay.texts, *lay.bars}, key=int))
-    frame = ", ".join(f"{p}: [{at.real:.4f} mm, {at.imag:.4f} mm]" for p, at in lay.frame.items())
+    frame = ", ".join(f"{p}: [{at.real:.9f} mm, {at.imag:.9f} mm]" for p, at in lay.frame.items())
     quoted = ", ".join(f'"{joint}"' for joint in lay.joints)
     return (f"id: class-iii\ntitle: class III\nframe: {{{frame}}}\nlinks:\n{links}\njoints: [{quoted}]\ninput: {drive}\n{branch}\n"
             f"guesses: {{{guesses}}}\nfind: [{', '.join(finds)}]\n")
@@ -227,3 +227,20 @@ def class_iii_parallel(rng: np.random.Generator) -> str:
     kinds = ["parallel", *(str(kind) for kind in rng.choice(LEGS, 2))]
     rng.shuffle(kinds)
     return made(lay, drive, branch, ["frame", "1", "2", "3"] if branch else ["frame", "1"], kinds)
+
+
+@family("class-iii-special")
+def class_iii_special(rng: np.random.Generator) -> str:
+    """Three bars of which two are parallel or nearly so, or one points at the pin of another: the special point is far, or is that pin."""
+    lay = Layout(rng)
+    drive, start, way = crank(lay), complex(rng.uniform(40, 140), rng.uniform(60, 200)), lay.way()
+    pins = [lay.near(start, 70) for _ in range(3)]
+    lay.bars["2"] = {lay.letter(): pin for pin in pins}
+    if rng.random() < 0.6:
+        ways = [way, way * complex(np.exp(1j * rng.choice([0.0, 1e-8, 1e-6, 1e-4, 1e-2, np.pi]))), lay.way()]
+    else:
+        ways = [lay.way(), (pins[1] - pins[0]) / abs(pins[1] - pins[0]), lay.way()]
+    for link, inner, pin, out in zip("345", list(lay.bars["2"]), pins, ways, strict=True):
+        far = pin + lay.length() * out
+        lay.bars[link] = {lay.on("1" if link == "5" else "frame", far): far, inner: pin}
+    return text_of(lay, drive, "", "2", asked(lay, "2"))

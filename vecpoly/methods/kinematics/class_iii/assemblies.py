@@ -23,6 +23,7 @@ SAME = 1e-5  # of the size, and rad: assemblies nearer than this are one
 ROUNDS = 12  # of the secant that settles the last digits
 
 Three = tuple[Axial, Axial, Axial]
+Grid = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,10 +102,26 @@ def _scanned(desk: Desk, star: Star) -> Iterator[Assembly]:
         for first in (True, False):
             misses = np.asarray(missed(desk, star, legs, first, grid))
             k = np.flatnonzero(misses[1:] * misses[:-1] <= 0)
-            yield from _closed(desk, star, legs, first, grid[k], grid[k + 1])
+            dips = _dips(desk, star, legs, first, grid, misses)
+            low, high = np.concatenate([grid[k], dips[0], dips[1]]), np.concatenate([grid[k + 1], dips[1], dips[2]])
+            yield from _closed(desk, star, legs, first, low, high)
 
 
-def _closed(desk: Desk, star: Star, legs: Three, first: bool, low: NDArray[np.float64], high: NDArray[np.float64]) -> Iterator[Assembly]:
+def _dips(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: Grid) -> tuple[Grid, Grid, Grid]:
+    """Where the gap comes down to zero and back between two trials, near a dead point: before, at the lowest, behind."""
+    near = np.abs(misses)
+    lowest = (near[1:-1] <= near[:-2]) & (near[1:-1] <= near[2:]) & (misses[1:-1] * misses[:-2] > 0) & (misses[1:-1] * misses[2:] > 0)
+    k = 1 + np.flatnonzero(lowest & (near[1:-1] < near[:-2] + near[2:] - 2 * near[1:-1]))
+    low, high, sign = grid[k - 1], grid[k + 1], np.sign(misses[k])
+    for _ in range(HALVINGS):
+        one, two = low + (high - low) / 3, high - (high - low) / 3
+        down = sign * missed(desk, star, legs, first, one) < sign * missed(desk, star, legs, first, two)
+        low, high = np.where(down, low, one), np.where(down, two, high)
+    crossed = sign * np.asarray(missed(desk, star, legs, first, low)) <= 0
+    return grid[k - 1][crossed], low[crossed], grid[k + 1][crossed]
+
+
+def _closed(desk: Desk, star: Star, legs: Three, first: bool, low: Grid, high: Grid) -> Iterator[Assembly]:
     """The zeros between these orientations, by halving; a jump of the gap is none."""
     at_low = np.asarray(missed(desk, star, legs, first, low))
     for _ in range(HALVINGS):

@@ -47,8 +47,8 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
     """The assembly that the branch statements and the guesses mean; raises AssemblyError where they mean none, or more than one."""
     if not options:
         raise AssemblyError(
-            Words(f"构件 {star.links} 不能装配：无论中心构件 {star.plate} 取什么方位，三个支链都不能同时满足；请检查各杆长和导路，或改换原动件的位置。",
-                  f"links {star.links} cannot be joined: in no orientation does link {star.plate} fit all three legs; check the lengths and guides, or move the input"),
+            Words(f"构件 {star.links} 不能装配：无论中心构件 {star.plate} 取什么方位，三个支链都不能同时满足（或恰在死点位置）；请检查各杆长和导路，或改换原动件的位置。",
+                  f"links {star.links} cannot be joined: in no orientation does link {star.plate} fit all three legs, or they stand just at a dead point; check the lengths and guides, or move the input"),
             code="no-assembly")
     after = [places(desk, star, option) for option in options]
     new = set(after[0]) - set(desk.at)
