@@ -86,7 +86,7 @@ def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict
     kind, s = QUANTITY[view], desk.name(special.at)
     parts = Words("各支链中的两个未知量同向，可合为一项。", " On either side the two unknown vectors are parallel and count as one.")
     desk.board.step(Words(f"求特殊点 ${s}$ 的{kind.zh}：分别由构件 {special.pair[0].link}、{special.pair[1].link} 列矢量方程并作图。",
-                          f"The {kind.en} of the special point ${s}$: one way over link {special.pair[0].link}, one over link {special.pair[1].link}.") + parts, view)
+                          f"The {kind.en} of the special point ${s}$: write the vector equation over links {special.pair[0].link} and {special.pair[1].link} and draw it.") + parts, view)
     (left, own_left), (right, own_right) = (to_special(desk, view, star, leg, special.at, primes) for leg, primes in zip(special.pair, (1, 2), strict=True))
     sought = symbol(desk, Rel(VECTOR[view], special.at))
     solve(desk, view, Equation(left=left, right=right, total=sought), special.at)
