@@ -244,3 +244,22 @@ def class_iii_special(rng: np.random.Generator) -> str:
         far = pin + lay.length() * out
         lay.bars[link] = {lay.on("1" if link == "5" else "frame", far): far, inner: pin}
     return text_of(lay, drive, "", "2", asked(lay, "2"))
+
+
+@family("class-iii-compound")
+def class_iii_compound(rng: np.random.Generator) -> str:
+    """Three bars, two of which share their pin on a known link, the plate's pins shared with a dyad that follows."""
+    lay = Layout(rng)
+    drive, start = crank(lay), complex(rng.uniform(40, 140), rng.uniform(60, 200))
+    pins = [lay.near(start, 70) for _ in range(3)]
+    lay.bars["2"] = {lay.letter(): pin for pin in pins}
+    inner = list(lay.bars["2"])
+    home, other = ("frame", "1") if rng.random() < 0.5 else ("1", "frame")
+    shared = lay.on(home, far := pins[0] + lay.length() * lay.way())
+    lay.bars["3"], lay.bars["4"] = {shared: far, inner[0]: pins[0]}, {shared: far, inner[1]: pins[1]}
+    lay.bars["5"] = {lay.on(other, far := pins[2] + lay.length() * lay.way()): far, inner[2]: pins[2]}
+    elbow, ground = pins[0] + lay.length() * lay.way(), pins[0] + lay.length() * lay.way()
+    name, base = lay.letter(), lay.on("frame", ground)
+    lay.bars["6"], lay.bars["7"] = {inner[0]: pins[0], name: elbow}, {base: ground, name: elbow}
+    side = "left" if ((elbow - pins[0]) / (ground - pins[0])).imag > 0 else "right"
+    return text_of(lay, drive, f"branch: [{name} {side} of {inner[0]}{base}]", "2", [*asked(lay, "2"), f"v_{name}", f"a_{name}"])
