@@ -1,0 +1,77 @@
+"""A gear train solved as one group located link by link: arms from their given angles, gears about their centres, bars by arcs."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from ...board.construction import View
+from ...errors import NoMethodError
+from ...mechanism.assur import Group
+from ...mechanism.model import Circle, Revolute
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, method
+from .assembly import choose, said
+from .pitch import letter_pitch_points, rolling_in, wheel
+from .standing import said_standing, standing, start_of
+
+
+@method(stage=Stage.POSITION, group="gear train", source="机械原理, planetary gear trains", example="planetary-sun-drives",
+        title=Words("轮系杆组的位置", "Position of a gear train"))
+def position_train(desk: Desk, group: Group) -> None:
+    """One link after the other, as soon as two points of it, or one point and its angle, are known."""
+    joints = (*group.inner, *(outer.joint for outer in group.outer))
+    desk.board.step(Words(f"定出轮系中构件 {'、'.join(group.links)} 的位置：", f"Locate links {', '.join(group.links)} of the train:"), View.MECHANISM)
+    waiting = list(group.links)
+    while waiting:
+        link = next((one for one in waiting if _placed(desk, group, one)), None)
+        if link is not None:
+            waiting.remove(link)
+        elif not _arced(desk, group, waiting):
+            raise NoMethodError(Words(f"{group.name}：没有相应的图解法能定出构件 {'、'.join(waiting)} 的位置；可用 vecpoly exact 求解析值",
+                                      f"the {group.name}: no graphical method on file locates links {', '.join(waiting)}; 'vecpoly exact' gives the analytic answers"))
+    letter_pitch_points(desk, joints)
+    names = "$、$".join(joint.point for joint in rolling_in(joints)), "$, $".join(joint.point for joint in rolling_in(joints))
+    desk.board.remark(Words(f"各轮节圆的切点为啮合点 ${names[0]}$。", f" The pitch circles touch at ${names[1]}$."))
+
+
+def _placed(desk: Desk, group: Group, link: str) -> bool:
+    """Place the link from two known points, or from one and its angle."""
+    points = desk.body(link).points
+    drawn = [p for p in points if p in desk.at]
+    if len(drawn) > 1:
+        desk.settle(link, (drawn[0], drawn[1]))
+    elif drawn and (start_of(desk, link) is not None or _only_centre(group, link, tuple(points))):
+        words = said_standing(desk, link)
+        desk.settle_turned(link, drawn[0], standing(desk, link))
+        desk.board.remark(words)
+    else:
+        return False
+    return True
+
+
+def _only_centre(group: Group, link: str, points: tuple[str, ...]) -> bool:
+    """Whether the link is a gear without any point but its centre."""
+    joints = rolling_in((*group.inner, *(outer.joint for outer in group.outer)))
+    wheels = [wheel(joint, link) for joint in joints if link in (joint.gear.link, joint.on.link)]
+    return len(points) == 1 and any(isinstance(mine, Circle) for mine in wheels)
+
+
+def _arced(desk: Desk, group: Group, waiting: list[str]) -> bool:
+    """Place two links that share an undrawn hinge and have one drawn point each, by two arcs."""
+    for one, two in combinations(waiting, 2):
+        shared = [j.point for j in group.inner if isinstance(j, Revolute) and {j.a, j.b} == {one, two} and j.point not in desk.at]
+        drawn = [next((p for p in desk.body(link).points if p in desk.at), None) for link in (one, two)]
+        if not shared or None in drawn:
+            continue
+        c, (p, q) = shared[0], (str(drawn[0]), str(drawn[1]))
+        radii = [desk.mm(abs(desk.body(link).points[c] - desk.body(link).points[o])) for link, o in ((one, p), (two, q))]
+        pair = desk.board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], f"links {one} and {two} at {c}")
+        desk.at[c], why = choose(desk, c, (one, two), pair)
+        desk.board.remark(Words(f"以 ${p}$、${q}$ 为圆心画弧交于 ${c}$", f" Arcs about ${p}$ and ${q}$ meet at ${c}$") + said(why) + Words("。", "."))
+        for link, o in ((one, p), (two, q)):
+            desk.board.swing(View.MECHANISM, desk.at[o], desk.mm(abs(desk.body(link).points[c] - desk.body(link).points[o])), desk.at[c])
+            desk.settle(link, (o, c))
+            waiting.remove(link)
+        return True
+    return False
