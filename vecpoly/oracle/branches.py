@@ -10,6 +10,7 @@ from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.branch import margin
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from .dyads import Hinged, Swinging
+from .newton import Newton
 from .run import Run
 from .state import Bodies
 from .steps import Step
@@ -45,7 +46,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
-    if isinstance(step, Hinged) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
+    if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
         raise DeadPointError(
             f"links {names} are at a dead point where the drive stands at {where}: their two assemblies "
             f"coincide and cannot be told apart; choose another position of the drive")
@@ -63,6 +64,11 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         return _ahead(step, bodies)
     raise AssemblyError(
         f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
+
+
+def _hinged(step: Step) -> bool:
+    """Whether the two assemblies differ in the place of a hinge, whose letter is the step's joint."""
+    return isinstance(step, Hinged) or (isinstance(step, Newton) and step.two)
 
 
 def _letters(statement: SideOf) -> set[str]:
@@ -85,7 +91,7 @@ def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> str:
     """; say which: 'C left of BD' or 'C right of BD'."""
-    if len(after) < 2 or not isinstance(step, Hinged):
+    if len(after) < 2 or not _hinged(step):
         return ""
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,17 +14,21 @@ from ..mechanism.model import Mechanism, Prismatic, Rack, Rolling, Side
 from ..mechanism.start import Start
 from .state import Bodies
 
+NOWHERE: Mapping[str, complex] = MappingProxyType({})
 
-def first_guess(mech: Mechanism, group: Group, known: Bodies) -> NDArray[np.float64]:
-    """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad).
+
+def first_guess(mech: Mechanism, group: Group, known: Bodies, about: Mapping[str, complex] = NOWHERE) -> NDArray[np.float64]:
+    """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad). about: places found beforehand.
 
     Raises AssemblyError where a link has no point with a place.
     """
-    places = dict(mech.guesses)
+    places = {**mech.guesses, **about}
     for name, body in known.items():
         places |= {p: complex(body.point(local)[0]) for p, local in mech.link(name).points.items()}
     poses = {name: complex(body.unit[0]) for name, body in known.items()}
-    told = {one.link: one for one in mech.starts if one.link in group.links}
+    wheels = {circle.link for joint in (*group.inner, *(out.joint for out in group.outer)) if isinstance(joint, Rolling) for circle in (joint.gear, joint.on)}
+    told = {link: Start(link=link, value=0.0) for link in group.links if link in wheels and len(mech.link(link).points) > 1 and about}
+    told |= {one.link: one for one in mech.starts if one.link in group.links}
     loose = list(group.links)
     while loose:
         for one in (told[n] for n in loose if n in told and told[n].slide):

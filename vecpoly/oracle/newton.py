@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from ..mechanism.assur import Group, is_held
 from ..mechanism.model import Mechanism, Rolling
 from .guess import first_guess
+from .off_centre import hinge_of, is_off_centre, places
 from .rows import Row, row
 from .run import Run, Track
 from .standing import Standing, carriers, standings
@@ -39,7 +40,7 @@ class Newton:
     two: bool = False
     joint: str = field(default="", kw_only=True)
     size: float = field(init=False)  # the mechanism's (m)
-    walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, kw_only=True)  # strides from the own position → states found
+    walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, init=False)  # strides from the own position → states found
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", self.mech.scale)
@@ -51,7 +52,8 @@ class Newton:
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
-            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here), here)
+            about = places(self.mech, self.group, here, self.sign) if self.two else {}
+            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here, about), here)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -70,8 +72,7 @@ class Newton:
         rates = self._linear(jacobian, self._stack([r.rate(still[r.a], still[r.b]) for r in self.rows], len(run.q)))
         rates[lost] = np.nan
         moved = {**bodies, **self._moving(bodies, rates, np.zeros_like(rates))}
-        bends = self._linear(
-            jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
+        bends = self._linear(jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
         return self._moving(bodies, rates, bends)
 
     def miss(self, bodies: Bodies) -> Reals:
@@ -236,13 +237,14 @@ class Newton:
     def _moving(self, bodies: Mapping[str, Body], rates: States, bends: States) -> dict[str, Body]:
         return {name: _rates(bodies[name], rates[:, i], bends[:, i]) for i, name in enumerate(self.group.links)}
 
-
 def _rates(body: Body, rate: States, bend: States) -> Body:
     return body.moving(rate[:, 0] + 1j * rate[:, 1], rate[:, 2], bend[:, 0] + 1j * bend[:, 1], bend[:, 2])
 
 
 def newton(mech: Mechanism, group: Group) -> Newton:
-    """The step for a group that has no closed form here."""
+    """The step for a group that has no closed form here; of a hinge off a gear's centre there are two assemblies."""
     joints = (*group.inner, *(out.joint for out in group.outer))
     rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
+    if is_off_centre(mech, group):
+        return Newton(mech, group, rows, standings(mech, group), two=True, joint=hinge_of(group))
     return Newton(mech, group, rows, standings(mech, group), joint=f"the loops of the {group.name}")
