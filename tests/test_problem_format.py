@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Rolling, Side
+from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Side
 from vecpoly.problem.assignment import is_assignment, load_assignment
 from vecpoly.problem.draft import Draft
 from vecpoly.problem.joints import Bodies, read_joint

@@ -28,7 +28,7 @@ from .bars import bar, weld
 from .cam import contact_replaced, contacts_of
 from .cam_diagram import cam_body, draw_contacts, fixed_guide, guided_follower
 from .follower import face_marks, stem_marks
-from .gear_diagram import draw_gears
+from .gear_diagram import draw_gears, guided_rack
 
 HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
 BEYOND = 12.0  # mm a rod sticks out behind its block
@@ -57,7 +57,7 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
             drawn = {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN
-            if drawn and not guided_follower(desk, joint):
+            if drawn and not guided_follower(desk, joint) and (joint.guide != FRAME or guided_rack(desk, joint.block) is None):
                 desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes))
     draw_gears(desk, links, shapes)
     draw_contacts(desk)

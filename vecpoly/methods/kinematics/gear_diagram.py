@@ -8,13 +8,15 @@ import numpy as np
 
 from ...board.construction import View
 from ...board.marks import FixedGuide, GearMark, LinkNumber, Mark, RackMark, Role, Segment
-from ...mechanism.model import FRAME, Circle, Rack, Rolling
+from ...mechanism.assur import is_along
+from ...mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ...plane import nominal
 from ...problem.problem import Shape
 from ..desk import Desk
 
 HALF = 1.3  # of the gear's radius: the rack to either side of the pitch point
 HALF_HATCH = 15.0  # mm: the hatching of a fixed gear to either side
+DEEP = 7.2  # mm from the pitch line to the underside of a rack
 BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
 
 
@@ -58,9 +60,21 @@ def _rack(desk: Desk, joint: Rolling, rack: Rack) -> Iterator[Mark]:
     if joint.side != "left":
         a, b = b, a
     yield RackMark(a=a, b=b, fixed=rack.link == FRAME)
+    if (slide := guided_rack(desk, rack.link)) is not None:
+        middle = foot + along * float((along.conjugate() * (_spot(desk, slide.pin) - foot)).real)
+        under = -1j * (b - a) / abs(b - a)
+        ahead = (b - a) / abs(b - a) * HALF_HATCH
+        yield FixedGuide(a=middle - ahead + DEEP * under, b=middle + ahead + DEEP * under)
     for pin, travel in zip(pins, travels, strict=True):
         if abs(pin - foot - along * travel) > BESIDE:
             yield Segment(a=foot + along * travel, b=pin, role=Role.LINK)
+
+
+def guided_rack(desk: Desk, link: str) -> Prismatic | None:
+    """The fixed guide along which this link, a rack, slides on its own pitch line: its body is drawn as the rack's."""
+    racks = [j.on for j in desk.mech.joints if isinstance(j, Rolling) and isinstance(j.on, Rack) and j.on.link == link]
+    slides = [j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == link and j.guide == FRAME]
+    return slides[0] if racks and slides and is_along(slides[0], racks[0]) else None
 
 
 def _spot(desk: Desk, name: str) -> complex:

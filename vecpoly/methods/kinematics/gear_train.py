@@ -38,8 +38,10 @@ STEEP = 1e-6  # sine between two links seen from their common point, below which
 def velocity_train(desk: Desk, group: Group) -> None:
     """v_B of a planet from its two pitch points: b lies on h k as B on HK; ω = v_HK / HK."""
     _solved(desk, View.VELOCITY, group)
-    for joint in rolling_in((*group.inner, *(outer.joint for outer in group.outer))):
-        for link in {joint.gear.link, joint.on.link} & set(group.links):
+    joints = rolling_in((*group.inner, *(outer.joint for outer in group.outer)))
+    for link in group.links:
+        joint = next((one for one in joints if link in (one.gear.link, one.on.link)), None)
+        if joint is not None:
             imaged_wheel(desk, joint, link)
 
 
