@@ -40,12 +40,27 @@ def first_guess(mech: Mechanism, group: Group, known: Bodies, about: Mapping[str
         if name in told or len([p for p in link.points if p in places]) > 1:
             seen = next((p for p in link.points if p in places), None)
             places |= {} if seen is None else {p: places[seen] + poses[name] * (local - link.points[seen]) for p, local in link.points.items() if p not in places}
+    for name in group.links:
+        slid = [j for j in mech.joints if isinstance(j, Prismatic) and j.block == name]
+        if slid and not any(p in places for p in mech.link(name).points) and (spot := _anywhere(mech, name, known, places)) is not None:
+            places[slid[0].pin] = spot
     return np.array([[_pose(mech, group, name, places, poses[name]) for name in group.links]])
 
 
 def _sure(mech: Mechanism, name: str, told: dict[str, Start], places: dict[str, complex], poses: dict[str, complex]) -> bool:
     """Whether the link's direction and the place of one of its points are known."""
     return _unit(mech, name, told, places, poses) is not None and any(p in places for p in mech.link(name).points)
+
+
+def _anywhere(mech: Mechanism, name: str, known: Bodies, places: dict[str, complex]) -> complex | None:
+    """A place for the pin of a link that only slides on a known guide, where nothing else tells it: beside the points that are known."""
+    joint = next((j for j in mech.joints if isinstance(j, Prismatic) and j.block == name and j.guide in known), None)
+    if joint is None or not places:
+        return None
+    body, along = known[joint.guide], complex(np.exp(1j * joint.direction))
+    base, way = complex(body.point(joint.origin)[0]), complex(body.unit[0]) * along
+    middle = complex(np.mean(list(places.values())))
+    return base + way * ((way.conjugate() * (middle - base)).real + 1j * joint.offset)
 
 
 def _slide(mech: Mechanism, start: Start, known: Bodies, places: dict[str, complex]) -> None:
