@@ -16,6 +16,7 @@ from itertools import combinations, pairwise
 from math import sin
 
 from ..errors import MobilityError
+from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
 
 PARALLEL = 1e-9  # sine between lines below which they are parallel
@@ -62,9 +63,9 @@ class Group:
     dyad: Dyad | None = None
 
     @property
-    def name(self) -> str:
+    def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        return f"{self.kind} group {', '.join(self.links)}"
+        return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
 def decompose(mech: Mechanism) -> tuple[Group, ...]:
@@ -78,10 +79,9 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known)), None)
         if group is None:
-            raise MobilityError(
-                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: "
-                f"a joint or a drive is missing, or one too many"
-            )
+            raise MobilityError(Words(
+                f"构件 {', '.join(rest)} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
+                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
         groups.append(group)
         known += group.links
         rest = [name for name in rest if name not in group.links]

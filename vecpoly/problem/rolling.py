@@ -10,7 +10,7 @@ from ..mechanism.model import FRAME, Circle, Rack, Rolling, Side
 from ..units import positive
 from ..words import Words
 from .draft import LETTER
-from .faults import meant
+from .faults import not_on_frame
 from .joints import LINK, Bodies, fixed_line
 
 _ROLLS = re.compile(
@@ -107,7 +107,7 @@ def _beside(side: str, rack: Rack, text: str) -> Side:
 def _partner(on: str, bodies: Bodies) -> Circle | Rack:
     if m := re.fullmatch(rf"circle about ({LETTER}) of (.+)", on):
         if m[1] not in bodies.frame:
-            raise FaultError(f"point '{m[1]}' is not on the frame{meant(m[1], bodies.frame)}")
+            raise not_on_frame(m[1], bodies.frame)
         return Circle(link=FRAME, centre=m[1], radius=positive(m[2]).si)
     if (fixed := fixed_line(on, bodies)) is not None:
         return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)

@@ -101,7 +101,7 @@ def rolling_term(desk: Desk, joint: Rolling, link: str, tip: str = "") -> Term:
     rel = Rel(Kind.A, At(h, link), None if other == FRAME else At(h, other))
     sign = symbol(desk, rel)
     turning = _relative(desk, link, other)
-    size = board.compute(sign, turning.squared() * _curved(joint), "m/s^2")
+    size = desk.sizes[rel.key] = board.compute(sign, turning.squared() * _curved(joint), "m/s^2")
     vanishes = abs(nominal(size.value)) < 1e-12
     start, end = _normal(joint, link)
     if not vanishes:

@@ -62,10 +62,10 @@ def _located(desk: Desk, d: Dyad) -> None:
     board.step(Words("；".join(w.zh for w in told) + f"；两者交于 ${c}$", "; ".join(w.en for w in told) + f"; they meet at ${c}$"), View.MECHANISM)
     one, two = (_locus(desk, joint, link, c) for joint, link, _ in sides)
     if isinstance(one, Line) and isinstance(two, Line):
-        desk.at[c] = board.meet(one, two, f"links {d.link_j} and {d.link_k} at {c}")
+        desk.at[c] = board.meet(one, two, _at(d, c))
         board.remark(Words("。", "."))
     else:
-        desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), _pair(desk, one, two, f"links {d.link_j} and {d.link_k} at {c}"))
+        desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), _pair(desk, one, two, _at(d, c)))
         board.remark(said(why) + Words("。", "."))
     for locus in (one, two):
         if isinstance(locus, Round):
@@ -75,7 +75,11 @@ def _located(desk: Desk, d: Dyad) -> None:
     letter_pitch_points(desk, (d.outer_j, d.outer_k))
 
 
-def _pair(desk: Desk, one: Locus, two: Locus, what: str) -> tuple[Points, Points]:
+def _at(d: Dyad, c: str) -> Words:
+    return Words(f"构件 {d.link_j}、{d.link_k} 在 {c} 处", f"links {d.link_j} and {d.link_k} at {c}")
+
+
+def _pair(desk: Desk, one: Locus, two: Locus, what: Words) -> tuple[Points, Points]:
     match one, two:
         case Round() as a, Round() as b:
             return desk.board.arcs(a.about, a.radius, b.about, b.radius, what)

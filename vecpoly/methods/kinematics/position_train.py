@@ -66,7 +66,7 @@ def _arced(desk: Desk, group: Group, waiting: list[str]) -> bool:
             continue
         c, (p, q) = shared[0], (str(drawn[0]), str(drawn[1]))
         radii = [desk.mm(abs(desk.body(link).points[c] - desk.body(link).points[o])) for link, o in ((one, p), (two, q))]
-        pair = desk.board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], f"links {one} and {two} at {c}")
+        pair = desk.board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], Words(f"构件 {one}、{two} 在 {c} 处", f"links {one} and {two} at {c}"))
         desk.at[c], why = choose(desk, c, (one, two), pair)
         desk.board.remark(Words(f"以 ${p}$、${q}$ 为圆心画弧交于 ${c}$", f" Arcs about ${p}$ and ${q}$ meet at ${c}$") + said(why) + Words("。", "."))
         for link, o in ((one, p), (two, q)):
