@@ -39,6 +39,7 @@ class Growing:
     joints: list[str] = field(default_factory=list)
     branch: list[str] = field(default_factory=list)
     circles: list[Circle] = field(default_factory=list)
+    travel: float | None = None  # of a rack that drives (mm)
     letters: list[str] = field(default_factory=lambda: LETTERS.copy())
 
     def letter(self) -> str:
@@ -79,8 +80,10 @@ class Growing:
         moving = dict.fromkeys(p for carried in self.carries.values() for p in carried if p not in self.frame)
         asked = ", ".join([*rates, *(f"{kind}_{p}" for p in moving for kind in "pva")])
         alpha = self.one(["", ", alpha: 40 rad/s^2", ", alpha: -25 rad/s^2"])
+        turning = f"phi: {degrees(cmath.phase(self.drive)) % 360!r} deg, omega: {self.one(['10 rad/s ccw', '4 rad/s cw'])}{alpha}"
+        told = turning if self.travel is None else f"s: {self.travel!r} mm, v: 0.4 m/s, a: 3 m/s^2"
         return (f"id: random\ntitle: random gears\nframe: {{{frame}}}\nlinks:\n{links}\njoints:\n{joints}\nbranch: [{', '.join(self.branch)}]\n"
-                f"input: {{link: 1, phi: {degrees(cmath.phase(self.drive)) % 360!r} deg, omega: {self.one(['10 rad/s ccw', '4 rad/s cw'])}{alpha}}}\nfind: [{asked}]\n")
+                f"input: {{link: 1, {told}}}\nfind: [{asked}]\n")
 
     @property
     def drive(self) -> complex:
@@ -89,11 +92,13 @@ class Growing:
 
 
 def started(random: Random) -> Growing:
-    """A crank with a gear about its pivot or about its pin, or a gear that drives."""
+    """A crank with a gear about its pivot or about its pin, a gear that drives, or a rack that turns a pinion."""
     g = Growing(random)
     a = g.fixed(0j)
-    kind = g.one(["plain", "about pivot", "about pin", "gear"])
+    kind = g.one(["plain", "about pivot", "about pin", "gear", "rack"])
     radius = g.between(15, 60)
+    if kind == "rack":
+        return _driving_rack(g, a, radius)
     if kind == "gear":
         g.circles.append(Circle(g.link([f"gear: {a}", f"radius: {radius!r} mm"], [a]), a, radius))
         return g
@@ -103,6 +108,20 @@ def started(random: Random) -> Growing:
     g.link([g.length(a, b)] + ([] if kind == "plain" else [f"gear: {centre}", f"radius: {radius!r} mm"]), [a, b])
     if kind != "plain":
         g.circles.append(Circle("1", centre, radius))
+    return g
+
+
+def _driving_rack(g: Growing, a: str, radius: float) -> Growing:
+    """The input is a rack on a fixed guide; its pinion turns about A."""
+    p, angle, g.travel = g.letter(), g.between(-pi, pi), g.between(-50, 50)
+    along = cmath.rect(1, angle)
+    k = g.fixed(-1j * along * radius + along * g.between(-30, 30))
+    g.at[p] = g.at[k] + along * g.travel
+    g.link([f"block: {p}", f"rack: {p}"], [p])
+    g.joints.append(f"1 slides on line through {k} at {degrees(angle)!r} deg")
+    gear = pinned(g, a, radius)
+    g.joints.append(f"{gear} rolls {g.one(['on', 'left of'])} 1 at {g.letter()}")
+    g.circles.append(Circle(gear, a, radius))
     return g
 
 
@@ -194,7 +213,7 @@ def gear_on_pivot(g: Growing) -> None:
 
 def gear_on_link(g: Growing) -> None:
     """A gear about a hinge of a link that also carries the centre of a known gear, or of a fixed one."""
-    spots = []
+    spots: list[tuple[str, str, Circle | None]] = []
     for name, carried in g.carries.items():
         for x in carried:
             for y in carried:
@@ -244,6 +263,7 @@ def rolling_centre(g: Growing) -> None:
     g.at[c] = g.near(g.at[p], 60, 180)
     known = [k for k in g.circles if k.link not in [n for n in g.links if p in g.carries[n]] and k.centre != p]
     h = g.letter()
+    side: tuple[str, ...]
     if known and g.random.random() < 0.6:
         other = known[int(g.random.integers(len(known)))]
         way = cmath.rect(1, g.between(-pi, pi))
@@ -264,7 +284,7 @@ def rolling_centre(g: Growing) -> None:
         gear = pinned(g, c, mine)
     g.joints.append(f"{gear} {joint}")
     if side and q == c:
-        g.side(q, *side)
+        g.side(q, side[0], side[1])
     elif side:
         shifted = g.at[side[1]] + g.at[q] - g.at[c]
         ghost = ((shifted - g.at[p]).conjugate() * (g.at[q] - g.at[p])).imag > 0
@@ -319,6 +339,34 @@ def rack_on_pin(g: Growing) -> None:
     g.circles.append(Circle(gear, d, radius))
 
 
+def rack_on_link(g: Growing) -> None:
+    """A gear on a hinge of a bar that drives a rack along that bar, or is driven from a gear on the other hinge."""
+    spots = [(c, name, y) for c in g.circles for name, carried in g.carries.items() if c.centre in carried and c.link != name
+             for y in carried if y != c.centre and len(carried) == 2]
+    if not spots:
+        return
+    pinion, name, y = spots[int(g.random.integers(len(spots)))]
+    x = pinion.centre
+    if "gear:" in " ".join(g.links[name]):
+        return
+    first, second = (x, y) if g.carries[name].index(x) == 0 else (y, x)
+    way = (g.at[second] - g.at[first]) / abs(g.at[second] - g.at[first])
+    p, travel, side = g.letter(), g.between(-40, 60), g.one(["left", "right"])
+    off = pinion.radius if side == "left" else -pinion.radius
+    g.at[p] = g.at[first] + way * (travel + 1j * off)
+    rack = g.link([f"block: {p}", f"rack: {p}", f"s: {travel!r} mm"], [p])
+    g.joints += [f"{rack} slides on {first}{second} of {name} with {p} {pinion.radius!r} mm {side}", f"{pinion.link} rolls on {rack} at {g.letter()}"]
+
+
+def planet_rod(g: Growing) -> None:
+    """An idler between two gears on fixed pivots, then a planet about a dyad's hinge: gears in a row."""
+    gear_on_pivot(g)
+    gear_on_pivot(g)
+    dyad(g)
+    gear_on_link(g)
+    gear_on_link(g)
+
+
 def train(g: Growing) -> None:
     """An arm with one or two planets between a known sun on a fixed pivot and a fixed ring (or a fixed sun)."""
     known = [c for c in g.circles if c.centre in g.frame]
@@ -352,6 +400,8 @@ OPS: dict[str, list[Callable[[Growing], None]]] = {
     "gears-racks": [rack_on_guide, slider, rack_on_pin, gear_on_pivot, dyad],
     "gears-rolling": [rolling_centre, rolling_centre, slider_gear, dyad, gear_on_link],
     "gears-trains": [train, gear_on_pivot, dyad, gear_on_link],
+    "gears-moving-racks": [gear_on_link, gear_on_link, rack_on_link, rack_on_link, dyad],
+    "gears-rows": [planet_rod, planet_rod, slider, rolling_centre, rack_on_pin],
 }
 
 

@@ -23,7 +23,7 @@ def first_guess(mech: Mechanism, group: Group, known: Bodies, about: Mapping[str
 
     Raises AssemblyError where a link has no point with a place.
     """
-    places = {**mech.guesses, **about}
+    places = dict(about or mech.guesses)
     for name, body in known.items():
         places |= {p: complex(body.point(local)[0]) for p, local in mech.link(name).points.items()}
     poses = {name: complex(body.unit[0]) for name, body in known.items()}
@@ -45,6 +45,7 @@ def first_guess(mech: Mechanism, group: Group, known: Bodies, about: Mapping[str
         slid = [j for j in mech.joints if isinstance(j, Prismatic) and j.block == name]
         if slid and not any(p in places for p in mech.link(name).points) and (spot := _anywhere(mech, name, known, places)) is not None:
             places[slid[0].pin] = spot
+        places |= {} if any(p in places for p in mech.link(name).points) else {p: at for p, at in mech.guesses.items() if p in mech.link(name).points}
     return np.array([[_pose(mech, group, name, places, poses[name]) for name in group.links]])
 
 

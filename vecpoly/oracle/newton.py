@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..mechanism.assur import Group, is_held
 from ..mechanism.model import Mechanism, Rolling
 from .guess import first_guess
-from .off_centre import hinge_of, is_off_centre, places
+from .off_centre import crossing, places
 from .rows import Row, row
 from .run import Run, Track
 from .standing import Standing, carriers, standings
@@ -245,6 +245,6 @@ def newton(mech: Mechanism, group: Group) -> Newton:
     """The step for a group that has no closed form here; of a hinge off a gear's centre there are two assemblies."""
     joints = (*group.inner, *(out.joint for out in group.outer))
     rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
-    if is_off_centre(mech, group):
-        return Newton(mech, group, rows, standings(mech, group), two=True, joint=hinge_of(group))
-    return Newton(mech, group, rows, standings(mech, group), joint=f"the loops of the {group.name}")
+    if (cross := crossing(mech, group)) is not None:
+        return Newton(mech, group, rows, standings(mech, group), two=True, joint=cross[0])
+    return Newton(mech, group, rows, standings(mech, group), joint=f"the loops of the {group.name.en}")

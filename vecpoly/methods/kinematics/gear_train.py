@@ -64,8 +64,8 @@ def _solved(desk: Desk, view: View, group: Group) -> None:
             continue
         pair = next(_pairs(desk, view, group, waiting), None)
         if pair is None:
-            raise NoMethodError(Words(f"{group.name}：没有相应的图解法能求构件 {'、'.join(waiting)} 的运动；可用 vecpoly exact 求解析值",
-                                      f"the {group.name}: no graphical method on file gives the motion of links {', '.join(waiting)}; 'vecpoly exact' gives the analytic answers"))
+            raise NoMethodError(Words(f"{group.name.zh}：没有相应的图解法能求构件 {'、'.join(waiting)} 的运动；可用 vecpoly exact 求解析值",
+                                      f"the {group.name.en}: no graphical method on file gives the motion of links {', '.join(waiting)}; 'vecpoly exact' gives the analytic answers"))
         _closed(desk, view, *pair)
         waiting = [one for one in waiting if one not in pair[:2]]
 

@@ -58,20 +58,20 @@ def _located(desk: Desk, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute)
     c, board = d.inner.point, desk.board
     sides = ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
-    told = [_led(desk, joint, link, c) for joint, link, _ in sides]
+    told = [led(desk, joint, link, c) for joint, link, _ in sides]
     board.step(Words("；".join(w.zh for w in told) + f"；两者交于 ${c}$", "; ".join(w.en for w in told) + f"; they meet at ${c}$"), View.MECHANISM)
-    one, two = (_locus(desk, joint, link, c) for joint, link, _ in sides)
+    one, two = (locus_of(desk, joint, link, c) for joint, link, _ in sides)
     if isinstance(one, Line) and isinstance(two, Line):
         desk.at[c] = board.meet(one, two, _at(d, c))
         board.remark(Words("。", "."))
     else:
-        desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), _pair(desk, one, two, _at(d, c)))
+        desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), crossings(desk, one, two, _at(d, c)))
         board.remark(said(why) + Words("。", "."))
     for locus in (one, two):
         if isinstance(locus, Round):
             board.swing(View.MECHANISM, locus.about, locus.radius, desk.at[c])
     for (joint, link, _), locus in zip(sides, (one, two), strict=True):
-        _settled(desk, joint, link, c, locus)
+        settle_on(desk, joint, link, c, locus)
     letter_pitch_points(desk, (d.outer_j, d.outer_k))
 
 
@@ -79,7 +79,7 @@ def _at(d: Dyad, c: str) -> Words:
     return Words(f"构件 {d.link_j}、{d.link_k} 在 {c} 处", f"links {d.link_j} and {d.link_k} at {c}")
 
 
-def _pair(desk: Desk, one: Locus, two: Locus, what: Words) -> tuple[Points, Points]:
+def crossings(desk: Desk, one: Locus, two: Locus, what: Words) -> tuple[Points, Points]:
     match one, two:
         case Round() as a, Round() as b:
             return desk.board.arcs(a.about, a.radius, b.about, b.radius, what)
@@ -88,7 +88,7 @@ def _pair(desk: Desk, one: Locus, two: Locus, what: Words) -> tuple[Points, Poin
     raise AssertionError
 
 
-def _locus(desk: Desk, joint: Joint, link: str, c: str) -> Locus:
+def locus_of(desk: Desk, joint: Joint, link: str, c: str) -> Locus:
     """Where the outer joint leaves the hinge to lie."""
     match joint:
         case Revolute():
@@ -133,7 +133,7 @@ def _out(desk: Desk, joint: Rolling, link: str, c: str) -> complex:
     return desk.mm(1.0) * complex(reach(joint) + sign * np.exp(1j * start.value) * (points[c] - points[mine.centre]))
 
 
-def _settled(desk: Desk, joint: Joint, link: str, c: str, locus: Locus) -> None:
+def settle_on(desk: Desk, joint: Joint, link: str, c: str, locus: Locus) -> None:
     """The link's pose, once its hinge is found."""
     match joint:
         case Revolute():
@@ -152,7 +152,7 @@ def _settled(desk: Desk, joint: Joint, link: str, c: str, locus: Locus) -> None:
             desk.board.remark(said_standing(desk, link))
 
 
-def _led(desk: Desk, joint: Joint, link: str, c: str) -> Words:
+def led(desk: Desk, joint: Joint, link: str, c: str) -> Words:
     """What leads the hinge."""
     match joint:
         case Revolute():

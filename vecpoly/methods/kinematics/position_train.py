@@ -7,12 +7,13 @@ from itertools import combinations
 from ...board.construction import View
 from ...errors import NoMethodError
 from ...mechanism.assur import Group
-from ...mechanism.model import Circle, Revolute
+from ...mechanism.model import Circle, Joint, Prismatic, Revolute, Rolling
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
 from .assembly import choose, said
 from .pitch import letter_pitch_points, rolling_in, wheel
+from .position_rolling import crossings, led, locus_of, settle_on
 from .standing import said_standing, standing, start_of
 
 
@@ -28,8 +29,8 @@ def position_train(desk: Desk, group: Group) -> None:
         if link is not None:
             waiting.remove(link)
         elif not _arced(desk, group, waiting):
-            raise NoMethodError(Words(f"{group.name}：没有相应的图解法能定出构件 {'、'.join(waiting)} 的位置；可用 vecpoly exact 求解析值",
-                                      f"the {group.name}: no graphical method on file locates links {', '.join(waiting)}; 'vecpoly exact' gives the analytic answers"))
+            raise NoMethodError(Words(f"{group.name.zh}：没有相应的图解法能定出构件 {'、'.join(waiting)} 的位置；可用 vecpoly exact 求解析值",
+                                      f"the {group.name.en}: no graphical method on file locates links {', '.join(waiting)}; 'vecpoly exact' gives the analytic answers"))
     letter_pitch_points(desk, joints)
     names = "$、$".join(joint.point for joint in rolling_in(joints)), "$, $".join(joint.point for joint in rolling_in(joints))
     desk.board.remark(Words(f"各轮节圆的切点为啮合点 ${names[0]}$。", f" The pitch circles touch at ${names[1]}$."))
@@ -58,20 +59,35 @@ def _only_centre(group: Group, link: str, points: tuple[str, ...]) -> bool:
 
 
 def _arced(desk: Desk, group: Group, waiting: list[str]) -> bool:
-    """Place two links that share an undrawn hinge and have one drawn point each, by two arcs."""
+    """Place two links that share an undrawn hinge, each led by its drawn point, its slide or its rolling."""
     for one, two in combinations(waiting, 2):
         shared = [j.point for j in group.inner if isinstance(j, Revolute) and {j.a, j.b} == {one, two} and j.point not in desk.at]
-        drawn = [next((p for p in desk.body(link).points if p in desk.at), None) for link in (one, two)]
-        if not shared or None in drawn:
+        leads = [_lead(desk, group, link) for link in (one, two)]
+        if not shared or leads[0] is None or leads[1] is None or _idle(group, shared[0], (leads[0], leads[1])):
             continue
-        c, (p, q) = shared[0], (str(drawn[0]), str(drawn[1]))
-        radii = [desk.mm(abs(desk.body(link).points[c] - desk.body(link).points[o])) for link, o in ((one, p), (two, q))]
-        pair = desk.board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], Words(f"构件 {one}、{two} 在 {c} 处", f"links {one} and {two} at {c}"))
-        desk.at[c], why = choose(desk, c, (one, two), pair)
-        desk.board.remark(Words(f"以 ${p}$、${q}$ 为圆心画弧交于 ${c}$", f" Arcs about ${p}$ and ${q}$ meet at ${c}$") + said(why) + Words("。", "."))
-        for link, o in ((one, p), (two, q)):
-            desk.board.swing(View.MECHANISM, desk.at[o], desk.mm(abs(desk.body(link).points[c] - desk.body(link).points[o])), desk.at[c])
-            desk.settle(link, (o, c))
+        c, sides = shared[0], ((leads[0], one), (leads[1], two))
+        told = [led(desk, joint, link, c) for joint, link in sides]
+        desk.board.remark(Words("；".join(w.zh for w in told) + f"；两者交于 ${c}$", " " + "; ".join(w.en for w in told).capitalize() + f"; they meet at ${c}$"))
+        loci = [locus_of(desk, joint, link, c) for joint, link in sides]
+        desk.at[c], why = choose(desk, c, (one, two), crossings(desk, loci[0], loci[1], Words(f"构件 {one}、{two} 在 {c} 处", f"links {one} and {two} at {c}")))
+        desk.board.remark(said(why) + Words("。", "."))
+        for (joint, link), locus in zip(sides, loci, strict=True):
+            settle_on(desk, joint, link, c, locus)
             waiting.remove(link)
         return True
     return False
+
+
+def _lead(desk: Desk, group: Group, link: str) -> Joint | None:
+    """What leads the link: a hinge already drawn, else a slide or a rolling pair on a known link."""
+    drawn = next((p for p in desk.body(link).points if p in desk.at), None)
+    if drawn is not None:
+        return Revolute(point=drawn, a="", b=link)
+    outer = [out.joint for out in group.outer if out.link == link]
+    return next((joint for joint in outer if isinstance(joint, Prismatic)), next((joint for joint in outer if isinstance(joint, Rolling)), None))
+
+
+def _idle(group: Group, c: str, leads: tuple[Joint, Joint]) -> bool:
+    """Whether both leads say the same: an arm holds the gear's centre at the distance at which it rolls."""
+    rolls = [joint for joint in leads if isinstance(joint, Rolling)]
+    return any(isinstance(joint.on, Circle) and c in (joint.gear.centre, joint.on.centre) for joint in rolls) and len(group.links) > 2
