@@ -162,6 +162,29 @@ def test_the_accelerations_at_a_pitch_point_differ_along_the_line_of_centres() -
         assert answers[key].drawn_vector == pytest.approx(answers[key].exact_vector, rel=1e-9), key
 
 
+def test_the_acceleration_of_a_pitch_point_is_that_of_a_link() -> None:
+    text = load("planet-drive").text
+    assert "different accelerations" in refusal(text.replace("find: [v_B,", "find: [a_H, v_B,"))
+    assert exact(loads(text.replace("find: [v_B,", "find: [a_H2, v_B,")), "a_H2") == pytest.approx(cmath.rect(30**2 * 0.02 * 0.04 / 0.06, radians(50)))
+
+
+def test_an_arm_is_moved_through_a_planet_s_crank_pin() -> None:
+    """One group of rod, planet and arm: the planet's angle is a datum, the arm's follows; the other way round as well."""
+    text = """
+id: through-planet
+title: through the planet
+frame: {A: [0 mm, 0 mm], D: [150 mm, 0 mm]}
+links: {1: {DQ: 20 mm}, 2: {QE: 130 mm}, 3: {gear: B, radius: 20 mm, E: {BE: 14 mm, angle: 100 deg}}, 4: {AB: 60 mm}}
+joints: [3 rolls on circle about A of 40 mm at H]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+branch: [E left of DA]
+find: [v_E, a_E, v_B, a_B, omega_2, omega_3, omega_4, alpha_2, alpha_3, alpha_4]
+"""
+    for form in (text, text.replace("100 deg", "100 deg from AB"), text.replace("E left of DA", "E right of DA")):
+        verdict = judge(form)
+        assert (verdict.kind, verdict.why) == (Kind.RIGHT, "")
+
+
 @pytest.mark.parametrize(("letter", "said"), [("A", "A is already a pin; give the pitch point a letter of its own"), ("B", "B is already a pin")])
 def test_a_pitch_point_has_a_letter_of_its_own(letter: str, said: str) -> None:
     assert said in refusal(planet(letter=letter))
