@@ -18,7 +18,7 @@ from vecpoly.mechanism.model import Circle, Rolling, Side
 from vecpoly.problem.problem import Problem
 
 MACHINES = ("planet-drive", "geared-five-bar", "hypocycloid-drive", "rack-drives-pinion", "pinion-drives-rack", "crank-rack-pinion",
-            "rack-on-a-rocker", "planetary-sun-drives", "ring-output")
+            "rack-on-a-rocker", "planetary-sun-drives", "ring-output", "travel-doubler")
 
 FIVE_BAR = """
 id: five
@@ -141,6 +141,11 @@ def test_the_cardan_point_runs_along_a_diameter() -> None:
     assert exact(problem, "a_P") == pytest.approx(-0.1 * 100 * cos(radians(40)), abs=1e-12)
     path = oracle.solve(problem.mechanism, np.linspace(0, 2 * pi, 37)).position("P")
     assert abs(path.imag).max() < 1e-12
+
+
+def test_the_upper_rack_of_a_travel_doubler_goes_twice_as_fast() -> None:
+    problem = load("travel-doubler")
+    assert exact(problem, "v_E") == pytest.approx(2 * exact(problem, "v_C")) and exact(problem, "a_E") == pytest.approx(2 * exact(problem, "a_C"))
 
 
 def test_arc_lengths_on_pinion_and_rack_are_equal() -> None:

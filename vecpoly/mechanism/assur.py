@@ -13,13 +13,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import combinations, pairwise
-from math import sin
 
 from ..errors import MobilityError
 from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
-
-PARALLEL = 1e-9  # sine between lines below which they are parallel
+from .pitch_lines import pitch_lines
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,22 +126,12 @@ def is_held(mech: Mechanism, rolling: Rolling) -> bool:
 def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
     """The links that hold the gear's centre at its distance from its partner.
 
-    They are pinned at both centres; or pinned at the gear's centre, with a slide along the pitch line of the rack.
+    They are pinned at both centres; or pinned at the gear's centre, with slides along the pitch line of the rack.
     """
     pins = hinges(mech)
     mine, on = {*pins.get(rolling.gear.centre, ()), rolling.gear.link}, rolling.on
-    if not isinstance(on, Rack):
-        both = mine & {*pins.get(on.centre, ()), on.link}
-    else:
-        slides = [joint for joint in mech.joints if isinstance(joint, Prismatic) and on.link in ends(joint) and is_along(joint, on)]
-        both = mine & {on.link, *(name for joint in slides for name in ends(joint))} - {rolling.gear.link}
+    both = mine & pitch_lines(mech, on).keys() - {rolling.gear.link} if isinstance(on, Rack) else mine & {*pins.get(on.centre, ()), on.link}
     return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
-
-
-def is_along(joint: Prismatic, rack: Rack) -> bool:
-    """Whether the rack, one of the two links of this slide, slides along its own pitch line."""
-    own = -joint.turn if rack.link == joint.block else joint.direction
-    return abs(sin(rack.direction - own)) < PARALLEL
 
 
 def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) -> Iterator[Group]:

@@ -6,13 +6,12 @@ pitch circles r' = r a' / a: the ratio stays. What differs by more than SLACK do
 
 from __future__ import annotations
 
-import cmath
-import math
 from dataclasses import replace
 
 from ..words import Words
 from .assur import holders
-from .model import Circle, Mechanism, Prismatic, Rack, Rolling, Side
+from .model import Circle, Mechanism, Rack, Rolling, Side
+from .pitch_lines import pitch_lines
 
 SLACK = 5e-4  # of the centre distance
 
@@ -31,7 +30,8 @@ def held_at(mech: Mechanism, rolling: Rolling) -> float | None:
         return None
     points = mech.link(by).points
     if isinstance(rolling.on, Rack):
-        return _off_rack(mech, rolling, rolling.on, by)
+        side = 1.0 if rolling.side is Side.LEFT else -1.0
+        return side * pitch_lines(mech, rolling.on)[by].left(points[rolling.gear.centre])
     return abs(points[rolling.gear.centre] - points[rolling.on.centre])
 
 
@@ -67,21 +67,3 @@ def fitted(mech: Mechanism, rolling: Rolling) -> Rolling:
 
 def _scaled(circle: Circle, more: float) -> Circle:
     return circle if abs(more - 1) < 1e-12 else replace(circle, radius=circle.radius * more)
-
-
-def _off_rack(mech: Mechanism, rolling: Rolling, rack: Rack, by: str) -> float:
-    """How far (m) the gear's centre is held on the side of the rack's pitch line that the joint tells."""
-    side = 1.0 if rolling.side is Side.LEFT else -1.0
-    centre = mech.link(by).points[rolling.gear.centre]
-    if by == rack.link:
-        return side * (cmath.exp(-1j * rack.direction) * (centre - rack.origin)).imag
-    joint = next(j for j in mech.joints if isinstance(j, Prismatic) and {j.guide, j.block} == {by, rack.link})
-    pin = mech.link(joint.block).points[joint.pin]
-    turn, line = cmath.exp(1j * joint.turn), cmath.exp(-1j * joint.direction)
-
-    def left(link: str, point: complex) -> float:
-        """Of the guide's direction (m)."""
-        return (line * (point - joint.origin)).imag if link == joint.guide else joint.offset + (turn * (point - pin)).imag
-
-    along = rack.direction - joint.direction if rack.link == joint.guide else rack.direction + joint.turn
-    return side * math.copysign(1.0, math.cos(along)) * (left(by, centre) - left(rack.link, rack.origin))

@@ -8,8 +8,8 @@ import numpy as np
 
 from ...board.construction import View
 from ...board.marks import FixedGuide, GearMark, LinkNumber, Mark, RackMark, Role, Segment
-from ...mechanism.assur import is_along
 from ...mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
+from ...mechanism.pitch_lines import PitchLine, is_along
 from ...plane import nominal
 from ...problem.problem import Shape
 from ..desk import Desk
@@ -74,7 +74,7 @@ def guided_rack(desk: Desk, link: str) -> Prismatic | None:
     """The fixed guide along which this link, a rack, slides on its own pitch line: its body is drawn as the rack's."""
     racks = [j.on for j in desk.mech.joints if isinstance(j, Rolling) and isinstance(j.on, Rack) and j.on.link == link]
     slides = [j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == link and j.guide == FRAME]
-    return slides[0] if racks and slides and is_along(slides[0], racks[0]) else None
+    return slides[0] if racks and slides and is_along(slides[0], link, PitchLine(racks[0].origin, racks[0].direction)) else None
 
 
 def _spot(desk: Desk, name: str) -> complex:
