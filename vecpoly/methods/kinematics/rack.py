@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from ...board.construction import View
+from ...board.marks import Dot
 from ...mechanism.assur import Group, ends
 from ...mechanism.model import FRAME, Prismatic, Rolling
-from ...names import At, Kind, Rel
+from ...names import At, Kind, Rel, omega
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
@@ -44,7 +45,7 @@ def velocity_rack(desk: Desk, group: Group) -> None:
         desk.board.equate(eq.table())
         desk.ends |= {key: (view, a, b) for key, (a, b) in close(desk.board, view, 0j, eq).ends.items()}
         same_turn(desk, rack, led, view)
-    images_of_link(desk, view, rack)
+    _lettered(desk, view, rack)
 
 
 @method(stage=Stage.ACCELERATION, group="rack", source=_SOURCE, example="pinion-drives-rack",
@@ -63,7 +64,15 @@ def acceleration_rack(desk: Desk, group: Group) -> None:
     solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, rack))), own)
     if led != FRAME:
         same_turn(desk, rack, led, view)
+    _lettered(desk, view, rack)
+
+
+def _lettered(desk: Desk, view: View, rack: str) -> None:
+    """The rack's own points; on one that only translates they all lie at one tip, which gets their letters."""
     images_of_link(desk, view, rack)
+    if desk.turns[omega(rack)].never:
+        for letter in desk.body(rack).points:
+            desk.board.plot(view, desk.tip(view, At(letter)), desk.tip_label(view, At(letter)), Dot.NONE)
 
 
 def _pairs(group: Group) -> tuple[Rolling, Prismatic, str]:
