@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import degrees, inf, isfinite, nan
+from math import degrees, inf, isfinite, isnan, nan
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
-from .check.exact import Exact
+from .check.exact import ActsAt, Exact
 from .devices.base import Device
 from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
@@ -52,7 +52,12 @@ class Answer:
     def computed(self) -> bool:
         """Whether the value was found by formula alone: no repeated hand gives another, and it is the exact one."""
         size = abs(self.exact)
-        return self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size
+        return self.undefined or (self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size)
+
+    @property
+    def undefined(self) -> bool:
+        """Whether the quantity has no value here, by the drawing and by the oracle alike: an efficiency of 0/0."""
+        return isnan(self.drawn) and isnan(self.exact)
 
     @property
     def deviation(self) -> float:
@@ -81,6 +86,8 @@ class Answer:
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
         data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
+        if self.undefined:
+            return data | {"drawn": None, "exact": None, "undefined": True}
         if self.reading.unit == YES_NO:
             return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
         if self.key.startswith(("p_", "P_")) and self.drawn_vector is not None and self.exact_vector is not None:
@@ -103,13 +110,16 @@ def _xy(at: complex) -> list[float]:
 
 
 def _line(which: str, acts: LineOfAction | None) -> dict[str, Any]:
-    """A point (m) of the line of action, and the sense of its moment about the pin where it touches a friction circle."""
-    return {} if acts is None else {f"{which}point": _xy(acts.point), f"{which}tangent": acts.tangent or None}
+    """A point (m) of the line of action, the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
+    if acts is None:
+        return {}
+    couple = {} if acts.couple is None else {f"{which}couple": acts.couple}
+    return {f"{which}point": _xy(acts.point), f"{which}tangent": acts.tangent or None} | couple
 
 
 def _drawn(reading: Reading) -> dict[str, Any]:
     """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
-    data: dict[str, Any] = {"unit": reading.unit, "drawn": reading.scalar}
+    data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
     if reading.vector is not None:
         data["direction_deg"] = degrees(cmath.phase(reading.vector)) if reading.vector else None
     return data | _line("", reading.acts)
@@ -169,7 +179,7 @@ def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str,
     return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), fits_sheet)
 
 
-def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[complex, str] | None, turns: bool) -> Answer:
+def _answer(reading: Reading, exact: complex | float, scalars: Any, line: ActsAt | None, turns: bool) -> Answer:
     vector = isinstance(exact, complex)
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
@@ -177,5 +187,5 @@ def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[
     return Answer(
         key=reading.key, reading=reading, drawn=reading.scalar, exact=abs(exact) if vector else float(np.real(exact)),
         expected_error=error, drawn_vector=reading.vector, exact_vector=exact if isinstance(exact, complex) else None,
-        exact_acts=None if line is None else LineOfAction(point=line[0], tangent=line[1]), turns=turns,
+        exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple), turns=turns,
     )

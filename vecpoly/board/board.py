@@ -21,6 +21,7 @@ from ..words import Words
 from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
 from .hand import Hand
 from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from .ruler import Ruler
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
 NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direction to each other
@@ -38,6 +39,7 @@ class Board:
         self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
+        self._ruler = Ruler(hand)
 
     # -- the record -------------------------------------------------------------------------------------------
 
@@ -220,9 +222,12 @@ class Board:
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens."""
-        mm = self.hand.read(np.abs(b - a))
-        return paper(letters_node(letters), mm)
+        """Read a length off the rule (mm): here, and only here, rounding happens. A segment is read once, from either end."""
+        return paper(letters_node(letters), self._ruler.length(a, b))
+
+    def bearing(self, a: Points, b: Points) -> Points:
+        """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
+        return self._ruler.bearing(a, b)
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""

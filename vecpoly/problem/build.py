@@ -12,6 +12,7 @@ from ..mechanism.centre_quantities import KEYS, centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..mechanism.quantities import quantities
+from ..mechanism.seats import seated
 from ..names import At, Named
 from ..units import Dim, read
 from .asks import Ask, AskNamed
@@ -25,6 +26,7 @@ from .links import read_link
 from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses
 from .motion import numbered, read_branch, read_input
+from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
@@ -88,7 +90,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
     drives, motion = _inputs(spec, bodies, joints, faults)
     branches = _branches(spec, bodies, faults)
     guesses = _points("guesses", spec.guesses, faults, bodies.letters())
-    return Mechanism(
+    found = Mechanism(
         frame=bodies.frame,
         links=tuple(draft.link() for draft in bodies.drafts.values()),
         joints=joints,
@@ -96,7 +98,8 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         branches=branches,
         contacts=tuple(bodies.contacts),
         guesses=guesses,
-    ), motion
+    )
+    return seated(found, read_pins(spec.pins, found, faults)), motion
 
 
 def _points(

@@ -97,7 +97,7 @@ def _turning(
     spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]
 ) -> tuple[Drive, tuple[Datum, ...]]:
     pivot = next(
-        (j.point for j in joints if isinstance(j, Revolute) and {j.a, j.b} == {draft.name, FRAME}), None
+        (j.point for j in joints if isinstance(j, Revolute) and draft.name in (j.a, j.b) and j.point in bodies.frame), None
     )
     if pivot is None:
         raise FaultError(

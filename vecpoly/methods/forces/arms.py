@@ -13,10 +13,11 @@ from ...mechanism.loads import Moment
 from ...mechanism.quantities import load_named
 from ...plane import Line, Points, Reals, cross, foot, nominal
 from ...quantity import Expr, Quantity, Sum, magnitude
+from .acting import Acting, summed
 from .group_body import draw_arm
-from .letters import arm_about_point
+from .letters import arm_about_point, slide_couple
 from .readings import measured
-from .state import Acting, Statics
+from .state import Statics
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,7 +43,7 @@ def moments_about(st: Statics, pane: Pane, links: Iterable[str], point: str) -> 
     """Moments of all known forces and couples on these links about a lettered point; the arms are drawn on the pane."""
     found = [part for link in links for part in (*_of_forces(st, pane, link, st.desk.at[point]), *_of_couples(st, link))]
     return Turning(terms=tuple(expr for expr, _ in found), signs=tuple(int(nominal(sign)) for _, sign in found),
-                   value=sum((sign * expr.value for expr, sign in found), 0.0))
+                   value=summed(sign * expr.value for expr, sign in found))
 
 
 def acting_on(st: Statics, link: str) -> list[Acting]:
@@ -81,6 +82,8 @@ def _couples(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
             yield load_named(load).symbol, load.size
     if link in st.inertia_couples:
         yield f"M_{{I{link}}}", st.inertia_couples[link]
+    for force in st.reactions(link):
+        yield slide_couple(force.named.symbol), force.couple
     for (by, on), couple in st.couples.items():
         if on == link:
             yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
-from ...errors import EquilibriumError
 from ...formula import sym
 from ...mechanism.loads import Moment
 from ...mechanism.model import FRAME, Revolute
@@ -16,12 +16,14 @@ from ...quantity import Quantity, magnitude, worked
 from ...vector.equation import Term
 from ...words import Words
 from ..registry import Stage, method
+from .acting import Drawn
+from .balancing_force import nothing_acts
 from .link_polygon import draw_polygon
 from .pieces import Held
-from .readings import keep_value, measured
+from .readings import keep_nothing, keep_value, measured
 from .resultant import Resultant, resultant
 from .senses import TURN, pin_words
-from .state import Drawn, Statics
+from .state import Statics
 
 _SOURCE = "机械原理, equilibrium of the crank"
 ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
@@ -30,10 +32,7 @@ ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
 @method(stage=Stage.FORCE, group="crank, balancing moment", source=_SOURCE, example="4-3a",
         title=Words("曲柄：平衡力矩 M = R h", "Crank: balancing moment M = R h"))
 def moment_on_crank(st: Statics, held: Held) -> None:
-    """R_frame = −P (P: resultant of the forces on the link), tangent to the friction circle; M_b = P h against their couple.
-
-    Raises EquilibriumError where no force acts on the link.
-    """
+    """R_frame = −P (P: resultant of the forces on the link), tangent to the friction circle; M_b = P h against their couple."""
     assert isinstance(held.joint, Revolute) and isinstance(st.unknown, Moment)
     load, number, pin = resultant(st, held.link), st.mech.number(held.link), held.joint.point
     if load.is_couple:
@@ -67,6 +66,9 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     line = load.line
     across = foot(line, at)  # from the frame's line square across to the other
     couple = np.asarray((np.conj(across - at) * load.vector).imag)
+    if abs(nominal(across - at)) < NO_LENGTH:
+        _through_pin(st, load.symbols.zh)
+        return
     named = st.unknown_named
     arm = _arm(st, at, across)
     size = _size(st, load, held, drawn)
@@ -114,13 +116,23 @@ def _leave(st: Statics, line: Line, at: Points, across: Points, symbol: str) -> 
 
 
 def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
-    """Only couples act: the balancing moment is their sum turned round, the pin is unloaded."""
+    """Only couples act: the balancing moment is their sum turned round, the pin is unloaded. Nothing acts: both are zero."""
+    if not nominal(load.couple):
+        nothing_acts(st, held)
+        return
     number = st.mech.number(held.link)
-    if abs(nominal(load.couple)) < 1e-12:
-        raise EquilibriumError(f"no load reaches link {number}: {st.unknown.name} balances nothing; give a load that does work")
     st.board.step(Words(f"构件 {number} 上只有力偶，${st.unknown_named.symbol}$ 与之平衡，机架反力为零。", f"Only couples act on link {number}: ${st.unknown_named.symbol}$ balances them, the frame's reaction is zero."), View.MECHANISM)
     value: Reals = -load.couple
     st.settle(FRAME, held.link, 0j, st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j)
     keep_value(st, st.unknown_named, value, magnitude(st.unknown_named.symbol, np.abs(value), "N·m"))
     st.balance = value
 
+
+def _through_pin(st: Statics, symbol: str) -> None:
+    """The force on the link passes through its pin, as the frame's reaction does: no arm, no moment."""
+    named = st.unknown_named
+    st.board.remark(Words(f"{symbol} 与机架反力共线，力臂 $h$ = 0，故 ${named.symbol}$ = 0。", f" It and the frame's reaction lie in one line, the arm $h$ = 0, so ${named.symbol}$ = 0."))
+    keep_nothing(st, named)
+    if not st.preliminary:
+        keep_nothing(st, Named("h", "h", "m"))
+    st.balance = 0.0

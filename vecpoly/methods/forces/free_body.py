@@ -29,9 +29,10 @@ from ...plane import nominal
 from ...problem.problem import Problem
 from ...words import Words
 from ..kinematics.diagram import link_alone
+from .acting import Acting
 from .arrows import REACH, Arrow, place_arrows, say_far
 from .inertia import SHORT, draw_arm
-from .state import Acting, Statics
+from .state import Statics
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction

@@ -11,8 +11,9 @@ from ...mechanism.quantities import load_symbol
 from ...names import At
 from ...plane import Points, cross, nominal, unit
 from ...words import Words
+from .acting import Acting
 from .arrows import REACH, place_arrows, say_far
-from .state import Acting, Statics
+from .state import Statics
 
 COUPLE = 8.0  # mm, radius of a couple's arrow
 SHORT = 2.0  # mm: shorter arms carry no letter

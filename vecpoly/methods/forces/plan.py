@@ -65,7 +65,7 @@ def _order(desk: Desk, loads: Loads) -> tuple[Held, tuple[Group, ...]]:
         raise NoMethodError(f"{loads.unknown.name} acts on link {link}, which has no fixed {'pin' if isinstance(loads.unknown, Moment) else 'pin or guide'}: no graphical method "
                             f"on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'")
     driven = replace(mech, drives=(replace(mech.drive, link=link),))
-    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven)))
+    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven, pressing=True)))
 
 
 def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:

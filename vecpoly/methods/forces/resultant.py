@@ -6,11 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...plane import Line, Points, Reals, cross, lines_meet, nominal
 from ...words import Words
-from .state import Acting, Statics
+from .acting import Acting, summed
+from .state import Statics
 
-NEARLY = 1e-9  # sine below which two lines of action are parallel
+NEARLY = 1e-2  # sine below which the meeting point of two lines of action is of no use
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,7 +38,7 @@ class Resultant:
     def found(self) -> tuple[str, str]:
         """How its line was found, in both languages: by the meeting point of two lines, or by moments."""
         first = self.forces[0].at
-        if all(abs(complex(nominal(f.at - first))) < NEARLY for f in self.forces) and _on(self.line, first):
+        if all(abs(complex(nominal(f.at - first))) < NO_LENGTH for f in self.forces) and _on(self.line, first):
             return "过各力的公共作用点", "through their common point"
         if len(self.forces) == 2 and all(_on(f.line, self.at) for f in self.forces):
             return "过两力作用线的交点", "through the crossing of their lines"
@@ -59,8 +61,7 @@ def resultant(st: Statics, link: str) -> Resultant:
     moment = st.moment(link)
     total: Points = sum((f.vector for f in forces), 0j)
     if not forces or abs(nominal(total)) < 1e-9:
-        about = sum((cross(f.at, f.vector) for f in forces), 0.0)
-        return Resultant(forces=forces, vector=0j, at=0j, couple=moment + st.newton_metres(about))
+        return Resultant(forces=forces, vector=0j, at=0j, couple=summed([moment, *(st.newton_metres(cross(f.at, f.vector)) for f in forces)]))
     return Resultant(forces=forces, vector=total, at=_place(st, forces, total, moment))
 
 

@@ -11,7 +11,7 @@ from ...errors import EquilibriumError, LockedError, NoSlipSenseError
 from ..run import Run
 from ..state import Bodies, Reals
 from .causes import Cause
-from .system import Balance, System
+from .system import ROUNDING, Balance, System
 
 Flags = NDArray[np.bool_]
 STILL = 1e-9  # of the mechanism's scale of rates: below it nothing moves
@@ -83,17 +83,18 @@ class Judge:
         """LockedError where the driving loads cannot move the mechanism against its friction."""
         dry, wet = balances
         free, lever = system.free, system.free.power(rates)
-        driven = dry.load * lever < 0
+        before, after = dry.load * lever, wet.load * lever
+        before = np.where(np.abs(before) <= ROUNDING * dry.largest * _pace(system, rates), 0.0, before)
+        driven = before < 0
         if (at := self.bad(reached < 1.0, np.where(driven, Cause.LOCKED, Cause.BOUND))) is not None:
             share = float(reached[at])
             needs = f"no {free.name}, however large, moves the mechanism {self.where(at)}"
             if driven[at]:
                 needs = f"the driving loads cannot move the mechanism {self.where(at)}, whatever {free.name}"
             raise LockedError(f"locked: {needs}; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose another position")
-        before, after = dry.load * lever, wet.load * lever
         if not inertia and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
             drives = [(act.name, float(np.broadcast_to(act.power(rates), self.run.q.shape)[at])) for act in system.known]
-            names = ", ".join(name for name, power in drives if power > 0)
+            names = ", ".join(name for name, power in drives if power > 0) or "the weights and inertia forces"
             raise LockedError(
                 f"locked: {names} cannot move the mechanism {self.where(at)}: without friction {free.name} would take "
                 f"{-float(before[at]):.4g} W, the friction takes {float((after - before)[at]):.4g} W, so the efficiency would be "
