@@ -136,3 +136,12 @@ def couples(rng: np.random.Generator) -> str:
     c = simple(rng, (rpp, rpr, rrp, rrr))
     links = [str(rng.choice(list(c.links))) for _ in range(int(rng.integers(1, 3)))]
     return written(c, "".join(moment(c, f"M_q{i}", link) for i, link in enumerate(links)) + moment(c, "M_b", "L0", size='"?"'))
+
+
+@family("forces-friction-elsewhere", also=in_equilibrium)
+def friction_elsewhere(rng: np.random.Generator) -> str:
+    """Friction, balanced by a moment or a force on any link."""
+    c = simple(rng)
+    link = str(rng.choice(list(c.links)))
+    free = moment(c, "X_b", link, size='"?"') if rng.random() < 0.5 else force(c, "X_b", link, str(rng.choice(c.links[link])), size='"?"')
+    return written(c, some(c, 2, without=link) + free, friction(c))

@@ -9,13 +9,12 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, View
-from ...mechanism.loads import Moment
-from ...mechanism.quantities import load_named
 from ...plane import Line, Points, Reals, cross, foot, nominal
 from ...quantity import Expr, Quantity, Sum, magnitude
 from .acting import Acting, summed
+from .couples import couples_on
 from .group_body import draw_arm
-from .letters import arm_about_point, slide_couple
+from .letters import arm_about_point
 from .readings import measured
 from .state import Statics
 
@@ -77,13 +76,7 @@ def _of_couples(st: Statics, link: str) -> Iterator[tuple[Expr, Reals]]:
 
 
 def _couples(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
-    for load in st.loads.on(link):
-        if isinstance(load, Moment) and load.size is not None:
-            yield load_named(load).symbol, load.size
-    if link in st.inertia_couples:
-        yield f"M_{{I{link}}}", st.inertia_couples[link]
-    for force in st.reactions(link):
-        yield slide_couple(force.named.symbol), force.couple
+    yield from couples_on(st, link)
     for (by, on), couple in st.couples.items():
         if on == link:
             yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple

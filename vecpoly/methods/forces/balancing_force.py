@@ -53,7 +53,17 @@ def nothing_acts(st: Statics, held: Held) -> None:
     number, named, frame = st.mech.number(held.link), st.unknown_named, st.named(FRAME, held.link)
     st.board.step(Words(f"构件 {number} 上无其他力作用，故 ${named.symbol}$ = 0，${frame.symbol}$ = 0。",
                         f"No other force reaches link {number}: ${named.symbol}$ = 0 and ${frame.symbol}$ = 0."))
-    at = st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j
-    st.settle(FRAME, held.link, 0j, at)
+    _settle_nothing(st, held)
     keep_nothing(st, named)
     st.balance = 0.0
+
+
+def frame_free(st: Statics, held: Held) -> None:
+    """No force reaches the link, and its balancing load acts elsewhere: the frame's reaction is zero."""
+    number, frame = st.mech.number(held.link), st.named(FRAME, held.link)
+    st.board.step(Words(f"构件 {number} 上各力之和为零，故机架反力 ${frame.symbol}$ = 0。", f"The forces on link {number} sum to zero: the frame's reaction ${frame.symbol}$ = 0."))
+    _settle_nothing(st, held)
+
+
+def _settle_nothing(st: Statics, held: Held) -> None:
+    st.settle(FRAME, held.link, 0j, st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j)

@@ -5,14 +5,13 @@ from __future__ import annotations
 from ...board.construction import Pane, View
 from ...board.marks import Block, Dot, LinkNumber, Plate, Point, Role, Segment, TurnArrow, Vector
 from ...mechanism.assur import hinges
-from ...mechanism.loads import Moment
 from ...mechanism.model import Prismatic
-from ...mechanism.quantities import load_symbol
 from ...names import At
 from ...plane import Points, cross, nominal, unit
 from ...words import Words
 from .acting import Acting
 from .arrows import REACH, place_arrows, say_far
+from .couples import couples_on
 from .state import Statics
 
 COUPLE = 8.0  # mm, radius of a couple's arrow
@@ -60,9 +59,8 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
     say_far(st, forces, spots)
     for link in links:
         pivot = complex(nominal(st.desk.at[next(iter(st.mech.link(link).points))]))
-        for load in st.loads.on(link):
-            if isinstance(load, Moment) and load.size:
-                st.board.mark(pane, TurnArrow(at=pivot, radius=COUPLE, start=2.2, ccw=load.size > 0, label=load_symbol(load.name)))
+        for turn, (symbol, size) in enumerate((symbol, size) for symbol, size in couples_on(st, link) if nominal(size)):
+            st.board.mark(pane, TurnArrow(at=pivot, radius=COUPLE + 3 * turn, start=2.2, ccw=bool(nominal(size) > 0), label=symbol))
 
 
 def _draw_link(st: Statics, pane: Pane, link: str) -> None:

@@ -40,6 +40,7 @@ class Statics:
     by_moments: set[tuple[str, ...]] = field(default_factory=set)  # links of groups that were solved by moments
     share: float = 1.0  # of the friction, while it is raised
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
+    balanced: bool = False  # whether it was found before the reactions
     readings: dict[str, Reading] = field(default_factory=dict)
     repeats: dict[str, Reals] = field(default_factory=dict)
 
@@ -134,8 +135,16 @@ class Statics:
 
     def known(self, link: str) -> list[Acting]:
         """All known forces on a link: loads, inertia force, weight, reactions already found."""
-        forces = [self._load(load) for load in self.loads.on(link) if isinstance(load, Force) and load.size is not None]
+        forces = [self._load(load) for load in self.sized(link) if isinstance(load, Force)]
         return [*forces, *self.inertia.get(link, []), *self.reactions(link)]
+
+    def sized(self, link: str) -> list[Load]:
+        """The loads on a link whose size is known: given, or found already."""
+        return [load for load in self.loads.on(link) if load.size is not None or self.balanced]
+
+    def size_of(self, load: Load) -> Reals:
+        """N along the load's direction, or N·m."""
+        return self.balance if load.size is None else load.size
 
     def reactions(self, link: str) -> list[Acting]:
         """The reactions on a link found so far."""
@@ -144,7 +153,7 @@ class Statics:
 
     def moment(self, link: str) -> Reals:
         """Sum of the given couples on a link, of those that slides pass on, and of the friction couples of its pins (N·m)."""
-        parts: list[Reals] = [load.size for load in self.loads.on(link) if isinstance(load, Moment) and load.size is not None]
+        parts: list[Reals] = [self.size_of(load) for load in self.sized(link) if isinstance(load, Moment)]
         parts += [self.inertia_couples.get(link, 0.0), *(f.couple for f in self.reactions(link)), *(c for (_, on), c in self.couples.items() if on == link)]
         return summed(parts)
 
@@ -153,8 +162,7 @@ class Statics:
         return any(abs(nominal(f.vector)) > 1e-9 for f in self.known(link)) or bool(self.loads.on(link)) or bool(np.any(self.moment(link)))
 
     def _load(self, load: Force) -> Acting:
-        assert load.size is not None
-        vector = self.mm(load.size) * complex(np.exp(1j * load.direction))
+        vector = self.mm(self.size_of(load)) * complex(np.exp(1j * load.direction))
         return Acting(named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$")
 
     # -- friction ---------------------------------------------------------------------------------------------
