@@ -44,7 +44,9 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
         _on_guide(st, held, load, line, by)
         return
     if not isinstance(held.joint, Revolute):
-        raise NoMethodError(f"no graphical method on file finds the reactions of link {number}: it rolls on its neighbour; 'vecpoly exact' still answers")
+        raise NoMethodError(Words(
+            f"没有求构件 {number} 反力的图解法，因为它与相邻构件作纯滚动；仍可用 vecpoly exact 求解",
+            f"no graphical method on file finds the reactions of link {number}: it rolls on its neighbour; 'vecpoly exact' still answers"))
     st.board.remark(Words("第三力亦与之平行。", "so is the third."))
     found = about_pin(st, held, load, line, one)
     st.keep_reaction(by, held.link, Acting(named=one, vector=line.along * st.mm(found.size), at=line.at, computed=np.abs(found.size)))

@@ -112,7 +112,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
     except (LockedError, NoSlipSenseError):
         raise
     except EquilibriumError as error:
-        raise LockedError(f"no equilibrium with friction: {error}") from None
+        raise LockedError(Words("考虑摩擦时不能平衡：", "no equilibrium with friction: ") + error.words) from None
     desk = ideal.desk
     desk.board.section(REAL)
     _circles(ideal)
@@ -128,8 +128,9 @@ def _refuse_locked(ideal: Statics, st: Statics) -> None:
     """Friction may only lower a resisting load, not through zero: it would have to help. Inertia forces may turn it round."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
     if not st.loads.dynamic and before * after <= 0 and abs(before) > NOTHING * abs(after):
-        raise LockedError(f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; "
-                          f"the mechanism is self-locking in this position, lower f or ρ")
+        raise LockedError(Words(
+            f"{st.unknown.name} 有摩擦时为 {after:.4g}，无摩擦时为 {before:.4g}：它反向后须帮助运动；机构在此位置自锁，请减小 f 或 ρ",
+            f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; the mechanism is self-locking in this position, lower f or ρ"))
 
 
 def _circles(st: Statics) -> None:
