@@ -110,15 +110,13 @@ def in_equilibrium(solution: Solution) -> str:
     ways = ["", "_0"] if loads.friction else [""]
     slack = _slack(moving, coarse, loads)
     found = (wrong for way in ways for wrong in (*_bodies(moving, loads, forces, way, slack), *_laws(moving, loads, forces, way)))
-    return next(found, "") or ("" if loads.friction else _power(moving, loads, forces, slack))
+    return next(found, "") or ("" if loads.friction else _power((moving, coarse), loads, forces, slack))
 
 
 def _slack(fine: Moving, coarse: Moving, loads: Loads) -> float:
     """How far inertia forces (N) may be off, since differences are differences."""
-    if not loads.dynamic:
-        return 0.0
     off = 0.0
-    for mass in loads.masses:
+    for mass in loads.masses if loads.inertia else ():
         at = fine.mech.link(mass.link).points[mass.centre]
         off += mass.mass * abs(fine.acceleration(mass.link, at) - coarse.acceleration(mass.link, at))
         off += mass.inertia * abs(fine.alpha(mass.link) - coarse.alpha(mass.link)) / fine.mech.scale
@@ -211,15 +209,17 @@ def _slide(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float,
         yield f"{key} leans by {np.degrees(np.arctan2(force.real, abs(force.imag))):.6g}°, φ = {np.degrees(phi):g}°, slip {slip:.3g} m/s"
 
 
-def _power(moving: Moving, loads: Loads, forces: dict[str, Any], slack: float) -> str:
+def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], slack: float) -> str:
     """Σ P = 0 of all that acts from outside."""
-    mech, parts, largest = moving.mech, [], 0.0
+    (moving, coarse), parts, largest = both, [], 0.0
+    mech = moving.mech
     for name in mech.bodies:
         for push in _given(moving, loads, forces, name, ""):
             largest = max(largest, abs(push.force), abs(push.couple) / mech.scale)
             parts.append((push.force.conjugate() * moving.velocity(name, moving.local(name, push.at))).real if push.force else 0.0)
             parts.append(push.couple * moving.omega(name))
-    speed = max(abs(moving.velocity(name, at)) for name in mech.bodies for at in mech.link(name).points.values())
-    if not abs(sum(parts)) <= (AGREE * largest + slack) * speed * len(parts):
+    points = [(name, at) for name in mech.bodies for at in mech.link(name).points.values()]
+    speed, off = max(abs(moving.velocity(*one)) for one in points), max(abs(moving.velocity(*one) - coarse.velocity(*one)) for one in points)
+    if not abs(sum(parts)) <= ((AGREE * largest + slack) * speed + 4 * largest * off) * len(parts):
         return f"the powers sum to {sum(parts):.6g} W"
     return ""

@@ -12,22 +12,36 @@ from .loaded import Chain, Grow, chain, phi, rpp, rpr, rrp, rrr
 
 
 def written(c: Chain, loads: str, further: str = "") -> str:
-    """The problem's text, its links renumbered at random; @L0 in the texts stands for a link."""
-    numbers = dict(zip(c.links, map(str, 1 + c.rng.permutation(len(c.links))), strict=True)) | {"frame": str(len(c.links) + 1)}
-    order = sorted(c.links, key=lambda name: c.rng.random())
-    links = "".join(f"  {numbers[name]}: {{{c.text[name]}}}\n" for name in order)
+    """The problem's text, its links renumbered and reordered at random; @L0 in the texts stands for a link."""
+    return numbered(c, template(c, loads, further), renumbering(c.rng, c))
+
+
+def renumbering(rng: np.random.Generator, c: Chain) -> dict[str, str]:
+    """Link's own name → its number in the file, in the order in which the links are to be written."""
+    names = sorted(c.links, key=lambda name: rng.random())
+    return dict(zip(names, map(str, 1 + rng.permutation(len(names))), strict=True)) | {"frame": str(len(names) + 1)}
+
+
+def template(c: Chain, loads: str, further: str = "") -> str:
+    """The problem's text with @L0 for every link's number and @links for their list."""
     frame = ", ".join(f"{p}: [{c.at[p].real:.2f} mm, {c.at[p].imag:.2f} mm]" for p in c.frame)
-    text = f"""
+    return f"""
 id: forces
 title: forces
 frame: {{{frame}}}
 links:
-{links}joints: [{", ".join(c.joints)}]
+@links
+joints: [{", ".join(c.joints)}]
 branch: [{", ".join(c.branches)}]
 input: {{link: @L0, phi: {phi(c):.4f} deg, omega: {c.rng.choice([-12, 4, 9])} rad/s, alpha: {c.rng.choice([0, 30])} rad/s^2}}
 loads:
 {loads}{further}"""
-    return re.sub(r"@(L\d+|frame)", lambda m: numbers[m[1]], text)
+
+
+def numbered(c: Chain, text: str, numbers: dict[str, str]) -> str:
+    """The template with these numbers."""
+    links = "\n".join(f"  {numbers[name]}: {{{c.text[name]}}}" for name in numbers if name in c.links)
+    return re.sub(r"@(L\d+|frame)", lambda m: numbers[m[1]], text.replace("@links", links))
 
 
 def force(c: Chain, name: str, link: str, point: str, *, size: str = "") -> str:
@@ -79,18 +93,18 @@ def simple(rng: np.random.Generator, kinds: tuple[Grow, ...] | None = None) -> C
     return chain(rng, groups, kinds) if kinds else chain(rng, groups)
 
 
+def free(c: Chain, link: str) -> str:
+    """The load that balances: a moment, or a force at a point of the link."""
+    if c.rng.random() < 0.5:
+        return moment(c, "X_b", link, size='"?"')
+    return force(c, "X_b", link, str(c.rng.choice([p for p in c.links[link] if p != "A"])), size='"?"')
+
+
 @family("forces", also=in_equilibrium)
 def forces(rng: np.random.Generator) -> str:
-    """Loads on any links, balanced by a moment on the crank."""
+    """Loads on any links, balanced by a moment or a force on the crank."""
     c = simple(rng)
-    return written(c, some(c, 3) + moment(c, "M_b", "L0", size='"?"'))
-
-
-@family("forces-crank-force", also=in_equilibrium)
-def crank_force(rng: np.random.Generator) -> str:
-    """Balanced by a force on the crank."""
-    c = simple(rng)
-    return written(c, some(c, 3) + force(c, "F_b", "L0", str(rng.choice(c.links["L0"][1:])), size='"?"'))
+    return written(c, some(c, 3) + free(c, "L0"))
 
 
 @family("forces-elsewhere", also=in_equilibrium)
@@ -98,36 +112,14 @@ def elsewhere(rng: np.random.Generator) -> str:
     """Balanced by a moment or a force on any link, the crank among the loaded ones."""
     c = simple(rng)
     link = str(rng.choice(list(c.links)))
-    free = moment(c, "X_b", link, size='"?"') if rng.random() < 0.5 else force(c, "X_b", link, str(rng.choice(c.links[link])), size='"?"')
-    return written(c, some(c, 2, without=link) + free)
+    return written(c, some(c, 2, without=link) + free(c, link))
 
 
 @family("forces-masses", also=in_equilibrium)
 def with_masses(rng: np.random.Generator) -> str:
     """Inertia forces, weights, perhaps loads."""
     c = simple(rng)
-    return written(c, (some(c, 1) if rng.random() < 0.4 else "") + moment(c, "M_b", "L0", size='"?"'), masses(c))
-
-
-@family("forces-friction", also=in_equilibrium)
-def with_friction(rng: np.random.Generator) -> str:
-    """One driving load against friction everywhere."""
-    c = simple(rng)
-    return written(c, some(c, 2) + moment(c, "M_b", "L0", size='"?"'), friction(c))
-
-
-@family("forces-friction-bars", also=in_equilibrium)
-def friction_bars(rng: np.random.Generator) -> str:
-    """Friction in mechanisms of bars, with many compound hinges."""
-    c = simple(rng, (rrr, rrp))
-    return written(c, some(c, 1) + moment(c, "M_b", "L0", size='"?"'), friction(c))
-
-
-@family("forces-friction-inertia", also=in_equilibrium)
-def friction_inertia(rng: np.random.Generator) -> str:
-    """Friction and inertia together."""
-    c = chain(rng, int(rng.integers(1, 3)))
-    return written(c, moment(c, "M_b", "L0", size='"?"'), masses(c) + friction(c))
+    return written(c, (some(c, 1) if rng.random() < 0.4 else "") + free(c, "L0"), masses(c))
 
 
 @family("forces-couples", also=in_equilibrium)
@@ -135,13 +127,13 @@ def couples(rng: np.random.Generator) -> str:
     """Nothing but couples, in mechanisms with slides: slides that pass on a couple and no force."""
     c = simple(rng, (rpp, rpr, rrp, rrr))
     links = [str(rng.choice(list(c.links))) for _ in range(int(rng.integers(1, 3)))]
-    return written(c, "".join(moment(c, f"M_q{i}", link) for i, link in enumerate(links)) + moment(c, "M_b", "L0", size='"?"'))
+    return written(c, "".join(moment(c, f"M_q{i}", link) for i, link in enumerate(links)) + free(c, "L0"))
 
 
-@family("forces-friction-elsewhere", also=in_equilibrium)
-def friction_elsewhere(rng: np.random.Generator) -> str:
-    """Friction, balanced by a moment or a force on any link."""
-    c = simple(rng)
-    link = str(rng.choice(list(c.links)))
-    free = moment(c, "X_b", link, size='"?"') if rng.random() < 0.5 else force(c, "X_b", link, str(rng.choice(c.links[link])), size='"?"')
-    return written(c, some(c, 2, without=link) + free, friction(c))
+@family("forces-friction", also=in_equilibrium)
+def with_friction(rng: np.random.Generator) -> str:
+    """Loads against friction everywhere; bars with many compound hinges, or any groups; inertia, or none; balanced on the crank, or elsewhere."""
+    c = simple(rng, (rrr, rrp) if rng.random() < 0.4 else None)
+    link = "L0" if rng.random() < 0.7 else str(rng.choice(list(c.links)))
+    further = masses(c) if rng.random() < 0.3 else ""
+    return written(c, some(c, 2, without=link if link != "L0" else "") + free(c, link), further + friction(c))

@@ -63,14 +63,18 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
 def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:
     """The link that the balancing load acts on with its joint to the frame, and the groups from the far end.
 
-    No link where that one has no fixed pin (or guide, for a force): then the groups end at the driving link.
+    No link where that one has no fixed pin (or guide, for a force), or where from it the mechanism comes apart into groups above class II
+    though from the driving link it does not: then the groups end at the driving link.
     """
     mech, link = desk.mech, loads.unknown.link
     joint = fixed_joint(mech, link)
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
         return None, tuple(reversed(decompose(mech, pressing=True)))
-    driven = replace(mech, drives=(replace(mech.drive, link=link),))
-    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven, pressing=True)))
+    own = decompose(replace(mech, drives=(replace(mech.drive, link=link),)), pressing=True)
+    by_drive = decompose(mech, pressing=True)
+    if not loads.friction and any(group.dyad is None for group in own) and all(group.dyad for group in by_drive):
+        return None, tuple(reversed(by_drive))
+    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(own))
 
 
 def fixed_joint(mech: Mechanism, link: str) -> Joint | None:

@@ -13,7 +13,7 @@ from ...mechanism.seats import seat
 from ...names import Named
 from ...plane import Reals, nominal
 from ...problem.problem import Problem
-from ...quantity import Expr, Product, worked
+from ...quantity import Expr, Product, number, worked
 from ...words import Words
 from .acting import Acting, Drawn
 from .state import Statics
@@ -82,21 +82,22 @@ def _reaction(st: Statics, force: Acting) -> None:
     st.keep(Reading(
         key=named.key, symbol=named.symbol, unit="N", scalar=0.0 if zero else float(nominal(size)), vector=0j if zero else complex(nominal(vector)),
         mm=None if zero else float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
-        remark=_couple_words(couple) if couple else None, acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None)), size)
+        remark=_couple_words(named, couple) if couple else None, acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None)), size)
 
 
-def _couple_words(couple: float) -> Words:
+def _couple_words(named: Named, couple: float) -> Words:
     way = Words("逆时针", "counter-clockwise") if couple > 0 else Words("顺时针", "clockwise")
-    return Words(f"合力为零，只传递力偶 {abs(couple):.4g} N·m（{way.zh}）", f"no force, only a couple of {abs(couple):.4g} N·m, {way.en}")
+    return Words(f"${named.symbol}$ = 0，移动副只传递力偶 {number(abs(couple))} N·m（{way.zh}）", f"${named.symbol}$ = 0, the slide passes on a couple alone: {number(abs(couple))} N·m, {way.en}")
 
 
 def _no_reaction(st: Statics, a: str, b: str) -> None:
     """R_ij = 0 between links that turn on the pin of a third."""
     point = next(point for point, names in hinges(st.mech).items() if a in names and b in names)
     carrier = st.mech.number(seat(st.mech, point) or "")
-    remark = Words(f"铰链 ${point}$ 的销轴属于构件 {carrier}，两构件互不接触", f"the pin at ${point}$ belongs to link {carrier}; the two links do not touch")
     for by, on in ((a, b), (b, a)):
         named = st.named(by, on)
+        remark = Words(f"铰链 ${point}$ 的销轴属于构件 {carrier}，构件 {st.mech.number(by)}、{st.mech.number(on)} 互不接触，${named.symbol}$ = 0",
+                       f"the pin at ${point}$ belongs to link {carrier}, links {st.mech.number(by)} and {st.mech.number(on)} do not touch each other: ${named.symbol}$ = 0")
         st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j, remark=remark), 0.0)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...plane import Line, Points, Reals, cross, lines_meet, nominal
 from ...words import Words
 from .acting import Acting, summed
@@ -75,7 +76,7 @@ def _place(st: Statics, forces: tuple[Acting, ...], total: Points, moment: Reals
 
 def _concurrent(forces: tuple[Acting, ...]) -> bool:
     """Whether all forces act at one point."""
-    return all(abs(complex(nominal(f.at - forces[0].at))) < NEARLY for f in forces)
+    return all(abs(complex(nominal(f.at - forces[0].at))) < NO_LENGTH for f in forces)
 
 
 def _on(line: Line, at: Points) -> bool:
