@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from ...mechanism.loads import Force
-from ...mechanism.model import FRAME
+from ...mechanism.model import FRAME, Revolute
 from ...plane import Line, cross, nominal
 from ...words import Words
 from ..registry import Stage, method
 from .balancing_force import close_polygon, keep_force, nothing_acts
-from .parallel_forces import PARALLEL, about_pin, keep_pin
+from .parallel_forces import PARALLEL, about_pin, keep_pin, off_sheet
 from .pieces import Held
 from .resultant import Resultant, resultant
 from .state import Statics
@@ -27,11 +27,11 @@ def force_on_crank(st: Statics, held: Held) -> None:
     Where P is parallel to F, or a couple: F b = P a, or F b = M, about the point where R_frame touches the friction circle.
     """
     load, force = resultant(st, held.link), st.unknown
-    assert isinstance(force, Force)
+    assert isinstance(force, Force) and isinstance(held.joint, Revolute)
     line = Line(st.desk.at[force.point], complex(np.exp(1j * force.direction)))
     if load.is_couple and not nominal(load.couple):
         nothing_acts(st, held)
-    elif load.is_couple or abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
+    elif load.is_couple or off_sheet(load, line, st.desk.at[held.joint.point]):
         _by_moments(st, held, load, line)
     else:
         _by_meeting(st, held, load, line)
@@ -53,6 +53,9 @@ def _by_moments(st: Statics, held: Held, load: Resultant, line: Line) -> None:
     if load.is_couple:
         st.board.step(Words(f"取构件 {number} 为分离体：除 ${named.symbol}$、${frame.symbol}$ 外只有力偶，故二力等值、反向、平行，构成力偶与之平衡。",
                             f"Isolate link {number}: but for ${named.symbol}$ and ${frame.symbol}$ only couples act; the two are equal, opposite and parallel and balance them."))
+    elif abs(float(nominal(cross(load.line.along, line.along)))) > PARALLEL:
+        st.board.step(Words(f"取构件 {number} 为分离体：{load.symbols.zh} 与 ${named.symbol}$ 的作用线交于图纸之外，改对铰链取矩。",
+                            f"Isolate link {number}: the lines of {load.symbols.en} and of ${named.symbol}$ meet off the sheet; moments about the pin take the place of their meeting point."))
     else:
         st.board.step(Words(f"取构件 {number} 为分离体：{load.symbols.zh} 与 ${named.symbol}$ 平行，机架反力 ${frame.symbol}$ 亦与之平行。",
                             f"Isolate link {number}: {load.symbols.en} and ${named.symbol}$ are parallel, and so is the frame's reaction ${frame.symbol}$."))

@@ -17,13 +17,14 @@ from ...vector.equation import Term
 from ...words import Words
 from ..registry import Stage, method
 from .acting import Drawn
+from .arms import moments_at
 from .balancing_force import nothing_acts
 from .link_polygon import draw_polygon
 from .pieces import Held
 from .readings import keep_nothing, keep_value, measured
 from .resultant import Resultant, resultant
 from .senses import TURN, pin_words
-from .state import Statics
+from .state import OFF_SHEET, Statics
 
 _SOURCE = "机械原理, equilibrium of the crank"
 ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
@@ -68,6 +69,9 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     couple = np.asarray((np.conj(across - at) * load.vector).imag)
     if abs(nominal(across - at)) < NO_LENGTH:
         _through_pin(st, load.symbols.zh)
+        return
+    if abs(nominal(across - at)) > OFF_SHEET:
+        _by_sum(st, held, at)
         return
     named = st.unknown_named
     arm = _arm(st, at, across)
@@ -126,6 +130,21 @@ def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
     st.settle(FRAME, held.link, 0j, st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j)
     keep_value(st, st.unknown_named, value, magnitude(st.unknown_named.symbol, np.abs(value), "N·m"))
     st.balance = value
+
+
+def _by_sum(st: Statics, held: Held, at: Points) -> None:
+    """The couples outweigh the forces so far that their one line is off the sheet: ΣM about the frame's reaction instead."""
+    named = st.unknown_named
+    st.board.remark(Words("各力与力偶合成后的作用线在图纸之外，改对机架反力的作用点列力矩平衡：", " The line of the joined forces and couples is off the sheet; the moments about the point of the frame's reaction give:"))
+    turning = moments_at(st, None if st.preliminary else View.MECHANISM, (held.link,), at)
+    size = st.board.compute(named.symbol, turning.size, "N·m")
+    keep_value(st, named, -turning.way * size.value, turning.size)
+    if not st.preliminary:
+        frame = st.push(FRAME, held.link)
+        assert frame is not None
+        ratio = size / magnitude(frame.named.symbol, np.abs(frame.vector) * st.scale.value, "N")
+        keep_value(st, Named("h", "h", "m"), ratio.value, ratio)
+    st.balance = -turning.way * size.value
 
 
 def _through_pin(st: Statics, symbol: str) -> None:

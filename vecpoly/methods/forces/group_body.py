@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...board.construction import Pane, View
+from ...board.construction import Pane, Place, View
 from ...board.marks import Block, Dot, LinkNumber, Plate, Point, Role, Segment, TurnArrow, Vector
 from ...mechanism.assur import hinges
 from ...mechanism.model import Prismatic
@@ -36,7 +36,7 @@ def polygon_title(st: Statics, *links: str) -> Words:
     return Words(f"杆组 {numbers} 的力多边形", f"Force polygon of group {numbers}")
 
 
-def draw_arm(st: Statics, pane: Pane, about: Points, end: Points, force: Acting, letter: str) -> None:
+def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting, letter: str) -> None:
     """The arm from the point to the line of action, with its letter."""
     board, at = st.board, force.at
     if max(abs(nominal(end - about)), abs(nominal(end - at))) > REACH:

@@ -12,7 +12,7 @@ from ...board.marks import Role
 from ...errors import EquilibriumError, LockedError, NoMethodError
 from ...mechanism.model import Prismatic, Revolute
 from ...names import Named
-from ...plane import Line, Points, Reals, cross, dot, foot, nominal
+from ...plane import Line, Points, Reals, cross, foot, lines_meet, nominal, unit
 from ...quantity import Quantity, magnitude
 from ...words import Words
 from .acting import Acting
@@ -21,9 +21,10 @@ from .letters import arm_about_point
 from .pieces import Held
 from .resultant import Resultant
 from .senses import pin_words
-from .state import Statics
+from .state import OFF_SHEET, Statics
 
-PARALLEL = 1e-6  # sine below which a load and a line of action have no usable meeting point
+PARALLEL = 1e-6  # sine below which a load and a line of action are parallel
+ROUNDS = 40  # of trying where a friction circle is touched
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,10 +37,20 @@ class Balanced:
     sense: int
 
 
+def off_sheet(load: Resultant, line: Line, pin: Points) -> bool:
+    """Whether a load meets a line of action nowhere, or too far away to be of use."""
+    if abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
+        return True
+    return abs(complex(nominal(lines_meet(load.line, line) - pin))) > OFF_SHEET
+
+
 def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Pin: ΣM about the point where the parent's force touches the friction circle, R = P a / b. Guide: R = −P, the guide bears the couple."""
     number, one = st.mech.number(held.link), st.named(by, held.link)
-    st.board.remark(Words("两作用线平行，", " The two lines are parallel: "))
+    if abs(float(nominal(cross(load.line.along, line.along)))) > PARALLEL:
+        st.board.remark(Words("两作用线的交点在图纸之外，改用力矩平衡。", " The two lines meet off the sheet; moments take the place of their meeting point."))
+    else:
+        st.board.remark(Words("两作用线平行，", " The two lines are parallel: "))
     if isinstance(held.joint, Prismatic):
         _on_guide(st, held, load, line, by)
         return
@@ -47,7 +58,6 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
         raise NoMethodError(Words(
             f"没有求构件 {number} 反力的图解法，因为它与相邻构件作纯滚动；仍可用 vecpoly exact 求解",
             f"no graphical method on file finds the reactions of link {number}: it rolls on its neighbour; 'vecpoly exact' still answers"))
-    st.board.remark(Words("第三力亦与之平行。", "so is the third."))
     found = about_pin(st, held, load, line, one)
     st.keep_reaction(by, held.link, Acting(named=one, vector=line.along * st.mm(found.size), at=line.at, computed=np.abs(found.size)))
     keep_pin(st, held, found)
@@ -56,25 +66,45 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
 def about_pin(st: Statics, held: Held, load: Resultant, line: Line, named: Named) -> Balanced:
     """ΣM = 0 about the point where the parent's force touches the friction circle of its pin: F b = P a, or F b = M.
 
-    The parent's force decides by its sense on which side it touches. Raises EquilibriumError where the known line passes through that
-    point, LockedError where on neither side it touches.
+    Raises EquilibriumError where the known line passes through that
+    point, LockedError where no such point is found.
     """
     assert isinstance(held.joint, Revolute)
     pin, u, number = held.joint.point, line.along, st.mech.number(held.link)
     sense = st.moment_sense(pin, held.parent, held.link)
+    touch = _touching(st, held, load, line, sense)
+    if abs(float(nominal(cross(line.at - touch, u)))) < NO_LENGTH:
+        raise EquilibriumError(Words(f"构件 {number}：${named.symbol}$ 的作用线过 {pin}，不能平衡任何力偶；请另选输入位置",
+                                     f"link {number}: the line of {named.key} passes through {pin}, so it balances no load; choose another input position"),
+                               code="no-arm", numbers={"link": number, "pin": pin})
+    st.board.remark(pin_words(st, pin, held.parent, held.link))
+    size = np.sign(_needed(st, load, line, touch)) * _written(st, load, (line, touch), named)
+    return Balanced(size=size, rest=-(load.vector + u * st.mm(size)), touch=touch, sense=sense)
+
+
+def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) -> Points:
+    """The pin's centre, or the point of its friction circle that the parent's force touches: tried until force and point agree."""
+    assert isinstance(held.joint, Revolute)
+    pin, u = held.joint.point, line.along
+    if not sense:
+        return st.desk.at[pin]
     for way in (1, -1):
         touch = st.touch(pin, u * way, sense)
-        if abs(float(nominal(cross(line.at - touch, u)))) < NO_LENGTH:
-            raise EquilibriumError(Words(f"构件 {number}：${named.symbol}$ 的作用线过 {pin}，不能平衡任何力偶；请另选输入位置",
-                                         f"link {number}: the line of {named.key} passes through {pin}, so it balances no load; choose another input position"),
-                                   code="no-arm", numbers={"link": number, "pin": pin})
-        size = _sign(load, line, touch) * _written(st, load, (line, touch), named, way == 1)
-        rest: Points = -(load.vector + u * st.mm(size))
-        if not sense or float(nominal(dot(u * way, rest))) >= 0:
-            st.board.remark(pin_words(st, pin, held.parent, held.link))
-            return Balanced(size=size, rest=rest, touch=touch, sense=sense)
-    raise LockedError(Words(f"构件 {number}：计入 {pin} 处摩擦后无法平衡；请减小 f 或 ρ", f"link {number}: with the friction at {pin} there is no equilibrium; lower f or ρ"),
-                      code="locked", numbers={"link": number})
+        for _ in range(ROUNDS):
+            rest = -(load.vector + u * _needed(st, load, line, touch))
+            before, touch = touch, st.touch(pin, unit(rest), sense)
+            if abs(complex(nominal(touch - before))) < NO_LENGTH:
+                return touch
+    raise LockedError(Words(f"构件 {st.mech.number(held.link)}：计入 {pin} 处摩擦后无法平衡；请减小 f 或 ρ",
+                            f"link {st.mech.number(held.link)}: with the friction at {pin} there is no equilibrium; lower f or ρ"),
+                      code="locked", numbers={"link": held.link, "pin": pin})
+
+
+def _needed(st: Statics, load: Resultant, line: Line, touch: Points) -> Reals:
+    """The force along the line that balances the load about a point (mm on the polygon), with its sign."""
+    turning = st.paper_moment(load.couple) if load.is_couple else cross(load.at - touch, load.vector)
+    needed: Reals = -turning / cross(line.at - touch, line.along)
+    return needed
 
 
 def keep_pin(st: Statics, held: Held, found: Balanced) -> None:
@@ -83,24 +113,18 @@ def keep_pin(st: Statics, held: Held, found: Balanced) -> None:
     st.keep_reaction(held.parent, held.link, Acting(named=parent, vector=found.rest, at=found.touch, tangent=found.sense, computed=np.abs(found.rest) * st.scale.value))
 
 
-def _sign(load: Resultant, line: Line, touch: Points) -> Reals:
-    """Whether the force acts along its line's direction (1) or against it."""
-    turning = load.couple if load.is_couple else cross(load.at - touch, load.vector)
-    return -np.sign(turning) * np.sign(cross(line.at - touch, line.along))
-
-
-def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Named, first: bool) -> Reals:
-    """F = P a / b, or M / b, with the arms measured; written once."""
+def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Named) -> Reals:
+    """F = P a / b, or M / b, with the arms measured."""
     (line, touch), board = where, st.board
     b = board.mu(View.MECHANISM) * _arm(st, line, touch, arm_about_point(named.symbol))
-    if load.is_couple:
-        expr = magnitude("M", np.abs(load.couple), "N·m") / b
+    away = abs(nominal(cross(load.at - touch, load.vector))) > OFF_SHEET * abs(nominal(load.vector))
+    if load.is_couple or away:  # far out a force is little more than a couple
+        turning = load.couple if load.is_couple else st.newton_metres(cross(load.at - touch, load.vector))
+        expr = magnitude("M", np.abs(turning), "N·m") / b
     else:
         force = size_of(st, load.forces[0]) if len(load.forces) == 1 else magnitude("P", np.abs(load.vector) * st.scale.value, "N")
         letter = arm_about_point(load.forces[0].named.symbol) if len(load.forces) == 1 else "h_{P}"
         expr = force * (board.mu(View.MECHANISM) * _arm(st, load.line, touch, letter)) / b
-    if not first:
-        return expr.value
     board.remark(Words("量取力臂，由力矩平衡得：", " The arms are measured; the moments give:"))
     return board.compute(named.symbol, expr, "N").value
 
@@ -108,7 +132,7 @@ def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Na
 def _arm(st: Statics, line: Line, touch: Points, letter: str) -> Quantity:
     """The distance of a line from the touching point; on the diagram in the pass that counts."""
     end = foot(line, touch)
-    if not st.preliminary and abs(nominal(end - touch)) > 1.0:
+    if not st.preliminary and 1.0 < abs(nominal(end - touch)) < OFF_SHEET:
         st.board.join(View.MECHANISM, touch, end, Role.CONSTRUCTION)
         st.board.join(View.MECHANISM, end - line.along * 16.0, end + line.along * 16.0, Role.DIRECTION)
     return st.board.measure(touch, end, letter)

@@ -22,6 +22,7 @@ from ...words import Words
 from ..desk import Desk
 from .acting import Acting, Drawn, summed
 
+OFF_SHEET = 300.0  # mm from a joint: a meeting point farther away is on no drawing board
 STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this past each other have no friction sense
 
 
@@ -204,8 +205,11 @@ class Statics:
         return self.desk.at[point] - 1j * along * sense * self.rho(point)
 
     def at_joint(self, joint: Joint, line: Line) -> Points:
-        """Where a line of action passes a joint: nearest to the pin, or the point that the line was laid through."""
-        return foot(line, self.desk.at[joint.point]) if isinstance(joint, Revolute) else line.at
+        """Where a line of action passes a joint: nearest to the pin, or, if that is on the sheet, the point that the line was laid through."""
+        if isinstance(joint, Revolute):
+            return foot(line, self.desk.at[joint.point])
+        away = isinstance(joint, Prismatic) and abs(complex(nominal(line.at - self.desk.at[joint.pin]))) > OFF_SHEET
+        return foot(line, self.desk.at[joint.pin]) if isinstance(joint, Prismatic) and away else line.at
 
     @property
     def speed(self) -> float:
