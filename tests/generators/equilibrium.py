@@ -197,7 +197,7 @@ def _slide(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float,
     mech = moving.mech
     key = f"R_{mech.number(joint.guide)}{mech.number(joint.block)}{way}"
     found = forces.get(key)
-    if found is None or found["direction_deg"] is None or found["drawn"] < 1e-9 * max(abs(one["drawn"]) for one in forces.values()):
+    if found is None or found["direction_deg"] is None or found["drawn"] < 1e-9 * max(abs(one["drawn"]) for one in forces.values() if one["unit"] == "N"):
         return
     turn = 1.0 if joint.guide == FRAME else cmath.rect(1.0, float(moving.motion.angle(joint.guide)[2]))
     along = turn * cmath.rect(1.0, joint.direction)

@@ -77,8 +77,8 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     arm = _arm(st, at, across)
     size = _size(st, load, held, drawn)
     turn, way = TURN[1 if nominal(couple) > 0 else -1], TURN[-1 if nominal(couple) > 0 else 1]
-    st.board.remark(Words(f"两力构成{turn.zh}力偶，量得力臂 $h$；${named.symbol}$ 与之平衡，为{way.zh}：",
-                          f" The two form a {turn.en} couple, its arm $h$ is measured; ${named.symbol}$ balances it and is {way.en}:"))
+    st.board.remark(Words(f"两力构成{turn.zh}力偶，量得力臂 ${_letter(st)}$；${named.symbol}$ 与之平衡，为{way.zh}：",
+                          f" The two form a {turn.en} couple, its arm ${_letter(st)}$ is measured; ${named.symbol}$ balances it and is {way.en}:"))
     value = st.board.compute(named.symbol, size * arm, "N·m")
     _leave(st, line, at, across, st.named(FRAME, held.link).symbol)
     signed = -np.sign(couple) * value.value
@@ -89,8 +89,13 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
 
 
 def _arm(st: Statics, at: Points, across: Points) -> Quantity:
-    on_paper = st.board.measure(at, across, "h")
-    return st.board.compute("h", st.board.mu(View.MECHANISM) * on_paper, "m")
+    letter = _letter(st)
+    return st.board.compute(letter, st.board.mu(View.MECHANISM) * st.board.measure(at, across, letter), "m")
+
+
+def _letter(st: Statics) -> str:
+    """The arm: h, or h_0 in the pass without friction."""
+    return "h_0" if st.preliminary else "h"
 
 
 def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quantity:
@@ -150,7 +155,7 @@ def _by_sum(st: Statics, held: Held, at: Points) -> None:
 def _through_pin(st: Statics, symbol: str) -> None:
     """The force on the link passes through its pin, as the frame's reaction does: no arm, no moment."""
     named = st.unknown_named
-    st.board.remark(Words(f"{symbol} 与机架反力共线，力臂 $h$ = 0，故 ${named.symbol}$ = 0。", f" It and the frame's reaction lie in one line, the arm $h$ = 0, so ${named.symbol}$ = 0."))
+    st.board.remark(Words(f"{symbol} 与机架反力共线，力臂 ${_letter(st)}$ = 0，故 ${named.symbol}$ = 0。", f" It and the frame's reaction lie in one line, the arm ${_letter(st)}$ = 0, so ${named.symbol}$ = 0."))
     keep_nothing(st, named)
     if not st.preliminary:
         keep_nothing(st, Named("h", "h", "m"))

@@ -11,7 +11,7 @@ from ...mechanism.model import Mechanism
 from ...mechanism.quantities import apart, pairs
 from ...mechanism.seats import seat
 from ...names import Named
-from ...plane import Reals, nominal
+from ...plane import Points, Reals, nominal
 from ...problem.problem import Problem
 from ...quantity import Expr, Product, number, worked
 from ...words import Words
@@ -61,18 +61,22 @@ def read_reactions(st: Statics, mech: Mechanism) -> None:
     Links at a compound hinge that only meet in the pin of a third have none.
     """
     for a, b in pairs(mech):
-        for by, on in ((a, b), (b, a)):
-            found = st.push(by, on)
-            if found is not None:
-                _reaction(st, found)
+        action, reaction = st.push(a, b), st.push(b, a)
+        if action is not None and reaction is not None:
+            start, end, letters = _side(action)
+            _reaction(st, action, (start, end, letters))
+            _reaction(st, reaction, (end, start, " ".join(reversed(letters.split()))))
     for a, b in apart(mech):
         _no_reaction(st, a, b)
 
 
-def _reaction(st: Statics, force: Acting) -> None:
-    board, named, scale = st.board, force.named, st.scale
-    drawn = force.drawn
-    start, end, letters = (drawn.start, drawn.end, drawn.letters) if drawn else (0j, force.vector, "—")
+def _side(force: Acting) -> tuple[Points, Points, str]:
+    """Start, end and letters of a force on its polygon; one that stands on none is laid off from a point."""
+    return (force.drawn.start, force.drawn.end, force.drawn.letters) if force.drawn else (0j, force.vector, "—")
+
+
+def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> None:
+    board, named, scale, (start, end, letters) = st.board, force.named, st.scale, side
     on_paper = board.measure(start, end, letters)
     size = on_paper.value * scale.value if force.computed is None else force.computed
     zero = abs(complex(nominal(force.vector))) < NO_LENGTH

@@ -121,9 +121,10 @@ class Statics:
         found = None if self.ideal is None else self.ideal.push(by, on)
         return None if found is None else found.vector
 
-    def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0) -> Acting:
+    def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0, *,
+               computed: Reals | None = None) -> Acting:
         """Keep a reaction as found."""
-        return self.keep_reaction(by, on, Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent))
+        return self.keep_reaction(by, on, Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent, computed=computed))
 
     def keep_reaction(self, by: str, on: str, found: Acting) -> Acting:
         """Keep a reaction with all that is known of it."""
