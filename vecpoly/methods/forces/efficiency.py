@@ -60,7 +60,8 @@ def _vanishes(st: Statics, balance: Reals) -> bool:
 def _undefined(st: Statics) -> None:
     """η = 0/0."""
     why = Words("此位置各外力均不作功，$η$ = 0/0，无意义", "no load does work in this position, so $η$ = 0/0 is undefined")
-    st.board.step(Words(f"{why.zh}。", f"{why.en[0].upper()}{why.en[1:]}."))
+    if st.ideal is not None:
+        st.board.step(Words(f"{why.zh}。", f"{why.en[0].upper()}{why.en[1:]}."))
     st.keep(Reading(key=ETA.key, symbol=ETA.symbol, unit=ETA.unit, scalar=nan, remark=why), nan)
 
 
