@@ -60,6 +60,18 @@ def agree(solution: Solution) -> None:
         assert one is not None and two is not None and abs(one - two) <= 1e-9 * max(size, abs(two)), answer.key
 
 
+def stand_alike(solution: Solution) -> None:
+    """Every reaction as drawn acts on the line on which the oracle has it, on the same side of its pin."""
+    seen = 0
+    for answer in solution.answers.values():
+        one, two, force = answer.reading.acts, answer.exact_acts, answer.exact_vector
+        if one is not None and two is not None and force is not None and abs(force) > 1e-6:
+            assert abs(((two.point - one.point) * force.conjugate()).imag) < 1e-9 * abs(force), answer.key
+            assert one.tangent == two.tangent, answer.key
+            seen += 1
+    assert seen >= 2
+
+
 def told(solution: Solution) -> str:
     return " ".join(step.words.en for step in solution.construction.steps)
 
@@ -71,6 +83,7 @@ def test_a_load_parallel_to_the_force_of_a_block_is_balanced_by_moments_about_th
     text = ROCKER.replace("phi: 90 deg, omega: ccw", f"phi: {phi} deg, omega: {sense}").replace("direction: 180 deg", f"direction: {rocker + 90:.12f} deg")
     solution = solved(text, sought='M_1: {on: 1, size: "?"}', more=more, find="R_23, R_43, R_12, M_1")
     agree(solution)
+    stand_alike(solution)
     assert "so is the third; moments about the point where it touches the circle at $D$" in told(solution)
 
 
@@ -92,6 +105,7 @@ def test_a_force_on_the_crank_balances_through_one_point(way: str, more: str) ->
     solution = solved(FOUR_BAR, sense="ccw", more=more, find="P, R_21, R_41, R_43", loads="M_3: {on: 3, size: 20 N*m cw}, "
                       f'P: {{on: 1, at: S, size: "?", direction: {way}}}')
     agree(solution)
+    stand_alike(solution)
     assert "meet in a point; the frame's reaction $R_{41" in told(solution)
 
 
@@ -99,6 +113,7 @@ def test_a_force_on_the_crank_balances_through_one_point(way: str, more: str) ->
 def test_forces_on_the_crank_itself_join_those_that_reach_it(more: str) -> None:
     solution = solved(FOUR_BAR, sense="ccw", more=more, find="R_21, R_41, M_1", loads='M_3: {on: 3, size: 20 N*m cw}, F: {on: 1, at: S, size: 150 N, direction: 200 deg}, M_1: {on: 1, size: "?"}')
     agree(solution)
+    stand_alike(solution)
     assert "measure its closing side, $R_{41" in told(solution) and "the sum of the known forces" in told(solution)
 
 
@@ -108,6 +123,7 @@ def test_a_couple_on_the_rocker_is_borne_by_two_parallel_reactions(sense: str, m
     way = {"ccw": "cw", "cw": "ccw"}[sense]
     solution = solved(FOUR_BAR, sense=sense, more=more, find="R_23, R_43, R_21, R_41, M_1", loads=f'M_3: {{on: 3, size: 20 N*m {way}}}, M_1: {{on: 1, size: "?"}}')
     agree(solution)
+    stand_alike(solution)
     assert "Link 3 carries only a couple" in told(solution)
     one, two = solution.answers["R_23"].drawn_vector, solution.answers["R_43"].drawn_vector
     assert one is not None and two is not None and abs(one + two) < 1e-9 * abs(one)
@@ -117,3 +133,26 @@ def test_only_couples_on_the_crank_are_balanced_by_a_couple_and_the_frame_bears_
     solution = solved(FOUR_BAR, sense="ccw", more="", find="R_41, M_1", loads='M_2: {on: 1, size: 7 N*m cw}, M_1: {on: 1, size: "?"}')
     assert solution.answers["M_1"].drawn == pytest.approx(7.0) and solution.answers["M_1"].exact == pytest.approx(7.0)
     assert solution.answers["R_41"].drawn == 0.0 and "Only couples act on link 1" in told(solution)
+
+
+SLIDE = """
+id: s
+title: s
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 180 mm}, 3: {block: C, G: {CG: 40 mm, angle: 30 deg from line}}}
+joints: [3 slides on y = 10 mm]
+branch: [C right of B]
+input: {link: 1, phi: 50 deg, omega: ccw}
+loads: {M_1: {on: 1, size: 30 N*m ccw}, %(more)s P: {on: 3, at: %(at)s, size: "?", direction: %(way)s deg}}
+%(friction)s
+find: [P, R_23, R_43, R_21]
+"""
+
+
+@pytest.mark.parametrize("friction", ["", "friction: {A: {rho: 2 mm}, B: {rho: 2 mm}, C: {rho: 2 mm}, 3-4: {phi: 5 deg}}"])
+@pytest.mark.parametrize(("at", "way"), [("C", "180"), ("C", "160"), ("G", "180"), ("G", "200")])
+@pytest.mark.parametrize("more", ["", "Q: {on: 3, at: G, size: 90 N, direction: -100 deg},"])
+def test_a_force_on_a_slide_balances_and_the_guide_s_reaction_passes_where_the_lines_meet(at: str, way: str, more: str, friction: str) -> None:
+    solution = solved(SLIDE, at=at, way=way, more=more, friction=friction)
+    agree(solution)
+    stand_alike(solution)
