@@ -28,7 +28,9 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     if abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
         balance_parallel(st, held, load, line, by)
         return
-    x = st.board.meet(load.line, line, f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}")
+    x = st.board.meet(load.line, line, Words(
+        f"构件 {st.mech.number(link)}：载荷与 R_{st.mech.number(by)}{st.mech.number(link)} 的作用线",
+        f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}"))
     u, sense = direction_through(st, held.joint, held.parent, link, x)
     _draw(st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), st.named(held.parent, link).symbol)
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
@@ -62,7 +64,9 @@ def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) ->
         st.board.remark(slide_words(st, joint, by, on))
         return inclined(st, joint, by, on), 0
     if not isinstance(joint, Revolute):
-        raise NoMethodError(f"no graphical method on file finds the reaction of links {i} and {j}: they roll on each other; 'vecpoly exact' still answers")
+        raise NoMethodError(Words(
+            f"没有求构件 {i} 与 {j} 间反力的图解法，因为两者作纯滚动；仍可用 vecpoly exact 求解",
+            f"no graphical method on file finds the reaction of links {i} and {j}: they roll on each other; 'vecpoly exact' still answers"))
     st.board.remark(pin_words(st, joint.point, by, on))
     centre = st.desk.at[joint.point]
     sense = st.moment_sense(joint.point, by, on)

@@ -1,0 +1,78 @@
+"""Soak: thousands of random problems judged.
+
+    python -m tests.generators                              # 200 of each family
+    python -m tests.generators --family rpp --count 10000 --seed 7 --jobs 2
+    python -m tests.generators --family rpp --seed 7 --only 118      # the text and the verdict of one
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections import Counter
+from collections.abc import Iterator
+from multiprocessing import Pool
+
+import numpy as np
+from rich.console import Console
+from rich.progress import track
+
+from .family import Family, families
+from .judge import Kind, Verdict, judge
+
+Case = tuple[str, int, int]  # family, seed, number
+
+
+def text_of(one: Family, seed: int, number: int) -> str:
+    """The member of a family with this number: the same for the same seed, in any order."""
+    return one.make(np.random.default_rng([seed, number]))
+
+
+def judged(case: Case) -> tuple[Case, Verdict]:
+    """One member made and judged."""
+    name, seed, number = case
+    one = next(member for member in families() if member.name == name)
+    return case, judge(text_of(one, seed, number), one.also)
+
+
+def _all(cases: list[Case], jobs: int) -> Iterator[tuple[Case, Verdict]]:
+    if jobs == 1:
+        yield from map(judged, cases)
+        return
+    with Pool(jobs) as pool:
+        yield from pool.imap_unordered(judged, cases, chunksize=8)
+
+
+def main() -> int:
+    """Judge, count, show; exit code 1 where anything is wrong or broken."""
+    parser = argparse.ArgumentParser(prog="python -m tests.generators", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--family", action="append", help="a name, or the start of several; all where none is given")
+    parser.add_argument("--count", type=int, default=200, help="members of each family")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", type=int, help="print this member and its verdict")
+    parser.add_argument("--jobs", type=int, default=1)
+    asked = parser.parse_args()
+    chosen = [one for one in families() if not asked.family or one.name.startswith(tuple(asked.family))]
+    if asked.only is not None:
+        for one in chosen:
+            text = text_of(one, asked.seed, asked.only)
+            print(text, judge(text, one.also), sep="\n")
+        return 0
+    cases = [(one.name, asked.seed, number) for one in chosen for number in range(asked.count)]
+    return _told(cases, list(track(_all(cases, asked.jobs), total=len(cases), description="judging")))
+
+
+def _told(cases: list[Case], found: list[tuple[Case, Verdict]]) -> int:
+    console = Console(width=180)
+    for name in dict.fromkeys(name for name, _, _ in cases):
+        mine = [(case, verdict) for case, verdict in found if case[0] == name]
+        counts = Counter(verdict.kind for _, verdict in mine)
+        console.print(f"{name}: " + ", ".join(f"{counts[kind]} {kind}" for kind in Kind), markup=False)
+        for reason, times in Counter(v.reason for _, v in mine if v.kind is Kind.REFUSED).most_common(12):
+            console.print(f"    {times:5d} × {reason}", markup=False)
+        for (_, seed, number), verdict in [pair for pair in mine if pair[1].kind in (Kind.WRONG, Kind.BROKEN)][:12]:
+            console.print(f"    {verdict.kind} --seed {seed} --only {number}: {verdict.why}", markup=False)
+    return int(any(verdict.kind in (Kind.WRONG, Kind.BROKEN) for _, verdict in found))
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

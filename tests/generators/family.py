@@ -1,0 +1,53 @@
+"""Families of random problems: a function registered by `family` writes the text of one; adding the file adds the family."""
+
+from __future__ import annotations
+
+import pkgutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+
+import numpy as np
+
+from vecpoly.solution import Solution
+
+Make = Callable[[np.random.Generator], str]
+Check = Callable[[Solution], str]  # what is wrong with a solution, or "" where nothing is
+
+
+def content(solution: Solution) -> str:
+    """The check of a family that needs none of its own."""
+    return ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Family:
+    """One kind of problem: its name, what writes a random member, a further check of the solution (a third party's)."""
+
+    name: str
+    make: Make
+    also: Check
+
+
+_FAMILIES: dict[str, Family] = {}
+
+
+def family(name: str, also: Check = content) -> Callable[[Make], Make]:
+    """Register a function as the maker of a family's members."""
+
+    def register(make: Make) -> Make:
+        if name in _FAMILIES:
+            raise ValueError(f"two functions make the family {name}")
+        _FAMILIES[name] = Family(name=name, make=make, also=also)
+        return make
+
+    return register
+
+
+def families() -> tuple[Family, ...]:
+    """All registered families, by name."""
+    here = import_module(__package__)
+    for module in pkgutil.iter_modules(here.__path__):
+        if module.name != "__main__":
+            import_module(f"{__package__}.{module.name}")
+    return tuple(sorted(_FAMILIES.values(), key=lambda one: one.name))

@@ -1,0 +1,83 @@
+"""One random problem judged: drawn by the exact hand = oracle = central differences of the oracle's positions.
+
+right: all agree. refused: the program declines, with its reason. wrong: two of the three disagree. broken: a traceback.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+
+from vecpoly import loads
+from vecpoly.errors import VecpolyError
+from vecpoly.mechanism.model import Mechanism
+from vecpoly.solution import Answer, Solution, solve
+
+from .differences import against_differences
+from .family import Check, content
+from .nearby import slack
+
+AGREE = 1e-9  # of the largest quantity of the kind
+
+
+class Kind(StrEnum):
+    """How a random problem ended."""
+
+    RIGHT = "right"
+    REFUSED = "refused"
+    WRONG = "wrong"
+    BROKEN = "broken"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Verdict:
+    """The end of one problem and the reason: of a refusal its text, of a wrong one what disagrees."""
+
+    kind: Kind
+    why: str = ""
+
+    @property
+    def reason(self) -> str:
+        """The text without its numbers and letters of points, so that like refusals count as one."""
+        return re.sub(r"\b[A-Z]\d?\b", "X", re.sub(r"[-−]?\d+(\.\d+)?(e[-+]?\d+)?", "#", self.why.splitlines()[0] if self.why else ""))[:160]
+
+
+def judge(text: str, also: Check = content) -> Verdict:
+    """Load, draw, and compare; never raises."""
+    try:
+        return _judged(text, also)
+    except VecpolyError as error:
+        return Verdict(kind=Kind.REFUSED, why=f"{type(error).__name__}: {error}")
+    except Exception as error:  # whatever escapes is what is sought
+        return Verdict(kind=Kind.BROKEN, why=f"{type(error).__name__}: {error}")
+
+
+def _judged(text: str, also: Check) -> Verdict:
+    problem = loads(text)
+    solution = solve(problem, by="exact", repeats=0)
+    wrong = _disagreeing(solution)
+    if not wrong and isinstance(problem.subject, Mechanism):
+        wrong = against_differences(problem.subject, solution)
+    warning = solution.construction.warning
+    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or also(solution)
+    return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
+
+
+def _disagreeing(solution: Solution) -> str:
+    """The first quantity of which the exact hand draws something else than the oracle finds."""
+    answers = solution.answers.values()
+    near = slack(solution)
+    for one in answers:
+        size = max(abs(other.exact) for other in answers if other.reading.unit == one.reading.unit)
+        if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
+            drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
+            return f"{one.key} drawn {drawn}, exact {exact}"
+    return ""
+
+
+def gap(answer: Answer) -> float:
+    """How far the drawn value is from the exact one."""
+    if answer.drawn_vector is not None and answer.exact_vector is not None:
+        return abs(answer.drawn_vector - answer.exact_vector)
+    return abs(answer.deviation)

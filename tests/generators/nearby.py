@@ -1,0 +1,28 @@
+"""How well the exact values are conditioned: how far they move when the input moves by a hair."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from vecpoly.check.exact import exact_values
+from vecpoly.errors import VecpolyError
+from vecpoly.mechanism.model import Mechanism
+from vecpoly.solution import Solution
+
+HAIR = 1e-12  # rad, or m: a few units in the last place of a position
+FACTOR = 100.0
+
+
+def slack(solution: Solution) -> dict[str, float]:
+    """Key → how much drawing and oracle may differ because both are rounded before they are magnified."""
+    problem = solution.problem
+    if not isinstance(problem.subject, Mechanism):
+        return {}
+    drive = problem.subject.drive
+    moved = replace(problem.subject, drives=(replace(drive, position=drive.position + HAIR), *problem.subject.drives[1:]))
+    try:
+        near = exact_values(replace(problem, subject=moved))
+    except VecpolyError:
+        return {}
+    return {key: FACTOR * abs(near[key] - (one.exact if one.exact_vector is None else one.exact_vector))
+            for key, one in solution.answers.items() if key in near}
