@@ -85,6 +85,15 @@ def test_the_conclusion_tells_freedom_output_points_and_groups_once_each(name: s
     assert len(en) == len(set(en)) >= 4 and all(words.zh.endswith("。") and words.en.endswith(".") for words in concluded(name))
 
 
+@pytest.mark.parametrize(("name", "link"), [("3-9", "3"), ("B-24", "5"), ("A-27", "5")])
+def test_the_sense_told_of_a_link_is_that_of_the_oracle(name: str, link: str) -> None:
+    motion = oracle.solve(studied(name).mech)
+    told = {match[1] + match[2]: (match[3], match[4]) for words in concluded(name)[:1]
+            for match in re.finditer(r"\$([ωα])_\{?(\d)\}?\$ = ([^;]*?), (counter-clockwise|clockwise)", words.en)}
+    for sign, value in (("ω", motion.omega(link)), ("α", motion.alpha(link))):
+        assert told[sign + link][1] == ("counter-clockwise" if float(np.real(value)) > 0 else "clockwise"), sign
+
+
 # -- chapter 3: axes and angles ---------------------------------------------------------------------------------------
 
 

@@ -9,7 +9,7 @@ from drawn_library import desk_of, drawn, ids
 
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
-from vecpoly.board.marks import Point, Segment, Vector
+from vecpoly.board.marks import Block, Ground, Point, Segment, Vector
 from vecpoly.mechanism.centre_quantities import centre, count, link_pairs, real_links
 from vecpoly.methods.centres.direct import direct_centres
 from vecpoly.methods.centres.state import NAME
@@ -89,3 +89,13 @@ def test_velocities_on_the_figure_stand_square_to_the_rays_from_their_centres(na
         exact = complex(motion.velocity(label[3]))
         assert ((mark.b - mark.a) / exact).real > 0 and abs(((mark.b - mark.a) / exact).imag) < 1e-6 * abs((mark.b - mark.a) / exact), label
     assert arrows or name == "D-2" or all("标出各速度的方向" not in words for words in steps(name))
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_mechanism_stands_once_more_under_its_centres_drawn_to_their_scale(name: str) -> None:
+    whole = next(f for f in drawn(name).figures(View.MECHANISM) if not f.name)
+    size = whole.scale.value / figure(name).scale.value
+    fixed = {kind: [[m.at * times for m in f.marks if isinstance(m, kind)] for f, times in ((whole, size), (figure(name), 1.0))] for kind in (Ground, Block)}
+    for there, here in fixed.values():
+        assert len(there) == len(here) and all(min(abs(a - b) for b in here) < SEEN for a in there)
+    assert any(there for there, _ in fixed.values())
