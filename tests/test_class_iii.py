@@ -6,49 +6,17 @@ import re
 
 import numpy as np
 import pytest
-from texts import CLASS_III
 
-from vecpoly import load, loads, oracle, solve
+from vecpoly import load, oracle, solve
 from vecpoly.board.construction import Figure, Step, View
-from vecpoly.board.hand import hand
 from vecpoly.board.marks import ImageOf, Point
-from vecpoly.errors import AssemblyError, DeadPointError, EquationError, NoMethodError
-from vecpoly.methods.plan import construct
+from vecpoly.errors import EquationError
 from vecpoly.names import At, Kind, Rel
 from vecpoly.solution import Solution
 from vecpoly.vector.equation import Equation, Term
 from vecpoly.words import Words
 
 PLATE, SLIDES, GEAR = "three-legged-plate", "class-iii-slides", "stephenson-valve-gear"
-CLASS_IV = """\
-id: iv
-title: class IV
-frame: {A: [0 mm, 0 mm], G: [200 mm, 0 mm]}
-links:
-  1: {AB: 40 mm}
-  2: {BC: 80 mm, D: {BD: 90 mm, CD: 70 mm, side: left of BC}}
-  3: {CE: 80 mm}
-  4: {DF: 80 mm}
-  5: {GE: 100 mm, F: {GF: 110 mm, EF: 70 mm, side: left of GE}}
-input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
-guesses: {C: [80 mm, 80 mm], D: [40 mm, 120 mm], E: [160 mm, 80 mm], F: [160 mm, 120 mm]}
-find: [v_C, omega_3]
-"""
-TWO_PLATES = """\
-id: two-plates
-title: two plates hinged together, each on two bars
-frame: {A: [0 mm, 0 mm], P: [60 mm, -40 mm], Q: [220 mm, -40 mm], U: [300 mm, 40 mm]}
-links:
-  1: {AB: 30 mm}
-  2: {CD: 60 mm, E: {CE: 80 mm, DE: 70 mm, side: left of CD}}
-  3: {BC: 90 mm}
-  4: {PD: 100 mm}
-  5: {EF: 70 mm, G: {EG: 90 mm, FG: 60 mm, side: left of EF}}
-  6: {QF: 100 mm}
-  7: {UG: 90 mm}
-input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
-find: [v_E]
-"""
 
 
 def exact(name: str) -> Solution:
@@ -84,7 +52,10 @@ def test_the_special_point_lies_on_the_lines_of_the_two_legs() -> None:
     s = spot(shown, "S")
     for outer, inner in (("D", "E"), ("B", "C")):
         assert sine(s - spot(shown, outer), spot(shown, inner) - spot(shown, outer)) < 1e-9
-    assert "the line $DE$ of link 4 and the line $BC$ of link 2 meet at $S$" in told(solution, "The special point").words.en
+    assert (
+        "the line $DE$ of link 4 and the line $BC$ of link 2 meet at $S$"
+        in told(solution, "The special point").words.en
+    )
     assert "特殊点法" in told(solution, "The special point").words.zh
 
 
@@ -100,7 +71,16 @@ def test_every_equation_has_its_table_and_the_parallel_unknowns_count_as_one() -
     assert tables(solution) == [
         ("v_{S3}", "(v_{E} + v_{S3E})", "v_{B}", "(v_{CB} + v_{S3C})"),
         ("v_{F}", "v_{S3}", "v_{FS3}"),
-        ("a_{S3}", "a^n_{E}", "a^n_{S3E}", "(a^t_{E} + a^t_{S3E})", "a_{B}", "a^n_{CB}", "a^n_{S3C}", "(a^t_{CB} + a^t_{S3C})"),
+        (
+            "a_{S3}",
+            "a^n_{E}",
+            "a^n_{S3E}",
+            "(a^t_{E} + a^t_{S3E})",
+            "a_{B}",
+            "a^n_{CB}",
+            "a^n_{S3C}",
+            "(a^t_{CB} + a^t_{S3C})",
+        ),
         ("a_{F}", "a^n_{F}", "a^t_{F}", "a_{S3}", "a^n_{FS3}", "a^t_{FS3}"),
     ]
     table = next(step.equation for step in solution.construction.steps if step.equation is not None)
@@ -111,10 +91,16 @@ def test_every_equation_has_its_table_and_the_parallel_unknowns_count_as_one() -
 @pytest.mark.parametrize("view", [View.VELOCITY, View.ACCELERATION])
 def test_the_image_of_the_central_link_is_similar_to_it_and_keeps_its_letter_order(view: View) -> None:
     solution = exact(PLATE)
-    shown, drawn, prime = figure(solution, View.MECHANISM), figure(solution, view), "′" if view is View.ACCELERATION else ""
+    shown, drawn, prime = (
+        figure(solution, View.MECHANISM),
+        figure(solution, view),
+        "′" if view is View.ACCELERATION else "",
+    )
     link = [spot(shown, letter) for letter in "CEF"]
     image = [spot(drawn, f"{letter}^{prime}" if prime else letter) for letter in "cef"]
-    assert (image[2] - image[0]) / (image[1] - image[0]) == pytest.approx((link[2] - link[0]) / (link[1] - link[0]), rel=1e-9)
+    assert (image[2] - image[0]) / (image[1] - image[0]) == pytest.approx(
+        (link[2] - link[0]) / (link[1] - link[0]), rel=1e-9
+    )
     assert sum(isinstance(m, ImageOf) for m in drawn.marks) == 2
 
 
@@ -122,7 +108,9 @@ def test_a_slide_on_the_central_link_has_a_coriolis_term_with_its_own_turning() 
     solution = exact(SLIDES)
     assert ("a_{H3}", "a_{H5}", "a^k_{H3H5}", "a^r_{H3H5}", "a_{S3}", "a^n_{H3S3}", "a^t_{H3S3}") in tables(solution)
     answers = solution.answers
-    assert answers["ak_H3H5"].drawn == pytest.approx(2 * abs(answers["omega_3"].drawn) * answers["v_H3H5"].drawn, rel=1e-9)
+    assert answers["ak_H3H5"].drawn == pytest.approx(
+        2 * abs(answers["omega_3"].drawn) * answers["v_H3H5"].drawn, rel=1e-9
+    )
 
 
 @pytest.mark.parametrize("name", [PLATE, SLIDES, GEAR])
@@ -146,94 +134,27 @@ def test_no_step_has_a_word_of_the_other_language() -> None:
             assert not re.search(r"[一-鿿]", step.words.en), step.words.en
 
 
-# -- which assembly -----------------------------------------------------------------------------------------------------
-
-
-def test_without_a_guess_the_assemblies_are_listed_and_each_of_them_is_taken() -> None:
-    text = re.sub(r"guesses: .*\n", "", CLASS_III).replace("phi: 60", "phi: 120")
-    with pytest.raises(AssemblyError, match="can be joined in 2 ways") as refused:
-        solve(loads(text))
-    offers = re.findall(r"\{C: \[[^}]*\}", str(refused.value))
-    assert len(offers) == 2 and "有 2 种装配" in refused.value.words.zh
-    speeds = {round(solve(loads(text + f"guesses: {offer}\n"), by="exact", repeats=0).answers["v_C"].drawn, 6) for offer in offers}
-    assert len(speeds) == 2
-
-
-def test_a_branch_statement_tells_the_assemblies_apart_and_is_told_in_the_step() -> None:
-    text = re.sub(r"guesses: .*\n", "", CLASS_III).replace("phi: 60", "phi: 120")
-    high, low = (solve(loads(text + f"branch: [C {side} E]\n"), by="exact", repeats=0) for side in ("above", "below"))
-    assert high.answers["v_C"].drawn != pytest.approx(low.answers["v_C"].drawn)
-    assert "$C$ above $E$" in told(high, "by trial").words.en and "$C$ below $E$" in told(low, "by trial").words.en
-
-
-def test_a_branch_that_no_assembly_fulfils_is_refused() -> None:
-    with pytest.raises(AssemblyError, match="fulfils"):
-        solve(loads(CLASS_III + "branch: [C below AD]\n"))
-
-
-def test_a_group_that_cannot_be_joined_is_refused() -> None:
-    with pytest.raises(AssemblyError):
-        construct(loads(CLASS_III.replace("FG: 120", "FG: 20")), hand("exact"), {})
-
-
-# -- dead points, other classes --------------------------------------------------------------------------------------------
-
-
-def test_three_parallel_legs_are_a_dead_point() -> None:
-    text = """
-id: dead
-title: three parallel bars
-frame: {A: [0 mm, 0 mm], D: [100 mm, 0 mm], G: [180 mm, 20 mm]}
-links:
-  1: {AB: 40 mm}
-  2: {BC: 80 mm}
-  3: {CE: 100 mm, F: {along: CE, at: 180 mm, left: 10 mm}}
-  4: {DE: 120 mm}
-  5: {GF: 110 mm}
-input: {link: 1, phi: 90 deg, omega: 10 rad/s ccw}
-guesses: {C: [0 mm, 120 mm], E: [100 mm, 120 mm], F: [180 mm, 130 mm]}
-find: [v_C, omega_3]
-"""
-    with pytest.raises((DeadPointError, AssemblyError)):
-        construct(loads(text), hand("exact"), {})
-
-
-def test_two_parallel_legs_leave_another_pair_for_the_special_point() -> None:
-    text = """
-id: parallel
-title: two parallel bars
-frame: {A: [0 mm, 0 mm], D: [100 mm, 0 mm], G: [260 mm, 60 mm]}
-links:
-  1: {AB: 40 mm}
-  2: {BC: 80 mm}
-  3: {CE: 100 mm, F: {along: CE, at: 150 mm, left: 40 mm}}
-  4: {DE: 120 mm}
-  5: {GF: 148.66 mm}
-input: {link: 1, phi: 90 deg, omega: 10 rad/s ccw}
-guesses: {C: [0 mm, 120 mm], E: [100 mm, 120 mm], F: [150 mm, 160 mm]}
-find: [v_C, v_F, omega_3, a_C, alpha_3]
-"""
-    for one in solve(loads(text), by="exact", repeats=0).answers.values():
-        assert one.drawn == pytest.approx(one.exact, rel=1e-9, abs=1e-9)
-
-
-def test_class_iv_is_refused_with_the_input_that_would_do() -> None:
-    with pytest.raises(NoMethodError, match=r"class IV group 2, 3, 4, 5.*with link 5 as the input it can be drawn") as refused:
-        construct(loads(CLASS_IV), hand("exact"), {})
-    assert "若改以构件 5 为原动件" in refused.value.words.zh and refused.value.code == "no-method"
-
-
-def test_two_central_links_are_refused_by_name() -> None:
-    with pytest.raises(NoMethodError, match="is not one central link on three legs"):
-        construct(loads(TWO_PLATES), hand("exact"), {})
-
-
 # -- sums of parallel unknowns in an equation --------------------------------------------------------------------------------
 
 
-def _term(to: str, ref: str | None, *, along: complex | None = None, vector: complex | None = None, summed: tuple[Rel, ...] = ()) -> Term:
+def _term(
+    to: str,
+    ref: str | None,
+    *,
+    along: complex | None = None,
+    vector: complex | None = None,
+    summed: tuple[Rel, ...] = (),
+) -> Term:
     rel = Rel(Kind.V, At(to), At(ref) if ref else None)
-    return Term(rel=rel, symbol=f"v_{to}{ref or ''}", direction=Words.same("?"), magnitude="?", along=along, vector=vector, summed=summed)
+    return Term(
+        rel=rel,
+        symbol=f"v_{to}{ref or ''}",
+        direction=Words.same("?"),
+        magnitude="?",
+        along=along,
+        vector=vector,
+        summed=summed,
+    )
 
 
 def test_a_summed_term_bridges_the_way_that_its_vectors_make() -> None:
@@ -246,7 +167,10 @@ def test_a_summed_term_bridges_the_way_that_its_vectors_make() -> None:
 def test_a_summed_term_with_a_gap_is_refused() -> None:
     parts = Rel(Kind.V, At("C"), At("B")), Rel(Kind.V, At("S"), At("E"))
     with pytest.raises(EquationError):
-        Equation(left=(_term("B", None, vector=1 + 0j), _term("S", "B", along=1j, summed=parts)), right=(_term("S", None, along=1 + 0j),))
+        Equation(
+            left=(_term("B", None, vector=1 + 0j), _term("S", "B", along=1j, summed=parts)),
+            right=(_term("S", None, along=1 + 0j),),
+        )
 
 
 # -- machines of the lecturer -----------------------------------------------------------------------------------------------
@@ -255,7 +179,9 @@ def test_a_summed_term_with_a_gap_is_refused() -> None:
 def test_peaucellier_s_point_moves_across_the_line_of_the_pivots() -> None:
     answers = exact("peaucellier").answers
     for key in ("v_P", "a_P"):
-        assert answers[key].drawn_vector is not None and abs(answers[key].drawn_vector.real) < 1e-9 * abs(answers[key].drawn_vector)
+        assert answers[key].drawn_vector is not None and abs(answers[key].drawn_vector.real) < 1e-9 * abs(
+            answers[key].drawn_vector
+        )
 
 
 def test_the_pantograph_enlarges_every_motion_two_and_a_half_times() -> None:
@@ -265,7 +191,9 @@ def test_the_pantograph_enlarges_every_motion_two_and_a_half_times() -> None:
 
 
 @pytest.mark.parametrize(("name", "flat", "stride"), [("jansen-leg", 2.5, 60.0), ("klann-leg", 5.0, 95.0)])
-def test_a_walking_leg_keeps_its_foot_on_the_ground_for_a_third_of_a_turn(name: str, flat: float, stride: float) -> None:
+def test_a_walking_leg_keeps_its_foot_on_the_ground_for_a_third_of_a_turn(
+    name: str, flat: float, stride: float
+) -> None:
     foot = 1e3 * np.asarray(oracle.solve(load(name).mechanism, np.radians(np.arange(0, 360, 5))).position("H"))
     down = foot[foot.imag < foot.imag.min() + flat]
     assert len(down) >= 24 and np.ptp(down.real) > stride

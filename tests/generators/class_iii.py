@@ -1,4 +1,4 @@
-"""Class III groups with all kinds of legs: a random pose of the central link is laid out first, and the lengths are taken from it."""
+"""Class III groups with all kinds of legs: a pose is laid out first, and the lengths are taken from it."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def _guided(lay: Layout, inner: str, parent: str, at: complex, link: str) -> Non
 
 
 def _slotted(lay: Layout, kind: str, plate: str, parent: str, at: complex, link: str) -> None:
-    """A pin Q on the parent: a block in a slide of the plate, a pin in it, or a slot about Q in which a pin of the plate's block runs."""
+    """A pin Q on the parent: a block or a pin in a slide of the plate, or a slot about Q in which the plate slides."""
     way, pin = lay.way(), lay.on(parent, at)
     if kind != "pin":
         lay.finds += [f"{rel}_{pin}{plate}{pin}{link}" for rel in ("v", "ak", "ar")]
@@ -116,7 +116,10 @@ def _parallel(lay: Layout, plate: str, parent: str, at: complex, link: str) -> N
         joint = f"{link} slides on {lay.on(parent, at - 60 * guide)}{lay.on(parent, at + 60 * guide)}"
     one, two = lay.on(plate, at - 60 * slide), lay.on(plate, at + 60 * slide)
     lay.texts[link] = f"{{block: {own}}}"
-    lay.joints += [joint, f"{link} slides on {one}{two} of {plate} turned {np.degrees(np.angle(guide / slide)):.9f} deg"]
+    lay.joints += [
+        joint,
+        f"{link} slides on {one}{two} of {plate} turned {np.degrees(np.angle(guide / slide)):.9f} deg",
+    ]
     lay.guesses.append(f"{own}: [{at.real:.3f} mm, {at.imag:.3f} mm]")
     lay.finds += [f"v_{own}", f"a_{own}"]
 
@@ -129,7 +132,10 @@ def beside(letter: str, off: float) -> str:
 def crank(lay: Layout) -> str:
     """A crank AB; its further points come with the legs that hang on it."""
     phi = float(lay.rng.integers(0, 360))
-    lay.frame["A"], lay.bars["1"] = 0j, {"A": 0j, "B": lay.rng.uniform(20, 60) * complex(np.exp(1j * np.radians(phi)))}
+    lay.frame["A"], lay.bars["1"] = (
+        0j,
+        {"A": 0j, "B": lay.rng.uniform(20, 60) * complex(np.exp(1j * np.radians(phi)))},
+    )
     return f"{{link: 1, phi: {phi} deg, omega: {lay.rng.choice([-8, 3, 10])} rad/s, alpha: {lay.rng.choice([0, 5, -20])} rad/s^2}}"
 
 
@@ -149,7 +155,10 @@ def four_bar(lay: Layout) -> tuple[str, str]:
     """A crank, coupler and rocker before the group: legs may hang on any of the three."""
     drive = crank(lay)
     b = lay.bars["1"]["B"]
-    d, c = complex(lay.rng.uniform(120, 200), lay.rng.uniform(-40, 40)), complex(lay.rng.uniform(60, 160), lay.rng.uniform(70, 130))
+    d, c = (
+        complex(lay.rng.uniform(120, 200), lay.rng.uniform(-40, 40)),
+        complex(lay.rng.uniform(60, 160), lay.rng.uniform(70, 130)),
+    )
     name_c, name_d = lay.letter(), lay.letter()
     lay.frame[name_d] = d
     lay.bars["2"], lay.bars["3"] = {"B": b, name_c: c}, {name_d: d, name_c: c}
@@ -161,11 +170,16 @@ def text_of(lay: Layout, drive: str, branch: str, plate: str, finds: list[str]) 
     """The problem as text."""
     points = lay.bars[plate]
     guesses = ", ".join([*(f"{p}: [{at.real:.3f} mm, {at.imag:.3f} mm]" for p, at in points.items()), *lay.guesses])
-    links = "\n".join(f"  {name}: {lay.texts.get(name) or bar_text(lay.bars[name])}" for name in sorted({*lay.texts, *lay.bars}, key=int))
+    links = "\n".join(
+        f"  {name}: {lay.texts.get(name) or bar_text(lay.bars[name])}"
+        for name in sorted({*lay.texts, *lay.bars}, key=int)
+    )
     frame = ", ".join(f"{p}: [{at.real:.9f} mm, {at.imag:.9f} mm]" for p, at in lay.frame.items())
     quoted = ", ".join(f'"{joint}"' for joint in lay.joints)
-    return (f"id: class-iii\ntitle: class III\nframe: {{{frame}}}\nlinks:\n{links}\njoints: [{quoted}]\ninput: {drive}\n{branch}\n"
-            f"guesses: {{{guesses}}}\nfind: [{', '.join(finds)}]\n")
+    return (
+        f"id: class-iii\ntitle: class III\nframe: {{{frame}}}\nlinks:\n{links}\njoints: [{quoted}]\ninput: {drive}\n{branch}\n"
+        f"guesses: {{{guesses}}}\nfind: [{', '.join(finds)}]\n"
+    )
 
 
 def asked(lay: Layout, plate: str) -> list[str]:
@@ -231,7 +245,7 @@ def class_iii_parallel(rng: np.random.Generator) -> str:
 
 @family("class-iii-special")
 def class_iii_special(rng: np.random.Generator) -> str:
-    """Three bars of which two are parallel or nearly so, or one points at the pin of another: the special point is far, or is that pin."""
+    """Three bars, two of them parallel or nearly so, or one pointing at another's pin: the special point is far, or that pin."""
     lay = Layout(rng)
     drive, start, way = crank(lay), complex(rng.uniform(40, 140), rng.uniform(60, 200)), lay.way()
     pins = [lay.near(start, 70) for _ in range(3)]
@@ -262,4 +276,6 @@ def class_iii_compound(rng: np.random.Generator) -> str:
     name, base = lay.letter(), lay.on("frame", ground)
     lay.bars["6"], lay.bars["7"] = {inner[0]: pins[0], name: elbow}, {base: ground, name: elbow}
     side = "left" if ((elbow - pins[0]) / (ground - pins[0])).imag > 0 else "right"
-    return text_of(lay, drive, f"branch: [{name} {side} of {inner[0]}{base}]", "2", [*asked(lay, "2"), f"v_{name}", f"a_{name}"])
+    return text_of(
+        lay, drive, f"branch: [{name} {side} of {inner[0]}{base}]", "2", [*asked(lay, "2"), f"v_{name}", f"a_{name}"]
+    )

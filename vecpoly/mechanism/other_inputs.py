@@ -12,13 +12,19 @@ from .model import FRAME, Drive, Mechanism, Prismatic
 
 def other_inputs(mech: Mechanism, wanted: Callable[[Group], bool]) -> tuple[str, ...]:
     """Links on the frame, other than the input, with which as the input every group is as wanted."""
-    return tuple(drive.link for drive in _on_frame(mech) if drive.link != mech.drive.link and _all(replace(mech, drives=(drive,)), wanted))
+    return tuple(
+        drive.link
+        for drive in _on_frame(mech)
+        if drive.link != mech.drive.link and _all(replace(mech, drives=(drive,)), wanted)
+    )
 
 
 def _on_frame(mech: Mechanism) -> Iterator[Drive]:
     """The links hinged to the frame, or sliding on it, that exist."""
     for names in hinges(mech).values():
-        yield from (Drive(link=name, position=0.0, rate=1.0) for name in names if FRAME in names and name in mech.bodies)
+        yield from (
+            Drive(link=name, position=0.0, rate=1.0) for name in names if FRAME in names and name in mech.bodies
+        )
     for joint in mech.joints:
         if isinstance(joint, Prismatic) and FRAME in ends(joint):
             name = next(end for end in ends(joint) if end != FRAME)

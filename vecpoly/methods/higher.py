@@ -22,10 +22,14 @@ def refuse_higher(mech: Mechanism, groups: Iterable[Group]) -> None:
 def _what(group: Group) -> Words:
     number = group.kind.removeprefix("class ")
     if number == "III":
-        return Words(f"{group.name.zh}不是一个中心构件带三个双副支链，尚无图解法。",
-                     f"the {group.name.en} is not one central link on three legs, and no graphical method on file draws it.")
-    return Words(f"{group.name.zh}没有只用已知矢量列出的两个未知量的方程，图解法不适用。",
-                 f"no graphical method on file draws the {group.name.en}: no vector equation of it has only two unknowns.")
+        return Words(
+            f"{group.name.zh}不是一个中心构件带三个双副支链，尚无图解法。",
+            f"the {group.name.en} is not one central link on three legs, and no graphical method on file draws it.",
+        )
+    return Words(
+        f"{group.name.zh}没有只用已知矢量列出的两个未知量的方程，图解法不适用。",
+        f"no graphical method on file draws the {group.name.en}: no vector equation of it has only two unknowns.",
+    )
 
 
 def _instead(mech: Mechanism) -> Words:
@@ -33,5 +37,7 @@ def _instead(mech: Mechanism) -> Words:
     links = other_inputs(mech, lambda group: group.dyad is not None or is_star(group))
     if not links:
         return Words("“vecpoly exact”给出解析解。", " 'vecpoly exact' gives its analytic answers.")
-    return Words(f"“vecpoly exact”给出解析解；若改以构件 {'、'.join(links)} 为原动件，则可用图解法。",
-                 f" 'vecpoly exact' gives its analytic answers; with link {' or '.join(links)} as the input it can be drawn.")
+    return Words(
+        f"“vecpoly exact”给出解析解；若改以构件 {'、'.join(links)} 为原动件，则可用图解法。",
+        f" 'vecpoly exact' gives its analytic answers; with link {' or '.join(links)} as the input it can be drawn.",
+    )

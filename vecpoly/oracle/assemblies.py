@@ -31,7 +31,9 @@ def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Bod
     if not fits:
         return np.asarray(found[next(iter(after), 0)])
     if not is_guessed(mech, group) and len(fits) > 1:
-        raise AssemblyError(_which(mech, group, [after[k] for k in fits]), code="which-assembly", numbers={"assemblies": len(fits)})
+        raise AssemblyError(
+            _which(mech, group, [after[k] for k in fits]), code="which-assembly", numbers={"assemblies": len(fits)}
+        )
     off = distances(mech, group, found)
     return np.asarray(found[min(fits, key=lambda k: float(off[k]))])
 
@@ -52,11 +54,21 @@ def placed(mech: Mechanism, group: Group, state: NDArray[np.float64]) -> Places:
 def distances(mech: Mechanism, group: Group, found: States) -> Reals:
     """How far the points lie from those guessed (sum of distances, m)."""
     letters = {p for name in group.links for p in mech.link(name).points} & set(mech.guesses)
-    return np.array([sum(abs(at[p] - mech.guesses[p]) for p in letters) for at in (placed(mech, group, state) for state in found)], dtype=np.float64)
+    return np.array(
+        [
+            sum(abs(at[p] - mech.guesses[p]) for p in letters)
+            for at in (placed(mech, group, state) for state in found)
+        ],
+        dtype=np.float64,
+    )
 
 
 def _places(mech: Mechanism, bodies: Mapping[str, Body]) -> Places:
-    return {p: complex(body.point(local)[-1]) for name, body in bodies.items() for p, local in mech.link(name).points.items()}
+    return {
+        p: complex(body.point(local)[-1])
+        for name, body in bodies.items()
+        for p, local in mech.link(name).points.items()
+    }
 
 
 def _letters(after: Mapping[int, Places]) -> set[str]:
@@ -80,6 +92,12 @@ def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
 def _which(mech: Mechanism, group: Group, fits: list[Places]) -> Words:
     """The assemblies there are, by two points of the link that has most of them."""
     points = max((tuple(mech.link(name).points) for name in group.links), key=len)[:2]
-    told = "; ".join("{" + ", ".join(f"{p}: [{1e3 * at[p].real:.4g} mm, {1e3 * at[p].imag:.4g} mm]" for p in points) + "}" for at in fits)
-    return Words(f"构件 {', '.join(group.links)} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
-                 f"links {', '.join(group.links)} can be joined in {len(fits)} ways; say which by `branch`, or by `guesses:`, one of these (roughly): {told}")
+    told = "; ".join(
+        "{" + ", ".join(f"{p}: [{1e3 * at[p].real:.4g} mm, {1e3 * at[p].imag:.4g} mm]" for p in points) + "}"
+        for at in fits
+    )
+    return Words(
+        f"构件 {', '.join(group.links)} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
+        f"links {', '.join(group.links)} can be joined in {len(fits)} ways; say which by `branch`, or by `guesses:`, "
+        f"one of these (roughly): {told}",
+    )

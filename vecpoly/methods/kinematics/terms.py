@@ -63,8 +63,8 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
 
 def normal(desk: Desk, at: At, about: str, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
-    rel = Rel(Kind.AN, desk.canonical(at), _ref(desk, about))
-    return normal_of(desk, rel, about, link, (desk.start_label(View.ACCELERATION, At(about)), _n_tip(desk, link)))
+    rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
+    return normal_of(desk, rel, about, link, (desk.start_label(View.ACCELERATION, rel.ref), _n_tip(desk, link)))
 
 
 def normal_of(desk: Desk, rel: Rel, about: str, link: str, ends: tuple[str, str]) -> Term:
@@ -82,9 +82,9 @@ def normal_of(desk: Desk, rel: Rel, about: str, link: str, ends: tuple[str, str]
                 mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else ends[1])
 
 
-def tangential(desk: Desk, at: At, about: str) -> Term:
+def tangential(desk: Desk, at: At, about: str, link: str) -> Term:
     """a^t = α l: perpendicular to the line, magnitude unknown."""
-    return across(desk, Rel(Kind.AT, desk.canonical(at), _ref(desk, about)), about, at.point)
+    return across(desk, Rel(Kind.AT, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link)), about, at.point)
 
 
 def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
@@ -133,9 +133,12 @@ def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Word
                  f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the Coriolis term ${sign}$.")
 
 
-def _ref(desk: Desk, about: str) -> At | None:
-    """The reference point, or none where it is a fixed pivot."""
-    return None if about in desk.mech.frame else At(about)
+def ref_at(desk: Desk, view: View, about: str, link: str) -> At | None:
+    """The reference point of a turning link, none where it is at rest: of a pitch point, whose accelerations differ, the link's own."""
+    own = At(about, link)
+    if view is View.ACCELERATION and (view, own) in desk.tips:
+        return own
+    return None if desk.at_rest(view, At(about)) else At(about)
 
 
 def _n_tip(desk: Desk, link: str) -> str:

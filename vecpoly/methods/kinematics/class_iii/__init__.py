@@ -1,4 +1,4 @@
-"""Class III groups: a central link on three legs, located by trial, its motion drawn over a special point (特殊点法)."""
+"""Class III groups: a central link on three legs, located by trial, drawn over a special point (特殊点法)."""
 
 from ....plugins import load_modules
 

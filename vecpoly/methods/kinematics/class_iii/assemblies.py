@@ -1,7 +1,7 @@
 """All assemblies of a class III group: the orientations of the central link in which its three loci meet in one point.
 
-For a trial orientation two loci fix the link; what the third misses by, the gap, is a function of the orientation whose zeros are
-the assemblies. Each pair of loci serves once: where one stands at the end of its range another does not.
+For a trial orientation two loci fix the link; what the third misses by, the gap, is a function of the orientation
+whose zeros are the assemblies. Each pair of loci serves once: where one stands at the end of its range another does not.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Grid = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Assembly:
-    """The central link's orientation (rad) and origin (mm), and how it was found: by two legs, on which side, checked by the third."""
+    """Orientation (rad) and origin (mm) of the central link; the legs that placed it (the third checks), on which side."""
 
     theta: float
     at: complex
@@ -41,18 +41,30 @@ def assemblies(desk: Desk, star: Star) -> list[Assembly]:
     """Every assembly once, each in the way that draws it best."""
     plain = bare(desk)
     size = desk.mm(desk.mech.scale)
-    found = sorted(_led(plain, star, star.parallel) if star.parallel else _scanned(plain, star), key=lambda one: -one.sharp)
+    found = sorted(
+        _led(plain, star, star.parallel) if star.parallel else _scanned(plain, star), key=lambda one: -one.sharp
+    )
     kept: list[Assembly] = []
     for one in found:
-        if all(abs(np.exp(1j * one.theta) - np.exp(1j * other.theta)) > SAME or abs(one.at - other.at) > SAME * size for other in kept):
+        if all(
+            abs(np.exp(1j * one.theta) - np.exp(1j * other.theta)) > SAME or abs(one.at - other.at) > SAME * size
+            for other in kept
+        ):
             kept.append(one)
     return kept
 
 
 def bare(desk: Desk) -> Desk:
     """A copy of what is drawn, by the nominal hand alone."""
-    return Desk(board=desk.board, mech=desk.mech, at={name: complex(nominal(at)) for name, at in desk.at.items()},
-                pose={name: Pose(complex(nominal(pose.origin)), complex(nominal(pose.along))) for name, pose in desk.pose.items()})
+    return Desk(
+        board=desk.board,
+        mech=desk.mech,
+        at={name: complex(nominal(at)) for name, at in desk.at.items()},
+        pose={
+            name: Pose(complex(nominal(pose.origin)), complex(nominal(pose.along)))
+            for name, pose in desk.pose.items()
+        },
+    )
 
 
 def places(desk: Desk, star: Star, found: Assembly) -> dict[str, complex]:
@@ -92,7 +104,9 @@ def _led(desk: Desk, star: Star, leg: Parallel) -> Iterator[Assembly]:
     one, two = (locus_of(desk, star, other, u) for other in star.axial)
     for first, at in zip((True, False), meet(one, two), strict=True):
         if np.isfinite(complex(at)):
-            yield Assembly(float(np.angle(u)), complex(at), star.axial, first, _sine(normal_at(one, at), normal_at(two, at)))
+            yield Assembly(
+                float(np.angle(u)), complex(at), star.axial, first, _sine(normal_at(one, at), normal_at(two, at))
+            )
 
 
 def _scanned(desk: Desk, star: Star) -> Iterator[Assembly]:
@@ -110,7 +124,12 @@ def _scanned(desk: Desk, star: Star) -> Iterator[Assembly]:
 def _dips(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: Grid) -> tuple[Grid, Grid, Grid]:
     """Where the gap comes down to zero and back between two trials, near a dead point: before, at the lowest, behind."""
     near = np.abs(misses)
-    lowest = (near[1:-1] <= near[:-2]) & (near[1:-1] <= near[2:]) & (misses[1:-1] * misses[:-2] > 0) & (misses[1:-1] * misses[2:] > 0)
+    lowest = (
+        (near[1:-1] <= near[:-2])
+        & (near[1:-1] <= near[2:])
+        & (misses[1:-1] * misses[:-2] > 0)
+        & (misses[1:-1] * misses[2:] > 0)
+    )
     k = 1 + np.flatnonzero(lowest & (near[1:-1] < near[:-2] + near[2:] - 2 * near[1:-1]))
     low, high, sign = grid[k - 1], grid[k + 1], np.sign(misses[k])
     for _ in range(HALVINGS):
@@ -139,9 +158,14 @@ def _told(desk: Desk, star: Star, legs: Three, first: bool, theta: float) -> Ass
     at, u = complex(trial(desk, star, legs, first, theta)), complex(np.exp(1j * theta))
     one, two = (locus_of(desk, star, leg, u) for leg in legs[:2])
     step = 1e-6
-    slope = float(missed(desk, star, legs, first, theta + step) - missed(desk, star, legs, first, theta - step)) / (2 * step)
+    slope = float(missed(desk, star, legs, first, theta + step) - missed(desk, star, legs, first, theta - step)) / (
+        2 * step
+    )
     known = Assembly(theta, at, legs, first, 0.0)
-    return replace(known, sharp=_sine(normal_at(one, at), normal_at(two, at)) * min(abs(slope) if np.isfinite(slope) else 0.0, 1e3))
+    return replace(
+        known,
+        sharp=_sine(normal_at(one, at), normal_at(two, at)) * min(abs(slope) if np.isfinite(slope) else 0.0, 1e3),
+    )
 
 
 def _sine(u: Points, v: Points) -> float:

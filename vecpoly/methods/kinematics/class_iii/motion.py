@@ -1,9 +1,9 @@
-"""Velocity and acceleration of a class III group: first its special point, then a second point of the central link, then the image and the legs.
+"""Velocity and acceleration of a class III group: its special point, a second point, then the image and the legs.
 
     v_S = v_O1 + (v_B1O1 + v_SB1) = v_O2 + (v_B2O2 + v_SB2),   v_B3 = v_S + v_B3S = v_O3 + v_B3O3
 
-and the same for accelerations, whose normal parts are known by then. Where a leg with two slides keeps the central link from turning of
-its own, ω and α are known, and one equation of two points of the link is enough.
+and the same for accelerations, whose normal parts are known by then. Where a leg with two slides keeps the central link
+from turning of its own, ω and α are known, and one equation of two points of the link is enough.
 """
 
 from __future__ import annotations
@@ -32,15 +32,25 @@ from .ways import Chain, chain_of, on_plate, prepare, to_special, turned_on_plat
 _SOURCE = "机械原理, class III groups by special points (Assur points)"
 
 
-@method(stage=Stage.VELOCITY, group="class III", source=_SOURCE, example="three-legged-plate",
-        title=Words("Ⅲ级杆组的速度（特殊点法）", "Velocity of a class III group, by a special point"))
+@method(
+    stage=Stage.VELOCITY,
+    group="class III",
+    source=_SOURCE,
+    example="three-legged-plate",
+    title=Words("Ⅲ级杆组的速度（特殊点法）", "Velocity of a class III group, by a special point"),
+)
 def velocity_class_iii(desk: Desk, group: Group) -> None:
     """v_S from two legs, v_B3 from S and the third leg, the rest by the image."""
     _polygon(desk, View.VELOCITY, star_of(group))
 
 
-@method(stage=Stage.ACCELERATION, group="class III", source=_SOURCE, example="three-legged-plate",
-        title=Words("Ⅲ级杆组的加速度（特殊点法）", "Acceleration of a class III group, by a special point"))
+@method(
+    stage=Stage.ACCELERATION,
+    group="class III",
+    source=_SOURCE,
+    example="three-legged-plate",
+    title=Words("Ⅲ级杆组的加速度（特殊点法）", "Acceleration of a class III group, by a special point"),
+)
 def acceleration_class_iii(desk: Desk, group: Group) -> None:
     """a_S from two legs, a_B3 from S and the third leg, the rest by the image."""
     _polygon(desk, View.ACCELERATION, star_of(group))
@@ -49,7 +59,11 @@ def acceleration_class_iii(desk: Desk, group: Group) -> None:
 def _polygon(desk: Desk, view: View, star: Star) -> None:
     for leg in star.axial:
         prepare(desk, view, leg)
-    chains = _over_special(desk, view, star) if star.parallel is None else _without_turning(desk, view, star, star.parallel)
+    chains = (
+        _over_special(desk, view, star)
+        if star.parallel is None
+        else _without_turning(desk, view, star, star.parallel)
+    )
     images_of_link(desk, view, star.plate)
     for leg in star.axial:
         at = desk.canonical(point_of(star, leg))
@@ -84,10 +98,23 @@ def _over_special(desk: Desk, view: View, star: Star) -> dict[str, Chain]:
 def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict[str, Chain]:
     """The equation whose sides are the two legs of the pair."""
     kind, s = QUANTITY[view], desk.name(special.at)
-    parts = Words("各支链中的两个未知量同向，可合为一项。", " On either side the two unknown vectors are parallel and count as one.")
-    desk.board.step(Words(f"求特殊点 ${s}$ 的{kind.zh}：分别由构件 {special.pair[0].link}、{special.pair[1].link} 列矢量方程并作图。",
-                          f"The {kind.en} of the special point ${s}$: write the vector equation over links {special.pair[0].link} and {special.pair[1].link} and draw it.") + parts, view)
-    (left, own_left), (right, own_right) = (to_special(desk, view, star, leg, special.at, primes) for leg, primes in zip(special.pair, (1, 2), strict=True))
+    parts = Words(
+        "各支链中的两个未知量同向，可合为一项。",
+        " On either side the two unknown vectors are parallel and count as one.",
+    )
+    desk.board.step(
+        Words(
+            f"求特殊点 ${s}$ 的{kind.zh}：分别由构件 {special.pair[0].link}、{special.pair[1].link} 列矢量方程并作图。",
+            f"The {kind.en} of the special point ${s}$: write the vector equation over links {special.pair[0].link} and "
+            f"{special.pair[1].link} and draw it.",
+        )
+        + parts,
+        view,
+    )
+    (left, own_left), (right, own_right) = (
+        to_special(desk, view, star, leg, special.at, primes)
+        for leg, primes in zip(special.pair, (1, 2), strict=True)
+    )
     sought = symbol(desk, Rel(VECTOR[view], special.at))
     solve(desk, view, Equation(left=left, right=right, total=sought), special.at)
     return {special.pair[0].link: own_left, special.pair[1].link: own_right}
@@ -97,7 +124,15 @@ def _turn(desk: Desk, view: View, plate: str, about: At, to: At, closed: Closed)
     """ω (from v) or α (from a^t) of the central link."""
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, to, about)
     if view is View.VELOCITY:
-        angular_velocity(desk, plate, about.point, to.point, closed.ends[rel.key], letters(desk, view, about, to), symbol(desk, rel))
+        angular_velocity(
+            desk,
+            plate,
+            about.point,
+            to.point,
+            closed.ends[rel.key],
+            letters(desk, view, about, to),
+            symbol(desk, rel),
+        )
     else:
         line = f"n_{plate}^{{′′′}} {desk.tip_label(view, to)}"
         angular_acceleration(desk, plate, about.point, to.point, closed.ends[rel.key], line, symbol(desk, rel))
@@ -129,7 +164,10 @@ def _slider_between(desk: Desk, view: View, star: Star, leg: Parallel) -> None:
     at = At(next(iter(desk.body(leg.link).points)))
     bases = [coincident_tip(desk, view, at.point, name) for name in (leg.parent, star.plate)]
     desk.board.step(opening(view, at.point, leg.link), view)
-    sides = [sliding_chain(desk, view, at, base, slide, name) for base, slide, name in zip(bases, (leg.guide, leg.slide), (leg.parent, star.plate), strict=True)]
+    sides = [
+        sliding_chain(desk, view, at, base, slide, name)
+        for base, slide, name in zip(bases, (leg.guide, leg.slide), (leg.parent, star.plate), strict=True)
+    ]
     left, right = sorted(sides, key=len)
     solve(desk, view, Equation(left=left, right=right, total="" if len(left) == 1 else total(desk, view, at, 2)), at)
 

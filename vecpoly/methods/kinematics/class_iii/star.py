@@ -1,6 +1,6 @@
 """A class III group as the textbook sees it: a central link, and three legs by which it hangs on known links.
 
-Each leg lets the central link move along one direction only (at one of its points) and holds it along the other, the leg's axis:
+Each leg lets one point of the central link move in one direction only and holds it in the other, along the leg's axis:
 
     hinged   R-R  a bar O B:                             B moves ⊥ OB, the axis is OB
     guided   P-R  a slider on a known link, pinned at B: B moves ∥ guide, the axis is the guide's normal at B
@@ -93,7 +93,13 @@ def star_of(group: Group) -> Star:
     """The central link and its legs; raises NoMethodError where the group is of another shape."""
     found = _star(group)
     if found is None:
-        raise NoMethodError(Words(f"{group.name.zh}不是一个中心构件带三个支链", f"the {group.name.en} is not one central link on three legs"), code="no-method")
+        raise NoMethodError(
+            Words(
+                f"{group.name.zh}不是一个中心构件带三个支链",
+                f"the {group.name.en} is not one central link on three legs",
+            ),
+            code="no-method",
+        )
     return found
 
 
@@ -129,7 +135,7 @@ def _leg(outer: Outer, inner: list[Joint]) -> Leg | None:
 
 
 def letters_on_legs(group: Group) -> dict[str, str]:
-    """Letters at which points of several links of a class III group lie on each other, and the leg whose point is meant first."""
+    """Letters at which points of several links of a class III group coincide, and the leg whose point is meant first."""
     if not group.kind.startswith("class III"):
         return {}
     inner = {name: [joint for joint in group.inner if name in ends(joint)] for name in group.links}

@@ -1,4 +1,4 @@
-"""The equations of a class III group: from known points over a leg to the central link, and on the central link to its special point."""
+"""The equations of a class III group: from known points over a leg to the central link, and on it to its special point."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def prepare(desk: Desk, view: View, leg: Axial) -> None:
 
 
 def chain_of(desk: Desk, view: View, star: Star, leg: Axial) -> Chain:
-    """Over a leg to the central link's point; the last term is the only unknown: of known direction, across the leg's axis."""
+    """Over a leg to the central link's point; only the last term is unknown, in size: it lies across the leg's axis."""
     match leg:
         case Hinged(link=link, outer=o, inner=b):
             return turning_chain(desk, view, At(b), o, link)
@@ -51,7 +51,7 @@ def _over_pin(desk: Desk, view: View, star: Star, leg: Slotted) -> Chain:
 
 
 def on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes: int) -> Chain:
-    """From one point of the central link to another: v ⊥ unknown; a^n, and a^t ⊥ unknown. primes: of the letter n of the normal."""
+    """From one point of the central link to another: v, or a^n and a^t, ⊥ of unknown size. primes: of the letter n."""
     to, ref = desk.canonical(to), desk.canonical(ref)
     if view is View.VELOCITY:
         return (across(desk, Rel(Kind.V, to, ref), ref.point, to.point),)
@@ -69,11 +69,19 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
     front = () if view is View.VELOCITY else (_normal(desk, plate, to, ref, primes),)
     greek, unit = ("ω", "rad/s") if view is View.VELOCITY else ("α", "rad/s^2")
     length = desk.length(ref.point, to.point)
-    size = desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit)
+    size = desk.sizes[rel.key] = desk.board.compute(
+        symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit
+    )
     desk.board.write_length(view, letters(desk, view, ref, to), size)
     along = 1j * np.where(np.asarray(rates.value) < 0, -1.0, 1.0) * desk.towards(ref.point, to.point)
-    laid = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {ref.point}{to.point}$"), magnitude=f"$ {greek}_{plate} l_{ref.point}{to.point}$",
-                along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, np.abs(rates.value) * length.value))
+    laid = Term(
+        rel=rel,
+        symbol=symbol(desk, rel),
+        direction=Words.same(f"⊥$ {ref.point}{to.point}$"),
+        magnitude=f"$ {greek}_{plate} l_{ref.point}{to.point}$",
+        along=along if np.ndim(along) else complex(along),
+        mm=desk.board.to_paper(view, np.abs(rates.value) * length.value),
+    )
     return (*front, laid)
 
 
@@ -84,15 +92,23 @@ def _normal(desk: Desk, plate: str, to: At, ref: At, primes: int) -> Term:
 
 
 def to_special(desk: Desk, view: View, star: Star, leg: Axial, special: At, primes: int) -> tuple[Chain, Chain]:
-    """The way over a leg to the special point, which lies on the leg's axis: all its unknowns are parallel, and count as one.
+    """The way over a leg to the special point on the leg's axis: all its unknowns are parallel, and count as one.
 
     Returns the way and the leg's own chain, which tells the leg's motion later.
     """
     chain = chain_of(desk, view, star, leg)
     *normals, last = on_plate(desk, view, star.plate, special, point_of(star, leg), primes)
     base = next((term.rel.ref for term in chain if isinstance(term.rel, Rel)), None)
-    start = chain[0].rel.to if len(chain) > 1 and chain[0].vector is not None and isinstance(chain[0].rel, Rel) else base
+    start = (
+        chain[0].rel.to if len(chain) > 1 and chain[0].vector is not None and isinstance(chain[0].rel, Rel) else base
+    )
     assert isinstance(chain[-1].rel, Rel) and isinstance(last.rel, Rel)
-    total = Term(rel=Rel(last.rel.kind, last.rel.to, start), symbol=f"({chain[-1].symbol} + {last.symbol})", direction=chain[-1].direction, magnitude="?",
-                 along=chain[-1].along, summed=(chain[-1].rel, last.rel))
+    total = Term(
+        rel=Rel(last.rel.kind, last.rel.to, start),
+        symbol=f"({chain[-1].symbol} + {last.symbol})",
+        direction=chain[-1].direction,
+        magnitude="?",
+        along=chain[-1].along,
+        summed=(chain[-1].rel, last.rel),
+    )
     return (*chain[:-1], *normals, total), chain
