@@ -18,7 +18,7 @@ from vecpoly.mechanism.model import Circle, Rolling, Side
 from vecpoly.problem.problem import Problem
 
 MACHINES = ("planet-drive", "geared-five-bar", "hypocycloid-drive", "rack-drives-pinion", "pinion-drives-rack", "crank-rack-pinion",
-            "rack-on-a-rocker", "planetary-sun-drives", "ring-output", "travel-doubler")
+            "rack-on-a-rocker", "planetary-sun-drives", "ring-output", "travel-doubler", "stepped-planet")
 
 FIVE_BAR = """
 id: five
@@ -133,6 +133,14 @@ def test_a_driven_arm_obeys_willis() -> None:
     problem = load("planetary-sun-drives")
     assert exact(problem, "omega_3") == pytest.approx(20 * 40 / (40 + 90))
     assert exact(problem, "alpha_3") == pytest.approx(60 * 40 / (40 + 90))
+
+
+def test_a_stepped_planet_obeys_willis() -> None:
+    """i^H = -(r_2 r_ring) / (r_1 r_2'), ω_arm = ω_1 / (1 - i^H)."""
+    problem = load("stepped-planet")
+    assert exact(problem, "omega_3") == pytest.approx(20 / (1 + 25 * 80 / (40 * 15)))
+    assert [datum.text for datum in problem.given.lengths if datum.symbol.startswith("r_2")] == ["25 mm", "15 mm"]
+    assert "two pitch circles at most" in refusal(problem.text.replace("2 rolls on 1 at H", "2 of 25 mm rolls on 1 at H"))
 
 
 def test_the_cardan_point_runs_along_a_diameter() -> None:
