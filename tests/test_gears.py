@@ -120,6 +120,11 @@ def test_the_input_gear_s_own_angle_must_agree_with_the_input() -> None:
     assert "link 1 is the input" in refusal(text.replace("ANGLE", "60"))
 
 
+def test_a_fixed_sun_may_have_a_letter_of_its_own_at_the_arm_s_pivot() -> None:
+    text = planet().replace("{A: [0 mm, 0 mm]}", "{A: [0 mm, 0 mm], O: [0 mm, 0 mm]}").replace("about A", "about O")
+    assert exact(loads(text), "omega_2") == pytest.approx(30)
+
+
 @pytest.mark.parametrize(("arm", "radius", "fixed", "how", "ratio"), [(60, 20, 40, "on", 3), (58, 32, 90, "inside", 1 - 90 / 32), (50, 50, 100, "inside", -1)])
 def test_a_planet_obeys_willis(arm: float, radius: float, fixed: float, how: str, ratio: float) -> None:
     """(ω_2 - ω_1) / (0 - ω_1) = ∓ r_fixed / r_2."""

@@ -110,7 +110,7 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
     if m := re.fullmatch(rf"circle about ({LETTER}) of (.+)", on):
         if m[1] not in bodies.frame:
             raise not_on_frame(m[1], bodies.frame)
-        return Circle(link=FRAME, centre=m[1], radius=positive(m[2]).si)
+        return Circle(link=FRAME, centre=_pinned_there(m[1], bodies), radius=positive(m[2]).si)
     if (fixed := fixed_line(on, bodies)) is not None:
         return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)
     draft = bodies.draft(on.split(" of ")[0])
@@ -118,6 +118,12 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
     if line is not None:
         return Rack(link=on, origin=line.origin, direction=line.direction)
     return _circle(on, bodies)
+
+
+def _pinned_there(letter: str, bodies: Bodies) -> str:
+    """Of several letters of one fixed place that of the pin: an arm pinned there holds the gear about it."""
+    same = [p for p, at in bodies.frame.items() if at == bodies.frame[letter]]
+    return next((p for p in (letter, *same) if any(p in draft.points for draft in bodies.drafts.values())), letter)
 
 
 def _circle(text: str, bodies: Bodies) -> Circle:
