@@ -10,6 +10,7 @@ import pytest
 from tests.generators.equilibrium import in_equilibrium
 from vecpoly import loads
 from vecpoly.check.exact import Exact
+from vecpoly.report.lines import lines_table
 from vecpoly.report.values import value
 from vecpoly.solution import Solution, solve
 
@@ -68,6 +69,14 @@ def test_a_couple_passes_from_the_block_through_the_yoke_to_the_frame() -> None:
     assert [acts.couple for acts in passed.values() if acts is not None] == pytest.approx([12, 12])
     remark = found.construction.forces["R_23"].remark
     assert remark is not None and "12 N·m" in remark.en and "力偶" in remark.zh
+
+
+def test_the_table_of_lines_tells_a_couple_at_infinity_and_leaves_out_forces_of_zero() -> None:
+    table = lines_table(solved(YOKE, "M_2: {on: 2, size: 12 N*m}", BALANCE), "en")
+    assert table is not None
+    rows = {row[0]: row for row in table.rows}
+    assert set(rows) == {"$R_{32}$", "$R_{43}$"}
+    assert "at infinity: a couple of 12 N·m, cw" in rows["$R_{32}$"][2]
 
 
 def test_a_couple_through_the_yoke_beside_a_force_moves_the_force_aside() -> None:
