@@ -164,3 +164,11 @@ def test_a_balancing_load_on_the_connecting_rod_is_found_before_the_reactions(fr
     found = solved(CRANK, "F: {on: 3, at: C, size: 300 N, direction: 180 deg}", "M_1: {on: 1, size: 4 N*m}", free)
     assert found.answers["X"].drawn == pytest.approx(found.answers["X"].exact, rel=1e-9)
     assert any("virtual power" in step.words.en for step in found.construction.steps)
+
+
+def test_inertia_that_drives_and_is_eaten_by_friction_gives_an_efficiency_of_nothing() -> None:
+    text = ROCKER.replace("phi: 20 deg", "phi: -43.7601 deg").replace("D: [0 mm, -200 mm]", "D: [45.92 mm, 187.59 mm]").replace("AB: 60 mm", "AB: 66.9586 mm")
+    masses = "masses: {2: {mass: 3.41 kg}, 3: {mass: 1.55 kg, centre: G}}\nfriction: {A: {rho: 1.73 mm}, D: {rho: 1.69 mm}}\nfind: [eta, M_1, M_1_0]\n"
+    found = solved(text.replace("at: 120 mm, left: 40 mm", "at: 135 mm, left: 27 mm"), "F: {on: 1, at: A, size: 297 N, direction: -130 deg}", BALANCE, also=masses)
+    assert found.answers["M_1"].exact * found.answers["M_1_0"].exact < 0
+    assert found.answers["eta"].drawn == found.answers["eta"].exact == 0
