@@ -3,9 +3,9 @@
 Frame and driving links are known. An Assur group is a smallest set of links whose joints, among themselves
 and to known links, fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and
 six joints (class III or IV), and so on. Once solved, its links are known and the next group follows.
-
 A hinge of several links is one letter; any two links that carry it are pinned. A rolling joint fixes two
-coordinates (contact and no slip), or one where links hold the gear's centre at its distance (see `is_held`).
+coordinates (contact and no slip), or one where links hold the gear's centre at its distance (see `is_held`). Links between
+which a drive acts, a cylinder and its rod, are found together (see `rams`).
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from itertools import combinations, pairwise
 
 from ..errors import MobilityError
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
+from .rams import Ram, driven_joint, drives_within, ram_of, units
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +50,8 @@ class Dyad:
 class Group:
     """Links solved together.
 
-    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" (one link), "gear train", "class III", ...
+    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" (one link), "gear train", "class III", ...; with a drive inside
+    "cylinder RR" or "cylinder RP" (a cylinder, a hinge, and the other link on its outer hinge or guide), else "driven".
     """
 
     kind: str
@@ -57,6 +59,12 @@ class Group:
     inner: tuple[Joint, ...]
     outer: tuple[Outer, ...]
     dyad: Dyad | None = None
+    ram: Ram | None = None
+
+    @property
+    def subject(self) -> Dyad | Ram | Group:
+        """What a textbook method is told: the dyad, the cylinder with its link, or the group itself."""
+        return self.dyad or self.ram or self
 
     @property
     def name(self) -> str:
@@ -69,19 +77,19 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
 
     Raises MobilityError where links remain that no known link determines.
     """
-    known = [FRAME, *(drive.link for drive in mech.drives)]
-    rest = [link.name for link in mech.links if link.name not in known]
+    known = [FRAME, *(drive.link for drive in mech.drives if not drive.between)]
+    rest = list(units(mech))
     groups: list[Group] = []
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known)), None)
         if group is None:
             raise MobilityError(
-                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: "
+                f"links {', '.join(name for unit in rest for name in unit)} form no Assur group on the known links {', '.join(known)}: "
                 f"a joint or a drive is missing, or one too many"
             )
         groups.append(group)
         known += group.links
-        rest = [name for name in rest if name not in group.links]
+        rest = [unit for unit in rest if not set(unit) & set(group.links)]
     return tuple(groups)
 
 
@@ -132,11 +140,11 @@ def is_held(mech: Mechanism, rolling: Rolling) -> bool:
     return any({name, rolling.on.link} in slides for name in holders - {rolling.gear.link})
 
 
-def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) -> Iterator[Group]:
-    """Groups that the known links determine, the smallest first, in the order of the links."""
+def _candidates(mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...]) -> Iterator[Group]:
+    """Groups that the known links determine, the smallest first, in the order of the links; links joined by a drive count as one."""
     for size in range(1, len(rest) + 1):
-        for links in combinations(rest, size):
-            group = _group(mech, links, known)
+        for chosen in combinations(rest, size):
+            group = _group(mech, tuple(name for unit in chosen for name in unit), known)
             if group is not None:
                 yield group
 
@@ -144,9 +152,12 @@ def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) 
 def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> Group | None:
     """The group of just these links, or None where they are not one."""
     inner, outer = _joints(mech, links, known)
-    constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer)))
+    drives = drives_within(mech, links)
+    constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer))) + len(drives)
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
+    if drives:
+        return _driven(mech, links, inner, outer)
     if len(links) == 1:
         kind = "gear" if any(isinstance(out.joint, Rolling) for out in outer) else "class I"
         return Group(kind=kind, links=links, inner=inner, outer=outer)
@@ -156,6 +167,17 @@ def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> G
     rolls = any(isinstance(joint, Rolling) for joint in (*inner, *(out.joint for out in outer)))
     kind = "gear train" if rolls else f"class {_class(links, inner)}"
     return Group(kind=kind, links=links, inner=inner, outer=outer)
+
+
+def _driven(mech: Mechanism, links: tuple[str, ...], inner: tuple[Joint, ...], outer: tuple[Outer, ...]) -> Group:
+    """A group inside which a drive acts."""
+    drives, ram = drives_within(mech, links), None
+    if len(drives) == 1 and len(links) == 3 and len(outer) == 2:
+        pair = driven_joint(mech, drives[0])
+        one, two = ((out.joint, out.link, out.parent) for out in outer)
+        ram = ram_of(pair, tuple(joint for joint in inner if joint != pair), (one, two))
+    kind = "driven" if ram is None else f"cylinder R{joint_letter(ram.link_joint)}"
+    return Group(kind=kind, links=links, inner=inner, outer=outer, ram=ram)
 
 
 def _constraints(mech: Mechanism, joint: Joint) -> int:

@@ -169,10 +169,11 @@ class SideOf:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
-    """The input: link `link` turns about its frame pivot (`slide` False), or slides on its frame guide (`slide` True).
+    """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the frame as a rule.
 
-    position: angle of the link's x axis from the frame's x axis (rad), or travel of its pin along the guide from the
-    guide's origin (m); rate: ω (rad/s) or v (m/s); accel: α (rad/s²) or a (m/s²).
+    position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the guide from the
+    guide's origin (m; between two moving links the length of a cylinder); rate: ω (rad/s) or v (m/s), relative to `on`;
+    accel: α (rad/s²) or a (m/s²), likewise.
     """
 
     link: str
@@ -180,6 +181,17 @@ class Drive:
     rate: float
     accel: float = 0.0
     slide: bool = False
+    on: str = FRAME
+
+    @property
+    def between(self) -> bool:
+        """Whether it acts between two moving links, as a hydraulic cylinder does."""
+        return self.on != FRAME
+
+    @property
+    def pair(self) -> frozenset[str]:
+        """The two links between which it acts."""
+        return frozenset((self.link, self.on))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,6 +7,7 @@ round scales with which every figure fills its place on the sheet.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,18 +18,20 @@ from ..board.hand import Hand, hand
 from ..board.marks import Dot, Mark
 from ..board.scales import Sketched, enlarged, round_scale
 from ..mechanism.assur import Group, decompose
-from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import At, Kind, subscripted
 from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
+from .coincident import coincident
 from .desk import POLE, Desk
+from .exchange import exchanged
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.given_vector import find_point
 from .kinematics.image import imaged
+from .kinematics.position_drive import say_fixed_points
 from .passes import stages
 from .registry import Stage, find
 
@@ -50,6 +53,7 @@ _UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 Fit = Callable[[list[tuple[float, float]]], bool]
 WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
+NOTHING: Mapping[Stage, Words] = {}
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
@@ -61,8 +65,10 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
     Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
+        exchange = exchanged(problem.mechanism, stages(problem))
+        problem = replace(problem, subject=exchange.mech)
         scales = _choose_scales(problem, slots, fit)
-        desk = _draw(problem, by, scales)
+        desk = _draw(problem, by, scales, exchange.said)
         readings, repeats = _answers(desk, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
                                 steps=tuple(desk.board.steps), readings=readings, forces=desk.named)
@@ -129,13 +135,15 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
+def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups), loaded=problem.loads is not None)
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=coincident(mech, groups), loaded=problem.loads is not None)
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
+        if stage in said:
+            desk.board.step(said[stage], View(stage.value) if stage is not Stage.POSITION else View.MECHANISM)
         if stage is Stage.CENTRES:
             from .centres.plan import centre_pass
 
@@ -151,19 +159,22 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
-    shapes, drive = problem.given.shapes, desk.mech.drive
+    shapes, held = problem.given.shapes, [drive for drive in desk.mech.drives if not drive.between]
     position = stage is Stage.POSITION
-    find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+    if not held and position:
+        say_fixed_points(desk)
+    for drive in held:
+        find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
     if position:
-        _further_points(desk, (drive.link,))
+        _further_points(desk, tuple(drive.link for drive in held))
         draw_frame(desk, shapes)
-        draw_links(desk, shapes, (drive.link,))
+        draw_links(desk, shapes, tuple(drive.link for drive in held))
     else:
         view = View(stage.value)
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)
     for group in groups:
         say_replaced(desk, stage, group)
-        find(stage, group.kind).draw(desk, group.dyad or group)
+        find(stage, group.kind).draw(desk, group.subject)
         if position:
             letter_contacts(desk, group.links)
             _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})
@@ -210,26 +221,6 @@ def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:
 def _ensure(desk: Desk, view: View, at: At) -> None:
     if at.link and not desk.has_tip(view, at) and {at.point, str(at)} & set(desk.at):
         imaged(desk, view, at.link, desk.canonical(at))
-
-
-def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
-    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first.
-
-    P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
-    """
-    letters = {"P": next(li.name for li in mech.links if "P" in li.points)} if any("P" in li.points for li in mech.links) else {}
-    for d in (group.dyad for group in groups if group.dyad is not None):
-        if isinstance(d.inner, Prismatic):
-            pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
-            pin = d.outer_j if d.kind == "RPP" else pins[d.inner.block]
-            letters |= {pin.point: d.link_j if d.kind == "RPP" else d.inner.block} if isinstance(pin, Revolute) else {}
-        elif isinstance(d.inner, Revolute):
-            moving = [link for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
-                      if isinstance(joint, Prismatic) and parent != FRAME]
-            if moving:
-                letters[d.inner.point] = moving[0]
-    unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
-    return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

@@ -9,7 +9,10 @@ from itertools import product
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.branch import margin
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
+from .assemblies import among
+from .driven import drives_in
 from .dyads import Hinged, Swinging
+from .newton import Newton
 from .run import Run
 from .state import Bodies
 from .steps import Step
@@ -41,6 +44,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
 
     Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two coincide.
     """
+    if isinstance(step, Newton) and drives_in(step.rows):
+        return among(mech, step, bodies, run)
     before = places(mech, bodies)
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]

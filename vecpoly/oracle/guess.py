@@ -10,6 +10,8 @@ from ..mechanism.assur import Group
 from ..mechanism.model import Mechanism, Prismatic
 from .state import Bodies
 
+SEEDS = 255  # further starts about the first guess
+
 
 def first_guess(mech: Mechanism, group: Group, known: Bodies) -> NDArray[np.float64]:
     """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad).
@@ -26,6 +28,14 @@ def first_guess(mech: Mechanism, group: Group, known: Bodies) -> NDArray[np.floa
         poses[name] = _unit(mech, name, places, poses) or 1 + 0j
         loose.remove(name)
     return np.array([[_pose(mech, group, name, places, poses[name]) for name in group.links]])
+
+
+def scattered(guess: NDArray[np.float64], size: float) -> NDArray[np.float64]:
+    """Further starts about the first guess (size: of the mechanism, m): half of them near it, the others turned at will."""
+    random = np.random.default_rng(0)
+    scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (0.15 * size, 0.15 * size, 0.7)
+    scatter[SEEDS // 2:, :, 2] = random.uniform(-np.pi, np.pi, scatter[SEEDS // 2:, :, 2].shape)
+    return np.asarray(guess + scatter)
 
 
 def _unit(mech: Mechanism, name: str, places: dict[str, complex], poses: dict[str, complex]) -> complex | None:

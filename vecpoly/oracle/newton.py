@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 from ..mechanism.assur import Group, is_held
 from ..mechanism.model import Mechanism, Rolling
-from .guess import first_guess
+from ..mechanism.rams import drives_within
+from .driven import Driven, asked_of, distinct, driven, drives_in, less_asked, random_starts
+from .guess import first_guess, scattered
 from .rows import Row, row
 from .run import Run, Track
 from .state import Bodies, Body, Points, Reals
@@ -22,7 +24,6 @@ from .watch import PATIENCE, Watch
 
 States = NDArray[np.float64]  # positions × links × (x, y, φ), or positions × 3 links
 ITERATIONS = 40
-SEEDS = 255  # further starts about the first guess
 EXACT = 1e-9  # of the mechanism's size: guesses nearer to an assembly than this are one
 
 
@@ -32,7 +33,7 @@ class Newton:
 
     mech: Mechanism
     group: Group
-    rows: tuple[Row, ...]
+    rows: tuple[Row | Driven, ...]  # those of drives last
     sign: float = 1.0
     two: bool = False
     joint: str = field(default="", kw_only=True)
@@ -45,11 +46,11 @@ class Newton:
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """Walk the path from the own position outwards, then solve all positions asked for at once."""
         assert run.track is not None
-        track, known = run.track, self._known(bodies, run.track)
+        track, known = run.track, self.known(bodies, run.track, run.q)
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
-            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here), here)
+            self.walked[0] = self._own(here)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -72,15 +73,27 @@ class Newton:
             jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
         return self._moving(bodies, rates, bends)
 
-    def miss(self, bodies: Bodies) -> Reals:
+    def miss(self, bodies: Bodies, run: Run) -> Reals:
         """No gap to tell: the loops do not close at all."""
         return np.full(1, np.nan)
+
+    def assemblies(self, here: Bodies) -> States:
+        """Every assembly of a group with a drive inside, the known links (and the drive) being in these positions."""
+        seeds = random_starts(self.mech, len(self.group.links))
+        return distinct(self._solve(seeds, here, seeds, here, ITERATIONS), self.size)
+
+    def _own(self, here: Bodies) -> NDArray[np.float64]:
+        """The assembly at the own position: nearest to the guesses; with a drive inside any, until one is chosen."""
+        if not drives_in(self.rows):
+            return self._nearest(first_guess(self.mech, self.group, here), here)
+        found = self.assemblies(here)
+        return np.asarray(found[0]) if len(found) else np.full((len(self.group.links), 3), np.nan)
 
     def _nearest(self, guess: States, here: Bodies) -> NDArray[np.float64]:
         """Of the assemblies that Newton reaches from about the guess, the one whose points lie nearest to those guessed (sum of distances)."""
         if any(r.rolls for r in self.rows):
             return np.asarray(self._solve(guess, here, None, here, ITERATIONS)[0])
-        seeds = guess if self._exact(guess, here) else np.concatenate([guess, self._scattered(guess)])
+        seeds = guess if self._exact(guess, here) else np.concatenate([guess, scattered(guess, self.size)])
         found = self._solve(seeds, here, seeds, here, ITERATIONS)
         off = self._off(found)
         return np.asarray(found[int(np.nanargmin(off))] if np.isfinite(off).any() else found[0])
@@ -91,13 +104,6 @@ class Newton:
         whole = all(len(told & set(self.mech.link(name).points)) > 1 for name in self.group.links)
         return whole and bool(self._off(self._solve(guess, here, guess, here))[0] < EXACT * self.size)
 
-    def _scattered(self, guess: States) -> States:
-        """Further starts about the first guess: half of them near it, the others turned at will."""
-        random = np.random.default_rng(0)
-        scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (0.15 * self.size, 0.15 * self.size, 0.7)
-        scatter[SEEDS // 2:, :, 2] = random.uniform(-np.pi, np.pi, scatter[SEEDS // 2:, :, 2].shape)
-        return np.asarray(guess + scatter)
-
     def _off(self, found: States) -> Reals:
         """How far the points lie from those guessed (sum of distances, m)."""
         bodies, off = self._bodies(found), np.zeros(len(found))
@@ -106,17 +112,18 @@ class Newton:
             off += np.abs(bodies[name].point(local) - self.mech.guesses[p])
         return off
 
-    def _known(self, bodies: Bodies, track: Track) -> dict[str, Body]:
-        """The parents; under a rolling joint with their angles followed."""
+    def known(self, bodies: Bodies, track: Track | None, q: Reals) -> dict[str, Body]:
+        """The drives' positions, and the parents; under a rolling joint with their angles followed."""
         names = {name for r in self.rows for name in (r.a, r.b)} - set(self.group.links)
+        drives = asked_of(self.rows, q)
         if not any(r.rolls for r in self.rows):
-            return {name: bodies[name] for name in names}
-        followed = {}
+            return {**drives, **{name: bodies[name] for name in names}}
+        followed = {**drives}
         for name in names:
             body = bodies[name]
             turn = body.turn
             if turn is None:
-                turn = track.follow(np.angle(body.unit)) if len(body.unit) > 1 else np.angle(body.unit)
+                turn = track.follow(np.angle(body.unit)) if track and len(body.unit) > 1 else np.angle(body.unit)
             followed[name] = Body(body.local, body.at, body.unit, turn)
         return followed
 
@@ -167,6 +174,7 @@ class Newton:
         for _ in range(ITERATIONS):
             now = {**here, **self._bodies(states[left])}
             gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(left), loose)
+            less_asked(gap, self.rows, here)
             step = self._linear(self._jacobian(now, loose), gap, loose)
             reach = np.abs(step[..., 2]).max(axis=1)
             states[left] += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
@@ -237,4 +245,5 @@ def newton(mech: Mechanism, group: Group) -> Newton:
     """The step for a group that has no closed form here."""
     joints = (*group.inner, *(out.joint for out in group.outer))
     rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
-    return Newton(mech, group, rows, joint=f"the loops of the {group.name}")
+    drives = tuple(driven(mech, drive) for drive in drives_within(mech, group.links))
+    return Newton(mech, group, (*rows, *drives), joint=f"the loops of the {group.name}")

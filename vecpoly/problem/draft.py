@@ -76,7 +76,7 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
             draft.points[first],
             cmath.exp(1j * cmath.phase(draft.points[second] - draft.points[first])),
         )
-    lined = draft.line is not None or draft.shape is Shape.BLOCK
+    lined = draft.line is not None or draft.shape in (Shape.BLOCK, Shape.PISTON)
     if line is None or first != line.through or not lined:
         raise FaultError(
             f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"

@@ -16,7 +16,7 @@ from .places import place
 from .problem import Shape
 from .source import Value
 
-_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "disc": Shape.BAR, "face": Shape.BAR}
+_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "cylinder": Shape.CYLINDER, "piston": Shape.PISTON, "gear": Shape.GEAR, "disc": Shape.BAR, "face": Shape.BAR}
 _PLACED = ("gear", "disc", "face")  # what may name a point that is set out further on
 LINK_KEYS = (*_SINGLE, "radius")
 
@@ -98,7 +98,7 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             draft.shape, draft.points[letter] = _SINGLE[key], 0j
         elif letter not in draft.points and key not in _PLACED:
             raise FaultError(f"point '{letter}' is not on link {draft.name}", key)
-        if key in ("slot", "rod"):
+        if key in ("slot", "rod", "cylinder"):
             draft.line = Line(draft.points[letter], 0.0, letter)
     for key in ("slot", "face"):
         led = data.get(key)
@@ -107,7 +107,7 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
     if not draft.points:
         raise FaultError(
             f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, "
-            "or the one pin of a block, slot, rod, gear, disc or face, e.g. {block: C}"
+            "or the one pin of a block, slot, rod, cylinder, piston, gear, disc or face, e.g. {block: C}"
         )
 
 

@@ -21,9 +21,12 @@ class Spec(BaseModel):
 
 
 class InputSpec(Spec):
-    """The input: turning (phi, omega, alpha) or sliding (s, v, a)."""
+    """The input: turning (phi, omega, alpha) or sliding (s, v, a), against the frame or on another moving link; or a cylinder."""
 
-    link: Name
+    link: Name | None = None
+    on: Name | None = Field(None, description="the moving link on which the link moves; the frame where nothing is said")
+    cylinder: Name | None = Field(None, description="2-3: the two links of a driven sliding pair; with length (or s), v, a")
+    length: Number | None = Field(None, description="of a cylinder: between its two pins")
     phi: Number | None = Field(None, description="60 deg, or 60 deg from AD")
     omega: Number | None = Field(None, description="10 rad/s ccw, 40 r/min 顺时针")
     alpha: Number | None = None
@@ -167,7 +170,7 @@ def json_schema() -> dict[str, Any]:
     schema = ProblemSpec.model_json_schema()
     schema["required"] = ["id", "title"]
     schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
-    schema["$defs"]["InputSpec"].pop("required")
+    schema["$defs"]["InputSpec"].pop("required", None)
     for spec in ("LoadSpec", "RodSpec"):
         schema["$defs"][spec].pop("required")
     _with_devices(schema)
