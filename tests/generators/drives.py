@@ -70,8 +70,7 @@ def _behind(rng: np.random.Generator, e: complex, f: complex) -> tuple[str, list
             angle = rng.uniform(0, 180)
             away = abs((np.exp(-1j * np.radians(angle)) * (e - f)).imag)
             way = np.exp(1j * np.radians(angle))
-            foot = f + way * float((np.conj(way) * (e - f)).real)
-            return (f"  4: {{EG: {_number(away * rng.uniform(1.1, 3))} mm}}\n  5: {{block: G}}\n", [f"G {'right' if way.real > 0 else 'left'} of E" if abs(way.real) > 0.3 and foot == foot else "G above E"],
+            return (f"  4: {{EG: {_number(away * rng.uniform(2.5, 5))} mm}}\n  5: {{block: G}}\n", [f"G {'right' if way.real > 0 else 'left'} of E" if abs(way.real) > 0.5 else "G above E"],
                     ", v_G, a_G, omega_4", [f"5 slides on line through F at {_number(angle)} deg"])
 
 
@@ -90,7 +89,7 @@ links:
   1: {{block: C, E: {{CE: 80 mm, angle: 40 deg from line}}}}
 {links}joints: [1 slides on line through A at {_number(angle)} deg, {joint}]
 input: {{cylinder: {pair}, length: {_number(abs(c - d))} mm, {_rates(rng)}}}
-branch: [C {'right' if c.real > d.real else 'left'} of D, C {'above' if c.imag > d.imag else 'below'} D]
+guesses: {{C: [{c.real:.1f} mm, {c.imag:.1f} mm]}}
 find: [v_C, v_E, a_C, a_E, omega_2, alpha_2]
 """
 

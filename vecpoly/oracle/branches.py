@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.branch import margin
+from ..mechanism.branch import margin, nearer
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from .assemblies import among
 from .driven import drives_in
@@ -59,6 +59,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return options[fits.index(True)]
+    if all(fits) and step.two and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
+        return options[near]
     if not any(fits):
         statement = " and ".join(f"'{_words(s)}'" for s in told)
         raise AssemblyError(
@@ -97,7 +99,7 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
             other = replace(statement, side=_OPPOSITE[statement.side])
             return f"; say which: '{_words(statement)}' or '{_words(other)}'"
-    return ""
+    return f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}"
 
 
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:
