@@ -44,14 +44,14 @@ def acceleration_cylinder_rr(desk: Desk, ram: Ram) -> None:
     _polygon(desk, View.ACCELERATION, ram)
 
 
-@method(stage=Stage.VELOCITY, group="cylinder RP", source=_SOURCE, example="cylinder-slider",
+@method(stage=Stage.VELOCITY, group="cylinder RP", source=_SOURCE, example="lift-gate",
         title=Words("油缸（RP）的速度", "Velocity of a cylinder with a sliding link"))
 def velocity_cylinder_rp(desk: Desk, ram: Ram) -> None:
     """v_C (∥ guide) = v_D + v_CnD (⊥ CD) + v_CCn (along the cylinder, given)."""
     _polygon(desk, View.VELOCITY, ram)
 
 
-@method(stage=Stage.ACCELERATION, group="cylinder RP", source=_SOURCE, example="cylinder-slider",
+@method(stage=Stage.ACCELERATION, group="cylinder RP", source=_SOURCE, example="lift-gate",
         title=Words("油缸（RP）的加速度", "Acceleration of a cylinder with a sliding link"))
 def acceleration_cylinder_rp(desk: Desk, ram: Ram) -> None:
     """a_C (∥ guide) = a_D + a^n_CnD + a^t_CnD + a^k + a^r."""

@@ -33,7 +33,7 @@ def position_cylinder_rr(desk: Desk, ram: Ram) -> None:
     desk.settle(ram.link, (a, c))
 
 
-@method(stage=Stage.POSITION, group="cylinder RP", source=_SOURCE, example="cylinder-slider",
+@method(stage=Stage.POSITION, group="cylinder RP", source=_SOURCE, example="lift-gate",
         title=Words("油缸（RP）的位置", "Position of a cylinder with a sliding link"))
 def position_cylinder_rp(desk: Desk, ram: Ram) -> None:
     """One arc and the guide: C is where the arc of the cylinder's length about D cuts the line on which C is led."""
