@@ -91,6 +91,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if pin not in block.points:
         raise FaultError(f"point '{pin}' is not on link {block.name}{meant(pin, block.points)}")
     offset = read(m["offset"], Dim.LENGTH) if m["offset"] else None
+    _cylinder(guide, block, bodies)
     _note_slide(m, block, pin)
     return Prismatic(
         guide=guide,
@@ -102,6 +103,14 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
         offset=0.0 if offset is None else offset.si if m["side"] == "left" else -offset.si,
         turn=read(m["turn"], Dim.ANGLE).si if m["turn"] else 0.0,
     )
+
+
+def _cylinder(guide: str, block: Draft, bodies: Bodies) -> None:
+    """A piston runs in a cylinder, and nothing else does."""
+    barrel = guide in bodies.drafts and bodies.drafts[guide].shape is Shape.CYLINDER
+    if barrel != (block.shape is Shape.PISTON):
+        raise FaultError(Words(f"缸体（cylinder）与活塞（piston）须成对出现；请将构件 {guide} 写成 {{cylinder: …}}、构件 {block.name} 写成 {{piston: …}}，或改用 slot 与 block",
+                               f"a piston slides in a cylinder and in nothing else: write link {guide} as {{cylinder: ...}} and link {block.name} as {{piston: ...}}, or use slot and block"))
 
 
 def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
@@ -137,6 +146,7 @@ def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
 def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
     block = bodies.draft(m["block"])
     guide, line = _guide(m["guide"], bodies, block.name)
+    _cylinder(guide, block, bodies)
     return Prismatic(
         guide=guide,
         block=block.name,

@@ -9,6 +9,7 @@ from ...errors import AssemblyError
 from ...mechanism.model import Prismatic, Revolute
 from ...mechanism.rams import Ram
 from ...plane import Points
+from ...quantity import magnitude
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
@@ -78,6 +79,8 @@ def _settle(desk: Desk, ram: Ram, pair: tuple[Points, Points], reach: float) -> 
     desk.board.remark(said(why) + Words("。", "."))
     desk.board.swing(View.MECHANISM, desk.at[d], reach, desk.at[c])
     ray = _ray(desk, ram)
+    if abs(ray.imag) < 1e-12:  # the length between the hinges is given
+        desk.lengths[frozenset((c, d))] = magnitude(f"l_{d}{c}", abs(ray), "m")
     line = desk.towards(d, c) * np.conj(ray / abs(ray))
     for link, pin in ((ram.near, d), (ram.far, c)):
         desk.settle_turned(link, pin, line * np.exp(1j * (ram.pair.turn if link == ram.pair.block else -ram.pair.direction)))

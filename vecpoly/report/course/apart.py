@@ -60,11 +60,15 @@ def _pins(study: Study, links: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(j.point for j in study.mech.joints if isinstance(j, Revolute) and set(ends(j)) & set(links)))
 
 
+_ALIKE = {Shape.CYLINDER: Shape.SLOT, Shape.PISTON: Shape.BLOCK}  # links apart are sketched as pairs are
+
+
 class _Sketch:
     """Links as marks at a scale (mm per m)."""
 
     def __init__(self, problem: Problem, mech: Mechanism, at: Mapping[str, complex], turned: Mapping[str, float], per_m: float, links: tuple[str, ...]) -> None:
-        self.shapes, self.mech, self.at, self.turned, self.k, self.links = problem.given.shapes, mech, at, turned, per_m, links
+        shapes = {name: _ALIKE.get(shape, shape) for name, shape in problem.given.shapes.items()}
+        self.shapes, self.mech, self.at, self.turned, self.k, self.links = shapes, mech, at, turned, per_m, links
 
     def name(self, link: str) -> str:
         """Its number; the contact's letter for the substitute of a high pair."""
