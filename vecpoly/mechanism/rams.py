@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from ..words import Words
 from .model import Drive, Joint, Mechanism, Prismatic, Revolute
 
 
@@ -80,3 +81,11 @@ def ram_of(pair: Joint | None, inner: tuple[Joint, ...], outer: tuple[Hung, Hung
         return None
     return Ram(pair=pair, near=near, outer=pin, parent=parent, far=far, inner=hinge, link=link, link_joint=joint, link_parent=link_parent)
 
+
+def driver_words(mech: Mechanism) -> Words:
+    """What drives: a link, a cylinder, or a motor in a hinge."""
+    drive = mech.drive
+    if not drive.between:
+        return Words(f"构件 {drive.link} ", f"link {drive.link}")
+    pair = f"{drive.on}-{drive.link}"
+    return Words(f"油缸 {pair} ", f"the cylinder {pair}") if drive.slide else Words(f"构件 {drive.on}、{drive.link} 间的电机", f"the motor between links {drive.on} and {drive.link}")

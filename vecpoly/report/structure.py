@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..mechanism.assur import Group, decompose
 from ..mechanism.mobility import Mobility, mobility
 from ..mechanism.model import Mechanism
+from ..mechanism.rams import driver_words
 from ..problem.problem import Problem
 from ..words import Words
 
@@ -39,15 +40,15 @@ def _any_speed(problem: Problem) -> Words:
 def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Words:
     higher = f" − {count.higher}" if count.higher else ""
     sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
-    driver = _driver(mech)
+    driver = driver_words(mech)
     if any("G" in g.kind or "gear" in g.kind for g in groups):
         rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
         if count.higher > len(mech.contacts):
             rolls = Words("（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a high pair)")
         return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}") + rolls
                 + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives."))
-    zh = "、".join(f"{_kind(g).zh} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups)
-    en = ", ".join(f"{_kind(g).en} (links {', '.join(_told(mech, name).en for name in g.links)}{_as_bar(g).en})" for g in groups)
+    zh = "、".join(f"{kind_of(g).zh} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups)
+    en = ", ".join(f"{kind_of(g).en} (links {', '.join(_told(mech, name).en for name in g.links)}{_as_bar(g).en})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；{driver.zh}为原动件，",
                     f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}. {driver.en[0].upper()}{driver.en[1:]} drives")
@@ -57,16 +58,7 @@ def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Wor
     return opening + Words(f"其余为 {zh}，属{_class(groups).zh}机构。", f", the rest is {kind} {en}: a {_class(groups).en} mechanism.")
 
 
-def _driver(mech: Mechanism) -> Words:
-    """What drives: a link, or a cylinder."""
-    drive = mech.drive
-    if not drive.between:
-        return Words(f"构件 {drive.link} ", f"link {drive.link}")
-    pair = f"{drive.on}-{drive.link}"
-    return Words(f"油缸 {pair} ", f"the cylinder {pair}") if drive.slide else Words(f"构件 {drive.on}、{drive.link} 间的电机", f"the motor between links {drive.on} and {drive.link}")
-
-
-def _kind(group: Group) -> Words:
+def kind_of(group: Group) -> Words:
     """The kind of a group as printed; with a cylinder of known length as one of its bars."""
     told = {"cylinder RR": "RRR", "cylinder RP": "RRP"}.get(group.kind, group.kind)
     return Words("含驱动副的", "a group with the driven pair inside") if told == "driven" else Words(_ROMAN.get(told, told), told)
