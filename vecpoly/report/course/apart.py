@@ -12,6 +12,7 @@ from ...mechanism.model import Circle, Mechanism, Prismatic, Revolute, Rolling
 from ...names import subscripted
 from ...problem.problem import Problem, Shape
 from ...words import Words
+from ..structure import kind_of
 from .study import Study
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
@@ -19,12 +20,13 @@ _HALF_SLOT, _BEYOND, _FLAT = 11.0, 9.0, 0.02
 
 
 def apart(study: Study) -> list[Figure]:
-    """The driving link, then the groups, each a figure of its own."""
+    """The driving link (a cylinder is in its group), then the groups, each a figure of its own."""
     drive = study.mech.drive.link
-    figures = [_figure(study, (drive,), _pins(study, (drive,)), Words(f"原动件 {drive}", f"Driving link {drive}"), "0")]
+    driving = () if study.mech.drive.between else (drive,)
+    figures = [_figure(study, (link,), _pins(study, (link,)), Words(f"原动件 {link}", f"Driving link {link}"), "0") for link in driving]
     for i, group in enumerate(decompose(study.mech), 1):
         names = [study.name(link) for link in group.links]
-        kind = {"gear": Words("齿轮", "gear")}.get(group.kind, Words(f"{group.kind} 杆组", f"{group.kind} group") if group.dyad else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
+        kind = {"gear": Words("齿轮", "gear")}.get(group.kind, Words(f"{kind_of(group).zh} 杆组", f"{kind_of(group).en} group") if group.dyad or group.ram or group.kind == "driven" else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
         many = "links" if len(names) > 1 else "link"
         title = Words(f"{kind.zh}（构件 {'、'.join(names)}）", f"{kind.en} ({many} {', '.join(names)})")
         figures.append(_figure(study, group.links, _outer(group) + _inner(group), title, str(i)))
