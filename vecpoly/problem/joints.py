@@ -52,6 +52,12 @@ class Bodies:
             raise FaultError(f"link '{name}' does not exist{meant(name, self.drafts)}")
         return self.drafts[name]
 
+    def free(self, name: str) -> str:
+        """A name that no link has yet."""
+        while name in self.drafts:
+            name += "′"
+        return name
+
     def letters(self) -> tuple[str, ...]:
         """All letters: the frame's first, then link by link."""
         return tuple(
@@ -162,7 +168,7 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if not any(pin in draft.points for draft in bodies.drafts.values()):
         raise FaultError(f"point '{pin}' is on no moving link{meant(pin, bodies.letters())}")
     guide, line = _guide(m["guide"], bodies, "")
-    name = f"pin{pin}"
+    name = bodies.free(f"pin{pin}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
     return Prismatic(
         guide=guide,

@@ -84,8 +84,9 @@ def _range(study: Study, told: bool, dead: Words) -> Iterator[Words]:
         yield Words(f"{driver.zh}的行程一端受限：${drive.symbol}$ = {end} 处，{dead.zh}，为死点；另一端不受限制，计算取至 {taken}。",
                     f"The stroke of {driver.en} is limited at one end: at ${drive.symbol}$ = {end} {dead.en}, a dead point; the other end is free, and {taken} is only as far as is computed.")
         return
-    yield Words(f"{driver.zh}{"的行程有限" if study.mech.drive.slide else "不能整周运动"}，${drive.symbol}$ 只能在 {low} 至 {high} 之间" + (f"；在两极限位置，{dead.zh}，为以{driver.zh}驱动时的死点，速度无确定值。" if study.facts.dead else "。"),
-                f"{driver.en[0].upper()}{driver.en[1:]} {"has a limited stroke" if study.mech.drive.slide else "cannot make full revolutions"}: ${drive.symbol}$ is limited to {low} … {high}" + (f". At these limits {dead.en}: dead points, with no definite velocities." if study.facts.dead else "."))
+    bound = Words("的行程有限", "has a limited stroke") if study.mech.drive.slide else Words("不能整周运动", "cannot make full revolutions")
+    yield Words(f"{driver.zh}{bound.zh}，${drive.symbol}$ 只能在 {low} 至 {high} 之间" + (f"；在两极限位置，{dead.zh}，为以{driver.zh}驱动时的死点，速度无确定值。" if study.facts.dead else "。"),
+                f"{driver.en[0].upper()}{driver.en[1:]} {bound.en}: ${drive.symbol}$ is limited to {low} … {high}" + (f". At these limits {dead.en}: dead points, with no definite velocities." if study.facts.dead else "."))
 
 
 def _singular(study: Study, groups: list[Conditioning]) -> Words:
