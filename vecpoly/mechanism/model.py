@@ -9,55 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 from types import MappingProxyType
 
+from .placements import ByAngle as ByAngle
+from .placements import ByLengths as ByLengths
+from .placements import ByOffsets as ByOffsets
+from .placements import Placement as Placement
+from .placements import Side as Side
+
 FRAME = "0"
-
-
-class Side(StrEnum):
-    """Where a point lies, in a lecturer's words."""
-
-    LEFT = "left"
-    RIGHT = "right"
-    ABOVE = "above"
-    BELOW = "below"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ByLengths:
-    """The point is the apex of a triangle on the base: distances from both base points, and the side."""
-
-    point: str
-    base: tuple[str, str]
-    lengths: tuple[float, float]
-    side: Side  # LEFT or RIGHT of the ray base[0] -> base[1]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ByOffsets:
-    """The point lies `along` the ray base[0] -> base[1] from base[0], then `left` perpendicular to it.
-
-    With a single-letter base (a link with one point and a guide) the ray is the guide's direction.
-    """
-
-    point: str
-    base: tuple[str, ...]
-    along: float
-    left: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ByAngle:
-    """The point lies at `distance` from base[0], at `angle` counter-clockwise from base[0] -> base[1] (or the guide)."""
-
-    point: str
-    base: tuple[str, ...]
-    distance: float
-    angle: float
-
-
-Placement = ByLengths | ByOffsets | ByAngle
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -205,6 +165,7 @@ class Mechanism:
     branches: tuple[SideOf, ...] = ()
     contacts: tuple[Contact, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
+    welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "frame", MappingProxyType(dict(self.frame)))

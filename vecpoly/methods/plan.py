@@ -32,7 +32,7 @@ from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.given_vector import find_point
 from .kinematics.image import imaged
-from .kinematics.position_drive import say_fixed_points
+from .kinematics.position_drive import say_fixed_points, say_welded
 from .passes import stages
 from .registry import Stage, find
 
@@ -166,6 +166,8 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     position = stage is Stage.POSITION
     if not held and position:
         say_fixed_points(desk)
+    if position and desk.mech.welded:
+        say_welded(desk)
     for drive in held:
         find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
     if position:

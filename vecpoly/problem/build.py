@@ -26,6 +26,7 @@ from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses
 from .motion import numbered, read_branch, read_input
 from .problem import Datum, Given, Printed, Problem, Scales
+from .rollers import weld_rollers
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
@@ -96,6 +97,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         branches=branches,
         contacts=tuple(bodies.contacts),
         guesses=guesses,
+        welded=tuple(bodies.welded.items()),
     ), motion
 
 
@@ -122,6 +124,8 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
                     f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"
                 )
             bodies.drafts[name] = read_link(name, data)
+    if not faults.found:
+        weld_rollers(spec, bodies, faults)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies

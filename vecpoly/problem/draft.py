@@ -15,6 +15,8 @@ from .problem import Datum, Shape
 LETTER = r"[A-Z][a-z'′]?"
 ONE = re.compile(LETTER)
 TWO = re.compile(rf"({LETTER})({LETTER})")
+CENTRE = r"S\d+[a-z'′]?"  # the centre of mass of a link
+PLACED = re.compile(rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})")  # the ends of a length to a point that is set out: BE, BS2
 ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 
@@ -59,6 +61,14 @@ def letters_of(word: str) -> tuple[str, str]:
     m = TWO.fullmatch(word)
     if m is None:
         raise FaultError(f"'{word}' is not two letters such as BC")
+    return m[1], m[2]
+
+
+def ends_of(word: str) -> tuple[str, str]:
+    """'BE' to ('B', 'E'), 'BS2' to ('B', 'S2'); raises FaultError otherwise."""
+    m = PLACED.fullmatch(word)
+    if m is None:
+        raise FaultError(Words(f"“{word}” 不是 BE 这样的两个字母", f"'{word}' is not two letters such as BE"))
     return m[1], m[2]
 
 

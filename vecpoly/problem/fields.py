@@ -52,7 +52,7 @@ _PLACE = {
         "angle": {"type": "string"},
         "side": {"type": "string", "pattern": "^(left|right) of "},
     },
-    "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY},
+    "patternProperties": {rf"^({_LETTER}|S\d+)({_LETTER}|S\d+)$": _QUANTITY},
     "additionalProperties": False,
 }
 _SLOT = {

@@ -8,15 +8,14 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import degrees
 
 from ..errors import FaultError
 from ..mechanism.model import FRAME, Circle, Contact, Joint, Prismatic, Rack, Revolute, Rolling, Side
 from ..units import Dim, positive, read
-from ..words import Words
 from .draft import LETTER, Draft, Line, letters_of
 from .faults import meant
 from .problem import Shape
+from .slides import check_cylinder, note_slide
 
 LINK = r"\d+[a-z']?"
 _GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {LINK})?|{LINK}"
@@ -45,9 +44,11 @@ class Bodies:
     drafts: dict[str, Draft]
     pitch: list[str] = field(default_factory=list)  # letters of pitch points and contacts
     contacts: list[Contact] = field(default_factory=list)
+    welded: dict[str, str] = field(default_factory=dict)  # rollers -> the links to which they were welded
 
     def draft(self, name: str) -> Draft:
-        """The moving link `name`."""
+        """The moving link `name`; for a roller the link to which it is welded."""
+        name = self.welded.get(name, name)
         if name not in self.drafts:
             raise FaultError(f"link '{name}' does not exist{meant(name, self.drafts)}")
         return self.drafts[name]
@@ -97,8 +98,8 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if pin not in block.points:
         raise FaultError(f"point '{pin}' is not on link {block.name}{meant(pin, block.points)}")
     offset = read(m["offset"], Dim.LENGTH) if m["offset"] else None
-    _cylinder(guide, block, bodies)
-    _note_slide(m, block, pin)
+    check_cylinder(guide, block, bodies.drafts)
+    note_slide(m, block, pin)
     return Prismatic(
         guide=guide,
         block=block.name,
@@ -111,48 +112,10 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     )
 
 
-def _cylinder(guide: str, block: Draft, bodies: Bodies) -> None:
-    """A piston runs in a cylinder, and nothing else does."""
-    barrel = guide in bodies.drafts and bodies.drafts[guide].shape is Shape.CYLINDER
-    if barrel != (block.shape is Shape.PISTON):
-        raise FaultError(Words(f"缸体（cylinder）与活塞（piston）须成对出现；请将构件 {guide} 写成 {{cylinder: …}}、构件 {block.name} 写成 {{piston: …}}，或改用 slot 与 block",
-                               f"a piston slides in a cylinder and in nothing else: write link {guide} as {{cylinder: ...}} and link {block.name} as {{piston: ...}}, or use slot and block"))
-
-
-def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
-    """Remember the data of a sliding joint for 已知."""
-    zh_side = "左" if m["side"] == "left" else "右"
-    if m["offset"]:
-        block.say(
-            Words(
-                f"偏距 $e$ = {m['offset']}（${pin}$ 在导路{zh_side}侧）",
-                f"offset $e$ = {m['offset']} (${pin}$ to the {m['side']} of the guide)",
-            )
-        )
-    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
-    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(
-            Words(
-                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            )
-        )
-    if m["turn"]:
-        turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
-        acute = min(turn, 180 - turn)
-        block.say(
-            Words(
-                f"构件 {block.name} 的槽与导路成 {acute:g}°",
-                f"the slot of link {block.name} is at {acute:g}° to the guide",
-            )
-        )
-
-
 def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
     block = bodies.draft(m["block"])
     guide, line = _guide(m["guide"], bodies, block.name)
-    _cylinder(guide, block, bodies)
+    check_cylinder(guide, block, bodies.drafts)
     return Prismatic(
         guide=guide,
         block=block.name,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import re
 from collections.abc import Callable, Mapping
 from functools import partial
 
@@ -10,7 +11,7 @@ from ..errors import FaultError
 from ..mechanism.model import Circle
 from ..units import Dim, positive, read
 from ..words import Words
-from .draft import ANGLE_FROM, ONE, TWO, Draft, Line, letters_of, ray
+from .draft import ANGLE_FROM, LETTER, ONE, TWO, Draft, Line, letters_of, ray
 from .faults import meant
 from .places import place
 from .problem import Shape
@@ -29,18 +30,28 @@ def read_link(name: str, data: Value) -> Draft:
     for key in data:
         _known(key)
     _base(draft, data)
+    slot_early = isinstance(data.get("slot"), dict) and _drawn_from_base(draft, data["slot"])
+    if slot_early:
+        _within("slot", lambda: _slot(draft, data["slot"]))
     early = "face" in data and _through(data["face"]) in draft.points
     if early:
         _within("face", lambda: _face(draft, data["face"]))
     for key, value in data.items():
         if ONE.fullmatch(key):
             _within(key, partial(place, draft, key, value))
-    if isinstance(data.get("slot"), dict):
+    if isinstance(data.get("slot"), dict) and not slot_early:
         _within("slot", lambda: _slot(draft, data["slot"]))
     if "face" in data and not early:
         _within("face", lambda: _face(draft, data["face"]))
     _round(draft, data)
     return draft
+
+
+def _drawn_from_base(draft: Draft, slot: Mapping[str, Value]) -> bool:
+    """Whether the slot's line depends on no point that is set out further on, so that such points may be told from it."""
+    m = ANGLE_FROM.fullmatch(str(slot.get("angle", "")))
+    named = {str(slot.get("through")), *(re.findall(LETTER, m[2]) if m and m[2] != "line" else ())}
+    return named <= set(draft.points)
 
 
 def _through(data: Value) -> str:

@@ -11,7 +11,7 @@ from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
 from ..names import subscripted
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
-from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
+from .draft import ANGLE_FROM, LETTER, PLACED, Draft, ends_of, ray
 from .faults import meant
 from .source import Value
 
@@ -27,7 +27,7 @@ def place(draft: Draft, point: str, data: Value) -> None:
         )
     if point in draft.points:
         raise FaultError(f"point {point} is already on link {draft.name}")
-    lengths = [key for key in data if TWO.fullmatch(key)]
+    lengths = [key for key in data if PLACED.fullmatch(key)]
     for key in data:
         if key not in (*_KEYS, *lengths):
             raise FaultError(f"'{key}' is no key of a place{meant(key, _KEYS)}", key)
@@ -88,7 +88,7 @@ def _by_angle(
         raise FaultError(
             "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}", "angle"
         )
-    ends = letters_of(lengths[0])
+    ends = ends_of(lengths[0])
     base, start, unit = ray(draft, m[2])
     if set(ends) != {base[0], point}:
         raise FaultError(f"the length must be {base[0]}{point}, from the start of the ray {m[2]}", lengths[0])
@@ -119,7 +119,7 @@ def _by_lengths(
     (_, start, unit) = ray(draft, m[2] + m[3])
     found: dict[str, float] = {}
     for key in lengths:
-        other = [letter for letter in letters_of(key) if letter != point]
+        other = [letter for letter in ends_of(key) if letter != point]
         if len(other) != 1 or other[0] not in base:
             raise FaultError(f"the length must join {point} with {base[0]} or {base[1]}", key)
         length = positive(data[key])

@@ -17,7 +17,16 @@ def structure(problem: Problem) -> Words:
     if not isinstance(problem.subject, Mechanism):
         return Words.same("")
     mech = problem.subject
-    return _made_of(mech, mobility(mech), decompose(mech))
+    return welded(mech) + _made_of(mech, mobility(mech), decompose(mech))
+
+
+def welded(mech: Mechanism) -> Words:
+    """Rollers that are no links of their own."""
+    if not mech.welded:
+        return Words.same("")
+    zh = "、".join(f"滚子 {roller} 与构件 {host}" for roller, host in mech.welded)
+    en = " and ".join(f"roller {roller} to link {host}" for roller, host in mech.welded)
+    return Words(f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。", f"A roller that turns about its own pin is a local freedom, without effect on the other links; weld {en}. ")
 
 
 def numbering(problem: Problem) -> Words:

@@ -69,6 +69,13 @@ def say_fixed_points(desk: Desk) -> None:
                           f"Place the fixed point{'s' if len(desk.mech.frame) > 1 else ''} ${fixed_en}$ to the scale $μ_l$."), View.MECHANISM)
 
 
+def say_welded(desk: Desk) -> None:
+    """Rollers are drawn as parts of the links that carry them."""
+    for roller, host in desk.mech.welded:
+        desk.board.step(Words(f"滚子 {roller} 绕其销轴的转动为局部自由度，将滚子与构件 {host} 视为焊成一体。",
+                              f"Roller {roller} turns idly about its pin, a local freedom: it is taken as welded to link {host}."), View.MECHANISM)
+
+
 def swept(position: float) -> float:
     """How far the arc of an angle runs round: as far as is stated, less full turns."""
     return math.fmod(position, 2 * math.pi)

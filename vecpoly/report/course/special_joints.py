@@ -8,7 +8,7 @@ from ...mechanism.assur import decompose, hinges
 from ...mechanism.model import Prismatic, Rolling
 from ...mechanism.rams import driver_words
 from ...words import Words
-from ..structure import kind_of
+from ..structure import kind_of, welded
 from .study import Study
 
 _ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
@@ -34,6 +34,8 @@ def special(study: Study) -> Iterator[Words]:
         zh, en = "、".join(f"${c.point}$" for c in mech.contacts), ", ".join(f"${c.point}$" for c in mech.contacts)
         yield Words(f"{zh} 为高副；作运动分析时高副低代：以铰接于接触处两曲率中心（或沿平底移动）的构件代替。",
                     f"{en} is a higher pair; for the kinematics it is replaced by a link hinged at both centres of curvature (or sliding on the flat face). ")
+    if mech.welded:
+        yield welded(mech)
     absent = [*([] if compound else [Words("复合铰链", "compound hinge")]), *([] if mech.contacts else [Words("局部自由度", "local freedom")]), Words("虚约束", "redundant constraint")]
     yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is no {', no '.join(w.en for w in absent)}.")
 
