@@ -176,3 +176,70 @@ branch: [C {_left(b, d, c)} of BD]
 guesses: {{B: [{b.real:.2f} mm, {b.imag:.2f} mm], C: [{c.real:.2f} mm, {c.imag:.2f} mm]}}
 find: [v_B, v_C, a_C, omega_1, omega_2, omega_3, alpha_1, alpha_2, alpha_3]
 """
+
+
+@family("pin-in-two-slots")
+def two_slots(rng: np.random.Generator) -> str:
+    """The crank's pin, or a point of the coupler of a slider-crank, runs in two slotted links."""
+    a, d, f = (complex(*rng.integers(-200, 300, 2)) for _ in range(3))
+    reach = rng.integers(30, 120)
+    slots = [f"{{slot: {letter}}}" if rng.random() < 0.6 else f"{{slot: {{through: {letter}, {rng.choice(['left', 'right'])}: {rng.integers(1, 12)} mm}}}}" for letter in "DF"]
+    return f"""
+id: two-slots
+title: two slots
+frame: {{A: [{a.real} mm, {a.imag} mm], D: [{d.real} mm, {d.imag} mm], F: [{f.real} mm, {f.imag} mm]}}
+links:
+  1: {{AB: {reach} mm}}
+  2: {slots[0]}
+  3: {slots[1]}
+joints: [B runs in 2, B runs in 3]
+input: {{link: 1, phi: {rng.uniform(0, 360):.3f} deg, omega: {rng.choice([-8, 3, 10])} rad/s, alpha: {rng.choice([0, 5, -20])} rad/s^2}}
+find: [v_B, v_B2, v_B3, omega_2, omega_3, alpha_2, alpha_3, ak_B2B1, ak_B3B1]
+"""
+
+
+@family("roller")
+def roller(rng: np.random.Generator) -> str:
+    """An eccentric moves a translating or a swinging follower with a roller that is written as a link."""
+    eccentric, large, small, off = rng.integers(5, 25), rng.integers(30, 60), rng.integers(5, 20), rng.integers(-20, 20)
+    turn = f"{rng.uniform(0, 360):.3f} deg, omega: {rng.choice([-8, 10])} rad/s, alpha: {rng.choice([0, 30])} rad/s^2"
+    if rng.random() < 0.5:
+        frame, links, joints, branch = "", "  2: {block: E}\n", f"2 slides on x = {off} mm, ", "E above A"
+        find = "v_E, a_E, p_E"
+    else:
+        frame, links, joints, branch = ", D: [150 mm, 0 mm]", f"  2: {{DE: {rng.integers(100, 180)} mm, G: {{along: DE, at: 220 mm}}}}\n", "", "E above AD"
+        find = "v_E, a_E, omega_2, alpha_2, v_G, a_G"
+    return f"""
+id: roller
+title: roller
+frame: {{A: [0 mm, 0 mm]{frame}}}
+links:
+  1: {{AO: {eccentric} mm, disc: O, radius: {large} mm}}
+{links}  3: {{disc: E, radius: {small} mm}}
+joints: [{joints}1 touches 3 at K]
+input: {{link: 1, phi: {turn}}}
+branch: [{branch}]
+find: [{find}]
+"""
+
+
+@family("offset-slot-drives")
+def offset_slot(rng: np.random.Generator) -> str:
+    """A turning slot beside its pin leads the pin of a bar, or a block with a bar; which assembly a rough place tells."""
+    phi, left, d = rng.uniform(0, 2 * np.pi), rng.integers(-60, 60), complex(*rng.integers(-150, 150, 2))
+    along = rng.integers(-200, 200)
+    b = (along + 1j * left) * np.exp(1j * phi)
+    side, blocks = "left" if left >= 0 else "right", rng.random() < 0.5
+    joint, more = ("4 slides in 1", "  4: {block: B}\n") if blocks else ("B runs in 1", "")
+    return f"""
+id: offset-slot
+title: offset slot
+frame: {{A: [0 mm, 0 mm], D: [{d.real} mm, {d.imag} mm]}}
+links:
+  1: {{slot: {{through: A, {side}: {abs(left)} mm}}, E: {{AE: 50 mm, angle: 30 deg from line}}}}
+  2: {{DB: {_number(abs(b - d))} mm, G: {{along: DB, at: 30 mm, left: 20 mm}}}}
+{more}joints: [{joint}]
+input: {{link: 1, phi: {_number(np.degrees(phi))} deg, omega: {rng.choice([-8, 3])} rad/s, alpha: {rng.choice([0, 20])} rad/s^2}}
+guesses: {{B: [{b.real:.1f} mm, {b.imag:.1f} mm]}}
+find: [p_B, v_B, a_B, omega_2, alpha_2, v_E, v_G, a_G]
+"""

@@ -36,7 +36,8 @@ def _is_roller(draft: Draft, spec: ProblemSpec) -> bool:
     """One pin, in the centre of its disc, and no joint but contacts of that disc."""
     if draft.disc is None or len(draft.points) != 1 or draft.face is not None or draft.line is not None:
         return False
-    naming = [text for text in spec.joints if re.search(rf"(?<![\w.]){re.escape(draft.name)}(?![\w.])", text)]
+    link = re.compile(rf"(?:^|\b(?:of|in|on|along|inside|through|touches) ){re.escape(draft.name)}(?= |$)(?! (?:mm|cm|dm|m|km|in|毫米|厘米|米)\b)")
+    naming = [text for text in spec.joints if link.search(text)]
     return any(is_contact(text) for text in naming) and all(is_contact(text) and " face of " + draft.name not in text for text in naming)
 
 
@@ -64,7 +65,7 @@ def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:
         raise FaultError(Words(f"滚子 {draft.name} 应与构件 {host.name} 焊成一体，但该构件已有圆盘；请只保留一个", f"roller {draft.name} would be welded to link {host.name}, which has a disc already; keep one of them"))
     (pin,) = draft.points
     host.disc = replace(draft.disc, link=host.name)
-    host.lengths += draft.lengths
+    host.lengths += [replace(datum, symbol=f"r_{host.name}") if datum.symbol == f"r_{draft.name}" else datum for datum in draft.lengths]
     host.say(Words(f"滚子 {draft.name} 绕 ${pin}$ 的转动为局部自由度，计算时将其与构件 {host.name} 视为焊成一体",
                    f"the turning of roller {draft.name} about ${pin}$ is a local freedom: it is taken as welded to link {host.name}"))
     del bodies.drafts[draft.name]

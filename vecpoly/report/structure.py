@@ -85,5 +85,8 @@ def _class(groups: tuple[Group, ...]) -> Words:
 
 def _told(mech: Mechanism, link: str) -> Words:
     """A link's number; the link that stands for a higher pair by that contact's letter."""
+    if link not in mech.substitutes and not link[0].isdigit():  # the block of a pin that runs in a slot
+        point = next(iter(mech.link(link).points))
+        return Words(f"销 ${point}$", f"the pin ${point}$")
     contact = next((c for c in mech.contacts if c.substitute == link), None)
     return Words.same(link) if contact is None else Words(f"代替高副 ${contact.point}$ 的杆", f"the substitute for ${contact.point}$")
