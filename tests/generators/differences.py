@@ -16,7 +16,7 @@ from vecpoly.names import At, Kind, Rel, parse_rel
 from vecpoly.oracle.motion import Motion
 from vecpoly.solution import Solution
 
-STEP = 2e-3  # of the drive: rad, or metres over the size of the mechanism
+STEPS = (2e-3, 2e-4, 2e-5)  # of the drive: rad, or metres over the size of the mechanism; the finer ones near the ends of its range
 AGREE = 1e-6  # of the largest rate of the kind
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
 _FIRST = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12
@@ -24,13 +24,22 @@ _SECOND = np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
 
 def against_differences(mech: Mechanism, solution: Solution) -> str:
-    """The first velocity, acceleration, ω or α of the answers that the differences contradict; "" where none does."""
+    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step; "" where none does."""
+    wrong = ""
+    for step in STEPS:
+        wrong = _contradicted(mech, solution, step)
+        if not wrong:
+            return ""
+    return wrong
+
+
+def _contradicted(mech: Mechanism, solution: Solution, step: float) -> str:
     try:
-        coarse, fine = (_positions(mech, step) for step in (STEP, STEP / 2))
+        coarse, fine = (_positions(mech, one) for one in (step, step / 2))
     except VecpolyError:
         return ""  # too near the end of the range for five positions
     asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None]
-    found = {key: (_rate(mech, coarse, rel, STEP), _rate(mech, fine, rel, STEP / 2)) for key, rel in asked}
+    found = {key: (_rate(mech, coarse, rel, step), _rate(mech, fine, rel, step / 2)) for key, rel in asked}
     size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
     for key, rel in asked:
         answer = solution.answers[key]

@@ -36,9 +36,10 @@ class InputSpec(Spec):
 
 
 class LoadSpec(Spec):
-    """A force (with point and direction) or a moment on a link; the size of one load is '?'."""
+    """A force (with point and direction) or a moment on a link, or the thrust of a cylinder; the size of one load is '?'."""
 
-    on: Name
+    on: Name | None = None
+    cylinder: Name | None = Field(None, description="2-3: the thrust of the cylinder between these links, positive where it lengthens it")
     at: str | None = Field(None, description="the lettered point of the link at which a force acts")
     size: Number | None = Field(None, description="1000 N, 20 N*m ccw, or ? for the load that balances")
     direction: Number | None = Field(None, description="of a force, from the x axis: 180 deg")
@@ -172,7 +173,7 @@ def json_schema() -> dict[str, Any]:
     schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
     schema["$defs"]["InputSpec"].pop("required", None)
     for spec in ("LoadSpec", "RodSpec"):
-        schema["$defs"][spec].pop("required")
+        schema["$defs"][spec].pop("required", None)
     _with_devices(schema)
     schema["title"] = "vecpoly problem file"
     return schema

@@ -30,6 +30,7 @@ from .pieces import Held
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
+from .thrust import as_outer_force, read_thrusts, without_cylinders
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -41,8 +42,9 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
     """
     assert problem.loads is not None
-    st = Statics(desk=desk, loads=problem.loads)
-    held, groups = _order(desk, problem.loads)
+    st = Statics(desk=desk, loads=as_outer_force(desk, problem.loads))
+    held, groups = _order(desk, st.loads)
+    groups = without_cylinders(groups, problem.loads)
     inertia_forces(st)
     draw_given_loads(st)
     if st.loads.friction:
@@ -54,6 +56,7 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
         st = _with_friction(st, groups, held)
     draw_free_bodies(st, problem)
     read_efficiency(st)
+    read_thrusts(st, problem.loads)
     return st
 
 
@@ -64,7 +67,7 @@ def _order(desk: Desk, loads: Loads) -> tuple[Held, tuple[Group, ...]]:
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
         raise NoMethodError(f"{loads.unknown.name} acts on link {link}, which has no fixed {'pin' if isinstance(loads.unknown, Moment) else 'pin or guide'}: no graphical method "
                             f"on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'")
-    driven = replace(mech, drives=(replace(mech.drive, link=link),))
+    driven = replace(mech, drives=(replace(mech.drive, link=link, on=FRAME),))
     return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven)))
 
 
