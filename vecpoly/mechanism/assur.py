@@ -1,5 +1,4 @@
 """Which links move together: the mechanism taken apart into Assur groups, in the order of their solution.
-
 Frame and driving links are known. An Assur group is a smallest set of links whose joints, among themselves
 and to known links, fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and
 six joints (class III or IV), and so on. Once solved, its links are known and the next group follows.
@@ -15,6 +14,7 @@ from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 from ..errors import MobilityError
+from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
 from .rams import Ram, driven_joint, drives_within, ram_of, units
 
@@ -67,9 +67,9 @@ class Group:
         return self.dyad or self.ram or self
 
     @property
-    def name(self) -> str:
+    def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        return f"{self.kind} group {', '.join(self.links)}"
+        return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
 def decompose(mech: Mechanism) -> tuple[Group, ...]:
@@ -83,10 +83,10 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known)), None)
         if group is None:
-            raise MobilityError(
-                f"links {', '.join(name for unit in rest for name in unit)} form no Assur group on the known links {', '.join(known)}: "
-                f"a joint or a drive is missing, or one too many"
-            )
+            left = ", ".join(name for unit in rest for name in unit)
+            raise MobilityError(Words(
+                f"构件 {left} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
+                f"links {left} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
         groups.append(group)
         known += group.links
         rest = [unit for unit in rest if not set(unit) & set(group.links)]

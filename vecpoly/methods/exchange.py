@@ -69,8 +69,8 @@ def _other(mech: Mechanism, group: Group, drive: Drive) -> Drive:
             other = Drive(link=out.link, position=0.0, rate=1.0, slide=isinstance(out.joint, Prismatic))
             if _drawable(_driven_by(mech, drive, other)):
                 return other
-    raise NoMethodError(Words(f"驱动加在构件 {drive.on} 与 {drive.link} 之间；无论取哪个与机架相连的构件为假想原动件，都不能只用已有的图解法求解 {group.name}；vecpoly exact 给出其解析解",
-                              f"the input acts between links {drive.on} and {drive.link}; whichever link on the frame is thought to drive instead, the {group.name} cannot be drawn by the methods on file; "
+    raise NoMethodError(Words(f"驱动加在构件 {drive.on} 与 {drive.link} 之间；无论取哪个与机架相连的构件为假想原动件，都不能只用已有的图解法求解 {group.name.zh}；vecpoly exact 给出其解析解",
+                              f"the input acts between links {drive.on} and {drive.link}; whichever link on the frame is thought to drive instead, the {group.name.en} cannot be drawn by the methods on file; "
                               "'vecpoly exact' gives its analytic answers"), code="no-exchange")
 
 

@@ -246,4 +246,4 @@ def newton(mech: Mechanism, group: Group) -> Newton:
     joints = (*group.inner, *(out.joint for out in group.outer))
     rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
     drives = tuple(driven(mech, drive) for drive in drives_within(mech, group.links))
-    return Newton(mech, group, (*rows, *drives), joint=f"the loops of the {group.name}")
+    return Newton(mech, group, (*rows, *drives), joint=f"the loops of the {group.name.en}")
