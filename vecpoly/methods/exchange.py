@@ -199,16 +199,31 @@ def _rated(trial: _Trial, placed: Drive, bent: bool) -> Drive:
 def _said(trial: _Trial, rated: Drive) -> dict[Stage, Words]:
     """How the other link's motion was found."""
     drive, link = trial.drive, rated.link
-    turns, units = not rated.slide, ("rad/s", "rad/s^2") if not rated.slide else ("m/s", "m/s^2")
-    symbol, rates = ("φ", ("ω", "α")) if turns else ("s", ("v", "a"))
-    place = f"{number(degrees(rated.position), 6)}°" if turns else f"{number(1e3 * rated.position, 6)} mm"
-    given = f"{number(1e3 * drive.position, 6)} mm" if drive.slide else f"{number(degrees(drive.position), 6)}°"
-    between, factor = f"{drive.on}、{drive.link}", drive.rate / rated.rate if rated.rate else 0.0
-    first = Words(f"输入加在活动构件 {between} 之间：改取构件 {link} 为假想原动件，取一系列 ${symbol}_{link}$ 逐组作图试凑，当 ${symbol}_{link}$ = {place} 时输入恰为给定的 {given}。",
-                  f"The input acts between the moving links {drive.on} and {drive.link}: let link {link} drive instead and draw the groups for trial values of ${symbol}_{link}$; with ${symbol}_{link}$ = {place} the input has its given {given}.")
-    second = Words(f"各速度与 ${rates[0]}_{link}$ 成正比：先取 ${rates[0]}_{link}$ = 1 {units[0]} 试作速度多边形，量得输入的速度为 {number(factor, 5)}；实际为 {number(drive.rate, 5)}，故 ${rates[0]}_{link}$ = {number(rated.rate, 5)} {units[0]}。",
-                   f"All velocities are proportional to ${rates[0]}_{link}$: a trial polygon with ${rates[0]}_{link}$ = 1 {units[0]} gives the input the rate {number(factor, 5)}; it is {number(drive.rate, 5)}, so ${rates[0]}_{link}$ = {number(rated.rate, 5)} {units[0]}.")
-    even = drive.accel - rated.accel * factor
-    third = Words(f"先取 ${rates[1]}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {number(even, 5)}；其余部分与 ${rates[1]}_{link}$ 成正比（比例同上），故 ${rates[1]}_{link}$ = {number(rated.accel, 5)} {units[1]}。",
-                  f"A trial polygon with ${rates[1]}_{link}$ = 0 gives the input the acceleration {number(even, 5)}; the rest is proportional to ${rates[1]}_{link}$ by the same factor, so ${rates[1]}_{link}$ = {number(rated.accel, 5)} {units[1]}.")
+    symbol, rates = ("s", ("v", "a")) if rated.slide else ("φ", ("ω", "α"))
+    own, given = (("m/s", "m/s²") if one.slide else ("rad/s", "rad/s²") for one in (rated, drive))
+    place, factor = _shown(rated.position, rated.slide), drive.rate / rated.rate if rated.rate else 0.0
+    tried, tried_en = _tried(trial, rated)
+    first = Words(f"输入加在活动构件 {drive.on}、{drive.link} 之间：改取构件 {link} 为假想原动件，取一系列 ${symbol}_{link}$ 逐组作图试凑{tried}，当 ${symbol}_{link}$ = {place} 时输入恰为给定的 {_shown(drive.position, drive.slide)}。",
+                  f"The input acts between the moving links {drive.on} and {drive.link}: let link {link} drive instead and draw the groups for trial values of ${symbol}_{link}${tried_en}; with ${symbol}_{link}$ = {place} the input has its given {_shown(drive.position, drive.slide)}.")
+    ratio = f"{number(factor, 5)} {given[0]}", f"{number(drive.rate, 5)} {given[0]}", f"${rates[0]}_{link}$ = {number(rated.rate, 5)} {own[0]}"
+    second = Words(f"各速度与 ${rates[0]}_{link}$ 成正比：先取 ${rates[0]}_{link}$ = 1 {own[0]} 试作速度多边形，得输入的速度为 {ratio[0]}；实际为 {ratio[1]}，故 {ratio[2]}。",
+                   f"All velocities are proportional to ${rates[0]}_{link}$: a trial polygon with ${rates[0]}_{link}$ = 1 {own[0]} gives the input the rate {ratio[0]}; it is {ratio[1]}, so {ratio[2]}.")
+    even = f"{number(drive.accel - rated.accel * factor, 5)} {given[1]}", f"{number(drive.accel, 5)} {given[1]}", f"${rates[1]}_{link}$ = {number(rated.accel, 5)} {own[1]}"
+    third = Words(f"先取 ${rates[1]}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {even[0]}，实际为 {even[1]}；差额与 ${rates[1]}_{link}$ 成正比（比例同速度），故 {even[2]}。",
+                  f"A trial polygon with ${rates[1]}_{link}$ = 0 gives the input the acceleration {even[0]}; it is {even[1]}. The rest is proportional to ${rates[1]}_{link}$ by the factor of the velocities, so {even[2]}.")
     return {Stage.POSITION: first, Stage.VELOCITY: second, Stage.ACCELERATION: third}
+
+
+def _tried(trial: _Trial, rated: Drive) -> tuple[str, str]:
+    """Two of the trials, to either side of the place found."""
+    step = 0.05 * trial.mech.scale if rated.slide else pi / 36
+    shown = [(at, trial.gap(at)) for at in (rated.position - step, rated.position + step)]
+    told = [(_shown(at, rated.slide), _shown(trial.drive.position + gap, trial.drive.slide)) for at, gap in shown if np.isfinite(gap)]
+    if not told:
+        return "", ""
+    return "（" + "，".join(f"{at} 时得 {got}" for at, got in told) + "）", " (" + ", ".join(f"{at} gives {got}" for at, got in told) + ")"
+
+
+def _shown(position: float, slide: bool) -> str:
+    """620 mm, or 52.5°."""
+    return f"{number(1e3 * position, 6)} mm" if slide else f"{number(degrees(position), 6)}°"

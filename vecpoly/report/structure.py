@@ -61,6 +61,8 @@ def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Wor
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
     opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；{driver.zh}为原动件，",
                     f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}. {driver.en[0].upper()}{driver.en[1:]} drives")
+    if any(g.kind == "driven" for g in groups):
+        return opening + Words(f"驱动副在 {zh}之内，作图时改取一个与机架相连的构件为假想原动件。", f", inside {en}; for the drawing a link on the frame is thought to drive instead.")
     if mech.contacts:
         return opening + Words(f"高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
                                f"; with the higher pair replaced by a link and lower pairs, the rest is {kind} {en}: a {_class(groups).en} mechanism.")
@@ -70,7 +72,7 @@ def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Wor
 def kind_of(group: Group) -> Words:
     """The kind of a group as printed; with a cylinder of known length as one of its bars."""
     told = {"cylinder RR": "RRR", "cylinder RP": "RRP"}.get(group.kind, group.kind)
-    return Words("含驱动副的", "a group with the driven pair inside") if told == "driven" else Words(_ROMAN.get(told, told), told)
+    return Words("含驱动副的", "the group with the driven pair") if told == "driven" else Words(_ROMAN.get(told, told), told)
 
 
 def _as_bar(group: Group) -> Words:
