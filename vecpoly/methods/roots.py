@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 
 ROUNDS = 80
+HALVINGS = 45  # towards the end of the curve
 FINER = 24  # further trials where the curve turns back near zero
-JUMP = 0.5  # a step from one trial to the next that is larger than this share of the two gaps' sum is followed closer
 
 Curve = Callable[[float], float]
 
@@ -36,11 +36,24 @@ def _between(curve: Curve, points: list[tuple[float, float]], near: float) -> It
         yield a
         neighbours = points[max(i - 1, 0): i + 3]
         gaps = [abs(y) for _, y in neighbours if np.isfinite(y)]
-        edge = np.isfinite(a[1]) != np.isfinite(b[1])
+        if np.isfinite(a[1]) != np.isfinite(b[1]):
+            yield from _to_the_edge(curve, a, b)
+            continue
         turns = bool(gaps) and min(gaps) in (abs(a[1]), abs(b[1])) and not a[1] * b[1] < 0 and min(gaps) < max(near, 2 * (max(gaps) - min(gaps)))
-        if edge or turns:
+        if turns:
             for x in np.linspace(a[0], b[0], FINER + 2)[1:-1]:
                 yield float(x), curve(float(x))
+
+
+def _to_the_edge(curve: Curve, a: tuple[float, float], b: tuple[float, float]) -> Iterator[tuple[float, float]]:
+    """Trials that crowd towards the place where the links just meet: the curve ends there, often steeply."""
+    inside, outside = (a[0], b[0]) if np.isfinite(a[1]) else (b[0], a[0])
+    start = inside
+    for _ in range(HALVINGS):
+        middle = (inside + outside) / 2
+        inside, outside = (middle, outside) if np.isfinite(curve(middle)) else (inside, middle)
+    found = [inside + (start - inside) * share**3 for share in np.linspace(0.0, 1.0, FINER)[:-1]]
+    yield from ((float(x), curve(float(x))) for x in sorted(found))
 
 
 def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> float:
