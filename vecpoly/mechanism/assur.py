@@ -3,8 +3,7 @@ Frame and driving links are known. An Assur group is a smallest set of links who
 and to known links, fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and
 six joints (class III or IV), and so on. Once solved, its links are known and the next group follows.
 A hinge of several links is one letter; any two links that carry it are pinned. A rolling joint fixes two
-coordinates (contact and no slip), or one where links hold the gear's centre at its distance (see `is_held`). Links between
-which a drive acts, a cylinder and its rod, are found together (see `rams`).
+coordinates (contact and no slip), or one where links hold the gear's centre (`is_held`). Links that a drive joins are found together (`rams`).
 """
 
 from __future__ import annotations
@@ -16,7 +15,8 @@ from itertools import combinations, pairwise
 from ..errors import MobilityError
 from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
-from .rams import Ram, driven_joint, drives_within, ram_of, units
+from .pitch_lines import pitch_lines
+from .rams import Ram, driven_kind, drives_within, units
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,7 +50,7 @@ class Dyad:
 class Group:
     """Links solved together.
 
-    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" (one link), "gear train", "class III", ...; with a drive inside
+    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" and "rack" (one link), "gear train", "class III", ...; with a drive inside
     "cylinder RR" or "cylinder RP" (a cylinder, a hinge, and the other link on its outer hinge or guide), else "driven".
     """
 
@@ -72,8 +72,10 @@ class Group:
         return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
-def decompose(mech: Mechanism) -> tuple[Group, ...]:
+def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     """The Assur groups for the mechanism's own drives, in order of solution.
+
+    pressing: at a compound hinge only those links are joined that press on each other, as the mechanism's joints say.
 
     Raises MobilityError where links remain that no known link determines.
     """
@@ -81,7 +83,7 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     rest = list(units(mech))
     groups: list[Group] = []
     while rest:
-        group = next(_candidates(mech, tuple(rest), tuple(known)), None)
+        group = next(_candidates(mech, tuple(rest), tuple(known), pressing), None)
         if group is None:
             left = ", ".join(name for unit in rest for name in unit)
             raise MobilityError(Words(
@@ -126,41 +128,42 @@ def hinges(mech: Mechanism) -> dict[str, tuple[str, ...]]:
 
 
 def is_held(mech: Mechanism, rolling: Rolling) -> bool:
-    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint.
+    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint."""
+    return bool(holders(mech, rolling))
 
-    So it is where one link is pinned at both centres, or is pinned at the gear's centre and guided along a rack.
+
+def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
+    """The links that hold the gear's centre at its distance from its partner.
+
+    They are pinned at both centres; or pinned at the gear's centre, with slides along the pitch line of the rack.
     """
     pins = hinges(mech)
-    holders = {*pins.get(rolling.gear.centre, ()), rolling.gear.link} - {rolling.on.link}
-    if rolling.on.link in pins.get(rolling.gear.centre, ()):
-        return True
-    if not isinstance(rolling.on, Rack):
-        return any(name in pins.get(rolling.on.centre, ()) for name in holders - {rolling.gear.link})
-    slides = [set(ends(joint)) for joint in mech.joints if isinstance(joint, Prismatic)]
-    return any({name, rolling.on.link} in slides for name in holders - {rolling.gear.link})
+    mine, on = {*pins.get(rolling.gear.centre, ()), rolling.gear.link}, rolling.on
+    both = mine & pitch_lines(mech, on).keys() - {rolling.gear.link} if isinstance(on, Rack) else mine & {*pins.get(on.centre, ()), on.link}
+    return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
 
 
-def _candidates(mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...]) -> Iterator[Group]:
+def _candidates(mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...], pressing: bool) -> Iterator[Group]:
     """Groups that the known links determine, the smallest first, in the order of the links; links joined by a drive count as one."""
     for size in range(1, len(rest) + 1):
         for chosen in combinations(rest, size):
-            group = _group(mech, tuple(name for unit in chosen for name in unit), known)
+            group = _group(mech, tuple(name for unit in chosen for name in unit), known, pressing)
             if group is not None:
                 yield group
 
 
-def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> Group | None:
+def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Group | None:
     """The group of just these links, or None where they are not one."""
-    inner, outer = _joints(mech, links, known)
+    inner, outer = _joints(mech, links, known, pressing)
     drives = drives_within(mech, links)
     constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer))) + len(drives)
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
     if drives:
-        return _driven(mech, links, inner, outer)
+        kind, ram = driven_kind(mech, drives, inner, tuple((out.joint, out.link, out.parent) for out in outer))
+        return Group(kind=kind, links=links, inner=inner, outer=outer, ram=ram)
     if len(links) == 1:
-        kind = "gear" if any(isinstance(out.joint, Rolling) for out in outer) else "class I"
-        return Group(kind=kind, links=links, inner=inner, outer=outer)
+        return Group(kind=_alone(links[0], outer), links=links, inner=inner, outer=outer)
     if len(links) == 2 and len(inner) == 1 and {out.link for out in outer} == set(links) and len(outer) == 2:
         dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
         return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
@@ -169,15 +172,12 @@ def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> G
     return Group(kind=kind, links=links, inner=inner, outer=outer)
 
 
-def _driven(mech: Mechanism, links: tuple[str, ...], inner: tuple[Joint, ...], outer: tuple[Outer, ...]) -> Group:
-    """A group inside which a drive acts."""
-    drives, ram = drives_within(mech, links), None
-    if len(drives) == 1 and len(links) == 3 and len(outer) == 2:
-        pair = driven_joint(mech, drives[0])
-        one, two = ((out.joint, out.link, out.parent) for out in outer)
-        ram = ram_of(pair, tuple(joint for joint in inner if joint != pair), (one, two))
-    kind = "driven" if ram is None else f"cylinder R{joint_letter(ram.link_joint)}"
-    return Group(kind=kind, links=links, inner=inner, outer=outer, ram=ram)
+def _alone(link: str, outer: tuple[Outer, ...]) -> str:
+    """The kind of a group of one link: a gear or a rack that rolls on what is known, or class I."""
+    rolls = [out.joint for out in outer if isinstance(out.joint, Rolling)]
+    if not rolls:
+        return "class I"
+    return "rack" if isinstance(rolls[0].on, Rack) and rolls[0].on.link == link else "gear"
 
 
 def _constraints(mech: Mechanism, joint: Joint) -> int:
@@ -185,12 +185,12 @@ def _constraints(mech: Mechanism, joint: Joint) -> int:
 
 
 def _joints(
-    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]
+    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool
 ) -> tuple[tuple[Joint, ...], tuple[Outer, ...]]:
     """Joints within the links, and joints from them to known links."""
     inner: list[Joint] = []
     outer: list[Outer] = []
-    for point, names in hinges(mech).items():
+    for point, names in () if pressing else hinges(mech).items():
         mine = [name for name in links if name in names]
         parent = next((name for name in known if name in names), None)
         if parent is not None:
@@ -199,7 +199,7 @@ def _joints(
         else:
             inner += [Revolute(point=point, a=a, b=b) for a, b in pairwise(mine)]
     for joint in mech.joints:
-        if isinstance(joint, Revolute):
+        if isinstance(joint, Revolute) and not pressing:
             continue
         a, b = ends(joint)
         if a in links and b in links:

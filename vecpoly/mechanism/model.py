@@ -16,6 +16,7 @@ from .placements import ByLengths as ByLengths
 from .placements import ByOffsets as ByOffsets
 from .placements import Placement as Placement
 from .placements import Side as Side
+from .start import Start
 
 FRAME = "0"
 
@@ -164,6 +165,7 @@ class Mechanism:
     drives: tuple[Drive, ...]
     branches: tuple[SideOf, ...] = ()
     contacts: tuple[Contact, ...] = ()
+    starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
     welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
 

@@ -82,6 +82,15 @@ def ram_of(pair: Joint | None, inner: tuple[Joint, ...], outer: tuple[Hung, Hung
     return Ram(pair=pair, near=near, outer=pin, parent=parent, far=far, inner=hinge, link=link, link_joint=joint, link_parent=link_parent)
 
 
+def driven_kind(mech: Mechanism, drives: tuple[Drive, ...], inner: tuple[Joint, ...], outer: tuple[Hung, ...]) -> tuple[str, Ram | None]:
+    """The kind of a group inside which a drive acts: a dyad with a cylinder as one of its bars, or any other."""
+    ram = None
+    if len(drives) == 1 and len(outer) == 2:
+        pair = driven_joint(mech, drives[0])
+        ram = ram_of(pair, tuple(joint for joint in inner if joint != pair), (outer[0], outer[1]))
+    return ("driven", None) if ram is None else (f"cylinder {'RR' if isinstance(ram.link_joint, Revolute) else 'RP'}", ram)
+
+
 def driver_words(mech: Mechanism) -> Words:
     """What drives: a link, a cylinder, or a motor in a hinge."""
     drive = mech.drive

@@ -30,7 +30,9 @@ def among(mech: Mechanism, step: Newton, bodies: Bodies, run: Run) -> Newton:
         fits = [min(fits, key=lambda state: _off(mech, step, state))]
     if len(fits) != 1:
         raise _undecided(mech, step, before, found, len(fits), run.text(float(run.q[own])))
-    return replace(step, walked={0: fits[0]})
+    chosen = replace(step)  # with no state found yet
+    chosen.walked[0] = fits[0]
+    return chosen
 
 
 def _places(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> Places:

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mechanism.assur import Dyad, Group
+from ..mechanism.assur import Dyad, Group, is_held
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from ..mechanism.rams import Ram, drives_within
+from .driven import driven
 from .dyads import Crossed, Hinged, Swinging
 from .loci import Arc, Locus, roll, slide
-from .newton import Newton, newton
+from .newton import Newton
+from .off_centre import crossing
+from .rows import row
+from .standing import standings, start_of
 from .telescope import Telescope, telescope
 
 Step = Hinged | Swinging | Crossed | Newton
@@ -56,7 +60,7 @@ def _locus(mech: Mechanism, joint: Joint, name: str, parent: str, point: str) ->
         case Prismatic():
             return slide(joint, name, inner, mech.link(joint.block).points[joint.pin])
         case Rolling():
-            locus = roll(joint, link, base)
+            locus = roll(joint, link, base, start_of(mech, name))
             return locus if locus is not None and locus.start == inner else None
 
 
@@ -109,3 +113,12 @@ def is_followed(step: Step) -> bool:
             return any(not isinstance(locus, Telescope) and locus.gearing is not None for locus in (j, k))
     return False
 
+
+def newton(mech: Mechanism, group: Group) -> Newton:
+    """The step for a group that has no closed form here; of a hinge off a gear's centre there are two assemblies."""
+    joints = (*group.inner, *(out.joint for out in group.outer))
+    rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
+    drives = tuple(driven(mech, drive) for drive in drives_within(mech, group.links))
+    if (cross := crossing(mech, group)) is not None:
+        return Newton(mech, group, (*rows, *drives), standings(mech, group), two=True, joint=cross[0])
+    return Newton(mech, group, (*rows, *drives), standings(mech, group), joint=f"the loops of the {group.name.en}")

@@ -13,6 +13,7 @@ from ...names import subscripted
 from ...problem.problem import Problem, Shape
 from ...words import Words
 from ..structure import kind_of
+from .kinds import ROLLING
 from .study import Study
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
@@ -26,7 +27,7 @@ def apart(study: Study) -> list[Figure]:
     figures = [_figure(study, (link,), _pins(study, (link,)), Words(f"原动件 {link}", f"Driving link {link}"), "0") for link in driving]
     for i, group in enumerate(decompose(study.mech), 1):
         names = [study.name(link) for link in group.links]
-        kind = {"gear": Words("齿轮", "gear")}.get(group.kind, Words(f"{kind_of(group).zh} 杆组", f"{kind_of(group).en} group") if group.dyad or group.ram or group.kind == "driven" else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
+        kind = ROLLING.get(group.kind, Words(f"{kind_of(group).zh} 杆组", f"{kind_of(group).en} group") if group.dyad or group.ram or group.kind == "driven" else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
         many = "links" if len(names) > 1 else "link"
         title = Words(f"{kind.zh}（构件 {'、'.join(names)}）", f"{kind.en} ({many} {', '.join(names)})")
         figures.append(_figure(study, group.links, _outer(group) + _inner(group), title, str(i)))

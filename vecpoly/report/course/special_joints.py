@@ -9,6 +9,7 @@ from ...mechanism.model import Prismatic, Rolling
 from ...mechanism.rams import driver_words
 from ...words import Words
 from ..structure import kind_of, welded
+from .kinds import ROLLING
 from .study import Study
 
 _ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
@@ -46,7 +47,7 @@ def concluded(study: Study) -> Words:
     zh, en = [], []
     for group in groups:
         names = [study.name(link) for link in group.links]
-        kind = kind_of(group).zh if group.dyad or group.ram or group.kind == "driven" else {"gear": "齿轮"}.get(group.kind, f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级")
+        kind = kind_of(group).zh if group.dyad or group.ram or group.kind == "driven" else ROLLING[group.kind].zh if group.kind in ROLLING else f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级"
         zh.append(f"{kind}（构件 {'、'.join(names)}）")
         en.append(f"{kind_of(group).en} ({', '.join(names)})")
     driver = driver_words(study.mech)

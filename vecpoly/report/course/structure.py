@@ -15,6 +15,7 @@ from ...words import Lang, Words
 from ..flow.style import CAPTION
 from ..structure import kind_of
 from .apart import apart
+from .kinds import ROLLING
 from .numbering import Press
 from .other_drives import others
 from .special_joints import concluded, special
@@ -76,7 +77,7 @@ def _groups(study: Study, press: Press) -> str:
     for i, group in enumerate(decompose(study.mech), 1):
         outer = comma.join(_joint(out.joint) for out in group.outer)
         inner = comma.join(_joint(joint) for joint in group.inner)
-        kind = kind_of(group).of(press.lang) if group.dyad or group.ram else Words("齿轮", "gear").of(press.lang) if group.kind == "gear" else "—"
+        kind = kind_of(group).of(press.lang) if group.dyad or group.ram else ROLLING[group.kind].of(press.lang) if group.kind in ROLLING else "—"
         rows.append((str(i), comma.join(study.name(name) for name in group.links), kind, _class(group, press.lang), outer, inner))
     return press.table(Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc")
 
