@@ -14,6 +14,7 @@ from itertools import combinations, pairwise
 
 from ..errors import MobilityError
 from ..words import Words
+from .contours import class_of
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
 from .pitch_lines import pitch_lines
 from .rams import Ram, driven_kind, drives_within, units
@@ -46,6 +47,9 @@ class Dyad:
     parent_k: str
 
 
+_CLASS = {"I": "Ⅰ", "II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Group:
     """Links solved together.
@@ -69,7 +73,9 @@ class Group:
     @property
     def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
+        number = self.kind.removeprefix("class ")
+        zh = f"{self.kind} 组" if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
+        return Words(f"{zh}（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
 def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
@@ -168,7 +174,7 @@ def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pres
         dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
         return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
     rolls = any(isinstance(joint, Rolling) for joint in (*inner, *(out.joint for out in outer)))
-    kind = "gear train" if rolls else f"class {_class(links, inner)}"
+    kind = "gear train" if rolls else f"class {class_of(links, [ends(joint) for joint in inner])}"
     return Group(kind=kind, links=links, inner=inner, outer=outer)
 
 
@@ -233,18 +239,3 @@ def _dyad(inner: Joint, one: Outer, two: Outer) -> Dyad:
         kind=kind, link_j=one.link, link_k=two.link, outer_j=one.joint, parent_j=one.parent,
         inner=inner, outer_k=two.joint, parent_k=two.parent,
     )
-
-
-def _class(links: tuple[str, ...], inner: tuple[Joint, ...]) -> str:
-    """III where the inner joints close no contour; else the number of sides of the longest closed contour."""
-    sides = max((len(loop) for loop in _loops(links, [ends(joint) for joint in inner])), default=3)
-    return {3: "III", 4: "IV", 5: "V", 6: "VI"}.get(sides, str(sides))
-
-
-def _loops(links: tuple[str, ...], edges: list[tuple[str, str]]) -> Iterator[tuple[str, ...]]:
-    """Closed contours: sets of links in which every link meets exactly two others."""
-    for size in range(3, len(links) + 1):
-        for loop in combinations(links, size):
-            degree = [sum(name in edge and set(edge) <= set(loop) for edge in edges) for name in loop]
-            if all(d == 2 for d in degree):
-                yield loop

@@ -25,7 +25,7 @@ from ..names import At, alpha, omega
 from ..plane import nominal
 from ..quantity import number
 from ..words import Words
-from .coincident import coincident
+from .coincident import coincident_letters
 from .desk import Desk
 from .kinematics.image import found_tip
 from .registry import Stage, find
@@ -101,7 +101,7 @@ class _Trial:
         mech = _driven_by(self.mech, self.drive, other)
         groups = decompose(mech)
         unit = {view: Scale(symbol="μ", value=mech.scale / 100 if view is View.MECHANISM else 0.01, unit="") for view in View}
-        desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident(mech, groups))
+        desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, groups))
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:
             for drive in (one for one in mech.drives if not one.between):

@@ -23,10 +23,11 @@ from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
-from .coincident import coincident
+from .coincident import coincident_letters
 from .desk import POLE, Desk
 from .drawn import Drawn, motion_of
 from .exchange import exchanged
+from .higher import refuse_higher
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
@@ -143,7 +144,8 @@ def _scale(view: View, value: float) -> Scale:
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=coincident(mech, groups), loaded=problem.loads is not None)
+    refuse_higher(mech, groups)
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None)
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])

@@ -1,82 +1,103 @@
-"""Which assembly of a group with a drive inside: of all there are, the one that the statements, or else the guesses, describe."""
+"""Which assembly of a group that is solved by iteration: the one that the branch statements and the guesses describe."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import AssemblyError
+from ..mechanism.assur import Group
 from ..mechanism.branch import margin
-from ..mechanism.model import Mechanism, Side, SideOf
+from ..mechanism.model import Mechanism
 from ..words import Words
-from .newton import Newton
-from .run import Run
-from .state import Bodies
+from .state import Body, Reals
 
+States = NDArray[np.float64]  # positions × links × (x, y, φ)
 Places = dict[str, complex]
+SAME = 1e-6  # of the mechanism's size, and rad: assemblies nearer than this are one
 
 
-def among(mech: Mechanism, step: Newton, bodies: Bodies, run: Run) -> Newton:
-    """The step that starts from the assembly meant; AssemblyError where none, or more than one, is described."""
-    own = run.track.own if run.track else 0
-    here = {name: body.take(np.array([own])) for name, body in step.known(bodies, run.track, run.q).items()}
-    before = {p: complex(body.point(local)[0]) for name, body in here.items() if not name.startswith("drive") for p, local in mech.link(name).points.items()}
-    found = list(step.assemblies(here))
-    fits = [state for state in found if _fulfils(mech, step, before, state)]
-    if len(fits) > 1 and any(p in mech.guesses for name in step.group.links for p in mech.link(name).points):
-        fits = [min(fits, key=lambda state: _off(mech, step, state))]
-    if len(fits) != 1:
-        raise _undecided(mech, step, before, found, len(fits), run.text(float(run.q[own])))
-    chosen = replace(step)  # with no state found yet
-    chosen.walked[0] = fits[0]
-    return chosen
+def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Body]) -> States:
+    """One of the states found: it fulfils the statements and lies nearest to the guesses; NaN where none was found.
 
-
-def _places(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> Places:
-    return {p: complex(pose[0], pose[1]) + complex(np.exp(1j * pose[2])) * local
-            for name, pose in zip(step.group.links, state, strict=True) for p, local in mech.link(name).points.items()}
-
-
-def _fulfils(mech: Mechanism, step: Newton, before: Places, state: NDArray[np.float64]) -> bool:
-    """Whether every statement about the group's points, and what is known already, holds."""
-    at = before | _places(mech, step, state)
-    told = [s for s in mech.branches if {s.point, *s.ref} <= set(at) and not {s.point, *s.ref} <= set(before)]
-    return all(margin(s, at) > 1e-9 * mech.scale for s in told)
-
-
-def _off(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> float:
-    """How far the points lie from those guessed (sum of distances, m)."""
-    return sum(abs(at - mech.guesses[p]) for p, at in _places(mech, step, state).items() if p in mech.guesses)
-
-
-def _undecided(mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]], fits: int, where: str) -> AssemblyError:
-    links = ", ".join(step.group.links)
-    if not found:
-        return AssemblyError(Words(f"驱动位置为 {where} 时构件 {links} 无法装配；请改变驱动位置或尺寸", f"links {links} cannot be joined where the drive stands at {where}; change its position, or the lengths"), code="no-assembly")
+    Raises AssemblyError where several are left and no guess tells them apart.
+    """
+    before = _places(mech, known)
+    after = {k: before | placed(mech, group, found[k]) for k in _distinct(mech, found)}
+    told = [s for s in mech.branches if _letters(after) >= {s.point, *s.ref} and not set(before) >= {s.point, *s.ref}]
+    fits = [k for k, at in after.items() if all(margin(s, at) > 1e-9 * mech.scale for s in told)]
     if not fits:
-        return AssemblyError(Words(f"驱动位置为 {where} 时，构件 {links} 的 {len(found)} 种装配方式都不符合 branch 中的说明", f"links {links}: none of their {len(found)} assemblies fulfils the branch statements where the drive stands at {where}"), code="no-branch")
-    told = _telling(mech, step, before, found)
-    return AssemblyError(Words(f"构件 {links} 有 {len(found)} 种装配方式，其中 {fits} 种符合说明；请在 branch 中写明，例如 {told}，或以 guesses 给出各点的大致位置",
-                               f"links {links} can be assembled in {len(found)} ways, of which {fits} fulfil what is said; say in 'branch' which, e.g. {told}, or give rough places as guesses"),
-                         code="undecided-assembly")
+        return np.asarray(found[next(iter(after), 0)])
+    if not is_guessed(mech, group) and len(fits) > 1:
+        raise AssemblyError(
+            _which(mech, group, [after[k] for k in fits]), code="which-assembly", numbers={"assemblies": len(fits)}
+        )
+    off = distances(mech, group, found)
+    return np.asarray(found[min(fits, key=lambda k: float(off[k]))])
 
 
-def _telling(mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]]) -> str:
-    """Sentences that tell the first assembly from most others."""
-    at = [before | _places(mech, step, state) for state in found]
-    pairs = [(a, b) for a in before for b in before if a < b and abs(before[a] - before[b]) > 1e-9 * mech.scale]
-    points = [p for p in at[0] if p not in before]
-    for pair in pairs:
-        for point in points:
-            sides = [_left(point, pair, places) for places in at]
-            if min(map(abs, sides)) > 1e-6 * mech.scale and len({s > 0 for s in sides}) == 2:
-                return f"'{point} {'left' if sides[0] > 0 else 'right'} of {pair[0]}{pair[1]}'"
-    return f"guesses: {{{points[0]}: [x mm, y mm]}}"
+def is_guessed(mech: Mechanism, group: Group) -> bool:
+    """Whether a guess says anything of this group."""
+    return any(p in mech.guesses for name in group.links for p in mech.link(name).points)
 
 
-def _left(point: str, pair: tuple[str, str], at: Mapping[str, complex]) -> float:
-    """How far the point lies to the left of the ray (m)."""
-    return margin(SideOf(point=point, side=Side.LEFT, ref=pair), at)
+def placed(mech: Mechanism, group: Group, state: NDArray[np.float64]) -> Places:
+    """Where the group's letters are in this state (m)."""
+    at: Places = {}
+    for name, (x, y, phi) in zip(group.links, state, strict=True):
+        at |= {p: complex(x, y) + complex(np.exp(1j * phi)) * local for p, local in mech.link(name).points.items()}
+    return at
+
+
+def distances(mech: Mechanism, group: Group, found: States) -> Reals:
+    """How far the points lie from those guessed (sum of distances, m)."""
+    letters = {p for name in group.links for p in mech.link(name).points} & set(mech.guesses)
+    return np.array(
+        [
+            sum(abs(at[p] - mech.guesses[p]) for p in letters)
+            for at in (placed(mech, group, state) for state in found)
+        ],
+        dtype=np.float64,
+    )
+
+
+def _places(mech: Mechanism, bodies: Mapping[str, Body]) -> Places:
+    return {
+        p: complex(body.point(local)[-1])
+        for name, body in bodies.items()
+        for p, local in mech.link(name).points.items()
+    }
+
+
+def _letters(after: Mapping[int, Places]) -> set[str]:
+    return set(next(iter(after.values()), {}))
+
+
+def _distinct(mech: Mechanism, found: States) -> list[int]:
+    """Every assembly once."""
+    kept: list[int] = []
+    for k in np.flatnonzero(np.isfinite(found).all(axis=(1, 2))):
+        if all(_apart(found[k], found[j]) > SAME * max(mech.scale, 1e-12) for j in kept):
+            kept.append(int(k))
+    return kept
+
+
+def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    turned = np.abs(np.exp(1j * one[:, 2]) - np.exp(1j * other[:, 2])).max()
+    return float(max(np.abs(one[:, :2] - other[:, :2]).max(), turned))
+
+
+def _which(mech: Mechanism, group: Group, fits: list[Places]) -> Words:
+    """The assemblies there are, by two points of the link that has most of them."""
+    points = max((tuple(mech.link(name).points) for name in group.links), key=len)[:2]
+    told = "; ".join(
+        "{" + ", ".join(f"{p}: [{1e3 * at[p].real:.4g} mm, {1e3 * at[p].imag:.4g} mm]" for p in points) + "}"
+        for at in fits
+    )
+    return Words(
+        f"构件 {', '.join(group.links)} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
+        f"links {', '.join(group.links)} can be joined in {len(fits)} ways; say which by `branch`, or by `guesses:`, "
+        f"one of these (roughly): {told}",
+    )

@@ -10,8 +10,8 @@ from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.branch import margin, nearer
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from ..words import Words
-from .assemblies import among
 from .driven import drives_in
+from .driven_assemblies import among
 from .dyads import Hinged, Swinging
 from .newton import Newton
 from .run import Run

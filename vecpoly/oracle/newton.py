@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..mechanism.assur import Group
 from ..mechanism.model import Mechanism
+from .assemblies import chosen, distances, is_guessed
 from .driven import Driven, asked_of, drives_in, less_asked
 from .guess import first_guess
 from .off_centre import places
@@ -53,7 +54,8 @@ class Newton:
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
-            self.walked[0] = self._own(here)
+            own = {name: body.take(np.array([track.own])) for name, body in bodies.items()}
+            self.walked[0] = self._own(here, own)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -84,36 +86,27 @@ class Newton:
         seeds = random_starts(self.mech, len(self.group.links))
         return distinct(self._solve(seeds, here, seeds, here, ITERATIONS), self.size)
 
-    def _own(self, here: Bodies) -> NDArray[np.float64]:
+    def _own(self, here: Bodies, known: Bodies) -> NDArray[np.float64]:
         """The assembly at the own position: nearest to the guesses; with a drive inside any, until one is chosen."""
         if not drives_in(self.rows):
             about = places(self.mech, self.group, here, self.sign) if self.two else {}
-            return self._nearest(first_guess(self.mech, self.group, here, about), here)
+            return self._nearest(first_guess(self.mech, self.group, here, about), here, known)
         found = self.assemblies(here)
         return np.asarray(found[0]) if len(found) else np.full((len(self.group.links), 3), np.nan)
 
-    def _nearest(self, guess: States, here: Bodies) -> NDArray[np.float64]:
-        """Of the assemblies that Newton reaches from about the guess, the one whose points lie nearest to those guessed (sum of distances)."""
+    def _nearest(self, guess: States, here: Bodies, known: Bodies) -> NDArray[np.float64]:
+        """Of the assemblies that Newton reaches from about the guess, the one that is meant."""
         if any(r.rolls for r in self.rows):
             return np.asarray(self._solve(guess, here, None, here, ITERATIONS)[0])
-        seeds = guess if self._exact(guess, here) else np.concatenate([guess, scattered(guess, self.size)])
-        found = self._solve(seeds, here, seeds, here, ITERATIONS)
-        off = self._off(found)
-        return np.asarray(found[int(np.nanargmin(off))] if np.isfinite(off).any() else found[0])
+        exact = is_guessed(self.mech, self.group) and self._exact(guess, here)
+        seeds = guess if exact else np.concatenate([guess, scattered(guess, self.size, 0.15 if is_guessed(self.mech, self.group) else 0.5)])
+        return chosen(self.mech, self.group, self._solve(seeds, here, seeds, here, ITERATIONS), known)
 
     def _exact(self, guess: States, here: Bodies) -> bool:
         """Whether the guesses are an assembly: then none lies nearer to them."""
         told = {*self.mech.guesses, *(p for name in here for p in self.mech.link(name).points)}
         whole = all(len(told & set(self.mech.link(name).points)) > 1 for name in self.group.links)
-        return whole and bool(self._off(self._solve(guess, here, guess, here))[0] < EXACT * self.size)
-
-    def _off(self, found: States) -> Reals:
-        """How far the points lie from those guessed (sum of distances, m)."""
-        bodies, off = self._bodies(found), np.zeros(len(found))
-        points = {p: (name, local) for name in self.group.links for p, local in self.mech.link(name).points.items() if p in self.mech.guesses}
-        for p, (name, local) in points.items():
-            off += np.abs(bodies[name].point(local) - self.mech.guesses[p])
-        return off
+        return whole and bool(distances(self.mech, self.group, self._solve(guess, here, guess, here))[0] < EXACT * self.size)
 
     def known(self, bodies: Bodies, track: Track | None, q: Reals) -> dict[str, Body]:
         """The drives' positions, and the parents; under a rolling joint with their angles followed."""

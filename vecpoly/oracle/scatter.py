@@ -38,9 +38,9 @@ def distinct(found: NDArray[np.float64], size: float) -> NDArray[np.float64]:
     return np.array([kept[i] for i in order]).reshape(len(kept), *found.shape[1:])
 
 
-def scattered(guess: NDArray[np.float64], size: float) -> NDArray[np.float64]:
-    """Further starts about the first guess (size: of the mechanism, m): half of them near it, the others turned at will."""
+def scattered(guess: NDArray[np.float64], size: float, wide: float) -> NDArray[np.float64]:
+    """Further starts about the first guess (size: of the mechanism, m; wide: how far, of that size): half of them near it, the others turned at will."""
     random = np.random.default_rng(0)
-    scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (0.15 * size, 0.15 * size, 0.7)
+    scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (wide * size, wide * size, 0.7)
     scatter[SEEDS // 2:, :, 2] = random.uniform(-np.pi, np.pi, scatter[SEEDS // 2:, :, 2].shape)
     return np.asarray(guess + scatter)
