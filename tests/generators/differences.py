@@ -16,8 +16,7 @@ from vecpoly.names import At, Kind, Rel, parse_rel
 from vecpoly.oracle.motion import Motion
 from vecpoly.solution import Solution
 
-STEP = 2e-3  # of the drive: rad, or metres over the size of the mechanism
-SHORT = 1e-5  # near a dead point the first is too long; here rounding counts for more
+STEPS = (2e-3, 2e-4, 2e-5)  # of the drive: rad, or metres over the size of the mechanism; the finer ones near the ends of its range
 AGREE = 1e-6  # of the largest rate of the kind
 ROUNDED = 1e-14  # of a position: fifty times its last digit
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
@@ -26,8 +25,13 @@ _SECOND = np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
 
 def against_differences(mech: Mechanism, solution: Solution) -> str:
-    """The first velocity, acceleration, ω or α of the answers that the differences contradict; "" where none does."""
-    return _contradicted(mech, solution, STEP) and _contradicted(mech, solution, SHORT)
+    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step; "" where none does."""
+    wrong = ""
+    for step in STEPS:
+        wrong = _contradicted(mech, solution, step)
+        if not wrong:
+            return ""
+    return wrong
 
 
 def _contradicted(mech: Mechanism, solution: Solution, step: float) -> str:
