@@ -38,6 +38,9 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
             if json != "-":
                 _print(problem, values, lang)
     if json is not None and data:
+        from ..solution import plain
+
+        data = plain(data)
         write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
@@ -47,9 +50,11 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
     if not isinstance(value, complex):
         endless = is_centre(rel)  # an instant centre at infinity: its direction
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
+    from ..answer import bearing
+
     if is_place(rel):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
-    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value))}
+    return {"unit": si, "exact": abs(value), "direction_deg": bearing(value)}
 
 
 def _line(line: tuple[complex, str] | None) -> dict[str, Any]:
