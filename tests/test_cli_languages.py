@@ -130,3 +130,12 @@ def test_west_is_180_degrees_however_it_was_rounded() -> None:
 
     assert bearing(complex(-1, -1e-17)) == bearing(complex(-1, 1e-17)) == bearing(-1 + 0j) == 180.0
     assert bearing(complex(-1, -1e-3)) < -179
+
+
+def test_characters_that_no_face_has_are_named_before_they_are_printed(run: Run) -> None:
+    from vecpoly import load
+
+    Path("rare.yaml").write_text(load("3-12").text.replace("id: 3-12", "id: rare").replace("曲柄滑块机构", "曲柄㛃块机构"), encoding="utf-8")
+    result = run("report", "rare.yaml", "3-12", "--style", "question", "--lang", "zh")
+    assert result.exit_code == 0 and "rare：字体中没有“㛃”，将印作 [U+36C3]" in result.stderr and result.stderr.count("字体") == 1
+    assert "no face has '㛃'" in run("draw", "rare.yaml", "--figure", "velocity", "-o", "v.svg").stderr
