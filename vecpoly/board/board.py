@@ -7,7 +7,6 @@ laying off, meeting, measuring and computing here. It is the one mutable object 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from math import asin, degrees
 
 import numpy as np
@@ -18,9 +17,10 @@ from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, 
 from ..plane.geometry import dot, inclined
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
-from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
+from .construction import Place, Scale, View
 from .hand import Hand
-from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from .log import Log
+from .marks import Arc, Dot, ImageOf, Point, RightAngle, Role, Segment, Vector
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
 NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direction to each other
@@ -28,82 +28,13 @@ PARALLEL = 1e-9  # sine below which two ruled lines do not meet
 GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
 
 
-class Board:
+class Board(Log):
     """One sheet under one hand (and its repetitions)."""
 
     def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
+        super().__init__(scales)
         self.hand = hand
-        self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
-        self.steps: list[Step] = []
-        self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
-        self._titles: dict[Pane, Words] = {}
-        self._section = Words.same("")
-
-    # -- the record -------------------------------------------------------------------------------------------
-
-    def section(self, title: Words) -> None:
-        """Open a part of the solution."""
-        self._section = title
-
-    def step(self, words: Words, view: Place | None = None) -> None:
-        """Open the next numbered step; marks and formulas that follow belong to it."""
-        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
-
-    def remark(self, words: Words) -> None:
-        """Add a sentence to the step."""
-        last = self.steps[-1]
-        self.steps[-1] = replace(last, words=last.words + words)
-
-    def equate(self, table: EquationTable) -> None:
-        """Write a vector equation with its two rows into the step."""
-        self.steps[-1] = replace(self.steps[-1], equation=table)
-
-    def write(self, *formulas: Node) -> None:
-        """Write formulas into the step."""
-        last = self.steps[-1]
-        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
-
-    def mark(self, view: Place, *marks: Mark) -> None:
-        """Leave marks of the step on a figure."""
-        number = len(self.steps)
-        self._marks[view] += [replace(m, step=m.step or number) for m in marks]
-
-    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None) -> Pane:
-        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
-        pane = Pane(view, name)
-        if scale is not None:
-            self.scales[pane] = scale
-        self._titles.setdefault(pane, title)
-        self._marks.setdefault(pane, [])
-        return pane
-
-    def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
-        """The finished figures, those with marks: by kind, then as they were begun."""
-        order = list(View)
-        places = sorted((p for p in self._marks if self._marks[p]), key=lambda p: order.index(view_of(p)))
-        return tuple(
-            Figure(view=view_of(p), title=self._titles[p] if isinstance(p, Pane) else titles[p], name=p.name if isinstance(p, Pane) else "",
-                   scale=self.scale_of(p), marks=tuple(self._marks[p])) for p in places
-        )
-
-    def marks(self, view: Place) -> tuple[Mark, ...]:
-        """What stands on a figure so far."""
-        return tuple(self._marks[view])
-
-    # -- scales -----------------------------------------------------------------------------------------------
-
-    def scale_of(self, place: Place) -> Scale:
-        """The scale of a figure."""
-        return self.scales.get(place) or self.scales[view_of(place)]
-
-    def mu(self, view: Place) -> Quantity:
-        """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
-        scale = self.scale_of(view)
-        return magnitude(scale.symbol, scale.value, scale.per_mm)
-
-    def to_paper(self, view: Place, value: Reals) -> Reals:
-        """A quantity as a length on paper (mm)."""
-        return value / self.scale_of(view).value
+        self._read: dict[frozenset[tuple[complex, ...]], Reals] = {}  # length of every segment that was measured
 
     # -- acts -------------------------------------------------------------------------------------------------
 
@@ -151,7 +82,7 @@ class Board:
             self.mark(view, Point(at=end + past * OVERRUN, label=label, dot=Dot.NONE))
 
     def meet(self, g: Line, h: Line, what: Words | str) -> Points:
-        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked."""
+        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both start at their meeting point."""
         sine = abs(float(nominal(cross(g.along, h.along))))
         if sine < PARALLEL:
             raise DeadPointError(
@@ -159,7 +90,7 @@ class Board:
                 "：两方向线平行，多边形不能闭合于一点；此为死点或转折点位置，请另取原动件位置",
                 ": the two direction lines are parallel, the polygon does not close at one point; this is a dead point or change point, choose another input position")
             )
-        if sine < GRAZING:
+        if sine < GRAZING and abs(complex(nominal(g.at - h.at))) > NO_LENGTH:
             angle = degrees(asin(sine))
             self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
         return lines_meet(g, h)
@@ -224,9 +155,11 @@ class Board:
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens."""
-        mm = self.hand.read(np.abs(b - a))
-        return paper(letters_node(letters), mm)
+        """Read a length off the rule (mm): here, and only here, rounding happens. One segment is read once, whoever asks."""
+        ends = frozenset(tuple(np.atleast_1d(at)[:3].tolist()) for at in (a, b))  # what is one place for the first hands is one point
+        if ends not in self._read:
+            self._read[ends] = self.hand.read(np.abs(b - a))
+        return paper(letters_node(letters), self._read[ends])
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""

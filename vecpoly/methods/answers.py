@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from ..board.board import NO_LENGTH
+from ..board.board import NO_LENGTH, letters_node
 from ..board.construction import Reading, View
 from ..errors import NoMethodError
 from ..formula import Row, Txt, sym
 from ..names import Key, Kind, Rel
 from ..plane import Points, Reals, nominal
-from ..quantity import magnitude, stated, worked
+from ..quantity import magnitude, paper, stated, worked
 from ..words import Words
 from .desk import Desk
 
@@ -68,15 +70,18 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     view, start, end, line = _line(desk, rel)
     board, scale = desk.board, desk.board.scales[view]
-    on_paper = board.measure(start, end, line)
+    computed = desk.sizes.get(Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None).key)
+    on_paper = board.measure(start, end, line) if computed is None else paper(letters_node(line), board.hand.read(board.to_paper(view, computed.value)))
     direction = board.hand.gauge(np.angle(end - start))
-    size = on_paper.value * scale.value
+    size = on_paper.value * scale.value if computed is None else computed.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
+    symbol = sym(rel.symbol)
     reading = Reading(
         key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
         vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,
-        formula=worked(sym(rel.symbol), board.mu(view) * on_paper, rel.kind.unit), remark=_vanishing(desk, rel, exact_zero),
+        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit) if computed is None else stated(replace(computed, node=symbol)),
+        remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size
 
