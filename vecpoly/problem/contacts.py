@@ -16,6 +16,7 @@ _TOUCHES = re.compile(
     rf"(?P<a>{LINK}) touches (?P<on>the (?:disc|face) of )?(?P<b>{LINK})(?P<inside> inside)? at (?P<point>{LETTER})"
     r"(?:,? (?P<side>left|right) of the face)?"
 )
+FORMS = (_TOUCHES,)  # for editors too
 EXAMPLES = "'1 touches 2 at K', '1 touches 2 inside at K' (discs) or '1 touches 2 at K right of the face'"
 
 

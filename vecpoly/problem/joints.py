@@ -31,6 +31,7 @@ _ROLLS = re.compile(
     rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}) "
     rf"at (?P<point>{LETTER})"
 )
+FORMS = (_SLIDE, _THROUGH, _RUNS, _ROLLS)  # for editors too
 EXAMPLES = (
     "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
     "'3 rolls on y = 0 mm at D', '4 rolls on 3 at H' or '1 touches 2 at K'"

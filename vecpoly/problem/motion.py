@@ -21,6 +21,7 @@ from .schema import InputSpec, ProblemSpec
 _FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _BRANCH = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
 _BRANCH_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
+BRANCHES = (_BRANCH, _BRANCH_ZH)  # for editors too
 _CCW, _CW = (1.0, Words("逆时针", "counter-clockwise")), (-1.0, Words("顺时针", "clockwise"))
 _TURNS = {**dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆时针"), _CCW), **dict.fromkeys(("cw", "clockwise", "顺时针"), _CW)}
 _SIDES = {
