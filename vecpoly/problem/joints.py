@@ -50,7 +50,7 @@ class Bodies:
     def draft(self, name: str) -> Draft:
         """The moving link `name`."""
         if name not in self.drafts:
-            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts))
+            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts), code="unknown-name")
         return self.drafts[name]
 
     def letters(self) -> tuple[str, ...]:
@@ -84,7 +84,7 @@ def read_joint(text: object, bodies: Bodies) -> Joint:
         return _rolls(m, bodies)
     raise FaultError(Words(
         f"“{text}”不是运动副的写法；应写 {EXAMPLES}（转动副不必写：字母相同即为铰链）",
-        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"))
+        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"), code="spelling")
 
 
 def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
@@ -146,7 +146,7 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if not any(pin in draft.points for draft in bodies.drafts.values()):
         raise FaultError(Words(
             f"点“{pin}”不在任何活动构件上",
-            f"point '{pin}' is on no moving link") + meant(pin, bodies.letters()))
+            f"point '{pin}' is on no moving link") + meant(pin, bodies.letters()), code="unknown-name")
     guide, line = _guide(m["guide"], bodies, "")
     name = f"pin{pin}"
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
@@ -172,7 +172,7 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
         if draft.line is None:
             raise FaultError(Words(
             f"构件 {text} 没有导路线；请在构件 {text} 中写 slot: {next(iter(draft.points))}（或 rod:）",
-            f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"))
+            f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"), code="missing")
         return text, draft.line
     letters, _, on = text.partition(" of ")
     first, second = letters_of(letters)
@@ -186,7 +186,7 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
     if not owners or not {first, second} <= bodies.draft(owners[0]).points.keys():
         raise FaultError(Words(
             f"没有构件同时含有点 {first} 和 {second}",
-            f"no link has both points {first} and {second}"))
+            f"no link has both points {first} and {second}"), code="unknown-name")
     return owners[0], _along(bodies.drafts[owners[0]].points, first, second)
 
 
@@ -241,5 +241,5 @@ def _circle(name: str, bodies: Bodies) -> Circle:
     if draft.gear is None:
         raise FaultError(Words(
         f"构件 {name} 不是齿轮；请在构件 {name} 中写 gear: {next(iter(draft.points))}, radius: 60 mm",
-        f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}"))
+        f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}"), code="spelling")
     return draft.gear
