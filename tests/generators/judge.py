@@ -70,6 +70,8 @@ def _disagreeing(solution: Solution) -> str:
     near = slack(solution)
     for one in answers:
         size = max(abs(other.exact) for other in answers if other.reading.unit == one.reading.unit)
+        if one.reading.unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
+            size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
         if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
             drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
             return f"{one.key} drawn {drawn}, exact {exact}"

@@ -88,7 +88,8 @@ def nudged(mech: Mechanism, rng: np.random.Generator) -> Mechanism:
 
     links = tuple(replace(link, points={letter: at * _near_one(rng) for letter, at in link.points.items()}) for link in mech.links)
     drives = tuple(replace(drive, position=drive.position * _near_one(rng)) for drive in mech.drives)
-    return replace(mech, links=links, drives=drives, frame={letter: moved(at) for letter, at in mech.frame.items()})
+    starts = tuple(replace(start, value=start.value * _near_one(rng)) for start in mech.starts)
+    return replace(mech, links=links, drives=drives, starts=starts, frame={letter: moved(at) for letter, at in mech.frame.items()})
 
 
 def _near_one(rng: np.random.Generator) -> float:

@@ -11,6 +11,7 @@ from ...written import NUMBER, SENSE, pattern
 from ..contacts import FORMS as CONTACTS
 from ..joints import FORMS as JOINTS
 from ..motion import BRANCHES
+from ..rolling import FORMS as ROLLING
 
 Schema = dict[str, Any]
 _SYMBOL = (
@@ -53,7 +54,7 @@ def sentences(forms: Iterable[re.Pattern[str]]) -> Schema:
 
 def joints() -> Schema:
     """Sliding and rolling joints, and contacts."""
-    return sentences((*JOINTS, *CONTACTS))
+    return sentences((*JOINTS, *ROLLING, *CONTACTS))
 
 
 def branch() -> Schema:
