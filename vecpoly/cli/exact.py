@@ -7,6 +7,7 @@ from math import degrees
 from typing import TYPE_CHECKING, Any
 
 from ..names import is_centre, is_place
+from ..words import Words
 from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
@@ -29,7 +30,7 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     from ..check.precision import noise, sizes
 
     data: list[dict[str, Any]] = []
-    for problem in progress(found, "solving"):
+    for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
             truth = Exact(problem)
             noise(problem, truth, sizes(problem, truth.values))  # refuses what has lost its digits

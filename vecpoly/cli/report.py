@@ -36,9 +36,9 @@ def report(
     _checked(output)
     tally = Tally()
     plan = _plan(jobs(names, tally), output, lang, style)
-    for job, path in progress(plan, "writing"):
+    for job, path in progress(plan, Words("写入", "writing")):
         with tally.job():
-            inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
+            inner = progress(job.problems, Words("作图", "drawing")) if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
             wrote(write(job, solutions, path, lang, style))
             for solution in solutions:
