@@ -103,6 +103,11 @@ class VecpolyError(Exception):
         faults = tuple(fault if fault.place else replace(fault, said=words + fault.said) for fault in self.faults)
         return type(self)(words + self.words, code=self.code, numbers=self.numbers, faults=faults)
 
+    def at(self, place: Place, *path: str | int) -> Self:
+        """The same refusal, at a place of a file."""
+        fault = Fault(said=self.words, code=self.code, place=place, path=path, numbers=self.numbers)
+        return type(self)(fault.words, code=self.code, numbers=self.numbers, faults=(fault,))
+
     @classmethod
     def of(cls, *faults: Fault) -> Self:
         """One refusal of all these faults, a line each."""

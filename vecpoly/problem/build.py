@@ -235,6 +235,5 @@ def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
     try:
         mobility.check(mechanism)
     except VecpolyError as error:
-        place = tree.places.get(("input",))
-        where = Place(place.file if place else tree.name, place.line if place else 0).words
-        raise error.led_by(where + Words("：input：", ": input: ")) from None
+        place = tree.places.get(("input",), Place(tree.name))
+        raise error.at(Place(place.file, place.line), "input") from None
