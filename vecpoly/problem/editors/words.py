@@ -23,6 +23,7 @@ KEYS = {
     "Problem.tables": Words("待核对的数据表（CSV、XLSX），写本文件旁的路径", "printed tables (CSV, XLSX) to be checked, as paths beside this file"),
     "Problem.sheet": Words("图纸", "the drawing sheet"),
     "Problem.guesses": Words("点的大致位置，用于Ⅲ级杆组", "rough positions of points, for groups of class III"),
+    "Problem.pins": Words("复合铰链的销轴固定在哪个构件上：{C: 3}", "which link carries the pin of a compound hinge: {C: 3}"),
     "Problem.loads": Words("作用于机构的力和力矩；其中一个待求", "forces and moments on the mechanism; one of them is unknown"),
     "Problem.friction": Words("转动副、移动副和接触点的摩擦", "friction of pins, slides and contacts"),
     "Problem.masses": Words("构件的质量、转动惯量和质心", "masses of links, their inertia and centres"),
