@@ -17,7 +17,7 @@ _LENGTH, _ANGLE = quantity(Dim.LENGTH), quantity(Dim.ANGLE)
 _SCALE = "auto|自动"
 _VALUES = {
     "InputSpec.phi": patterns.angle_from(), "InputSpec.omega": patterns.omega(), "InputSpec.alpha": quantity(Dim.ALPHA),
-    "InputSpec.s": _LENGTH, "InputSpec.v": quantity(Dim.SPEED), "InputSpec.a": quantity(Dim.ACCEL),
+    "InputSpec.s": _LENGTH, "InputSpec.length": _LENGTH, "InputSpec.v": quantity(Dim.SPEED), "InputSpec.a": quantity(Dim.ACCEL),
     "LoadSpec.size": patterns.size(), "LoadSpec.direction": _ANGLE, "FrictionSpec.rho": _LENGTH, "FrictionSpec.r": _LENGTH,
     "FrictionSpec.phi": _ANGLE, "FrictionSpec.V": _ANGLE, "FrictionSpec.f": patterns.number(), "FrictionSpec.f_v": patterns.number(),
     "RodSpec.diameter": _LENGTH, "RodSpec.density": quantity(Dim.DENSITY), "MassSpec.mass": quantity(Dim.MASS), "MassSpec.inertia": quantity(Dim.INERTIA),
