@@ -76,8 +76,8 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     if drawn is None:
         there = ", ".join([*named(solution.construction), SHEET])
         raise UnknownNameError(Words(
-            f"{solution.problem.id} 没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
-            f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
+            f"没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
+            f"there is no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 
