@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import degrees, inf, isfinite, isnan, nan
+from math import inf, isfinite, isnan, nan
 from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
 
-from .answer import YES_NO, Answer, line_of
+from .answer import YES_NO, Answer, bearing, line_of
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
@@ -37,14 +36,14 @@ _TURNING = ("rad/s", "rad/s^2", "N·m")  # units whose sign is a sense of turnin
 
 
 def plain(data: Any) -> Any:
-    """The data with null for what is not finite: JSON knows neither NaN nor infinity."""
+    """The data for JSON: null for what is not finite, and twelve digits, behind which a float holds only its own rounding."""
     match data:
         case dict():
             return {key: plain(value) for key, value in data.items()}
         case list():
             return [plain(value) for value in data]
-        case float() if not isfinite(data):
-            return None
+        case float():
+            return float(f"{data:.12g}") + 0.0 if isfinite(data) else None  # + 0.0: no −0
     return data
 
 
@@ -52,7 +51,7 @@ def _drawn(reading: Reading) -> dict[str, Any]:
     """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
     data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
     if reading.vector is not None:
-        data["direction_deg"] = degrees(cmath.phase(reading.vector)) if reading.vector else None
+        data["direction_deg"] = bearing(reading.vector) if reading.vector else None
     return data | line_of("", reading.acts)
 
 

@@ -121,7 +121,7 @@ def read(text: object, dim: Dim) -> Quantity:
     bare, sign = _split_sense(text, dim)
     m = _NUMBER.fullmatch(bare)
     if m is None:
-        raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim)
+        raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim, "spelling")
     number, unit = float(m[1].replace("−", "-")), m[2].translate(_SPELLING).replace("^", "**")
     if not math.isfinite(number):
         raise _refused(Words(f"“{text}”不是有限的数", f"'{text}' is not a finite number"), dim)
@@ -165,7 +165,7 @@ def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     if quantity.si <= 0:
         raise FaultError(Words(
             f"“{quantity.text}”应大于零；如写 {dim.example}",
-            f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}"))
+            f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}"), code="out-of-range")
     return quantity
 
 
@@ -176,11 +176,11 @@ def pure(text: object, example: str) -> float:
     except ValueError:
         raise FaultError(Words(
             f"“{text}”不是纯数；如写 {example}",
-            f"'{text}' is no pure number; write e.g. {example}")) from None
+            f"'{text}' is no pure number; write e.g. {example}"), code="spelling") from None
     if not abs(number) <= MOST:
         raise FaultError(Words(
             f"“{text}”不是有限的数；如写 {example}",
-            f"'{text}' is not a finite number; write e.g. {example}"))
+            f"'{text}' is not a finite number; write e.g. {example}"), code="out-of-range")
     return number
 
 
@@ -230,7 +230,7 @@ def _split_sense(text: str, dim: Dim) -> tuple[str, float]:
     if bare.lstrip().startswith(("-", "−")):
         raise FaultError(Words(
             f"“{text}”既有负号又有转向；请去掉其一",
-            f"'{text}' has both a minus sign and a sense of rotation; leave out one of them"))
+            f"'{text}' has both a minus sign and a sense of rotation; leave out one of them"), code="contradiction")
     return bare, -1.0 if (m[1] or m[2]).lower() in ("cw", "clockwise", "顺时针") else 1.0
 
 

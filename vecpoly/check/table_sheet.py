@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..errors import Place, TableError
+from ..errors import Place, TableError, of_system
 from ..words import Words
 
 FEWEST = 5  # rows below which nothing can be told
@@ -123,7 +123,7 @@ def _of_text(path: Path) -> Lines:
     try:
         raw = path.read_bytes()
     except OSError as error:
-        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
+        raise TableError(Words(f"{path}：", f"{path}: ") + of_system(error)) from None
     text = _decoded(raw, path.name)
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
     first = max((line for _, line in rows[:3]), key=lambda line: max(map(line.count, _MARKS)), default="")
@@ -170,7 +170,7 @@ def _of_workbook(path: Path) -> Lines:
     try:
         book = load_workbook(path, read_only=True, data_only=True)
     except OSError as error:
-        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
+        raise TableError(Words(f"{path}：", f"{path}: ") + of_system(error)) from None
     except Exception as error:  # a broken archive fails in many ways
         raise TableError(Words(
             f"{path.name} 不是可读的 XLSX 文件（{error}）",

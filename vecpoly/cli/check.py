@@ -57,7 +57,7 @@ def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption
     from ..check.verdict import Verdict
 
     checked: list[tuple[Problem, PrintedCheck]] = []
-    for problem in progress(found, "checking"):
+    for problem in progress(found, Words("核对", "checking")):
         with tally.job(), about(problem.id):
             checked.append((problem, check_problem(problem)))
     if json != "-":

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from ..words import Words
 from .jobs import job
 from .options import Lang
 from .play import play
@@ -25,7 +26,7 @@ def demo(output: Folder = Path("out")) -> None:
 
     for name in ASSIGNMENTS:
         sheet = job(str(data_dir("problems") / f"{name}.yaml"))
-        solutions = draw(progress(sheet.problems, f"drawing {name}"), "drafting", 0)
+        solutions = draw(progress(sheet.problems, Words(f"作图 {name}", f"drawing {name}")), "drafting", 0)
         for lang in LANGS:
             wrote(write(sheet, solutions, output / f'{name}.{lang}.pdf', lang, 'solution'))
     for lang in LANGS:

@@ -13,6 +13,7 @@ from .completion import ids
 from .errors import Tally, about
 from .files import write_bytes
 from .jobs import each, problems
+from .letters import warn_of_letters
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
 from .terminal import wrote
 
@@ -54,6 +55,7 @@ def draw(
     for problem in found:
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
+            warn_of_letters([problem], lang)
             for target, data in encoded(scenes(solution, figure, lang), each(path, problem.id, len(found)), dpi):
                 wrote(write_bytes(target, data))
             tally.weigh(problem.id, solution.construction.warning, lang)
@@ -74,8 +76,8 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     if drawn is None:
         there = ", ".join([*named(solution.construction), SHEET])
         raise UnknownNameError(Words(
-            f"{solution.problem.id} 没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
-            f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
+            f"没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
+            f"there is no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 

@@ -7,6 +7,7 @@ from math import degrees, isnan
 from typing import TYPE_CHECKING, Any
 
 from ..names import is_centre, is_place
+from ..words import Words
 from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
@@ -30,7 +31,7 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     from ..check.precision import noise, sizes
 
     data: list[dict[str, Any]] = []
-    for problem in progress(found, "solving"):
+    for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
             truth = Exact(problem)
             noise(problem, truth, sizes(problem, truth.values))  # refuses what has lost its digits
@@ -39,6 +40,9 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
             if json != "-":
                 _print(problem, values, lang)
     if json is not None and data:
+        from ..solution import plain
+
+        data = plain(data)
         write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
@@ -50,9 +54,11 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
         if isnan(value):
             return {"unit": si, "exact": None, "undefined": True}
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
+    from ..answer import bearing
+
     if is_place(rel):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
-    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value)) if value else None}
+    return {"unit": si, "exact": abs(value), "direction_deg": bearing(value) if value else None}
 
 
 def _line(line: ActsAt | None) -> dict[str, Any]:

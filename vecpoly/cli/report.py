@@ -11,6 +11,7 @@ from ..words import Words
 from .errors import Tally, about
 from .files import named
 from .jobs import Job, jobs
+from .letters import warn_of_letters
 from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
 from .terminal import progress, wrote
 
@@ -35,9 +36,9 @@ def report(
     _checked(output)
     tally = Tally()
     plan = _plan(jobs(names, tally), output, lang, style)
-    for job, path in progress(plan, "writing"):
+    for job, path in progress(plan, Words("写入", "writing")):
         with tally.job():
-            inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
+            inner = progress(job.problems, Words("作图", "drawing")) if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
             wrote(write(job, solutions, path, lang, style))
             for solution in solutions:
@@ -76,6 +77,7 @@ def write(job: Job, solutions: Sequence[Solution], path: Path, lang: Lang, style
     from ..report.document import write_report
 
     block = labelled(job.fields or {}, lang)
+    warn_of_letters(job.problems, lang, (*block.values(), job.title.of(lang) if job.title else ""))
     with named(path) as target:
         return write_report(solutions, target, lang=lang, style=style, fields=block, title=job.title)
 

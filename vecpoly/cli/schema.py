@@ -12,10 +12,14 @@ from .options import OutOption
 
 def schema(output: OutOption = None) -> None:
     """Print the JSON Schema of a problem file."""
-    from ..problem.schema import json_schema
-
-    text = json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"
     if output is None:
-        typer.echo(text, nl=False)
+        typer.echo(schema_text(), nl=False)
     else:
-        write_text(output, text)
+        write_text(output, schema_text())
+
+
+def schema_text() -> str:
+    """The schema as it is written."""
+    from ..problem.editors import json_schema
+
+    return json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..words import Words
 from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
@@ -37,7 +38,7 @@ def solve(
     from ..solution import solve as solved
 
     solutions: list[Solution] = []
-    for problem in progress(found, "solving"):
+    for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
     for solution in solutions:

@@ -60,7 +60,7 @@ def add(to: Table, cells: Iterable[str], *, alarmed: bool = False) -> None:
     to.add_row(*(Text(cell) for cell in cells), style="bold red" if alarmed else "")
 
 
-def progress(items: Sequence[T], doing: str) -> Iterator[T]:
+def progress(items: Sequence[T], doing: Words) -> Iterator[T]:
     """The items, with a bar on stderr where a person watches and there is more than one."""
     if len(items) < 2 or not sys.stderr.isatty():
         yield from items
@@ -68,7 +68,7 @@ def progress(items: Sequence[T], doing: str) -> Iterator[T]:
     from rich.console import Console
     from rich.progress import track
 
-    yield from track(items, description=doing, console=Console(stderr=True), transient=True)
+    yield from track(items, description=told_in(doing), console=Console(stderr=True), transient=True)
 
 
 def say(text: str) -> None:

@@ -68,7 +68,7 @@ def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
     for key, value in written.items():
         with faults.at("title_block", key):
             if key not in names:
-                raise FaultError(Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names))
+                raise FaultError(Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names), code="unknown-key")
             block[names[key]] = value or ""
     return block
 
@@ -82,7 +82,7 @@ def _problem(
         if not isinstance(name, str):
             raise FaultError(Words(
                 "请写出题号，如 {problem: 3-9, input: {omega: 10 rad/s ccw}}",
-                "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"))
+                "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"), code="missing")
         try:
             file = locate(name, path.parent)
         except UnknownNameError as error:
@@ -117,6 +117,6 @@ def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:
             if problem.id in seen:
                 raise FaultError(Words(
                     f"id“{problem.id}”已用于 problems[{seen[problem.id]}]；请另取一个，如 id: {problem.id}-b",
-                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"))
+                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"), code="contradiction")
             seen[problem.id] = i
     faults.settle()

@@ -121,11 +121,11 @@ def _points(
             if not re.fullmatch(LETTER, letter):
                 raise FaultError(Words(
                     f"“{letter}”不是点的字母；应写 A 之类的大写字母",
-                    f"'{letter}' is no letter of a point, such as A"))
+                    f"'{letter}' is no letter of a point, such as A"), code="spelling")
             if known and letter not in known:
                 raise FaultError(Words(
                     f"点“{letter}”不存在",
-                    f"point '{letter}' does not exist") + meant(letter, known))
+                    f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
             points[letter] = complex(read(pair[0], Dim.LENGTH).si, read(pair[1], Dim.LENGTH).si)
     return points
 
@@ -137,7 +137,7 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
                 raise FaultError(Words(
                     f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
-                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"))
+                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"), code="spelling")
             bodies.drafts[name] = read_link(name, data)
             refuse_frame(bodies.drafts[name], bodies.frame)
     if not faults.found:
@@ -241,6 +241,5 @@ def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
     try:
         mobility.check(mechanism)
     except VecpolyError as error:
-        place = tree.places.get(("input",))
-        where = Place(place.file if place else tree.name, place.line if place else 0).words
-        raise error.led_by(where + Words("：input：", ": input: ")) from None
+        place = tree.places.get(("input",), Place(tree.name))
+        raise error.at(Place(place.file, place.line), "input") from None

@@ -24,7 +24,7 @@ def about_device(tree: Tree) -> bool:
         with faults.at("data"):
             raise FaultError(Words(
                 f"data 属于机械装置；请写出装置，如 device: {next(iter(kinds()))}（已有：{', '.join(kinds())}）",
-                f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})"))
+                f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})"), code="spelling")
         faults.settle()
     return "device" in tree.data
 
@@ -73,7 +73,7 @@ def _device(spec: DeviceSpec, faults: Faults) -> Device:
         except UnknownNameError:
             raise FaultError(Words(
                 f"没有装置“{spec.device}”",
-                f"there is no device '{spec.device}'") + meant(spec.device, kinds())) from None
+                f"there is no device '{spec.device}'") + meant(spec.device, kinds()), code="unknown-name") from None
     faults.settle()
     return validate(kind, spec.data, faults, "data")
 

@@ -64,7 +64,7 @@ def letters_of(word: str) -> tuple[str, str]:
     """'BC' to ('B', 'C'); raises FaultError otherwise."""
     m = TWO.fullmatch(word)
     if m is None:
-        raise FaultError(Words(f"“{word}”不是 BC 之类的两个字母", f"'{word}' is not two letters such as BC"))
+        raise FaultError(Words(f"“{word}”不是 BC 之类的两个字母", f"'{word}' is not two letters such as BC"), code="spelling")
     return m[1], m[2]
 
 
@@ -94,7 +94,7 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
     if line is None or first != line.through or not lined:
         raise FaultError(Words(
             f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
-            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"))
+            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"), code="spelling")
     return (first,), draft.points[first], cmath.exp(1j * line.direction)
 
 

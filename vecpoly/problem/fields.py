@@ -25,7 +25,7 @@ def _words(value: Any) -> Words:
             return Words.same(one.strip())
     raise FaultError(Words(
         "请写一个文本，或写 {zh: ..., en: ...}（可只写一种语言）；含逗号的文本要加引号",
-        "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"))
+        "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"), code="out-of-range")
 
 
 Text = Annotated[
@@ -98,7 +98,7 @@ def _yes(value: Any) -> bool:
     if isinstance(value, bool):
         return value
     if str(value).lower() not in known:
-        raise FaultError(Words(f"“{value}”既不是 yes 也不是 no", f"'{value}' is neither yes nor no"))
+        raise FaultError(Words(f"“{value}”既不是 yes 也不是 no", f"'{value}' is neither yes nor no"), code="spelling")
     return known[str(value).lower()]
 
 

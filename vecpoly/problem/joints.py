@@ -26,6 +26,7 @@ _SLIDE = re.compile(
 )
 _THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK})")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{_GUIDE})")
+FORMS = (_SLIDE, _THROUGH, _RUNS)  # for editors too
 EXAMPLES = (
     "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
     "'3 rolls on y = 0 mm at D', '4 rolls on 3 at H' or '1 touches 2 at K'"
@@ -46,7 +47,7 @@ class Bodies:
         """The moving link `name`; for a roller the link to which it is welded."""
         name = self.welded.get(name, name)
         if name not in self.drafts:
-            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts))
+            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts), code="unknown-name")
         return self.drafts[name]
 
     def free(self, name: str) -> str:
@@ -84,7 +85,7 @@ def read_joint(text: object, bodies: Bodies) -> Joint:
         return _runs(m, bodies)
     raise FaultError(Words(
         f"“{text}”不是运动副的写法；应写 {EXAMPLES}（转动副不必写：字母相同即为铰链）",
-        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"))
+        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"), code="spelling")
 
 
 def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
@@ -127,7 +128,7 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if not any(pin in draft.points for draft in bodies.drafts.values()):
         raise FaultError(Words(
             f"点“{pin}”不在任何活动构件上",
-            f"point '{pin}' is on no moving link") + meant(pin, bodies.letters()))
+            f"point '{pin}' is on no moving link") + meant(pin, bodies.letters()), code="unknown-name")
     guide, line = _guide(m["guide"], bodies, "")
     name = bodies.free(f"pin{pin}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
@@ -153,7 +154,7 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
         if draft.line is None:
             raise FaultError(Words(
             f"构件 {text} 没有导路线；请在构件 {text} 中写 slot: {next(iter(draft.points))}（或 rod:）",
-            f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"))
+            f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"), code="missing")
         return text, draft.line
     letters, _, on = text.partition(" of ")
     first, second = letters_of(letters)
@@ -167,7 +168,7 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
     if not owners or not {first, second} <= bodies.draft(owners[0]).points.keys():
         raise FaultError(Words(
             f"没有构件同时含有点 {first} 和 {second}",
-            f"no link has both points {first} and {second}"))
+            f"no link has both points {first} and {second}"), code="unknown-name")
     return owners[0], _along(bodies.drafts[owners[0]].points, first, second)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..errors import ProblemFileError, UnknownNameError
 from ..words import Words
 from .build import build
-from .faults import meant
+from .faults import Place, meant
 from .library import entries, find
 from .problem import Problem
 from .source import Tree, overlay, parse, read_text
@@ -49,8 +49,8 @@ def locate(where: str | Path, near: Path | None = None) -> Path:
                 f"{text}: is a folder, not a problem file"))
         raise UnknownNameError(
             Words(f"没有题目“{text}”", f"no problem '{text}'") + meant(text, (entry.id for entry in entries())) + Words(
-                "；用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾", "; 'vecpoly list' shows all, and a path must end in .yaml")
-        )
+                "（用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾）", " ('vecpoly list' shows all, and a path must end in .yaml)"),
+            code="unknown-name")
     return found
 
 
@@ -63,18 +63,16 @@ def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:
     base = tree.data.get("extends")
     if base is None:
         return tree
-    line = tree.places[("extends",)].line
+    place = Place(tree.name, tree.places[("extends",)].line)
     if not isinstance(base, str):
-        raise ProblemFileError(Words(
-            f"{tree.name} 第 {line} 行：extends：此处应写题号或题目文件的路径",
-            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here"))
+        no_name = Words("此处应写题号或题目文件的路径", "the id or path of a problem is expected here")
+        raise ProblemFileError(no_name, code="spelling").at(place, "extends")
     try:
         below = locate(base, path.parent if path else None)
     except (ProblemFileError, UnknownNameError) as error:
-        raise ProblemFileError(Words(f"{tree.name} 第 {line} 行：extends：", f"{tree.name}, line {line}: extends: ") + error.words) from None
+        raise ProblemFileError(error.words, code=error.code).at(place, "extends") from None
     if below.resolve() in seen or (path and below.resolve() == path.resolve()):
-        raise ProblemFileError(Words(
-            f"{tree.name} 第 {line} 行：extends：“{base}”循环引用了自身",
-            f"{tree.name}, line {line}: extends: '{base}' extends itself in a circle"))
+        circle = Words(f"“{base}”循环引用了自身", f"'{base}' extends itself in a circle")
+        raise ProblemFileError(circle, code="contradiction").at(place, "extends")
     here = (*seen, path.resolve()) if path else seen
     return overlay(tree_of(below, here), tree)

@@ -49,7 +49,7 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
         with faults.at("input"):
             raise FaultError(Words(
                 "计算惯性力需要角速度的数值，如 omega: 10 rad/s ccw；或写 inertia: no",
-                "inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no"))
+                "inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no"), code="spelling")
     with faults.at(next(key for key in _ACTING if getattr(spec, key))):
         _one_unknown(found, bodies)
         loads = Loads(forces=tuple(x for x in found if isinstance(x, Force)), moments=tuple(x for x in found if isinstance(x, Moment)),
@@ -63,7 +63,7 @@ def _check_name(name: str) -> None:
     if not _NAME.fullmatch(name):
         raise FaultError(Words(
             f"“{name}”不是载荷名；请写 F、Q、F_r 或 M_1",
-            f"'{name}' is no name of a load; write F, Q, F_r or M_1"))
+            f"'{name}' is no name of a load; write F, Q, F_r or M_1"), code="spelling")
     if _TAKEN.fullmatch(name):
         raise FaultError(Words(
             f"“{name}”是反力、惯性力或瞬心的符号；载荷请写 F、Q、F_r 或 M_1",
@@ -84,27 +84,27 @@ def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
     if draft is None:
         raise FaultError(Words(
             f"构件“{spec.on}”不存在",
-            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.drafts), "on")
+            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.drafts), "on", code="unknown-name")
     if spec.size is None:
         raise FaultError(Words(
             '缺少大小 size；如写 size: 1000 N；待求的平衡载荷写 size: "?"',
-            'the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances'))
+            'the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances'), code="missing")
     role = spec.role or ""
     if not _is_force(spec):
         return Moment(name=name, link=spec.on, size=_size(spec.size, Dim.MOMENT), role=role)
     if spec.at is None:
         raise FaultError(Words(
             f"力作用于构件 {spec.on} 的哪一点？如写 at: {next(iter(draft.points))}",
-            f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}"))
+            f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}"), code="missing")
     if spec.at not in draft.points:
         raise FaultError(Words(
             f"点“{spec.at}”不在构件 {spec.on} 上",
-            f"point '{spec.at}' is not on link {spec.on}") + meant(spec.at, draft.points), "at")
+            f"point '{spec.at}' is not on link {spec.on}") + meant(spec.at, draft.points), "at", code="unknown-name")
     size = _size(spec.size, Dim.FORCE)
     if size is not None and size < 0:
         raise FaultError(Words(
             f"“{spec.size}”为负；请将方向转过 180 deg",
-            f"'{spec.size}' is negative; turn the direction by 180 deg instead"), "size")
+            f"'{spec.size}' is negative; turn the direction by 180 deg instead"), "size", code="out-of-range")
     return Force(name=name, link=spec.on, point=spec.at, direction=_read("direction", spec.direction, Dim.ANGLE).si, size=size, role=role)
 
 
@@ -116,15 +116,15 @@ def _is_force(spec: LoadSpec) -> bool:
     if spec.at is not None and turns:
         raise FaultError(Words(
             f"力矩（{spec.size}）作用于整个构件；请去掉 at",
-            f"a moment ({spec.size}) acts on the whole link; leave out 'at'"), "at")
+            f"a moment ({spec.size}) acts on the whole link; leave out 'at'"), "at", code="contradiction")
     if spec.at is not None:
         raise FaultError(Words(
             f"作用在 {spec.at} 的力要有方向，如 direction: 180 deg；力矩则不写 at",
-            f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'"))
+            f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'"), code="missing")
     if spec.size != UNKNOWN and not turns and _dimension(str(spec.size)) == Dim.FORCE.dimension:
         raise FaultError(Words(
             f"力（{spec.size}）要有作用点和方向，如 at: C, direction: 180 deg；力矩写作 20 N*m ccw",
-            f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw"))
+            f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw"), code="missing")
     return False
 
 

@@ -22,6 +22,7 @@ from .schema import InputSpec, ProblemSpec
 _FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
 _BRANCH = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
 _BRANCH_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
+BRANCHES = (_BRANCH, _BRANCH_ZH)  # for editors too
 _CCW, _CW = (1.0, Words("逆时针", "counter-clockwise")), (-1.0, Words("顺时针", "clockwise"))
 _TURNS = {**dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆时针"), _CCW), **dict.fromkeys(("cw", "clockwise", "顺时针"), _CW)}
 _SIDES = {
@@ -45,12 +46,12 @@ def read_branch(text: str, letters: Iterable[str]) -> SideOf:
     else:
         raise FaultError(Words(
             f"“{text}”不是装配方式的写法；如写“C above AD”“C left of BD”“F left of E”或“C 在 AD 上方”",
-            f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'"))
+            f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'"), code="spelling")
     ref = (first, second) if second else (first,)
     known = set(letters)
     for letter in (point, *ref):
         if letter not in known:
-            raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known))
+            raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
     return SideOf(point=point, side=_SIDES[side], ref=ref)
 
 
@@ -71,7 +72,7 @@ def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tupl
     if turning and sliding:
         raise FaultError(Words(
             f"原动件或转动（phi、omega、alpha）或移动（s、v、a），不能兼有；这里给了 {', '.join(turning)} 和 {', '.join(sliding)}",
-            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given"))
+            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given"), code="contradiction")
     return _sliding(spec, draft, joints) if sliding else _turning(spec, draft, bodies, joints)
 
 
@@ -88,7 +89,7 @@ def numbered(ask: Ask, spec: ProblemSpec) -> Ask:
     if rate and sense_only(spec):
         raise FaultError(Words(
             f"求 {ask.rel.key} 需要角速度的数值，而输入只给了转向；如写 omega: 10 rad/s ccw",
-            f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw"))
+            f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw"), code="missing")
     return ask
 
 
@@ -115,7 +116,7 @@ def _turning(
     if spec.phi is None or spec.omega is None:
         raise FaultError(Words(
             "转动输入要有 phi 和 omega，如 phi: 60 deg, omega: 10 rad/s ccw",
-            "a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw"))
+            "a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw"), code="missing")
     phi, zero = _angle(spec.phi, bodies.frame)
     (rate, told), accel = _rate(draft.name, spec.omega), _read("alpha", spec.alpha, Dim.ALPHA)
     arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
@@ -141,7 +142,7 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
         if letter not in frame:
             raise FaultError(Words(
                 f"点“{letter}”不在机架上",
-                f"point '{letter}' is not on the frame") + meant(letter, frame), "phi")
+                f"point '{letter}' is not on the frame") + meant(letter, frame), "phi", code="unknown-name")
     if frame[first] == frame[second]:
         raise FaultError(Words(
             f"“{text}”：{first} 与 {second} 位置相同，不能由此量角；请用机架上的另外两点",
@@ -156,7 +157,7 @@ def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Dr
     if spec.s is None or spec.v is None:
         raise FaultError(Words(
             "移动输入要有 s 和 v，如 s: 120 mm, v: 0.5 m/s",
-            "a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s"))
+            "a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s"), code="missing")
     travel, rate, accel = (
         _read("s", spec.s, Dim.LENGTH),
         _read("v", spec.v, Dim.SPEED),

@@ -9,7 +9,6 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from ..devices.base import kinds
 from ..words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 
@@ -165,28 +164,3 @@ class AssignmentSpec(Spec):
     title: Text
     title_block: dict[str, str] = {}
     problems: list[str | dict[str, Any]] = Field(min_length=1)
-
-
-def json_schema() -> dict[str, Any]:
-    """The JSON Schema of a problem file, for editors; a file that extends another may leave much out."""
-    schema = ProblemSpec.model_json_schema()
-    schema["required"] = ["id", "title"]
-    schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
-    schema["$defs"]["InputSpec"].pop("required", None)
-    for spec in ("LoadSpec", "RodSpec"):
-        schema["$defs"][spec].pop("required", None)
-    _with_devices(schema)
-    schema["title"] = "vecpoly problem file"
-    return schema
-
-
-def _with_devices(schema: dict[str, Any]) -> None:
-    """Add `device` and, for each device on file, what its `data` hold."""
-    schema["properties"] |= {"device": {"enum": list(kinds())}, "data": {"type": "object"}}
-    schema["allOf"] = []
-    for name, kind in kinds().items():
-        data = kind.model_json_schema()
-        schema["$defs"] |= data.pop("$defs", {})
-        data.pop("required", None)  # a file may extend another
-        schema["allOf"].append({"if": {"properties": {"device": {"const": name}}, "required": ["device"]},
-                                "then": {"properties": {"data": data}}})

@@ -7,7 +7,7 @@ from pathlib import Path as FilePath
 from pathlib import PurePath
 from typing import Any
 
-from ..errors import Fault, ProblemFileError
+from ..errors import Fault, ProblemFileError, of_system
 from ..words import Words
 from .faults import Path, Place
 from .text.misread import misread
@@ -44,9 +44,7 @@ def read_text(path: FilePath) -> str:
             f"{path} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）不是 UTF-8 编码；请将文件另存为 UTF-8",
             f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; save the file with the encoding UTF-8")) from None
     except OSError as error:
-        raise ProblemFileError(Words(
-            f"{path}：不能读取（{error.strerror}）",
-            f"{path}: cannot be read: {error.strerror}")) from None
+        raise ProblemFileError(Words(f"{path}：不能读取：", f"{path}: cannot be read: ") + of_system(error), code="file") from None
 
 
 def parse(text: str, name: str) -> Tree:

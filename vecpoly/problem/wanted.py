@@ -45,7 +45,7 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
     if m is None:
         raise FaultError(Words(
             "请写 v_E 之类的符号，或 {point: M2, on: 2, velocity: 0}，或 {coriolis: B3B2}",
-            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"))
+            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"), code="spelling")
     link = spec.on or m[2]
     bodies.draft(link)
     if link != m[2]:
@@ -71,7 +71,7 @@ def _line(text: str, points: Iterable[str], link: str) -> tuple[str, str]:
     if first == second or not {first, second} <= set(points):
         raise FaultError(Words(
             f"“{text}”不是过构件 {link} 上两点的直线（{', '.join(points)}）；如写 slowest: BC",
-            f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC"), "slowest")
+            f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC"), "slowest", code="unknown-name")
     return first, second
 
 
@@ -82,7 +82,7 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
         if read(value, dim).si != 0:
             raise FaultError(Words(
                 f"请写出两个分量，如 [{dim.example}, {dim.example}]，或写 0",
-                f"write both components, e.g. [{dim.example}, {dim.example}], or 0"))
+                f"write both components, e.g. [{dim.example}, {dim.example}], or 0"), code="spelling")
         return 0j
     return complex(read(value[0], dim).si, read(value[1], dim).si)
 
@@ -98,7 +98,7 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
     loads = [key for key, named in forces.items() if not named.is_central]
     if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads) if loads else Words(
-            f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"))
+            f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"), code="missing")
     return read_key(text, bodies, named)
 
 
@@ -134,12 +134,12 @@ def _known(at: At, text: str, bodies: Bodies) -> None:
     if at.link and at.link != FRAME and at.link not in bodies.drafts:
         raise FaultError(Words(
             f"{text}：构件“{at.link}”不存在",
-            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.drafts))
+            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.drafts), code="unknown-name")
     letters = (*bodies.letters(), *bodies.pitch)
     if at.point and at.point not in letters:
         raise FaultError(Words(
             f"{text}：点“{at.point}”不存在",
-            f"{text}: point '{at.point}' does not exist") + meant(at.point, letters))
+            f"{text}: point '{at.point}' does not exist") + meant(at.point, letters), code="unknown-name")
     if at.point in bodies.pitch and not at.link and text.startswith("a"):
         raise FaultError(Words(
             f"{text}：{at.point} 处两构件的加速度不同；请写明构件号，如 {text}{next(iter(bodies.drafts))}",
@@ -159,7 +159,7 @@ def read_scales(spec: ScalesSpec) -> Scales:
         if value <= 0:
             raise FaultError(Words(
                 f"“{text}”应大于零；如写 {dim.example} 或 auto",
-                f"'{text}' must be greater than zero; write e.g. {dim.example} or auto"), key)
+                f"'{text}' must be greater than zero; write e.g. {dim.example} or auto"), key, code="out-of-range")
         return value
 
     return Scales(
@@ -192,7 +192,7 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         if not _is_length(spec.value):
             raise FaultError(Words(
                 f"“{spec.value}”不是图上长度，而又给了比例尺；如写 41.1 mm",
-                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value")
+                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value", code="spelling")
         paper = read(spec.value, Dim.LENGTH).si * 1e3
         scale = read(spec.scale, Dim.MU_F if isinstance(rel, Named) else _MU.get(kind, Dim.MU_A)).si
         value = paper * scale
