@@ -17,6 +17,7 @@ from .check.exact import Exact
 from .devices.base import Device
 from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
+from .frozen import FrozenMap
 from .methods.centres.compare import comparable
 from .methods.devices.plan import construct_device
 from .methods.passes import needs_centres, stages
@@ -122,6 +123,9 @@ class Solution:
     problem: Problem
     construction: Construction
     answers: Mapping[str, Answer]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "answers", FrozenMap(self.answers))
 
     def as_json(self) -> dict[str, Any]:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""

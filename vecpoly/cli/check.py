@@ -9,9 +9,9 @@ import typer
 
 from .check_table import check_table_of, columns_said
 from .errors import DISAGREES, Tally, about
-from .files import write_json
+from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import ColumnsOption, JsonOption, Lang, LangOption, Problems, TableOption
+from .options import JSON, ColumnsOption, JsonOption, Lang, LangOption, Problems, TableOption
 from .terminal import add, progress, show, table
 from .wording import bare, beside, number, percent, symbol, unit
 
@@ -37,6 +37,7 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
     """
     said = columns_said(columns)
     found = problems(names)
+    spared(json, JSON, found, [table_file] if table_file else [])
     if table_file is not None:
         check_table_of(found, table_file, said, json, lang)
         return
@@ -48,7 +49,7 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
     for problem in progress(found, "checking"):
         with tally.job(), about(problem.id):
             checked.append((problem, check_problem(problem)))
-    if json != "-":
+    if json != STDOUT:
         for problem, result in checked:
             _print(problem, result, lang)
     if json is not None and not tally.failed:

@@ -14,7 +14,7 @@ import typer
 
 from ..errors import TableError
 from .errors import DISAGREES, about
-from .files import write_json
+from .files import STDOUT, write_json
 from .options import Lang
 from .terminal import add, show, table
 from .wording import bare
@@ -41,7 +41,7 @@ def columns_said(texts: Sequence[str] | None) -> dict[str, str]:
     return said
 
 
-def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, str], json: str | None, lang: Lang) -> None:
+def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, str], json: Path | None, lang: Lang) -> None:
     """Compare the table with one problem; exit code 1 where a column is wrong."""
     from ..check.table import check_table
 
@@ -49,7 +49,7 @@ def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, s
         raise TableError(f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}")
     with about(problems[0].id):
         checked = check_table(problems[0], path, said)
-    if json != "-":
+    if json != STDOUT:
         _print(problems[0], checked, lang)
     if json is not None:
         write_json(as_json(checked), json)

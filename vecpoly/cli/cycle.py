@@ -11,10 +11,10 @@ import typer
 
 from ..errors import NotAskedError, UnknownNameError
 from .errors import about
-from .files import write_bytes
+from .files import put, spared
 from .jobs import problems
-from .options import Lang, LangOption
-from .terminal import add, say, show, table
+from .options import Lang, LangOption, place
+from .terminal import add, show, table
 from .wording import bare, number, unit
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from ..words import Words
 
 TABLES, PLOTS = (".csv", ".xlsx"), (".svg", ".pdf", ".png")
-STDOUT = Path("-")
 MOST = 2_000_001  # positions
 _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
@@ -33,8 +32,8 @@ _COLUMNS = {
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as A-27, or a file.", show_default=False)]
 Count = Annotated[int, typer.Option("-n", min=2, max=MOST, help="Number of positions, both ends included.")]
 Step = Annotated[float | None, typer.Option("--step", min=1e-6, max=1e6, help="Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).", show_default=False)]
-Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
-PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", help="Draw curves: .svg, .pdf or .png.", show_default=False)]
+Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", parser=place, help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
+PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", parser=place, help="Draw curves: .svg, .pdf or .png.", show_default=False)]
 Of = Annotated[str, typer.Option("--of", metavar="KEYS", help="Quantities, such as omega_5,alpha_5,a_F,M_1; phi_5, s_45, gamma_23, v_F.x too.", show_default=False)]
 Path_ = Annotated[str, typer.Option("--path", metavar="LETTERS", help="With --plot: the paths of these points, F or E,F.", show_default=False)]
 Hodograph = Annotated[str, typer.Option("--hodograph", metavar="KEY", help="With --plot: the hodograph of a vector, a_F.", show_default=False)]
@@ -43,13 +42,13 @@ Hodograph = Annotated[str, typer.Option("--hodograph", metavar="KEY", help="With
 def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot: PlotOption = None, of: Of = "",
           path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en") -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
-    _checked(output, TABLES)
-    _checked(plot, PLOTS)
     if path and hodograph:
         raise NotAskedError("--path and --hodograph are two drawings: ask for one of them")
     if (path or hodograph) and plot is None:
         raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
     (problem,) = _one(problems([name]))
+    spared(output, TABLES, [problem])
+    spared(plot, PLOTS, [problem])
     from ..cycle import cycle as whole
 
     with about(problem.id):
@@ -61,15 +60,10 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
             _write(turn, keys, output, lang)
         if plot is not None:
             drawn = _drawn(turn, problem, keys, path, hodograph, lang)
-            data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}[plot.suffix.lower()]()
-            say(f"wrote {write_bytes(plot, data)}")
+            data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}.get(plot.suffix.lower(), lambda: drawn.svg().encode())()
+            put(plot, data)
         if output is None and plot is None:
             _print(turn, problem, keys, lang)
-
-
-def _checked(path: Path | None, endings: tuple[str, ...]) -> None:
-    if path is not None and path.suffix.lower() not in endings and not (path == STDOUT and endings is TABLES):
-        raise UnknownNameError(f"{path}: can be {', '.join(endings)}; end the file's name with one of these")
 
 
 def _one(found: list[Problem]) -> list[Problem]:
@@ -92,11 +86,7 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
 
 
 def _write(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> None:
-    data = _encoded(turn, keys, output, lang)
-    if output == STDOUT:
-        typer.echo(data.decode(), nl=False)
-    else:
-        say(f"wrote {write_bytes(output, data)}")
+    put(output, _encoded(turn, keys, output, lang))
 
 
 def _encoded(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> bytes:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import UnknownNameError
+from ..errors import UnknownNameError, VecpolyError
+from ..words import Words
 from .errors import about
-from .files import write_bytes
+from .files import STDOUT, put, spared
 from .jobs import problems
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
-from .terminal import say
 
 if TYPE_CHECKING:
     from ..board.construction import Construction, Place
@@ -41,15 +41,14 @@ def draw(
     1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
-    if path.suffix.lower() not in FORMATS:
-        raise UnknownNameError(f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these")
     (problem,) = problems([name])
+    spared(path, FORMATS, [problem])
     from ..solution import solve
 
     with about(problem.id):
         pages = scenes(solve(problem, by=hand, seed=seed, repeats=0), figure, lang)
     for target, data in encoded(pages, path, dpi):
-        say(f"wrote {write_bytes(target, data)}")
+        put(target, data)
 
 
 def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
@@ -91,12 +90,15 @@ def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path
         from ..drawing.pdf import to_pdf
 
         return [(path, to_pdf(*pages))]
+    if path == STDOUT and len(pages) > 1:
+        raise VecpolyError(Words(f"共 {len(pages)} 页，标准输出只容一页；请用 -o 文件.pdf，或用 --figure 取一图",
+                                 f"there are {len(pages)} pages, and standard output takes one; write -o FILE.pdf, or ask for one with --figure"), code="pages")
     names = [path, *(path.with_name(f"{path.stem}-{n}{path.suffix}") for n in range(2, len(pages) + 1))]
     return [(target, _picture(page, path.suffix.lower(), dpi)) for target, page in zip(names, pages, strict=True)]
 
 
 def _picture(page: Scene, ending: str, dpi: float) -> bytes:
-    if ending == ".svg":
+    if ending not in (".png",):
         from ..drawing.svg import to_svg
 
         return to_svg(page).encode()

@@ -7,9 +7,9 @@ from math import degrees
 from typing import TYPE_CHECKING, Any
 
 from .errors import Tally, about
-from .files import write_json
+from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import JsonOption, Lang, LangOption, Problems
+from .options import JSON, JsonOption, Lang, LangOption, Problems
 from .terminal import add, progress, show, table
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
@@ -22,6 +22,7 @@ _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact
 def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
     """Print the analytic answers, without a drawing."""
     found = problems(names)
+    spared(json, JSON, found)
     from ..check.exact import Exact
 
     tally = Tally()
@@ -31,7 +32,7 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
             truth = Exact(problem)
             values, lines, units = truth.values, truth.lines, {ask.rel.key: ask.rel.unit for ask in problem.asks}
             data.append({"id": problem.id, "answers": {key: _plain(key, value, units[key]) | _line(lines.get(key)) for key, value in values.items()}})
-            if json != "-":
+            if json != STDOUT:
                 _print(problem, values, lang)
     if json is not None and not tally.failed:
         write_json(data if len(found) > 1 else data[0], json)

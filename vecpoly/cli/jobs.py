@@ -22,6 +22,12 @@ class Job:
     problems: tuple[Problem, ...]
     title: Words | None = None
     fields: Mapping[str, str] | None = None
+    path: Path | None = None  # of an assignment
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All that was read for it."""
+        return (*((self.path,) if self.path else ()), *(file for problem in self.problems for file in problem.files))
 
 
 def problems(names: Sequence[str]) -> list[Problem]:
@@ -66,4 +72,4 @@ def job(name: str) -> Job:
         problem = load(path)
         return Job(name=problem.id, problems=(problem,))
     sheet = load_assignment(path)
-    return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block)
+    return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block, path=path)

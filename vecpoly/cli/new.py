@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from .files import parent_of
+from ..files import write_whole
 from .terminal import say
 
 _ID = re.compile(r"[A-Za-z0-9][\w.\-]*", re.ASCII)
@@ -20,13 +20,12 @@ NewFile = Annotated[Path, typer.Argument(metavar="FILE", help="The file to write
 
 def new(path: NewFile, like: Like = None) -> None:
     """Write a problem file to start from: a commented one, or a copy of one of the library."""
-    target = parent_of(path if path.suffix else path.with_suffix(".yaml"))
+    target = path if path.suffix else path.with_suffix(".yaml")
     text = _start(target) if like is None else _copy(like)
     if _ID.fullmatch(target.stem):
         text = _ID_LINE.sub(f"id: {target.stem}", text, count=1)
     try:
-        with target.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        write_whole(target, text.encode(), new=True)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
     say(f"wrote {target}; now try: vecpoly solve {target}")

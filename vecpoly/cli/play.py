@@ -9,11 +9,11 @@ import typer
 
 from .draw import Id
 from .errors import about
-from .files import write_text
+from .files import put, spared
 from .jobs import problems
 from .options import HandOption, LangOption, OutOption, SeedOption
-from .terminal import say
 
+HTML = (".html", ".htm")
 Places = Annotated[int, typer.Option("--places", min=0, max=360, help="Places of the crank over its turn; 0 leaves its slider away.")]
 
 
@@ -30,12 +30,11 @@ def play(
     It shows the construction line by line with the sentence of each step beside it, and the finished figures for every place of the crank.
     """
     (problem,) = problems([name])
+    path = output or Path(f"{problem.id}.html")
+    path = spared(path / f"{problem.id}.html" if path.is_dir() else path, HTML, [problem]) or path
     from ..player.page import player_html
     from ..solution import solve
 
     with about(problem.id):
         page = player_html(solve(problem, by=hand, seed=seed, repeats=0), lang=lang, places=places, seed=seed)
-    path = output or Path(f"{problem.id}.html")
-    if path.is_dir():
-        path = path / f"{problem.id}.html"
-    say(f"wrote {write_text(path, page)}")
+    put(path, page.encode())

@@ -7,15 +7,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import NoMethodError, VecpolyError
+from ..files import is_special
 from .errors import Tally, about
-from .files import named
+from .files import STDOUT, put, spared
 from .jobs import Job, jobs
 from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
-from .terminal import progress, say
+from .terminal import progress
 
 if TYPE_CHECKING:
     from ..problem.problem import Problem
     from ..solution import Solution
+
+
+PDF = (".pdf",)
 
 
 def report(
@@ -37,7 +41,7 @@ def report(
         with tally.job():
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
-            say(f"wrote {write(job, solutions, path, lang, style)}")
+            put(path, document(job, solutions, lang, style))
     tally.settle()
 
 
@@ -59,13 +63,11 @@ def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "sol
     return solutions
 
 
-def write(job: Job, solutions: Sequence[Solution], path: Path, lang: Lang, style: Style) -> Path:
-    """Write the document of a job."""
-    from ..report.document import write_report
+def document(job: Job, solutions: Sequence[Solution], lang: Lang, style: Style) -> bytes:
+    """The document of a job as a PDF."""
+    from ..report.document import report_bytes
 
-    block = labelled(job.fields or {}, lang)
-    with named(path) as target:
-        return write_report(solutions, target, lang=lang, style=style, fields=block, title=job.title)
+    return report_bytes(solutions, lang=lang, style=style, fields=labelled(job.fields or {}, lang), title=job.title)
 
 
 def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
@@ -78,8 +80,10 @@ def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
 
 
 def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -> list[tuple[Job, Path]]:
-    """Which document goes where."""
-    if output is not None and output.suffix.lower() == ".pdf" and not output.is_dir():
+    """Which document goes where: all into one file, or into the standard output, or each into a folder."""
+    files = [file for job in found for file in job.files]
+    if output is not None and (output == STDOUT or is_special(output) or (output.suffix and not output.is_dir())):
+        spared(output, PDF, more=files)
         return [(found[0] if len(found) == 1 else _joined(found), output)]
     ending = f".{lang}.pdf" if style == "solution" else f".{style}.{lang}.pdf"
     plan: dict[Path, Job] = {}
@@ -87,6 +91,7 @@ def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -
         path = (output or Path()) / f"{job.name}{ending}"
         if path in plan:
             raise VecpolyError(f"two of the documents would be written to {path}; change the id of one of the problems")
+        spared(path, PDF, more=files)
         plan[path] = job
     return [(job, path) for path, job in plan.items()]
 

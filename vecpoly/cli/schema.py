@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-import json
-
-import typer
-
-from .files import write_text
-from .options import OutOption
+from .files import STDOUT, spared, write_json
+from .options import JSON, OutOption
 
 
 def schema(output: OutOption = None) -> None:
     """Print the JSON Schema of a problem file."""
     from ..problem.schema import json_schema
 
-    text = json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"
-    if output is None:
-        typer.echo(text, nl=False)
-    else:
-        write_text(output, text)
+    write_json(json_schema(), spared(output, JSON) or STDOUT)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .errors import Tally, about
-from .files import write_json
+from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
+from .options import JSON, HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
 from .terminal import add, progress, show, table
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
@@ -33,6 +33,7 @@ def solve(
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
     found = problems(names)
+    spared(json, JSON, found)
     from ..solution import solve as solved
 
     tally = Tally()
@@ -40,7 +41,7 @@ def solve(
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
-    if json != "-":
+    if json != STDOUT:
         for solution in solutions:
             _print(solution, lang)
     if json is not None and not tally.failed:

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from types import MappingProxyType
+
+from ..frozen import FrozenMap
 
 FRAME = "0"
 
@@ -69,7 +70,7 @@ class Link:
     placements: tuple[Placement, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "points", MappingProxyType(dict(self.points)))
+        object.__setattr__(self, "points", FrozenMap(dict(self.points)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -195,8 +196,8 @@ class Mechanism:
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "frame", MappingProxyType(dict(self.frame)))
-        object.__setattr__(self, "guesses", MappingProxyType(dict(self.guesses)))
+        object.__setattr__(self, "frame", FrozenMap(dict(self.frame)))
+        object.__setattr__(self, "guesses", FrozenMap(dict(self.guesses)))
 
     @property
     def drive(self) -> Drive:

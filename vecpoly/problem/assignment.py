@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 from ..errors import FaultError, UnknownNameError
+from ..frozen import FrozenMap
 from ..words import Words
 from .build import build
 from .faults import Faults, meant
 from .load import locate, tree_of
 from .problem import Problem
 from .schema import AssignmentSpec
-from .source import Tree, overlay, parse, read_text
+from .source import Tree, overlay, read
 from .validate import validate
 
 FIELDS = {
@@ -39,19 +39,19 @@ class Assignment:
     path: Path | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "block", MappingProxyType(dict(self.block)))
+        object.__setattr__(self, "block", FrozenMap(dict(self.block)))
 
 
 def is_assignment(path: Path) -> bool:
     """Does this file list problems (an assignment) or is it one?"""
-    data = parse(read_text(path), str(path)).data
+    data = read(path).data
     return "problems" in data and "links" not in data
 
 
 def load_assignment(where: str | Path) -> Assignment:
     """The assignment in this file; raises ProblemFileError."""
     path = Path(where)
-    tree = parse(read_text(path), str(path))
+    tree = read(path)
     faults = Faults(tree.name, tree.places)
     spec = validate(AssignmentSpec, tree.data, faults)
     block = _block(spec.title_block, faults)
@@ -105,6 +105,7 @@ def part(tree: Tree, path: tuple[str | int, ...]) -> Tree:
         dict(data),
         {p[depth:]: place for p, place in tree.places.items() if p[:depth] == path},
         tree.text,
+        tree.files,
     )
 
 

@@ -66,6 +66,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
+        read=tree.files,
     )
 
 

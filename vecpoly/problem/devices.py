@@ -49,6 +49,7 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
+        read=tree.files,
     )
 
 

@@ -9,7 +9,7 @@ from .build import build
 from .faults import meant
 from .library import entries, find
 from .problem import Problem
-from .source import Tree, overlay, parse, read_text
+from .source import Tree, overlay, parse, read
 
 
 def load(where: str | Path) -> Problem:
@@ -51,7 +51,7 @@ def locate(where: str | Path, near: Path | None = None) -> Path:
 
 def tree_of(path: Path, seen: tuple[Path, ...] = ()) -> Tree:
     """A file's values, laid on those of the file that it extends."""
-    return _extended(parse(read_text(path), str(path)), path, seen)
+    return _extended(read(path), path, seen)
 
 
 def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:

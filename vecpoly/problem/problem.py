@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal
 
+from ..frozen import FrozenMap
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
@@ -76,7 +76,7 @@ class Given:
     shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "shapes", MappingProxyType(dict(self.shapes)))
+        object.__setattr__(self, "shapes", FrozenMap(dict(self.shapes)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,6 +128,12 @@ class Problem:
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
+    read: tuple[Path, ...] = ()  # these files
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All files that the problem was read from, and its printed tables."""
+        return (*((self.path,) if self.path else ()), *self.read, *self.tables)
 
     @property
     def mechanism(self) -> Mechanism:

@@ -24,6 +24,7 @@ class Tree:
     data: dict[str, Value]
     places: dict[Path, Place] = field(default_factory=dict)
     text: str = ""
+    files: tuple[FilePath, ...] = ()  # from which it was read
 
 
 def read_text(path: FilePath) -> str:
@@ -43,6 +44,13 @@ def read_text(path: FilePath) -> str:
         ) from None
     except OSError as error:
         raise ProblemFileError(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def read(path: FilePath) -> Tree:
+    """The values of a file."""
+    tree = parse(read_text(path), str(path))
+    tree.files = (path,)
+    return tree
 
 
 def parse(text: str, name: str) -> Tree:
@@ -128,7 +136,7 @@ def overlay(base: Tree, over: Tree) -> Tree:
     """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away. The base's text follows the other's."""
     places = dict(base.places)
     text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
-    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text)
+    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text, (*over.files, *base.files))
 
 
 def _merge(

@@ -16,6 +16,7 @@ from ..drawing.figure import draw_figure
 from ..drawing.pdf import draw_pdf
 from ..drawing.sheet import Sheet, sheets
 from ..errors import NotAskedError, UnknownNameError
+from ..files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
@@ -49,11 +50,19 @@ def write_report(
     fields: values of the title block by their label; templates: a folder whose templates come before the built-in ones.
     Raises UnknownNameError for a style without a template.
     """
+    return write_whole(Path(path), report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates))
+
+
+def report_bytes(
+    solutions: Sequence[Solution], *, lang: Lang = "zh", style: str = "solution",
+    fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+) -> bytes:
+    """The PDF that `write_report` writes."""
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
     story = to_flowables(document, objects.named, lang)
     meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
-    return ReportDoc(story, meta).write(path).path
+    return ReportDoc(story, meta).made()[0]
 
 
 def markup(
