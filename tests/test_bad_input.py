@@ -10,7 +10,7 @@ from vecpoly.errors import MobilityError, NotAskedError, ProblemFileError, Unkno
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
-from vecpoly.problem.source import LIMIT
+from vecpoly.limits import FILE as LIMIT
 
 GOOD = """\
 id: t

@@ -13,7 +13,9 @@ import numpy as np
 
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
+from .board.sizes import unfit
 from .check.exact import Exact
+from .check.idle import idle
 from .devices.base import Device
 from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
@@ -23,7 +25,7 @@ from .methods.devices.plan import construct_device
 from .methods.passes import needs_centres, stages
 from .methods.plan import construct
 from .problem.problem import Problem
-from .words import Lang
+from .words import Lang, Words
 
 REPEATS = 200  # repeated hands behind every expected drawing error
 POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
@@ -123,6 +125,7 @@ class Solution:
     problem: Problem
     construction: Construction
     answers: Mapping[str, Answer]
+    warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant, in the file and of the scales
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "answers", FrozenMap(self.answers))
@@ -131,6 +134,8 @@ class Solution:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""
         data: dict[str, Any] = {"id": self.problem.id, "hand": self.construction.hand,
                                 "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+        if self.warnings:
+            data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
         forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
         return data | ({"forces": forces} if forces else {})
 
@@ -145,7 +150,7 @@ class Solution:
         from .drawing.sheet import sheets
         from .drawing.svg import to_svg
 
-        return to_svg(sheets(self.construction)[0].scene, self.problem.title.zh)
+        return to_svg(sheets(self.construction, way=self.problem.orientation)[0].scene, self.problem.title.zh)
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS) -> Solution:
@@ -160,7 +165,14 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     construction = replace(construction, readings=readings)
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
     answers = {key: _answer(reading, exact[key], spread[key], truth.lines.get(key), reading.unit in turning) for key, reading in construction.readings.items()}
-    return Solution(problem, construction, answers)
+    return Solution(problem, construction, answers, (*problem.warnings, *idle(problem), *unfit(construction.figures, _given(problem))))
+
+
+def _given(problem: Problem) -> tuple[View, ...]:
+    """The kinds of figure whose scale the problem gives."""
+    scales = problem.scales
+    values = {View.MECHANISM: scales.mu_l, View.VELOCITY: scales.mu_v, View.ACCELERATION: scales.mu_a, View.FORCE: scales.mu_f}
+    return tuple(view for view, value in values.items() if value is not None)
 
 
 def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str, Any]]:

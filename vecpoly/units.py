@@ -10,6 +10,8 @@ from functools import lru_cache
 from typing import Any
 
 from .errors import FaultError
+from .limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH, POWER
+from .words import Words
 
 _DEFINITIONS = (
     "meter = [length] = m = metre = 米",
@@ -98,8 +100,7 @@ class Quantity:
     text: str
 
 
-MOST, LEAST = 1e20, 1e-20  # of any number; of any quantity in SI
-MOST_ANGLE = 1e6  # rad
+_GREATEST = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
 _NUMBER = re.compile(
     r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
 )
@@ -135,7 +136,7 @@ def read(text: object, dim: Dim) -> Quantity:
 
 def _sensible(si: float, text: str, dim: Dim) -> float:
     """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
-    if abs(si) > (MOST_ANGLE if dim is Dim.ANGLE else MOST):
+    if abs(si) > _GREATEST.get(dim, MOST):
         raise FaultError(f"'{text}' is too large for {dim.label}; check number and unit, and write e.g. {dim.example}")
     return 0.0 if abs(si) < LEAST else si
 
@@ -175,14 +176,24 @@ def unit_of(unit: str) -> tuple[float, str]:
 
 def unit_by_pint(unit: str) -> tuple[float, str]:
     """The same from pint, for spellings not known by heart."""
+    _no_great_power(unit)
     try:
         quantity = _registry().Quantity(1.0, unit).to_base_units()
+        if not 1 / MOST <= quantity.magnitude <= MOST:
+            raise OverflowError(unit)
     except Exception:  # pint raises many kinds, all of them meaning that the unit cannot be read
         raise FaultError(
             f"unit '{unit}' is unknown; known: mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
         ) from None
     powers = sorted((name.strip("[]"), power) for name, power in quantity.dimensionality.items())
     return float(quantity.magnitude), " ".join(f"{name} {power:g}" for name, power in powers)
+
+
+def _no_great_power(unit: str) -> None:
+    """Raise FaultError for m^999: no unit of mechanics has such a power, and reckoning with it takes for ever."""
+    for power in re.findall(r"\d+", unit):
+        if len(power) > 4 or (int(power) > POWER and "**" in unit):
+            raise FaultError(Words(f"单位 '{unit}' 的幂次过高", f"unit '{unit}' has too great a power"))
 
 
 @lru_cache(maxsize=1)

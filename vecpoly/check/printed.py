@@ -18,6 +18,7 @@ from ..oracle.forces import Forces, forces
 from ..problem.problem import Printed, Problem
 from ..words import Words
 from .centres import CentralTruth
+from .direction import with_directions
 from .follow import follow
 from .possible import BestFit, best_fit
 from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
@@ -48,6 +49,7 @@ def check_problem(problem: Problem) -> PrintedCheck:
             checked.append(check_printed(printed, exact))
     if problem.loads:
         checked = follow(checked, problem.loads, _by_key(problem, truth))
+    checked = with_directions(problem, checked)
     whole, fit = _together(problem, checked)
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
 

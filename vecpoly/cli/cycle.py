@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..errors import NotAskedError, UnknownNameError
+from ..limits import POSITIONS
 from .errors import about
 from .files import put, spared
 from .jobs import problems
 from .options import Lang, LangOption, place
-from .terminal import add, show, table
+from .terminal import add, show, table, warn
 from .wording import bare, number, unit
 
 if TYPE_CHECKING:
@@ -24,13 +25,12 @@ if TYPE_CHECKING:
     from ..words import Words
 
 TABLES, PLOTS = (".csv", ".xlsx"), (".svg", ".pdf", ".png")
-MOST = 2_000_001  # positions
 _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
 }
 
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as A-27, or a file.", show_default=False)]
-Count = Annotated[int, typer.Option("-n", min=2, max=MOST, help="Number of positions, both ends included.")]
+Count = Annotated[int, typer.Option("-n", min=2, max=POSITIONS, help="Number of positions, both ends included.")]
 Step = Annotated[float | None, typer.Option("--step", min=1e-6, max=1e6, help="Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).", show_default=False)]
 Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", parser=place, help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
 PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", parser=place, help="Draw curves: .svg, .pdf or .png.", show_default=False)]
@@ -47,6 +47,7 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
     if (path or hodograph) and plot is None:
         raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
     (problem,) = _one(problems([name]))
+    warn(problem.id, problem.warnings, lang)
     spared(output, TABLES, [problem])
     spared(plot, PLOTS, [problem])
     from ..cycle import cycle as whole
@@ -77,8 +78,8 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
     factor = turn.drive.factor
     first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
     count = last - first + 1
-    if count > MOST:
-        raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {MOST} are possible")
+    if count > POSITIONS:
+        raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {POSITIONS} are possible")
     if count < 2:
         low, high = turn.low * factor, turn.high * factor
         raise NotAskedError(f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step")

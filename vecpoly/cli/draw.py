@@ -13,6 +13,7 @@ from .errors import about
 from .files import STDOUT, put, spared
 from .jobs import problems
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
+from .terminal import warn
 
 if TYPE_CHECKING:
     from ..board.construction import Construction, Place
@@ -46,7 +47,9 @@ def draw(
     from ..solution import solve
 
     with about(problem.id):
-        pages = scenes(solve(problem, by=hand, seed=seed, repeats=0), figure, lang)
+        solution = solve(problem, by=hand, seed=seed, repeats=0)
+        pages = scenes(solution, figure, lang)
+    warn(problem.id, solution.warnings, lang)
     for target, data in encoded(pages, path, dpi):
         put(target, data)
 
@@ -56,7 +59,7 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     if figure == SHEET:
         from ..drawing.sheet import sheets
 
-        return tuple(page.scene for page in sheets(solution.construction, lang=lang, title=solution.problem.title))
+        return tuple(page.scene for page in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation))
     from ..drawing.figure import draw_figure
     from ..drawing.scene import Scene
 

@@ -10,7 +10,7 @@ from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
 from .options import JSON, JsonOption, Lang, LangOption, Problems
-from .terminal import add, progress, show, table
+from .terminal import add, progress, show, table, warn
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     data: list[dict[str, Any]] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
+            warn(problem.id, problem.warnings, lang)
             truth = Exact(problem)
             values, lines, units = truth.values, truth.lines, {ask.rel.key: ask.rel.unit for ask in problem.asks}
             data.append({"id": problem.id, "answers": {key: _plain(key, value, units[key]) | _line(lines.get(key)) for key, value in values.items()}})

@@ -12,6 +12,7 @@ from .errors import about
 from .files import put, spared
 from .jobs import problems
 from .options import HandOption, LangOption, OutOption, SeedOption
+from .terminal import warn
 
 HTML = (".html", ".htm")
 Places = Annotated[int, typer.Option("--places", min=0, max=360, help="Places of the crank over its turn; 0 leaves its slider away.")]
@@ -36,5 +37,7 @@ def play(
     from ..solution import solve
 
     with about(problem.id):
-        page = player_html(solve(problem, by=hand, seed=seed, repeats=0), lang=lang, places=places, seed=seed)
+        solution = solve(problem, by=hand, seed=seed, repeats=0)
+        page = player_html(solution, lang=lang, places=places, seed=seed)
+    warn(problem.id, solution.warnings, lang)
     put(path, page.encode())

@@ -12,7 +12,7 @@ from .errors import Tally, about
 from .files import STDOUT, put, spared
 from .jobs import Job, jobs
 from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
-from .terminal import progress
+from .terminal import progress, warn
 
 if TYPE_CHECKING:
     from ..problem.problem import Problem
@@ -41,6 +41,8 @@ def report(
         with tally.job():
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
+            for solution in solutions:
+                warn(solution.problem.id, solution.warnings, lang)
             put(path, document(job, solutions, lang, style))
     tally.settle()
 

@@ -8,7 +8,7 @@ from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
 from .options import JSON, HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
-from .terminal import add, progress, show, table
+from .terminal import add, progress, show, table, warn
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
@@ -44,6 +44,8 @@ def solve(
     if json != STDOUT:
         for solution in solutions:
             _print(solution, lang)
+    for solution in solutions:
+        warn(solution.problem.id, solution.warnings, lang)
     if json is not None and not tally.failed:
         data = [solution.as_json() for solution in solutions]
         write_json(data if len(found) > 1 else data[0], json)

@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
 
+from ..words import Lang, Words
+from .wording import bare
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -66,6 +69,12 @@ def progress(items: Sequence[T], doing: str) -> Iterator[T]:
     from rich.progress import track
 
     yield from track(items, description=doing, console=Console(stderr=True), transient=True)
+
+
+def warn(problem: str, said: Iterable[Words], lang: Lang) -> None:
+    """What is accepted but hardly meant, on stderr."""
+    for words in said:
+        typer.echo(f"vecpoly: {f'注意 {problem}：' if lang == 'zh' else f'note on {problem}: '}{bare(words.of(lang))}", err=True)
 
 
 def say(text: str) -> None:

@@ -151,13 +151,15 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
-    shapes, drive = problem.given.shapes, desk.mech.drive
+    shapes = problem.given.shapes
     position = stage is Stage.POSITION
-    find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+    for driven in desk.mech.drives:
+        find(stage, "slide" if driven.slide else "crank").draw(desk, driven)
     if position:
-        _further_points(desk, (drive.link,))
+        driving = tuple(driven.link for driven in desk.mech.drives)
+        _further_points(desk, driving)
         draw_frame(desk, shapes)
-        draw_links(desk, shapes, (drive.link,))
+        draw_links(desk, shapes, driving)
     else:
         view = View(stage.value)
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)

@@ -69,6 +69,9 @@ def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
         with faults.at("title_block", key):
             if key not in names:
                 raise FaultError(f"unknown field '{key}'{meant(key, names)}")
+            if block[names[key]]:
+                raise FaultError(Words(f"'{key}' 与 '{FIELDS[names[key]]}' 是同一栏，且已填 '{block[names[key]]}'；请删去其一",
+                                       f"'{key}' and '{names[key]}' are one field, which holds '{block[names[key]]}' already; leave out one of them"))
             block[names[key]] = value or ""
     return block
 
@@ -89,7 +92,8 @@ def _problem(
         if over is None:
             return build(base, file)
         over.data.pop("problem")
-        over.data.pop("extends", None)
+        if "extends" in over.data:
+            raise FaultError(Words(f"此项已由 problem: {name} 指明题目，不能再写 extends；请删去", f"problem: {name} says already on what this builds; leave out extends"), "extends")
         return build(overlay(base, over), file)
     return None
 

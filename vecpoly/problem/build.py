@@ -14,6 +14,7 @@ from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..mechanism.quantities import quantities
 from ..names import At, Named
 from ..units import Dim, read
+from ..words import Words
 from .asks import Ask, AskNamed
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
@@ -29,7 +30,8 @@ from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
-from .wanted import default_asks, read_find, read_point, read_printed, read_scales
+from .wanted import default_asks, plottable, read_find, read_point, read_printed, read_scales
+from .warnings import warnings_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -67,6 +69,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         path=path,
         text=tree.text,
         read=tree.files,
+        warnings=warnings_of(tree),
     )
 
 
@@ -142,9 +145,15 @@ def _inputs(
     drives: list[Drive] = []
     motion: list[Datum] = []
     several = isinstance(spec.input, list)
+    with faults.at("input"):
+        if not spec.input:
+            raise FaultError(Words("没有给出原动件；请写如 input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}",
+                                   "no link is driven; write e.g. input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}"))
     for i, item in enumerate(spec.input if isinstance(spec.input, list) else [spec.input]):
         with faults.at(*(("input", i) if several else ("input",))):
             drive, data = read_input(item, bodies, joints)
+            if drive.link in [other.link for other in drives]:
+                raise FaultError(Words(f"构件 {drive.link} 已由另一项驱动；请删去其一", f"link {drive.link} is driven by another entry already; leave out one of them"), "link")
             drives.append(drive)
             motion.extend(data)
     return tuple(drives), tuple(motion)
@@ -196,6 +205,7 @@ def _wanted(
     scales = Scales()
     with faults.at("scales"):
         scales = read_scales(spec.scales)
+        plottable(scales, mechanism)
     return tuple(asks), tuple(printed), scales
 
 

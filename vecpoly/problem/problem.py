@@ -129,6 +129,7 @@ class Problem:
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
     read: tuple[Path, ...] = ()  # these files
+    warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant
 
     @property
     def files(self) -> tuple[Path, ...]:

@@ -7,11 +7,13 @@ from pathlib import Path as FilePath
 from pathlib import PurePath
 from typing import Any
 
+from .. import limits
 from ..errors import ProblemFileError
+from ..words import Words
+from .characters import refuse_unwanted
 from .faults import Path, Place
 
-LIMIT = 1_000_000  # bytes; a problem file has about a thousand
-_DEEP = 40
+PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
 
 Value = Any  # str | None | list[Value] | dict[str, Value]; what is in a file is known only after validation
 
@@ -31,10 +33,9 @@ def read_text(path: FilePath) -> str:
     """The text of a file. Refuses by size before reading; UTF-8 only, with or without a byte order mark."""
     try:
         size = path.stat().st_size
-        if size > LIMIT:
-            raise ProblemFileError(
-                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB"
-            )
+        if size > limits.FILE:
+            raise ProblemFileError(Words(f"{path}：{size / 1e6:.1f} MB，不是题目文件；上限为 {limits.FILE / 1e6:.0f} MB",
+                                         f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {limits.FILE / 1e6:.0f} MB"), code="too large")
         return path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
@@ -55,6 +56,7 @@ def read(path: FilePath) -> Tree:
 
 def parse(text: str, name: str) -> Tree:
     """Text to values with places. Raises ProblemFileError for anything that is no plain YAML mapping."""
+    refuse_unwanted(text, name)
     node = _compose(text, name)
     tree = Tree(name, {}, text=text)
     data = None if node is None else _Reader(tree).value(node, ())
@@ -101,19 +103,37 @@ class _Reader:
         mark = node.start_mark
         place = Place(self.tree.name, mark.line + 1, mark.column + 1)
         self.tree.places.setdefault(path, place)
-        if id(node) in self.seen or len(path) > _DEEP:
+        if id(node) in self.seen or len(path) > limits.DEPTH:
             raise ProblemFileError(
                 f"{place.file}, line {place.line}: no YAML aliases or deep nesting here; write the value out"
             )
         self.seen.add(id(node))
         match node.id:
             case "mapping":
+                self.counted(node, place)
                 return self.mapping(node, path)
             case "sequence":
+                self.counted(node, place)
                 return [self.value(item, (*path, i)) for i, item in enumerate(node.value)]
             case _:
                 empty = node.style is None and node.value in ("", "~", "null")
-                return None if empty else str(node.value)
+                return None if empty else self.scalar(str(node.value), place, limits.PROSE if PROSE.intersection(map(str, path)) else limits.SCALAR)
+
+    def scalar(self, text: str, place: Place, most: int) -> str:
+        """A text that is not too long, and holds no sign that escapes (`"\\e"`) have brought in."""
+        if len(text) > most:
+            raise ProblemFileError(Words(f"{place.file}，第 {place.line} 行第 {place.column} 列：此处有 {len(text)} 个字符，最多 {most} 个；请缩短",
+                                         f"{place.file}, line {place.line}, column {place.column}: {len(text)} characters where at most {most} are possible; shorten the text"),
+                                   code="too long", numbers={"characters": len(text), "limit": most})
+        refuse_unwanted(text, place.file, place.line, place.column)
+        return text
+
+    def counted(self, node: Any, place: Place) -> None:
+        """A list or mapping of not too many entries."""
+        if len(node.value) > limits.ENTRIES:
+            raise ProblemFileError(Words(f"{place.file}，第 {place.line} 行：此处有 {len(node.value)} 项，最多 {limits.ENTRIES} 项",
+                                         f"{place.file}, line {place.line}: {len(node.value)} entries where at most {limits.ENTRIES} are possible"),
+                                   code="too many", numbers={"entries": len(node.value), "limit": limits.ENTRIES})
 
     def mapping(self, node: Any, path: Path) -> dict[str, Value]:
         data: dict[str, Value] = {}
@@ -122,6 +142,7 @@ class _Reader:
             where = f"{place.file}, line {place.line}, column {place.column}"
             if key.id != "scalar":
                 raise ProblemFileError(f"{where}: a key must be a plain word")
+            self.scalar(key.value, place, limits.SCALAR)
             if ":" in key.value:
                 raise ProblemFileError(f"{where}: '{key.value}': write a space and a value after the ':'")
             if key.value in data:

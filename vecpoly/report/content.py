@@ -65,13 +65,14 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:
-    """Counts in which no hand can err, and which still are not what the oracle says; why, as far as the oracle knows."""
+    """What is hardly meant; counts in which no hand can err, and which still are not what the oracle says, and why, as far as the oracle knows."""
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
     wrong = [answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
+    warned = [words.of(lang) for words in solution.warnings]
     if not wrong:
-        return []
+        return warned
     why = dependence(solution.problem.subject)
-    return [_disagreed(wrong).of(lang), *([] if why is None else [why.of(lang)])]
+    return [*warned, _disagreed(wrong).of(lang), *([] if why is None else [why.of(lang)])]
 
 
 def _disagreed(wrong: list[Answer]) -> Words:

@@ -109,7 +109,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         blank = frames(solution.construction)
         return common | {
             "blanks": blank_equations(solution, objects), "empty": objects.add("tab", empty_table(solution, lang)),
-            "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title)],
+            "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
         }
     checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
     return common | {
@@ -120,7 +120,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang), "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
-        "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
+        "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
     }
 
 
