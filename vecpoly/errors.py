@@ -66,6 +66,10 @@ class TableError(VecpolyError, ValueError):
     """A printed table that cannot be read: file, line, column, cause, remedy."""
 
 
+class ReportTemplateError(VecpolyError, ValueError):
+    """A report template that cannot be filled: file, line, cause."""
+
+
 class FaultError(Exception):
     """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
 

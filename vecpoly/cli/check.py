@@ -11,7 +11,7 @@ from .check_table import check_table_of, columns_said
 from .errors import DISAGREES, Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import JSON, ColumnsOption, JsonOption, Lang, LangOption, Problems, TableOption
+from .options import JSON, ColumnsOption, JsonOption, Lang, LangOption, OutsideOption, Problems, TableOption
 from .terminal import add, progress, show, table
 from .wording import bare, beside, number, percent, symbol, unit
 
@@ -27,7 +27,7 @@ _COLUMNS = {
 _NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
 
 
-def check(names: Problems, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en") -> None:
+def check(names: Problems, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Check printed answers, or a printed table, against exact values.
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies
@@ -36,7 +36,7 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
     Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """
     said = columns_said(columns)
-    found = problems(names)
+    found = problems(names, allow_outside)
     spared(json, JSON, found, [table_file] if table_file else [])
     if table_file is not None:
         check_table_of(found, table_file, said, json, lang)

@@ -14,7 +14,7 @@ from ..limits import POSITIONS
 from .errors import about
 from .files import put, spared
 from .jobs import problems
-from .options import Lang, LangOption, place
+from .options import Lang, LangOption, OutsideOption, place
 from .terminal import add, show, table, warn
 from .wording import bare, number, unit
 
@@ -40,13 +40,13 @@ Hodograph = Annotated[str, typer.Option("--hodograph", metavar="KEY", help="With
 
 
 def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot: PlotOption = None, of: Of = "",
-          path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en") -> None:
+          path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
     if path and hodograph:
         raise NotAskedError("--path and --hodograph are two drawings: ask for one of them")
     if (path or hodograph) and plot is None:
         raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
-    (problem,) = _one(problems([name]))
+    (problem,) = _one(problems([name], allow_outside))
     warn(problem.id, problem.warnings, lang)
     spared(output, TABLES, [problem])
     spared(plot, PLOTS, [problem])

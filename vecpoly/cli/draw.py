@@ -12,7 +12,7 @@ from ..words import Words
 from .errors import about
 from .files import STDOUT, put, spared
 from .jobs import problems
-from .options import HandOption, Lang, LangOption, OutOption, SeedOption
+from .options import HandOption, Lang, LangOption, OutOption, OutsideOption, SeedOption
 from .terminal import warn
 
 if TYPE_CHECKING:
@@ -36,13 +36,14 @@ def draw(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     dpi: Dpi = 150.0,
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG or PDF.
 
     1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
-    (problem,) = problems([name])
+    (problem,) = problems([name], allow_outside)
     spared(path, FORMATS, [problem])
     from ..solution import solve
 

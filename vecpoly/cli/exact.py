@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import JSON, JsonOption, Lang, LangOption, Problems
+from .options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
 from .terminal import add, progress, show, table, warn
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact", "unit", "direction")}
 
 
-def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
+def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Print the analytic answers, without a drawing."""
-    found = problems(names)
+    found = problems(names, allow_outside)
     spared(json, JSON, found)
     from ..check.exact import Exact
 

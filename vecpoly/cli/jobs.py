@@ -30,7 +30,7 @@ class Job:
         return (*((self.path,) if self.path else ()), *(file for problem in self.problems for file in problem.files))
 
 
-def problems(names: Sequence[str]) -> list[Problem]:
+def problems(names: Sequence[str], outside: bool = False) -> list[Problem]:
     """All problems named."""
     from ..problem.load import load
 
@@ -38,18 +38,18 @@ def problems(names: Sequence[str]) -> list[Problem]:
     found = []
     for name in _parts(names):
         with tally.job():
-            found.append(load(name))
+            found.append(load(name, allow_outside=outside))
     tally.settle()
     return found
 
 
-def jobs(names: Sequence[str]) -> list[Job]:
+def jobs(names: Sequence[str], outside: bool = False) -> list[Job]:
     """All documents named: a problem by id or file, an assignment by file."""
     tally = Tally()
     found: list[Job] = []
     for name in _parts(names):
         with tally.job():
-            found.append(job(name))
+            found.append(job(name, outside))
     tally.settle()
     return found
 
@@ -62,14 +62,14 @@ def _parts(names: Sequence[str]) -> list[str]:
     return list(dict.fromkeys(parts))
 
 
-def job(name: str) -> Job:
+def job(name: str, outside: bool = False) -> Job:
     """The document of a problem or of an assignment file."""
     from ..problem.assignment import is_assignment, load_assignment
     from ..problem.load import load, locate
 
     path = locate(name)
     if not is_assignment(path):
-        problem = load(path)
+        problem = load(path, allow_outside=outside)
         return Job(name=problem.id, problems=(problem,))
-    sheet = load_assignment(path)
+    sheet = load_assignment(path, allow_outside=outside)
     return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block, path=path)

@@ -40,6 +40,9 @@ ColumnsOption = Annotated[
                  help="What columns of the table hold: phi_5=rad, w3=omega_4, V=v_E[mm/s], remarks=- (left out)."),
 ]
 LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help="Chinese or English.")]
+OutsideOption = Annotated[
+    bool, typer.Option("--allow-outside", help="Read files that the problem file names outside its folder and the library, too.")
+]
 JsonOption = Annotated[
     Path | None, typer.Option("--json", metavar="FILE|-", parser=place, help="Write JSON to this file, or to stdout with -.", show_default=False)
 ]

@@ -11,7 +11,7 @@ from .draw import Id
 from .errors import about
 from .files import put, spared
 from .jobs import problems
-from .options import HandOption, LangOption, OutOption, SeedOption
+from .options import HandOption, LangOption, OutOption, OutsideOption, SeedOption
 from .terminal import warn
 
 HTML = (".html", ".htm")
@@ -25,12 +25,13 @@ def play(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     places: Places = 72,
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Write a step player: one HTML file for class, phone or desktop, in both languages.
 
     It shows the construction line by line with the sentence of each step beside it, and the finished figures for every place of the crank.
     """
-    (problem,) = problems([name])
+    (problem,) = problems([name], allow_outside)
     path = output or Path(f"{problem.id}.html")
     path = spared(path / f"{problem.id}.html" if path.is_dir() else path, HTML, [problem]) or path
     from ..player.page import player_html

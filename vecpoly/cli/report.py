@@ -11,7 +11,18 @@ from ..files import is_special
 from .errors import Tally, about
 from .files import STDOUT, put, spared
 from .jobs import Job, jobs
-from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
+from .options import (
+    Documents,
+    Hand,
+    HandOption,
+    Lang,
+    LangOption,
+    OutOption,
+    OutsideOption,
+    SeedOption,
+    Style,
+    StyleOption,
+)
 from .terminal import progress, warn
 
 if TYPE_CHECKING:
@@ -29,13 +40,14 @@ def report(
     style: StyleOption = "solution",
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Write reports as PDF.
 
     With -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem or assignment gets a file there.
     Without -o the files are written here.
     """
-    plan = _plan(jobs(names), output, lang, style)
+    plan = _plan(jobs(names, allow_outside), output, lang, style)
     tally = Tally()
     for job, path in progress(plan, "writing"):
         with tally.job():

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import JSON, HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
+from .options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
 from .terminal import add, progress, show, table, warn
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
@@ -30,9 +30,10 @@ def solve(
     seed: SeedOption = 0,
     json: JsonOption = None,
     lang: LangOption = "en",
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
-    found = problems(names)
+    found = problems(names, allow_outside)
     spared(json, JSON, found)
     from ..solution import solve as solved
 

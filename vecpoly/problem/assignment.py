@@ -7,15 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..errors import FaultError, UnknownNameError
+from ..errors import FaultError, ProblemFileError, UnknownNameError
 from ..frozen import FrozenMap
 from ..words import Words
 from .build import build
 from .faults import Faults, meant
 from .load import locate, tree_of
 from .problem import Problem
+from .reach import Reach, refuse_foreign
 from .schema import AssignmentSpec
-from .source import Tree, overlay, read
+from .source import Tree, overlay, read, read_text
 from .validate import validate
 
 FIELDS = {
@@ -48,10 +49,11 @@ def is_assignment(path: Path) -> bool:
     return "problems" in data and "links" not in data
 
 
-def load_assignment(where: str | Path) -> Assignment:
-    """The assignment in this file; raises ProblemFileError."""
+def load_assignment(where: str | Path, *, allow_outside: bool = False) -> Assignment:
+    """The assignment in this file; allow_outside: as in `load`. Raises ProblemFileError."""
     path = Path(where)
     tree = read(path)
+    tree.reach = Reach(path.parent, allow_outside)
     faults = Faults(tree.name, tree.places)
     spec = validate(AssignmentSpec, tree.data, faults)
     block = _block(spec.title_block, faults)
@@ -85,10 +87,11 @@ def _problem(
         if not isinstance(name, str):
             raise FaultError("name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}")
         try:
-            file = locate(name, path.parent)
-        except UnknownNameError as error:
+            file = locate(name, path.parent, tree.reach)
+            refuse_foreign(read_text(file), file)
+        except (ProblemFileError, UnknownNameError) as error:
             raise FaultError(str(error)) from None
-        base = tree_of(file)
+        base = tree_of(file, reach=tree.reach)
         if over is None:
             return build(base, file)
         over.data.pop("problem")
@@ -110,6 +113,7 @@ def part(tree: Tree, path: tuple[str | int, ...]) -> Tree:
         {p[depth:]: place for p, place in tree.places.items() if p[:depth] == path},
         tree.text,
         tree.files,
+        tree.reach,
     )
 
 

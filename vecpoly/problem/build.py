@@ -80,6 +80,7 @@ def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
         with faults.at("tables", i):
             place = tree.places.get(("tables", i))
             file = (Path(place.file).parent if place else Path()) / name
+            tree.reach.refuse_outside(file)
             if not file.is_file():
                 raise FaultError(f"no table '{name}' beside this file (looked for {file})")
             found.append(file)

@@ -12,6 +12,7 @@ from ..errors import ProblemFileError
 from ..words import Words
 from .characters import refuse_unwanted
 from .faults import Path, Place
+from .reach import Reach
 
 PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
 
@@ -27,6 +28,7 @@ class Tree:
     places: dict[Path, Place] = field(default_factory=dict)
     text: str = ""
     files: tuple[FilePath, ...] = ()  # from which it was read
+    reach: Reach = field(default_factory=Reach)  # which other files it may name
 
 
 def read_text(path: FilePath) -> str:
@@ -157,7 +159,7 @@ def overlay(base: Tree, over: Tree) -> Tree:
     """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away. The base's text follows the other's."""
     places = dict(base.places)
     text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
-    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text, (*over.files, *base.files))
+    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text, (*over.files, *base.files), over.reach)
 
 
 def _merge(

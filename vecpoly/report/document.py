@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined, TemplateNotFound
+from jinja2 import TemplateNotFound
 
 from ..check.printed import PrintedCheck, check_problem
 from ..check.verdict import Verdict
@@ -29,6 +28,7 @@ from .lines import lines_table
 from .picture import diagram, frames, picture
 from .printed_tables import printed_tables
 from .tables import empty_table, percent, printed_table, readings_table, symbol_of
+from .templates import filled
 from .titles import subject
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
@@ -77,16 +77,10 @@ def markup(
         "problems": [_problem(s, lang, style, objects) for s in solutions],
     }
     try:
-        template = _environment(templates).get_template(f"{style}.{lang}.xml.j2")
+        folders = (*((Path(templates),) if templates else ()), data_dir("templates"))
+        return filled(f"{style}.{lang}.xml.j2", folders, context), objects
     except TemplateNotFound:
         raise UnknownNameError(f"no report style '{style}': there are {', '.join(STYLES)}") from None
-    return template.render(context), objects
-
-
-@cache
-def _environment(own: Path | None) -> Environment:
-    loaders = [FileSystemLoader(folder) for folder in (own, data_dir("templates")) if folder]
-    return Environment(loader=ChoiceLoader(loaders), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
 
 
 def _title(solutions: Sequence[Solution]) -> Words:
