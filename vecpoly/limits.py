@@ -30,10 +30,10 @@ SHEET = (277.0, 190.0)  # mm of a landscape sheet that may be drawn on
 # Printed tables
 TABLE_BYTES = 20_000_000  # of a file
 TABLE_UNPACKED = 200_000_000  # bytes of the parts of an XLSX file together
-TABLE_ROWS = 100_000
+TABLE_ROWS = 20_000  # three for every tenth of a degree
 TABLE_COLUMNS = 200
 CELL = 1_000  # characters
-LONG_READ = 20_000  # rows, after each of which progress is shown
+LONG_READ = 200_000  # bytes of a table above which it is said that it is being read
 
 # The cycle
 POSITIONS = 2_000_001  # of the drive in a table

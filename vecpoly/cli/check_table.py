@@ -5,6 +5,7 @@ Exit code 0: every column agrees; 1: one is wrong, or wrong in certain rows; 2: 
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from math import isfinite
 from pathlib import Path
@@ -13,10 +14,12 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..errors import TableError
+from ..limits import LONG_READ
+from ..words import Words
 from .errors import DISAGREES, about
 from .files import STDOUT, write_json
 from .options import Lang
-from .terminal import add, show, table
+from .terminal import add, say, show, table
 from .wording import bare
 
 if TYPE_CHECKING:
@@ -47,6 +50,8 @@ def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, s
 
     if len(problems) != 1:
         raise TableError(f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}")
+    if path.is_file() and path.stat().st_size > LONG_READ and sys.stderr.isatty():
+        say(Words(f"正在读取并核对 {path.name}（{path.stat().st_size / 1e6:.1f} MB）……", f"reading and checking {path.name} ({path.stat().st_size / 1e6:.1f} MB) ...").of(lang))
     with about(problems[0].id):
         checked = check_table(problems[0], path, said)
     if json != STDOUT:
