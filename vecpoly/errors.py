@@ -66,6 +66,10 @@ class TableError(VecpolyError, ValueError):
     """A printed table that cannot be read: file, line, column, cause, remedy."""
 
 
+class ArgumentError(VecpolyError, ValueError):
+    """An argument that no function of ours takes: what it is, and what it may be."""
+
+
 class ReportTemplateError(VecpolyError, ValueError):
     """A report template that cannot be filled: file, line, cause."""
 

@@ -35,5 +35,9 @@ TABLE_COLUMNS = 200
 CELL = 1_000  # characters
 LONG_READ = 200_000  # bytes of a table above which it is said that it is being read
 
+# Hands
+REPEATS = 100_000  # of a drawing
+SEED = 2**63 - 1
+
 # The cycle
 POSITIONS = 2_000_001  # of the drive in a table

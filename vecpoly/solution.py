@@ -5,12 +5,14 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from math import degrees, inf, isfinite, nan
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from .arguments import of_kind
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
 from .board.sizes import unfit
@@ -158,6 +160,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
 
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
+    of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     truth = Exact(problem)
     exact = truth.values  # first: its refusals know the range of the input that does assemble
     construction, spread = _constructed(problem, hand(by, seed=seed, repeats=repeats))
@@ -182,7 +185,7 @@ def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str,
     if problem.loads is not None:
         return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View})
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), fits_sheet)
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"))
 
 
 def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[complex, str] | None, turns: bool) -> Answer:

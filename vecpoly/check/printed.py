@@ -8,6 +8,7 @@ from functools import cache
 from statistics import median
 
 from .. import oracle
+from ..arguments import of_kind
 from ..devices.base import Device
 from ..errors import UnknownNameError
 from ..mechanism.loads import Loads
@@ -38,6 +39,7 @@ class PrintedCheck:
 
 def check_problem(problem: Problem) -> PrintedCheck:
     """Check every printed answer of the problem against the oracle."""
+    of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     checked: list[Checked] = []
     skipped: list[Printed] = []
     truth = _truth(problem)

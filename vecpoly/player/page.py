@@ -6,6 +6,7 @@ import json
 import re
 from typing import Any
 
+from ..arguments import known_language, of_kind
 from ..data import data_dir
 from ..report.content import statement
 from ..report.templates import filled
@@ -33,6 +34,8 @@ def player_html(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, 
 
     A page that would be larger than a megabyte has half as many places.
     """
+    known_language(lang)
+    of_kind(solution, Solution, Words("解答（solve 的结果）", "a solution, as solve gives it,"))
     ink = Ink()
     through = cycle(solution, places, seed=seed)
     turning = len(through.turns) > 1

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..arguments import of_kind
 from ..errors import FaultError, ProblemFileError, UnknownNameError
 from ..frozen import FrozenMap
 from ..words import Words
@@ -51,6 +52,7 @@ def is_assignment(path: Path) -> bool:
 
 def load_assignment(where: str | Path, *, allow_outside: bool = False) -> Assignment:
     """The assignment in this file; allow_outside: as in `load`. Raises ProblemFileError."""
+    of_kind(where, (str, Path), Words("文件名", "the name of a file"))
     path = Path(where)
     tree = read(path)
     tree.reach = Reach(path.parent, allow_outside)

@@ -8,13 +8,14 @@ from typing import Any
 
 from jinja2 import TemplateNotFound
 
+from ..arguments import known_language, of_kind
 from ..check.printed import PrintedCheck, check_problem
 from ..check.verdict import Verdict
 from ..data import data_dir
 from ..drawing.figure import draw_figure
 from ..drawing.pdf import draw_pdf
 from ..drawing.sheet import Sheet, sheets
-from ..errors import NotAskedError, UnknownNameError
+from ..errors import ArgumentError, NotAskedError, UnknownNameError
 from ..files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
@@ -37,6 +38,7 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 }
 _HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
              "note": Words("关于原书：", "On the printed solution: "), "pass": Words.same("")}
+_SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
 
@@ -50,6 +52,7 @@ def write_report(
     fields: values of the title block by their label; templates: a folder whose templates come before the built-in ones.
     Raises UnknownNameError for a style without a template.
     """
+    of_kind(path, (str, Path), Words("文件名", "the name of a file"))
     return write_whole(Path(path), report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates))
 
 
@@ -58,6 +61,10 @@ def report_bytes(
     fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
 ) -> bytes:
     """The PDF that `write_report` writes."""
+    known_language(lang)
+    solutions = [of_kind(one, Solution, _SOLVED) for one in of_kind(solutions, Sequence, Words("若干解答的列表", "a list of solutions"))]
+    if not solutions:
+        raise ArgumentError(Words("没有可写的解答：列表是空的", "there is nothing to report: the list of solutions is empty"), code="empty")
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
     story = to_flowables(document, objects.named, lang)
