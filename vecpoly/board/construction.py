@@ -134,6 +134,7 @@ class Construction:
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
     forces: Mapping[str, Reading] = field(default_factory=dict)  # everything that a force analysis found, asked for or not
+    warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
 
     def __post_init__(self) -> None:
         for name in ("readings", "forces"):

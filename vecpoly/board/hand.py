@@ -18,6 +18,7 @@ from ..arguments import whole_number
 from ..errors import UnknownNameError
 from ..limits import REPEATS, SEED
 from ..plane import Points, Reals
+from ..words import Words
 
 HandName = Literal["exact", "drafting", "pencil"]
 
@@ -105,7 +106,9 @@ def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
     Raises UnknownNameError for any other name.
     """
     if name not in _SKILLS:
-        raise UnknownNameError(f"no hand is called '{name}'; there are exact, drafting and pencil")
+        raise UnknownNameError(Words(
+            f"没有名为“{name}”的作图手法；可用 exact、drafting、pencil",
+            f"no hand is called '{name}'; there are exact, drafting and pencil"))
     whole_number("repeats", repeats, 0, REPEATS)
     whole_number("seed", seed, 0, SEED)
     first, others = _SKILLS[name]

@@ -39,7 +39,9 @@ def columns_said(texts: Sequence[str] | None) -> dict[str, str]:
     for text in (part.strip() for one in texts or () for part in one.split(",") if part.strip()):
         header, equals, meaning = text.partition("=")
         if not (equals and header.strip() and meaning.strip()):
-            raise TableError(f"--columns {text}: write HEADER=MEANING, e.g. phi_5=rad, w3=omega_4, remarks=-")
+            raise TableError(Words(
+                f"--columns {text}：应写作 列名=含义，如 phi_5=rad, w3=omega_4, remarks=-",
+                f"--columns {text}: write HEADER=MEANING, e.g. phi_5=rad, w3=omega_4, remarks=-"))
         said[header.strip()] = meaning.strip()
     return said
 
@@ -49,7 +51,9 @@ def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, s
     from ..check.table import check_table
 
     if len(problems) != 1:
-        raise TableError(f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}")
+        raise TableError(Words(
+            f"一张表只与一道题比较；这里给出 {len(problems)} 道：{', '.join(one.id for one in problems)}",
+            f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}"))
     if path.is_file() and path.stat().st_size > LONG_READ and sys.stderr.isatty():
         say(Words(f"正在读取并核对 {path.name}（{path.stat().st_size / 1e6:.1f} MB）……", f"reading and checking {path.name} ({path.stat().st_size / 1e6:.1f} MB) ...").of(lang))
     with about(problems[0].id):

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from math import ceil, degrees, floor, isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import NotAskedError, UnknownNameError
+from ..errors import NotAskedError, VecpolyError
 from ..limits import POSITIONS
-from .errors import about
-from .files import put, spared
-from .jobs import problems
+from ..words import Words
+from .completion import ids
+from .errors import Tally, about
+from .files import STDOUT, put, spared
+from .jobs import each, problems
 from .options import Lang, LangOption, OutsideOption, place
 from .terminal import add, show, table, warn
 from .wording import bare, number, unit
@@ -29,7 +32,7 @@ _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
 }
 
-Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as A-27, or a file.", show_default=False)]
+Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as A-27, or a file.", show_default=False, autocompletion=ids)]
 Count = Annotated[int, typer.Option("-n", min=2, max=POSITIONS, help="Number of positions, both ends included.")]
 Step = Annotated[float | None, typer.Option("--step", min=1e-6, max=1e6, help="Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).", show_default=False)]
 Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", parser=place, help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
@@ -43,34 +46,47 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
           path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
     if path and hodograph:
-        raise NotAskedError("--path and --hodograph are two drawings: ask for one of them")
+        raise NotAskedError(Words(
+            "--path 与 --hodograph 是两种图；请只取其一",
+            "--path and --hodograph are two drawings: ask for one of them"))
     if (path or hodograph) and plot is None:
-        raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
-    (problem,) = _one(problems([name], allow_outside))
-    warn(problem.id, problem.warnings, lang)
-    spared(output, TABLES, [problem])
-    spared(plot, PLOTS, [problem])
+        raise NotAskedError(Words(
+            "--path 与 --hodograph 用于绘图；请用 --plot 文件 指明输出",
+            "--path and --hodograph are drawings: say where to with --plot FILE"))
+    tally = Tally()
+    found = problems([name], tally, allow_outside)
+    spared(output, TABLES, found)
+    spared(plot, PLOTS, found)
     from ..cycle import cycle as whole
 
-    with about(problem.id):
-        turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
-        keys = tuple(part.strip() for part in of.split(",") if part.strip())
-        for key in keys:
-            turn.info(key)
-        if output is not None:
-            _write(turn, keys, output, lang)
-        if plot is not None:
-            drawn = _drawn(turn, problem, keys, path, hodograph, lang)
-            data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}.get(plot.suffix.lower(), lambda: drawn.svg().encode())()
-            put(plot, data)
-        if output is None and plot is None:
-            _print(turn, problem, keys, lang)
+    keys = tuple(part.strip() for part in of.split(",") if part.strip())
+    for problem in found:
+        with tally.job(), about(problem.id):
+            warn(problem.id, problem.warnings, lang)
+            turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
+            for key in keys:
+                turn.info(key)
+            if output is not None:
+                _write(turn, keys, each(output, problem.id, len(found)) if output != STDOUT else output, lang)
+            if plot is not None:
+                _plot(_drawn(turn, problem, keys, path, hodograph, lang), each(plot, problem.id, len(found)))
+            if output is None and plot is None:
+                _print(turn, problem, keys, lang)
+            _weigh(problem, lang, tally)
+    tally.settle()
 
 
-def _one(found: list[Problem]) -> list[Problem]:
-    if len(found) != 1:
-        raise UnknownNameError(f"one problem at a time; these are {', '.join(problem.id for problem in found)}")
-    return found
+def _plot(drawn: Plot, path: Path) -> None:
+    kinds = {".pdf": drawn.pdf, ".png": drawn.png}
+    put(path, kinds.get(path.suffix.lower(), lambda: drawn.svg().encode())())
+
+
+def _weigh(problem: Problem, lang: Lang, tally: Tally) -> None:
+    """Raise the alarm where the drawing of the problem's own position contradicts the analysis that the cycle goes by."""
+    from ..solution import solve
+
+    with suppress(VecpolyError):  # no method draws it: there is nothing to compare with
+        tally.weigh(problem.id, solve(problem, by="exact", repeats=0).construction.warning, lang)
 
 
 def _multiples(turn: Cycle, step: float) -> list[float]:
@@ -79,10 +95,14 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
     first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
     count = last - first + 1
     if count > POSITIONS:
-        raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {POSITIONS} are possible")
+        raise NotAskedError(Words(
+            f"步长 {step:g} 产生 {count} 个位置；至多 {POSITIONS} 个",
+            f"a step of {step:g} makes {count} positions; at most {POSITIONS} are possible"))
     if count < 2:
         low, high = turn.low * factor, turn.high * factor
-        raise NotAskedError(f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step")
+        raise NotAskedError(Words(
+            f"步长 {step:g} 在 {low:.6g} … {high:.6g} {turn.drive.shown_unit} 内不足 2 个位置；请减小步长",
+            f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step"))
     return [k * step / factor for k in range(first, last + 1)]
 
 

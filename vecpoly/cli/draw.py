@@ -9,9 +9,10 @@ import typer
 
 from ..errors import UnknownNameError, VecpolyError
 from ..words import Words
-from .errors import about
+from .completion import ids
+from .errors import Tally, about
 from .files import STDOUT, put, spared
-from .jobs import problems
+from .jobs import each, problems
 from .options import HandOption, Lang, LangOption, OutOption, OutsideOption, SeedOption
 from .terminal import warn
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 SHEET = "sheet"
 FORMATS = (".svg", ".png", ".pdf")
-Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as 3-9, or a file.", show_default=False)]
+Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as 3-9, or a file.", show_default=False, autocompletion=ids)]
 FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
                                            "force:3; sheet is the whole A4 page.")]
 Dpi = Annotated[float, typer.Option("--dpi", min=10, max=1200, help="Resolution of a PNG.")]
@@ -43,16 +44,19 @@ def draw(
     1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
-    (problem,) = problems([name], allow_outside)
-    spared(path, FORMATS, [problem])
+    tally = Tally()
+    found = problems([name], tally, allow_outside)
+    spared(path, FORMATS, found)
     from ..solution import solve
 
-    with about(problem.id):
-        solution = solve(problem, by=hand, seed=seed, repeats=0)
-        pages = scenes(solution, figure, lang)
-    warn(problem.id, solution.warnings, lang)
-    for target, data in encoded(pages, path, dpi):
-        put(target, data)
+    for problem in found:
+        with tally.job(), about(problem.id):
+            solution = solve(problem, by=hand, seed=seed, repeats=0)
+            for target, data in encoded(scenes(solution, figure, lang), each(path, problem.id, len(found)), dpi):
+                put(target, data)
+            warn(problem.id, solution.warnings, lang)
+            tally.weigh(problem.id, solution.construction.warning, lang)
+    tally.settle()
 
 
 def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
@@ -68,7 +72,9 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     drawn = None if place is None else solution.construction.figure(place)
     if drawn is None:
         there = ", ".join([*named(solution.construction), SHEET])
-        raise UnknownNameError(f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}")
+        raise UnknownNameError(Words(
+            f"{solution.problem.id} 没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
+            f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import VecpolyError
 from ..files import is_special, write_whole
 from ..words import Words
-from .terminal import say
+from .terminal import wrote
 
 if TYPE_CHECKING:
     from ..problem.problem import Problem
@@ -44,7 +44,7 @@ def put(target: Path, data: bytes) -> None:
         sys.stdout.buffer.write(data)
         sys.stdout.flush()
     else:
-        say(f"wrote {write_whole(target, data)}")
+        wrote(write_whole(target, data))
 
 
 def write_json(data: Any, where: Path) -> None:

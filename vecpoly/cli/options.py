@@ -9,6 +9,7 @@ import typer
 
 from ..errors import VecpolyError
 from ..words import Words
+from .completion import ids
 
 Lang = Literal["zh", "en"]
 
@@ -25,8 +26,10 @@ Hand = Literal["exact", "drafting", "pencil"]
 Style = Literal["solution", "question", "course"]
 
 Problems = Annotated[
-    list[str], typer.Argument(metavar="ID_OR_PATH...", help="Problems: ids such as 3-9, or problem files.", show_default=False)
+    list[str],
+    typer.Argument(metavar="ID_OR_FILE...", help="Problems or assignments: ids such as 3-9, or files.", show_default=False, autocompletion=ids),
 ]
+Documents = Problems
 HandOption = Annotated[
     Hand, typer.Option("--hand", help="How accurately is drawn: exact; drafting (0.1 mm); pencil (0.5 mm, with scatter).")
 ]
@@ -43,14 +46,15 @@ LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help=
 OutsideOption = Annotated[
     bool, typer.Option("--allow-outside", help="Read files that the problem file names outside its folder and the library, too.")
 ]
+SaidLang = Annotated[Lang | None, typer.Option("--lang", help="Chinese or English.", show_default=False)]
+ErrorsOption = Annotated[
+    Literal["text", "json"],
+    typer.Option("--errors", envvar="VECPOLY_ERRORS", help="How what is refused is told: as text, or as JSON, a line each, for programs."),
+]
 JsonOption = Annotated[
     Path | None, typer.Option("--json", metavar="FILE|-", parser=place, help="Write JSON to this file, or to stdout with -.", show_default=False)
 ]
 StyleOption = Annotated[Style, typer.Option("--style", help="The solution; the question with blank frames to draw in; or the course report over the whole cycle.")]
 OutOption = Annotated[
     Path | None, typer.Option("-o", "--output", metavar="PATH|-", parser=place, help="File or folder to write, or - for standard output; missing folders are made.", show_default=False)
-]
-Documents = Annotated[
-    list[str],
-    typer.Argument(metavar="ID_OR_FILE...", help="Problems or assignments: ids such as 3-9, or files.", show_default=False),
 ]

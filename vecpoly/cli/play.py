@@ -7,14 +7,15 @@ from typing import Annotated
 
 import typer
 
+from ..files import is_special
 from .draw import Id
-from .errors import about
-from .files import put, spared
-from .jobs import problems
+from .errors import Tally, about
+from .files import STDOUT, put, spared
+from .jobs import each, problems
 from .options import HandOption, LangOption, OutOption, OutsideOption, SeedOption
 from .terminal import warn
 
-HTML = (".html", ".htm")
+ENDINGS = (".html", ".htm")
 Places = Annotated[int, typer.Option("--places", min=0, max=360, help="Places of the crank over its turn; 0 leaves its slider away.")]
 
 
@@ -31,14 +32,27 @@ def play(
 
     It shows the construction line by line with the sentence of each step beside it, and the finished figures for every place of the crank.
     """
-    (problem,) = problems([name], allow_outside)
-    path = output or Path(f"{problem.id}.html")
-    path = spared(path / f"{problem.id}.html" if path.is_dir() else path, HTML, [problem]) or path
-    from ..player.page import player_html
+    tally = Tally()
+    found = problems([name], tally, allow_outside)
+    from ..player.page import player
     from ..solution import solve
 
-    with about(problem.id):
-        solution = solve(problem, by=hand, seed=seed, repeats=0)
-        page = player_html(solution, lang=lang, places=places, seed=seed)
-    warn(problem.id, solution.warnings, lang)
-    put(path, page.encode())
+    for problem in found:
+        path = _place(output, problem.id, len(found))
+        spared(path, ENDINGS, found)
+        with tally.job(), about(problem.id):
+            solution = solve(problem, by=hand, seed=seed, repeats=0)
+            page = player(solution, lang=lang, places=places, seed=seed)
+            put(path, page.html.encode())
+            warn(problem.id, solution.warnings, lang)
+            tally.weigh(problem.id, page.warning, lang)
+    tally.settle()
+
+
+def _place(output: Path | None, name: str, count: int) -> Path:
+    """The file of a problem's player: the one named, or one in the folder named."""
+    if output is not None and (output == STDOUT or is_special(output)):
+        return output
+    if output is None or output.is_dir() or not output.suffix[1:2].isalpha():
+        return (output or Path()) / f"{name}.html"
+    return each(output, name, count)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import NoMethodError, VecpolyError
 from ..files import is_special
+from ..words import Words
 from .errors import Tally, about
 from .files import STDOUT, put, spared
 from .jobs import Job, jobs
@@ -47,15 +48,16 @@ def report(
     With -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem or assignment gets a file there.
     Without -o the files are written here.
     """
-    plan = _plan(jobs(names, allow_outside), output, lang, style)
     tally = Tally()
+    plan = _plan(jobs(names, tally, allow_outside), output, lang, style)
     for job, path in progress(plan, "writing"):
         with tally.job():
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
+            put(path, document(job, solutions, lang, style))
             for solution in solutions:
                 warn(solution.problem.id, solution.warnings, lang)
-            put(path, document(job, solutions, lang, style))
+                tally.weigh(solution.problem.id, solution.construction.warning, lang)
     tally.settle()
 
 
@@ -96,7 +98,7 @@ def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
 def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -> list[tuple[Job, Path]]:
     """Which document goes where: all into one file, or into the standard output, or each into a folder."""
     files = [file for job in found for file in job.files]
-    if output is not None and (output == STDOUT or is_special(output) or (output.suffix and not output.is_dir())):
+    if output is not None and (output == STDOUT or is_special(output) or (output.suffix[1:2].isalpha() and not output.is_dir())):
         spared(output, PDF, more=files)
         return [(found[0] if len(found) == 1 else _joined(found), output)]
     ending = f".{lang}.pdf" if style == "solution" else f".{style}.{lang}.pdf"
@@ -104,7 +106,9 @@ def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -
     for job in found:
         path = (output or Path()) / f"{job.name}{ending}"
         if path in plan:
-            raise VecpolyError(f"two of the documents would be written to {path}; change the id of one of the problems")
+            raise VecpolyError(Words(
+                f"有两份文档都要写入 {path}；请更改其中一题的 id",
+                f"two of the documents would be written to {path}; change the id of one of the problems"))
         spared(path, PDF, more=files)
         plan[path] = job
     return [(job, path) for path, job in plan.items()]

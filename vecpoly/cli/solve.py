@@ -8,7 +8,7 @@ from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
 from .options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
-from .terminal import add, progress, show, table, warn
+from .terminal import add, progress, say, show, table, warn
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
@@ -33,27 +33,30 @@ def solve(
     allow_outside: OutsideOption = False,
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
-    found = problems(names, allow_outside)
+    tally = Tally()
+    found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
     from ..solution import solve as solved
 
-    tally = Tally()
     solutions: list[Solution] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
-    if json != STDOUT:
-        for solution in solutions:
-            _print(solution, lang)
     for solution in solutions:
+        tally.weigh(solution.problem.id, solution.construction.warning, lang)
+        if json != STDOUT:
+            _print(solution, lang)
         warn(solution.problem.id, solution.warnings, lang)
-    if json is not None and not tally.failed:
+    if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]
-        write_json(data if len(found) > 1 else data[0], json)
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
 
 def _print(solution: Solution, lang: Lang) -> None:
+    from ..problem.hints import nothing_asked
+    from ..solution import fewer_digits
+
     problem = solution.problem
     title = f"{problem.id}  {bare(problem.title.of(lang))}  ({_HANDS[solution.construction.hand][lang]})"
     left = {0, 3, 6}
@@ -63,5 +66,9 @@ def _print(solution: Solution, lang: Lang) -> None:
         add(made, (
             symbol(answer.key), drawn(answer, lang), exact(answer, lang), unit(answer.reading.unit), gap(answer), reach(answer),
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
-        ))  # fmt: skip
+        ), alarmed=answer.suspect is not None)  # fmt: skip
     show(made)
+    if not problem.asks:
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
+    if (few := fewer_digits(solution)) is not None:
+        say(bare(few.of(lang)))

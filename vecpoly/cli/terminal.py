@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 import typer
 
 from ..words import Lang, Words
+from .tongue import told_in
 from .wording import bare
 
 if TYPE_CHECKING:
@@ -53,11 +54,11 @@ def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
     return made
 
 
-def add(to: Table, cells: Iterable[str]) -> None:
-    """A row of plain text: square brackets are letters here, not markup."""
+def add(to: Table, cells: Iterable[str], *, alarmed: bool = False) -> None:
+    """A row of plain text: square brackets are letters here, not markup; in red where it must not be taken for an answer."""
     from rich.text import Text
 
-    to.add_row(*(Text(cell) for cell in cells))
+    to.add_row(*(Text(cell) for cell in cells), style="bold red" if alarmed else "")
 
 
 def progress(items: Sequence[T], doing: str) -> Iterator[T]:
@@ -80,3 +81,8 @@ def warn(problem: str, said: Iterable[Words], lang: Lang) -> None:
 def say(text: str) -> None:
     """A remark that is not part of the output."""
     typer.echo(text, err=True)
+
+
+def wrote(path: object) -> None:
+    """That a file was written."""
+    say(told_in(Words(f"已写入 {path}", f"wrote {path}")))

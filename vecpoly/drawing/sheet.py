@@ -12,6 +12,7 @@ from .detail import detailed
 from .figure import draw_figure
 from .packing import Layout
 from .paging import Drawn, Way, arranged, paged, reading_order
+from .redbox import red_box
 from .scene import Item, Rect, Scene
 from .space import A4, FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
@@ -38,6 +39,7 @@ class Sheet:
     landscape: bool
     strip: Strip
     lang: Lang
+    warning: Words | None = None
 
     @property
     def size(self) -> tuple[float, float]:
@@ -46,9 +48,10 @@ class Sheet:
 
     @property
     def scene(self) -> Scene:
-        """Frame, title strip and figures."""
+        """Frame, title strip and figures; a warning in red over all."""
         page = Rect(0.0, 0.0, *self.size)
-        return Scene((*furniture(page, self.strip, self.lang), *self.drawn), page)
+        alarm = () if self.warning is None else red_box(page, self.warning.of(self.lang))
+        return Scene((*furniture(page, self.strip, self.lang), *self.drawn, *alarm), page)
 
 
 def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None) -> tuple[Sheet, ...]:
@@ -68,7 +71,7 @@ def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_T
     if pages is None:
         raise _too_large(next(one for one in drawn if arranged((one,), way) is None))
     return tuple(
-        _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang)
+        _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang, construction.warning)
         for n, (group, layout) in enumerate(pages, start=1)
     )
 
@@ -87,14 +90,15 @@ def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
 
 def _too_large(one: Drawn) -> VecpolyError:
     size, room = one.scene.extents, usable()
-    name = f"{one.view.value} figure {one.name}".rstrip()
-    return VecpolyError(
-        f"the {name} measures {size.width:.0f} × {size.height:.0f} mm with its lettering; an A4 sheet holds "
-        f"{room[0]:.0f} × {room[1]:.0f} mm (or {usable(True)[0]:.0f} × {usable(True)[1]:.0f} mm across): choose a larger μ"
-    )
+    name, broad = f"{one.view.value} {one.name}".rstrip(), usable(True)
+    return VecpolyError(Words(
+        f"图 {name} 连同文字为 {size.width:.0f} × {size.height:.0f} mm，而 A4 图纸可用 {room[0]:.0f} × {room[1]:.0f} mm"
+        f"（横放 {broad[0]:.0f} × {broad[1]:.0f} mm）；请加大 μ",
+        f"the {one.view.value} figure{f' {one.name}' if one.name else ''} measures {size.width:.0f} × {size.height:.0f} mm with its lettering; "
+        f"an A4 sheet holds {room[0]:.0f} × {room[1]:.0f} mm (or {broad[0]:.0f} × {broad[1]:.0f} mm across): choose a larger μ"))
 
 
-def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang) -> Sheet:
+def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
     items: list[Item] = []
     placed: list[Placed] = []
     for one, corner in zip(drawn, layout.corners, strict=True):
@@ -102,4 +106,4 @@ def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang) -
         shifted = one.scene.moved(by)
         items.extend(shifted.items)
         placed.append(Placed(one.view, by, shifted.extents, one.name))
-    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang)
+    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang, warning)

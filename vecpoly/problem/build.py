@@ -8,18 +8,18 @@ from pathlib import Path
 
 from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
-from ..mechanism.centre_quantities import KEYS, centre_quantities
+from ..mechanism.centre_quantities import centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..mechanism.quantities import quantities
-from ..names import At, Named
+from ..names import At, Named, is_centre
 from ..units import Dim, read
 from ..words import Words
 from .asks import Ask, AskNamed
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
-from .draft import LETTER
-from .faults import Faults, meant
+from .draft import LETTER, refuse_frame
+from .faults import Faults, Place, meant
 from .friction import read_friction
 from .joints import Bodies, read_joint, revolutes
 from .links import read_link
@@ -30,7 +30,7 @@ from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
-from .wanted import default_asks, plottable, read_find, read_point, read_printed, read_scales
+from .wanted import CENTRAL, default_asks, plottable, read_find, read_point, read_printed, read_scales
 from .warnings import warnings_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
@@ -82,7 +82,9 @@ def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
             file = (Path(place.file).parent if place else Path()) / name
             tree.reach.refuse_outside(file)
             if not file.is_file():
-                raise FaultError(f"no table '{name}' beside this file (looked for {file})")
+                raise FaultError(Words(
+                    f"本文件旁没有数据表“{name}”（已查找 {file}）",
+                    f"no table '{name}' beside this file (looked for {file})"))
             found.append(file)
     return tuple(found)
 
@@ -111,9 +113,13 @@ def _points(
     for letter, pair in data.items():
         with faults.at(key, letter):
             if not re.fullmatch(LETTER, letter):
-                raise FaultError(f"'{letter}' is no letter of a point, such as A")
+                raise FaultError(Words(
+                    f"“{letter}”不是点的字母；应写 A 之类的大写字母",
+                    f"'{letter}' is no letter of a point, such as A"))
             if known and letter not in known:
-                raise FaultError(f"point '{letter}' does not exist{meant(letter, known)}")
+                raise FaultError(Words(
+                    f"点“{letter}”不存在",
+                    f"point '{letter}' does not exist") + meant(letter, known))
             points[letter] = complex(read(pair[0], Dim.LENGTH).si, read(pair[1], Dim.LENGTH).si)
     return points
 
@@ -123,10 +129,11 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
     for name, data in spec.links.items():
         with faults.at("links", name):
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
-                raise FaultError(
-                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"
-                )
+                raise FaultError(Words(
+                    f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
+                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"))
             bodies.drafts[name] = read_link(name, data)
+            refuse_frame(bodies.drafts[name], bodies.frame)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies
@@ -192,10 +199,11 @@ def _wanted(
         if isinstance(item, FindSpec) and item.point:
             with faults.at("find", i):
                 named.append(read_point(item, bodies).at)
+    clean = not faults.found
     for i, item in enumerate(spec.find):
         if item == ALL_CENTRES:
-            asks += [AskNamed(rel=named) for key, named in forces.items() if key.startswith("P_")]
-        elif not faults.found:
+            asks += [AskNamed(rel=named) for named in forces.values() if is_centre(named)]
+        elif clean:
             with faults.at("find", i):
                 asks.append(numbered(read_find(item, bodies, named, forces), spec))
     for i, entry in enumerate(spec.printed):
@@ -213,7 +221,7 @@ def _wanted(
 def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
     """What the instant centres give, where one of these is asked for or printed."""
     keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
-    wanted = any(key == ALL_CENTRES or key.startswith(KEYS) for key in keys)
+    wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
     return centre_quantities(mechanism) if wanted and not faults.found else {}
 
 
@@ -233,5 +241,5 @@ def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
         mobility.check(mechanism)
     except VecpolyError as error:
         place = tree.places.get(("input",))
-        where = f"{tree.name}, line {place.line}" if place else tree.name
-        raise type(error)(f"{where}: input: {error}") from None
+        where = Place(place.file if place else tree.name, place.line if place else 0).words
+        raise error.led_by(where + Words("：input：", ": input: ")) from None

@@ -15,7 +15,7 @@ from ..mechanism.model import FRAME, Circle, Contact, Joint, Prismatic, Rack, Re
 from ..units import Dim, positive, read
 from ..words import Words
 from .draft import LETTER, Draft, Line, letters_of
-from .faults import meant
+from .faults import meant, not_on_frame, not_on_link
 from .problem import Shape
 
 LINK = r"\d+[a-z']?"
@@ -49,7 +49,7 @@ class Bodies:
     def draft(self, name: str) -> Draft:
         """The moving link `name`."""
         if name not in self.drafts:
-            raise FaultError(f"link '{name}' does not exist{meant(name, self.drafts)}")
+            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts))
         return self.drafts[name]
 
     def letters(self) -> tuple[str, ...]:
@@ -72,7 +72,7 @@ def revolutes(bodies: Bodies) -> tuple[Revolute, ...]:
 def read_joint(text: object, bodies: Bodies) -> Joint:
     """One entry of `joints`. A pin in a slot adds its massless block to the bodies."""
     if not isinstance(text, str):
-        raise FaultError(f"a joint is a sentence such as {EXAMPLES}")
+        raise FaultError(Words(f"运动副应写成一句话，如 {EXAMPLES}", f"a joint is a sentence such as {EXAMPLES}"))
     if m := _SLIDE.fullmatch(text):
         return _slide(m, bodies)
     if m := _THROUGH.fullmatch(text):
@@ -81,7 +81,9 @@ def read_joint(text: object, bodies: Bodies) -> Joint:
         return _runs(m, bodies)
     if m := _ROLLS.fullmatch(text):
         return _rolls(m, bodies)
-    raise FaultError(f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)")
+    raise FaultError(Words(
+        f"“{text}”不是运动副的写法；应写 {EXAMPLES}（转动副不必写：字母相同即为铰链）",
+        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"))
 
 
 def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
@@ -89,7 +91,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     guide, line = _guide(m["guide"], bodies, block.name)
     pin = m["off"] or m["pin"] or next(iter(block.points))
     if pin not in block.points:
-        raise FaultError(f"point '{pin}' is not on link {block.name}{meant(pin, block.points)}")
+        raise not_on_link(pin, block.name, block.points)
     offset = read(m["offset"], Dim.LENGTH) if m["offset"] else None
     _note_slide(m, block, pin)
     return Prismatic(
@@ -108,30 +110,21 @@ def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     """Remember the data of a sliding joint for 已知."""
     zh_side = "左" if m["side"] == "left" else "右"
     if m["offset"]:
-        block.say(
-            Words(
-                f"偏距 $e$ = {m['offset']}（${pin}$ 在导路{zh_side}侧）",
-                f"offset $e$ = {m['offset']} (${pin}$ to the {m['side']} of the guide)",
-            )
-        )
+        block.say(Words(
+            f"偏距 $e$ = {m['offset']}（${pin}$ 在导路{zh_side}侧）",
+            f"offset $e$ = {m['offset']} (${pin}$ to the {m['side']} of the guide)"))
     if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
         block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
     elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(
-            Words(
-                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            )
-        )
+        block.say(Words(
+            f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
+            f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal"))
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
-        block.say(
-            Words(
-                f"构件 {block.name} 的槽与导路成 {acute:g}°",
-                f"the slot of link {block.name} is at {acute:g}° to the guide",
-            )
-        )
+        block.say(Words(
+            f"构件 {block.name} 的槽与导路成 {acute:g}°",
+            f"the slot of link {block.name} is at {acute:g}° to the guide"))
 
 
 def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
@@ -150,7 +143,9 @@ def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
 def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     pin = m["pin"]
     if not any(pin in draft.points for draft in bodies.drafts.values()):
-        raise FaultError(f"point '{pin}' is on no moving link{meant(pin, bodies.letters())}")
+        raise FaultError(Words(
+            f"点“{pin}”不在任何活动构件上",
+            f"point '{pin}' is on no moving link") + meant(pin, bodies.letters()))
     guide, line = _guide(m["guide"], bodies, "")
     name = f"pin{pin}"
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
@@ -174,10 +169,9 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
         if draft.line is None and len(draft.points) >= 2:
             return text, _along(draft.points, *list(draft.points)[:2])
         if draft.line is None:
-            raise FaultError(
-                f"link {text} has no guide line; write slot: {next(iter(draft.points))} "
-                f"(or rod:) in link {text}"
-            )
+            raise FaultError(Words(
+            f"构件 {text} 没有导路线；请在构件 {text} 中写 slot: {next(iter(draft.points))}（或 rod:）",
+            f"link {text} has no guide line; write slot: {next(iter(draft.points))} (or rod:) in link {text}"))
         return text, draft.line
     letters, _, on = text.partition(" of ")
     first, second = letters_of(letters)
@@ -189,7 +183,9 @@ def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
         else [n for n, d in bodies.drafts.items() if {first, second} <= d.points.keys() and n != block]
     )
     if not owners or not {first, second} <= bodies.draft(owners[0]).points.keys():
-        raise FaultError(f"no link has both points {first} and {second}")
+        raise FaultError(Words(
+            f"没有构件同时含有点 {first} 和 {second}",
+            f"no link has both points {first} and {second}"))
     return owners[0], _along(bodies.drafts[owners[0]].points, first, second)
 
 
@@ -204,7 +200,7 @@ def _fixed_line(text: str, bodies: Bodies) -> Line | None:
         return Line(complex(at, 0), math.pi / 2, "") if m[1] == "x" else Line(complex(0, at), 0.0, "")
     if m := re.fullmatch(rf"line through ({LETTER}) at (.+)", text):
         if m[1] not in bodies.frame:
-            raise FaultError(f"point '{m[1]}' is not on the frame{meant(m[1], bodies.frame)}")
+            raise not_on_frame(m[1], bodies.frame)
         return Line(bodies.frame[m[1]], read(m[2], Dim.ANGLE).si, m[1])
     return None
 
@@ -216,16 +212,20 @@ def _rolls(m: re.Match[str], bodies: Bodies) -> Rolling:
     side = Side.RIGHT if how in ("below", "right of") else Side.LEFT
     other = _partner(on, bodies)
     if isinstance(other, Circle) and how not in ("on", "inside"):
-        raise FaultError(f"a gear rolls 'on' or 'inside' another, not '{how}'")
+        raise FaultError(Words(
+            f"齿轮只能写 rolls on 或 rolls inside，不能写“{how}”",
+            f"a gear rolls 'on' or 'inside' another, not '{how}'"))
     if how == "inside" and isinstance(other, Rack):
-        raise FaultError("a gear rolls on, above, below, left of or right of a rack, not inside it")
+        raise FaultError(Words(
+            "齿轮在齿条上滚动，应写 on、above、below、left of 或 right of，不能写 inside",
+            "a gear rolls on, above, below, left of or right of a rack, not inside it"))
     return Rolling(point=m["point"], gear=gear, on=other, internal=how == "inside", side=side)
 
 
 def _partner(on: str, bodies: Bodies) -> Circle | Rack:
     if m := re.fullmatch(rf"circle about ({LETTER}) of (.+)", on):
         if m[1] not in bodies.frame:
-            raise FaultError(f"point '{m[1]}' is not on the frame{meant(m[1], bodies.frame)}")
+            raise not_on_frame(m[1], bodies.frame)
         return Circle(link=FRAME, centre=m[1], radius=positive(m[2]).si)
     if (fixed := _fixed_line(on, bodies)) is not None:
         return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)
@@ -238,7 +238,7 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
 def _circle(name: str, bodies: Bodies) -> Circle:
     draft = bodies.draft(name)
     if draft.gear is None:
-        raise FaultError(
-            f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}"
-        )
+        raise FaultError(Words(
+        f"构件 {name} 不是齿轮；请在构件 {name} 中写 gear: {next(iter(draft.points))}, radius: 60 mm",
+        f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}"))
     return draft.gear

@@ -21,7 +21,7 @@ from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
-from .flow.blocks import Drawing
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.table import DataTable
 from .flow.xml import to_flowables
@@ -67,9 +67,15 @@ def report_bytes(
         raise ArgumentError(Words("没有可写的解答：列表是空的", "there is nothing to report: the list of solutions is empty"), code="empty")
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
-    story = to_flowables(document, objects.named, lang)
+    story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
     return ReportDoc(story, meta).made()[0]
+
+
+def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
+    """The red boxes that open a report in which an answer is suspect, whatever its template says."""
+    said = [(one.problem.id, one.construction.warning) for one in solutions]
+    return [Callout(Words(f"题 {name}：{text.zh}", f"Problem {name}: {text.en}").of(lang), "fail", lang) for name, text in said if text is not None]
 
 
 def markup(
@@ -77,7 +83,9 @@ def markup(
 ) -> tuple[str, Objects]:
     """The filled template, and the things it names."""
     if style == "course" and len(solutions) != 1:
-        raise NotAskedError(f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder")
+        raise NotAskedError(Words(
+            f"一份课程报告只写一道题，这里给了 {len(solutions)} 道；请只给一道，或输出到文件夹",
+            f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder"))
     objects = Objects()
     context = {
         "title": (title or subject(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
@@ -87,7 +95,9 @@ def markup(
         folders = (*((Path(templates),) if templates else ()), data_dir("templates"))
         return filled(f"{style}.{lang}.xml.j2", folders, context), objects
     except TemplateNotFound:
-        raise UnknownNameError(f"no report style '{style}': there are {', '.join(STYLES)}") from None
+        raise UnknownNameError(Words(
+            f"没有报告样式“{style}”；已有：{', '.join(STYLES)}",
+            f"no report style '{style}': there are {', '.join(STYLES)}")) from None
 
 
 def _title(solutions: Sequence[Solution]) -> Words:
