@@ -59,7 +59,8 @@ def _judged(text: str, also: Check) -> Verdict:
     wrong = _disagreeing(solution)
     if not wrong and isinstance(problem.subject, Mechanism):
         wrong = against_differences(problem.subject, solution)
-    wrong = wrong or also(solution)
+    warning = solution.construction.warning
+    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or also(solution)
     return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
 
 

@@ -26,7 +26,7 @@ def read_table(path: Path) -> bytes:
         with path.open("rb") as file:
             data = file.read(TABLE_BYTES + 1)
     except OSError as error:
-        raise TableError(f"{path}: {error.strerror or 'cannot be read'}") from None
+        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
     if len(data) > TABLE_BYTES:
         raise _too_much(path, Words(f"大于 {TABLE_BYTES / 1e6:g} MB", f"larger than {TABLE_BYTES / 1e6:g} MB"))
     return data
@@ -37,7 +37,8 @@ def rows_of_workbook(path: Path) -> Lines:
     try:
         from openpyxl import load_workbook
     except ImportError:
-        raise TableError(f"{path.name}: to read XLSX files install openpyxl (pip install openpyxl), or save the sheet as CSV") from None
+        raise TableError(Words(f"{path.name}：读取 XLSX 文件需要 openpyxl（pip install openpyxl）；或将工作表另存为 CSV",
+                               f"{path.name}: to read XLSX files install openpyxl (pip install openpyxl), or save the sheet as CSV")) from None
     data = read_table(path)
     try:
         _unpacks(path, data)
