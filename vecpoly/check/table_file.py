@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterator
 from io import BytesIO
 from pathlib import Path
@@ -14,7 +15,7 @@ from ..words import Words
 
 Lines = Iterator[tuple[int, list[Any]]]
 _DAMAGED = (OSError, ValueError, KeyError, IndexError, AttributeError, TypeError, ArithmeticError, EOFError, RuntimeError, SyntaxError, MemoryError,
-            NotImplementedError, BadZipFile)  # what openpyxl, zipfile and the XML parser raise for damaged workbooks
+            NotImplementedError, BadZipFile, zlib.error)  # what openpyxl, zipfile and the XML parser raise for damaged workbooks
 
 
 def read_table(path: Path) -> bytes:
