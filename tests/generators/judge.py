@@ -66,10 +66,12 @@ def _judged(text: str, also: Check) -> Verdict:
 
 def _disagreeing(solution: Solution) -> str:
     """The first quantity of which the exact hand draws something else than the oracle finds."""
-    answers = solution.answers.values()
+    answers = [one for one in solution.answers.values() if not one.undefined]
     near = slack(solution)
     for one in answers:
         size = max(abs(other.exact) for other in answers if other.reading.unit == one.reading.unit)
+        if one.reading.unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
+            size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
         if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
             drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
             return f"{one.key} drawn {drawn}, exact {exact}"

@@ -17,6 +17,7 @@ from itertools import combinations, pairwise
 from ..errors import MobilityError
 from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
+from .pitch_lines import pitch_lines
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,7 +51,7 @@ class Dyad:
 class Group:
     """Links solved together.
 
-    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" (one link), "gear train", "class III", ...
+    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" and "rack" (one link), "gear train", "class III", ...
     """
 
     kind: str
@@ -65,8 +66,10 @@ class Group:
         return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
-def decompose(mech: Mechanism) -> tuple[Group, ...]:
+def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     """The Assur groups for the mechanism's own drives, in order of solution.
+
+    pressing: at a compound hinge only those links are joined that press on each other, as the mechanism's joints say.
 
     Raises MobilityError where links remain that no known link determines.
     """
@@ -74,7 +77,7 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     rest = [link.name for link in mech.links if link.name not in known]
     groups: list[Group] = []
     while rest:
-        group = next(_candidates(mech, tuple(rest), tuple(known)), None)
+        group = next(_candidates(mech, tuple(rest), tuple(known), pressing), None)
         if group is None:
             raise MobilityError(Words(
                 f"构件 {', '.join(rest)} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
@@ -118,38 +121,38 @@ def hinges(mech: Mechanism) -> dict[str, tuple[str, ...]]:
 
 
 def is_held(mech: Mechanism, rolling: Rolling) -> bool:
-    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint.
+    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint."""
+    return bool(holders(mech, rolling))
 
-    So it is where one link is pinned at both centres, or is pinned at the gear's centre and guided along a rack.
+
+def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
+    """The links that hold the gear's centre at its distance from its partner.
+
+    They are pinned at both centres; or pinned at the gear's centre, with slides along the pitch line of the rack.
     """
     pins = hinges(mech)
-    holders = {*pins.get(rolling.gear.centre, ()), rolling.gear.link} - {rolling.on.link}
-    if rolling.on.link in pins.get(rolling.gear.centre, ()):
-        return True
-    if not isinstance(rolling.on, Rack):
-        return any(name in pins.get(rolling.on.centre, ()) for name in holders - {rolling.gear.link})
-    slides = [set(ends(joint)) for joint in mech.joints if isinstance(joint, Prismatic)]
-    return any({name, rolling.on.link} in slides for name in holders - {rolling.gear.link})
+    mine, on = {*pins.get(rolling.gear.centre, ()), rolling.gear.link}, rolling.on
+    both = mine & pitch_lines(mech, on).keys() - {rolling.gear.link} if isinstance(on, Rack) else mine & {*pins.get(on.centre, ()), on.link}
+    return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
 
 
-def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) -> Iterator[Group]:
+def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Iterator[Group]:
     """Groups that the known links determine, the smallest first, in the order of the links."""
     for size in range(1, len(rest) + 1):
         for links in combinations(rest, size):
-            group = _group(mech, links, known)
+            group = _group(mech, links, known, pressing)
             if group is not None:
                 yield group
 
 
-def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> Group | None:
+def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Group | None:
     """The group of just these links, or None where they are not one."""
-    inner, outer = _joints(mech, links, known)
+    inner, outer = _joints(mech, links, known, pressing)
     constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer)))
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
     if len(links) == 1:
-        kind = "gear" if any(isinstance(out.joint, Rolling) for out in outer) else "class I"
-        return Group(kind=kind, links=links, inner=inner, outer=outer)
+        return Group(kind=_alone(links[0], outer), links=links, inner=inner, outer=outer)
     if len(links) == 2 and len(inner) == 1 and {out.link for out in outer} == set(links) and len(outer) == 2:
         dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
         return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
@@ -158,17 +161,25 @@ def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> G
     return Group(kind=kind, links=links, inner=inner, outer=outer)
 
 
+def _alone(link: str, outer: tuple[Outer, ...]) -> str:
+    """The kind of a group of one link: a gear or a rack that rolls on what is known, or class I."""
+    rolls = [out.joint for out in outer if isinstance(out.joint, Rolling)]
+    if not rolls:
+        return "class I"
+    return "rack" if isinstance(rolls[0].on, Rack) and rolls[0].on.link == link else "gear"
+
+
 def _constraints(mech: Mechanism, joint: Joint) -> int:
     return 1 if isinstance(joint, Rolling) and is_held(mech, joint) else 2
 
 
 def _joints(
-    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]
+    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool
 ) -> tuple[tuple[Joint, ...], tuple[Outer, ...]]:
     """Joints within the links, and joints from them to known links."""
     inner: list[Joint] = []
     outer: list[Outer] = []
-    for point, names in hinges(mech).items():
+    for point, names in () if pressing else hinges(mech).items():
         mine = [name for name in links if name in names]
         parent = next((name for name in known if name in names), None)
         if parent is not None:
@@ -177,7 +188,7 @@ def _joints(
         else:
             inner += [Revolute(point=point, a=a, b=b) for a, b in pairwise(mine)]
     for joint in mech.joints:
-        if isinstance(joint, Revolute):
+        if isinstance(joint, Revolute) and not pressing:
             continue
         a, b = ends(joint)
         if a in links and b in links:

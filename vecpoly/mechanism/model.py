@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from ..frozen import FrozenMap
+from .start import Start
 
 FRAME = "0"
 
@@ -193,6 +194,7 @@ class Mechanism:
     drives: tuple[Drive, ...]
     branches: tuple[SideOf, ...] = ()
     contacts: tuple[Contact, ...] = ()
+    starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
 
     def __post_init__(self) -> None:

@@ -14,7 +14,7 @@ from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
-from ..board.marks import Dot, Mark
+from ..board.marks import Dot, Mark, Vector
 from ..board.scales import Sketched, enlarged, round_scale
 from ..mechanism.assur import Group, decompose
 from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
@@ -49,6 +49,7 @@ SECTIONS = {
 }
 _UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
+SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 Fit = Callable[[list[tuple[float, float]]], bool]
 WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
@@ -108,7 +109,7 @@ def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: 
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
     sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
     given = _given_scales(problem)
-    figures = sketch.board.figures(TITLES)
+    figures = [f for f in sketch.board.figures(TITLES) if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
     chosen = {}
     for view, value in guess.items():
         fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith(("lever", "centre"))), default=value)
@@ -155,8 +156,7 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
-    shapes = problem.given.shapes
-    position = stage is Stage.POSITION
+    shapes, position = problem.given.shapes, stage is Stage.POSITION
     for driven in desk.mech.drives:
         find(stage, "slide" if driven.slide else "crank").draw(desk, driven)
     if position:

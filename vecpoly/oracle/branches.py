@@ -11,6 +11,7 @@ from ..mechanism.branch import margin
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from ..words import Words
 from .dyads import Hinged, Swinging
+from .newton import Newton
 from .run import Run
 from .state import Bodies
 from .steps import Step
@@ -48,7 +49,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
-    if isinstance(step, Hinged) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
+    if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
         raise DeadPointError(
             Words(
             f"原动件位于 {where} 时构件 {'、'.join(step.group.links)} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
@@ -85,6 +86,11 @@ def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
                       "leave it out, or correct either"), code="branch contradicts", numbers={"gap": gap})
 
 
+def _hinged(step: Step) -> bool:
+    """Whether the two assemblies differ in the place of a hinge, whose letter is the step's joint."""
+    return isinstance(step, Hinged) or (isinstance(step, Newton) and step.two)
+
+
 def _letters(statement: SideOf) -> set[str]:
     return {statement.point, *statement.ref}
 
@@ -105,7 +111,7 @@ def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> Words:
     """; say which: 'C left of BD' or 'C right of BD'."""
-    if len(after) < 2 or not isinstance(step, Hinged):
+    if len(after) < 2 or not _hinged(step):
         return Words.same("")
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)

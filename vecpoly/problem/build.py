@@ -12,6 +12,7 @@ from ..mechanism.centre_quantities import centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..mechanism.quantities import quantities
+from ..mechanism.seats import seated
 from ..names import At, Named, is_centre
 from ..units import Dim, read
 from ..words import Words
@@ -26,9 +27,13 @@ from .links import read_link
 from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses
 from .motion import numbered, read_branch, read_input
+from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
+from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
+from .standing import check_starts, geared
+from .tables import read_tables
 from .validate import validate
 from .wanted import CENTRAL, default_asks, plottable, read_find, read_point, read_printed, read_scales
 from .warnings import warnings_of
@@ -48,9 +53,11 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
-    tables = _tables(spec, tree, faults)
+    tables = read_tables(spec, tree, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
+    check_starts(mechanism, faults)
+    faults.settle()
     return Problem(
         id=spec.id,
         title=spec.title,
@@ -73,37 +80,23 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     )
 
 
-def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
-    """Files of printed tables, found beside the file that names them."""
-    found = []
-    for i, name in enumerate(spec.tables):
-        with faults.at("tables", i):
-            place = tree.places.get(("tables", i))
-            file = (Path(place.file).parent if place else Path()) / name
-            tree.reach.refuse_outside(file)
-            if not file.is_file():
-                raise FaultError(Words(
-                    f"本文件旁没有数据表“{name}”（已查找 {file}）",
-                    f"no table '{name}' beside this file (looked for {file})"))
-            found.append(file)
-    return tuple(found)
-
-
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
     """The mechanism, of use only where no fault was found, and the data of its input."""
     joints = _joints(spec, bodies, faults)
     drives, motion = _inputs(spec, bodies, joints, faults)
     branches = _branches(spec, bodies, faults)
     guesses = _points("guesses", spec.guesses, faults, bodies.letters())
-    return Mechanism(
+    mech = Mechanism(
         frame=bodies.frame,
         links=tuple(draft.link() for draft in bodies.drafts.values()),
         joints=joints,
         drives=drives,
         branches=branches,
         contacts=tuple(bodies.contacts),
+        starts=tuple(draft.start for draft in bodies.drafts.values() if draft.start is not None),
         guesses=guesses,
-    ), motion
+    )
+    return geared(seated(mech, read_pins(spec.pins, mech, faults)), spec, faults), motion
 
 
 def _points(
@@ -143,7 +136,7 @@ def _joints(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Joint, .
     written: list[Joint] = []
     for i, text in enumerate(spec.joints):
         with faults.at("joints", i):
-            written += read_contact(text, bodies) if is_contact(text) else (read_joint(text, bodies),)
+            written += read_contact(text, bodies) if is_contact(text) else (read_rolling(text, bodies) if is_rolling(text) else read_joint(text, bodies),)
     return (*revolutes(bodies), *written)
 
 

@@ -11,8 +11,8 @@ from itertools import pairwise
 from math import degrees
 
 from ..errors import FaultError
-from ..mechanism.model import FRAME, Circle, Contact, Joint, Prismatic, Rack, Revolute, Rolling, Side
-from ..units import Dim, positive, read
+from ..mechanism.model import FRAME, Contact, Joint, Prismatic, Revolute
+from ..units import Dim, read
 from ..words import Words
 from .draft import LETTER, Draft, Line, letters_of
 from .faults import meant, not_on_frame, not_on_link
@@ -26,11 +26,6 @@ _SLIDE = re.compile(
 )
 _THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK})")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{_GUIDE})")
-_ROLLS = re.compile(
-    rf"(?P<gear>{LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
-    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}) "
-    rf"at (?P<point>{LETTER})"
-)
 EXAMPLES = (
     "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
     "'3 rolls on y = 0 mm at D', '4 rolls on 3 at H' or '1 touches 2 at K'"
@@ -79,8 +74,6 @@ def read_joint(text: object, bodies: Bodies) -> Joint:
         return _through(m, bodies)
     if m := _RUNS.fullmatch(text):
         return _runs(m, bodies)
-    if m := _ROLLS.fullmatch(text):
-        return _rolls(m, bodies)
     raise FaultError(Words(
         f"“{text}”不是运动副的写法；应写 {EXAMPLES}（转动副不必写：字母相同即为铰链）",
         f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"))
@@ -162,7 +155,7 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
 
 def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
     """The guide link and its line."""
-    if fixed := _fixed_line(text, bodies):
+    if fixed := fixed_line(text, bodies):
         return FRAME, fixed
     if re.fullmatch(LINK, text):
         draft = bodies.draft(text)
@@ -193,7 +186,7 @@ def _along(points: Mapping[str, complex], first: str, second: str) -> Line:
     return Line(points[first], cmath.phase(points[second] - points[first]), first)
 
 
-def _fixed_line(text: str, bodies: Bodies) -> Line | None:
+def fixed_line(text: str, bodies: Bodies) -> Line | None:
     """y = 600 mm, x = 0 mm, or line through K at -12 deg; directed to the right, upwards, or by the angle."""
     if m := re.fullmatch(r"([xy]) = (.+)", text):
         at = read(m[2], Dim.LENGTH).si
@@ -203,42 +196,3 @@ def _fixed_line(text: str, bodies: Bodies) -> Line | None:
             raise not_on_frame(m[1], bodies.frame)
         return Line(bodies.frame[m[1]], read(m[2], Dim.ANGLE).si, m[1])
     return None
-
-
-def _rolls(m: re.Match[str], bodies: Bodies) -> Rolling:
-    how, on = m["how"], m["on"]
-    bodies.pitch.append(m["point"])
-    gear = _circle(m["gear"], bodies)
-    side = Side.RIGHT if how in ("below", "right of") else Side.LEFT
-    other = _partner(on, bodies)
-    if isinstance(other, Circle) and how not in ("on", "inside"):
-        raise FaultError(Words(
-            f"齿轮只能写 rolls on 或 rolls inside，不能写“{how}”",
-            f"a gear rolls 'on' or 'inside' another, not '{how}'"))
-    if how == "inside" and isinstance(other, Rack):
-        raise FaultError(Words(
-            "齿轮在齿条上滚动，应写 on、above、below、left of 或 right of，不能写 inside",
-            "a gear rolls on, above, below, left of or right of a rack, not inside it"))
-    return Rolling(point=m["point"], gear=gear, on=other, internal=how == "inside", side=side)
-
-
-def _partner(on: str, bodies: Bodies) -> Circle | Rack:
-    if m := re.fullmatch(rf"circle about ({LETTER}) of (.+)", on):
-        if m[1] not in bodies.frame:
-            raise not_on_frame(m[1], bodies.frame)
-        return Circle(link=FRAME, centre=m[1], radius=positive(m[2]).si)
-    if (fixed := _fixed_line(on, bodies)) is not None:
-        return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)
-    draft = bodies.draft(on)
-    if draft.gear is None and draft.line is not None:
-        return Rack(link=on, origin=draft.line.origin, direction=draft.line.direction)
-    return _circle(on, bodies)
-
-
-def _circle(name: str, bodies: Bodies) -> Circle:
-    draft = bodies.draft(name)
-    if draft.gear is None:
-        raise FaultError(Words(
-        f"构件 {name} 不是齿轮；请在构件 {name} 中写 gear: {next(iter(draft.points))}, radius: 60 mm",
-        f"link {name} is no gear; write gear: {next(iter(draft.points))}, radius: 60 mm in link {name}"))
-    return draft.gear

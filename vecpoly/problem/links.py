@@ -15,10 +15,11 @@ from .faults import meant
 from .places import aside, place
 from .problem import Shape
 from .source import Value
+from .starts import read_start
 
-_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "disc": Shape.BAR, "face": Shape.BAR}
-_PLACED = ("gear", "disc", "face")  # what may name a point that is set out further on
-LINK_KEYS = (*_SINGLE, "radius")
+_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "rack": Shape.ROD, "disc": Shape.BAR, "face": Shape.BAR}
+_PLACED = ("gear", "rack", "disc", "face")  # what may name a point that is set out further on
+LINK_KEYS = (*_SINGLE, "radius", "phi", "s")
 
 
 def read_link(name: str, data: Value) -> Draft:
@@ -39,9 +40,12 @@ def read_link(name: str, data: Value) -> Draft:
             _within(key, partial(place, draft, key, value))
     if isinstance(data.get("slot"), dict):
         _within("slot", lambda: _slot(draft, data["slot"]))
+    if "rack" in data:
+        _within("rack", lambda: _rack(draft, data["rack"]))
     if "face" in data and not early:
         _within("face", lambda: _face(draft, data["face"]))
     _round(draft, data)
+    read_start(draft, data)
     return draft
 
 
@@ -52,6 +56,13 @@ def _through(data: Value) -> str:
 
 def _slot(draft: Draft, data: Mapping[str, Value]) -> None:
     draft.line = _line(draft, data, "slot")
+
+
+def _rack(draft: Draft, data: Value) -> None:
+    """The pitch line; a rack that has but this one point is directed along it."""
+    draft.rack = _line(draft, data if isinstance(data, dict) else {"through": str(data)}, "rack")
+    if len(draft.points) == 1 and draft.line is None and draft.shape is not Shape.BLOCK:
+        draft.line = Line(draft.rack.origin, draft.rack.direction, draft.rack.through)
 
 
 def _face(draft: Draft, data: Value) -> None:
@@ -110,14 +121,14 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
                 f"point '{letter}' is not on link {draft.name}"), key)
         if key in ("slot", "rod"):
             draft.line = Line(draft.points[letter], 0.0, letter)
-    for key in ("slot", "face"):
+    for key in ("slot", "rack", "face"):
         led = data.get(key)
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
     if not draft.points:
         raise FaultError(Words(
-            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
-            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, gear, disc or face, e.g. {{block: C}}"))
+            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿条、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
+            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, rack, gear, disc or face, e.g. {{block: C}}"))
 
 
 def _one_shape(draft: Draft, data: Mapping[str, Value], bases: list[str]) -> None:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
-from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, SideOf
+from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Side, SideOf
 from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
@@ -100,9 +100,7 @@ def _rate(name: str, text: str | None) -> tuple[float, Datum]:
 def _turning(
     spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]
 ) -> tuple[Drive, tuple[Datum, ...]]:
-    pivot = next(
-        (j.point for j in joints if isinstance(j, Revolute) and {j.a, j.b} == {draft.name, FRAME}), None
-    )
+    pivot = next((letter for letter in draft.points if letter in bodies.frame), None)
     if pivot is None:
         raise FaultError(
             Words(

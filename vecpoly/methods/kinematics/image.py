@@ -107,7 +107,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
     base = known(desk, view, p_at)
     about_pole = p in desk.mech.frame
-    terms = list(_turning_terms(desk, view, link, at, p))
+    terms = list(_turning_terms(desk, view, link, at, p_at))
     rel = Rel(VECTOR[view], desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
     eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
@@ -119,9 +119,9 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     board.plot(view, closed.meeting, label)
 
 
-def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[Term, ...]:
-    x = at.point
-    ref = None if p in desk.mech.frame else At(p)
+def _turning_terms(desk: Desk, view: View, link: str, at: At, p_at: At) -> tuple[Term, ...]:
+    x, p = at.point, p_at.point
+    ref = None if p in desk.mech.frame else p_at
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
         return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
