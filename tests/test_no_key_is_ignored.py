@@ -61,7 +61,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "weight": (BASE, "weight: yes", "weight: no"), "inertia": (BASE, "inertia: no", "inertia: yes"), "scales": (BASE, "0.002 m/mm", "0.0025 m/mm"),
     "find": (BASE, "[v_C, ", "[v_E, "), "printed": (BASE, "value: 20 mm", "value: 40 mm"), "errata": (BASE, "a misprint", "two misprints"),
     "sheet": (BASE, "landscape", "portrait"), "method": (CENTRES, "method: centres", "method: polygons"), "guesses": (BASE, "find:", "guesses: {C: [1 mm, 2 mm]}\nfind:"),
-    "tables": (BASE, "find:", "tables: [none.csv]\nfind:"), "extends": (BASE, "id: t\n", "id: t\nextends: none\n"),
+    "pins": (BASE, "find:", "pins: {C: 3}\nfind:"), "tables": (BASE, "find:", "tables: [none.csv]\nfind:"), "extends": (BASE, "id: t\n", "id: t\nextends: none\n"),
     "input.link": (BASE, "link: 1", "link: 3"), "input.phi": (BASE, "phi: 60 deg", "phi: 61 deg"), "input.omega": (BASE, "10 rad/s", "11 rad/s"),
     "input.alpha": (BASE, "3 rad/s^2", "4 rad/s^2"), "input.s": (DRIVEN, "110 mm", "111 mm"), "input.v": (DRIVEN, "0.5 m/s", "0.6 m/s"), "input.a": (DRIVEN, "1 m/s^2", "2 m/s^2"),
     "load.on": (BASE, "on: 3, at: C", "on: 2, at: C"), "load.at": (BASE, "at: C", "at: D"), "load.size": (BASE, "100 N", "200 N"), "load.direction": (BASE, "180 deg", "170 deg"),
