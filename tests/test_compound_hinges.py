@@ -14,6 +14,7 @@ from vecpoly.errors import ProblemFileError, VecpolyError
 from vecpoly.mechanism.model import FRAME, Mechanism, Revolute
 from vecpoly.mechanism.quantities import apart, pairs
 from vecpoly.mechanism.seats import seat, seated
+from vecpoly.report.structure import numbering
 from vecpoly.solution import Solution, solve
 
 SIX_BAR = """
@@ -80,6 +81,13 @@ def test_drawn_and_exact_agree_at_the_hinge_of_three_links() -> None:
 def test_links_that_only_share_the_pin_press_with_nothing_and_are_told_why() -> None:
     told = exact_hand(SIX_BAR + "find: [R_24]\n").answers["R_24"].reading.remark
     assert told is not None and "3" in told.en and "属于构件 3" in told.zh
+
+
+def test_the_report_says_which_link_carries_the_pin() -> None:
+    told = numbering(loads(SIX_BAR))
+    assert "$C$ 处的销轴属于构件 3" in told.zh and "the pin at $C$ belongs to link 3" in told.en
+    assert "销轴" not in numbering(loads(SIX_BAR.replace("4: {CE", "4: {GE").replace("{BC: 170 mm}", "{BC: 170 mm, G: {along: BC, at: 60 mm, left: 20 mm}}").replace("E left of CF", "E left of GF"))).zh
+    assert "the pin at $D$ belongs to the frame" in numbering(loads(TWO_ROCKERS)).en
 
 
 def test_what_is_asked_where_nothing_is_said_are_the_pairs_that_press() -> None:

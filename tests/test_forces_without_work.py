@@ -10,6 +10,7 @@ import pytest
 from tests.generators.equilibrium import in_equilibrium
 from vecpoly import loads
 from vecpoly.check.exact import Exact
+from vecpoly.report.lines import lines_table
 from vecpoly.report.values import value
 from vecpoly.solution import Solution, solve
 
@@ -68,6 +69,14 @@ def test_a_couple_passes_from_the_block_through_the_yoke_to_the_frame() -> None:
     assert [acts.couple for acts in passed.values() if acts is not None] == pytest.approx([12, 12])
     remark = found.construction.forces["R_23"].remark
     assert remark is not None and "12 N·m" in remark.en and "力偶" in remark.zh
+
+
+def test_the_table_of_lines_tells_a_couple_at_infinity_and_leaves_out_forces_of_zero() -> None:
+    table = lines_table(solved(YOKE, "M_2: {on: 2, size: 12 N*m}", BALANCE), "en")
+    assert table is not None
+    rows = {row[0]: row for row in table.rows}
+    assert set(rows) == {"$R_{32}$", "$R_{43}$"}
+    assert "at infinity: a couple of 12 N·m, cw" in rows["$R_{32}$"][2]
 
 
 def test_a_couple_through_the_yoke_beside_a_force_moves_the_force_aside() -> None:
@@ -155,3 +164,11 @@ def test_a_balancing_load_on_the_connecting_rod_is_found_before_the_reactions(fr
     found = solved(CRANK, "F: {on: 3, at: C, size: 300 N, direction: 180 deg}", "M_1: {on: 1, size: 4 N*m}", free)
     assert found.answers["X"].drawn == pytest.approx(found.answers["X"].exact, rel=1e-9)
     assert any("virtual power" in step.words.en for step in found.construction.steps)
+
+
+def test_inertia_that_drives_and_is_eaten_by_friction_gives_an_efficiency_of_nothing() -> None:
+    text = ROCKER.replace("phi: 20 deg", "phi: -43.7601 deg").replace("D: [0 mm, -200 mm]", "D: [45.92 mm, 187.59 mm]").replace("AB: 60 mm", "AB: 66.9586 mm")
+    masses = "masses: {2: {mass: 3.41 kg}, 3: {mass: 1.55 kg, centre: G}}\nfriction: {A: {rho: 1.73 mm}, D: {rho: 1.69 mm}}\nfind: [eta, M_1, M_1_0]\n"
+    found = solved(text.replace("at: 120 mm, left: 40 mm", "at: 135 mm, left: 27 mm"), "F: {on: 1, at: A, size: 297 N, direction: -130 deg}", BALANCE, also=masses)
+    assert found.answers["M_1"].exact * found.answers["M_1_0"].exact < 0
+    assert found.answers["eta"].drawn == found.answers["eta"].exact == 0

@@ -54,7 +54,7 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
     if is_place(rel):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
-    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value))}
+    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value)) if value else None}
 
 
 def _line(line: ActsAt | None) -> dict[str, Any]:
@@ -77,7 +77,7 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
         elif is_place(ask.rel):
             size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
         else:
-            size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−")
+            size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−") if value else "—"
         add(made, (symbol(ask.rel.key), size, unit(ask.rel.unit), way))
     show(made)
     if not problem.asks:

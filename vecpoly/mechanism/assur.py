@@ -47,6 +47,9 @@ class Dyad:
     parent_k: str
 
 
+_CLASS = {"I": "Ⅰ", "II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Group:
     """Links solved together.
@@ -63,7 +66,9 @@ class Group:
     @property
     def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
+        number = self.kind.removeprefix("class ")
+        zh = f"{self.kind} 组" if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
+        return Words(f"{zh}（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
 def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:

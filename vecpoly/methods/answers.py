@@ -96,6 +96,10 @@ def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
     if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
         start = 0j if own.ref is None else desk.tip(view, own.ref)
         return view, start, desk.tip(view, own.to), _letters(desk, view, own)
+    whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
+    if rel.kind is Kind.AR and whole.key in desk.ends:
+        view, start, end = desk.ends[whole.key]
+        return view, start, end, _letters(desk, view, whole)
     if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
         return View.ACCELERATION, 0j, 0j, "—"
     raise NoMethodError(Words(

@@ -17,14 +17,15 @@ from ..board.hand import Hand, hand
 from ..board.marks import Dot, Mark, Vector
 from ..board.scales import Sketched, enlarged, round_scale
 from ..mechanism.assur import Group, decompose
-from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import At, Kind, subscripted
 from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
+from .coincident import coincident_letters
 from .desk import POLE, Desk
 from .drawn import Drawn, motion_of
+from .higher import refuse_higher
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
@@ -137,7 +138,8 @@ def _scale(view: View, value: float) -> Scale:
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups), loaded=problem.loads is not None)
+    refuse_higher(mech, groups)
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None)
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
@@ -215,26 +217,6 @@ def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:
 def _ensure(desk: Desk, view: View, at: At) -> None:
     if at.link and not desk.has_tip(view, at) and {at.point, str(at)} & set(desk.at):
         imaged(desk, view, at.link, desk.canonical(at))
-
-
-def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
-    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first.
-
-    P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
-    """
-    letters = {"P": next(li.name for li in mech.links if "P" in li.points)} if any("P" in li.points for li in mech.links) else {}
-    for d in (group.dyad for group in groups if group.dyad is not None):
-        if isinstance(d.inner, Prismatic):
-            pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
-            pin = d.outer_j if d.kind == "RPP" else pins[d.inner.block]
-            letters |= {pin.point: d.link_j if d.kind == "RPP" else d.inner.block} if isinstance(pin, Revolute) else {}
-        elif isinstance(d.inner, Revolute):
-            moving = [link for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
-                      if isinstance(joint, Prismatic) and parent != FRAME]
-            if moving:
-                letters[d.inner.point] = moving[0]
-    unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
-    return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

@@ -24,7 +24,7 @@ ETA = Named("eta", "η", "")
 def read_efficiency(st: Statics) -> None:
     """Keep η; 1 without friction. With several loads: η = P_out / P_in of all of them. Where nothing does work it is 0/0, undefined.
 
-    Raises LockedError where it is not in (0, 1].
+    Raises LockedError where it is not in [0, 1].
     """
     given = powers(st.without_friction)
     into = sum((p for p in given.values() if nominal(p) > 0), 0.0)
@@ -34,7 +34,7 @@ def read_efficiency(st: Statics) -> None:
         _undefined(st)
     elif st.ideal is None:
         keep_value(st, ETA, 1.0, magnitude("η", 1.0, ""))
-    elif min(float(nominal(into)), float(nominal(out))) > NOTHING * max(float(nominal(into)), float(nominal(out))):
+    elif _turned(st, st.ideal) or min(float(nominal(into)), float(nominal(out))) > NOTHING * max(float(nominal(into)), float(nominal(out))):
         _of_powers(st, into, out)
     elif _vanishes(st, st.ideal.balance):
         st.board.step(Words("此位置外力不作功（极限位置），平衡力全部用于克服摩擦，$η$ = 0。",
@@ -49,6 +49,11 @@ def largest(st: Statics) -> float:
     found = [abs(load.size) / (1.0 if isinstance(load, Force) else st.mech.scale) for load in st.loads.all if load.size is not None]
     found += [float(abs(nominal(force.vector))) * st.scale.value for forces in st.inertia.values() for force in forces]
     return max(found, default=0.0)
+
+
+def _turned(st: Statics, ideal: Statics) -> bool:
+    """Whether friction turned the balancing load round: inertia forces drive, and without friction it would have braked them."""
+    return float(nominal(ideal.balance)) * float(nominal(st.balance)) < 0 and not _vanishes(st, ideal.balance)
 
 
 def _vanishes(st: Statics, balance: Reals) -> bool:
@@ -87,14 +92,14 @@ def _of_powers(st: Statics, into: Reals, out: Reals) -> None:
 
 
 def _keep(st: Statics, ratio: Quotient) -> None:
-    """Refused where it is not in (0, 1]."""
+    """Refused where it is not in [0, 1]."""
     value = st.board.compute("η", ratio, "")
     _refuse(float(nominal(value.value)), st.unknown.name)
     keep_value(st, ETA, value.value, ratio)
 
 
 def _refuse(eta: float, name: str) -> None:
-    if not 0.0 < eta <= 1.0 + 1e-9:
+    if not 0.0 <= eta <= 1.0 + 1e-9:
         raise LockedError(Words(
-            f"效率将为 {eta:.4g}，不在 (0, 1] 内：在此摩擦下机构对 {name} 自锁；请减小 f 或 ρ",
-            f"the efficiency would be {eta:.4g}, outside (0, 1]: with this friction the mechanism is self-locking for {name}; lower f or ρ"))
+            f"效率将为 {eta:.4g}，不在 [0, 1] 内：在此摩擦下机构对 {name} 自锁；请减小 f 或 ρ",
+            f"the efficiency would be {eta:.4g}, outside [0, 1]: with this friction the mechanism is self-locking for {name}; lower f or ρ"))

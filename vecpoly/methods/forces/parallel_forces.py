@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,11 +14,14 @@ from ...mechanism.model import Prismatic, Revolute
 from ...names import Named
 from ...plane import Line, Points, Reals, cross, foot, lines_meet, nominal, unit
 from ...quantity import Quantity, magnitude
+from ...vector.equation import Term
 from ...words import Words
 from .acting import Acting
 from .arms import size_of
 from .letters import arm_about_point
+from .link_polygon import draw_polygon, pane_of
 from .pieces import Held
+from .readings import write_sizes
 from .resultant import Resultant
 from .senses import pin_words
 from .state import OFF_SHEET, Statics
@@ -46,11 +49,12 @@ def off_sheet(load: Resultant, line: Line, pin: Points) -> bool:
 
 def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Pin: ΣM about the point where the parent's force touches the friction circle, R = P a / b. Guide: R = −P, the guide bears the couple."""
-    number, one = st.mech.number(held.link), st.named(by, held.link)
-    if abs(float(nominal(cross(load.line.along, line.along)))) > PARALLEL:
-        st.board.remark(Words("两作用线的交点在图纸之外，改用力矩平衡。", " The two lines meet off the sheet; moments take the place of their meeting point."))
-    else:
+    number, one, parallel = st.mech.number(held.link), st.named(by, held.link), abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL
+    st.board.step(_taken(st, held, load, by), View.MECHANISM)
+    if parallel:
         st.board.remark(Words("两作用线平行，", " The two lines are parallel: "))
+    else:
+        st.board.remark(Words("两作用线的交点在图纸之外，改用力矩平衡。", " The two lines meet off the sheet; moments take the place of their meeting point."))
     if isinstance(held.joint, Prismatic):
         _on_guide(st, held, load, line, by)
         return
@@ -58,9 +62,30 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
         raise NoMethodError(Words(
             f"没有求构件 {number} 反力的图解法，因为它与相邻构件作纯滚动；仍可用 vecpoly exact 求解",
             f"no graphical method on file finds the reactions of link {number}: it rolls on its neighbour; 'vecpoly exact' still answers"))
+    if parallel:
+        st.board.remark(Words("第三力亦与之平行。", "so is the third."))
     found = about_pin(st, held, load, line, one)
-    st.keep_reaction(by, held.link, Acting(named=one, vector=line.along * st.mm(found.size), at=line.at, computed=np.abs(found.size)))
-    keep_pin(st, held, found)
+    known = st.keep_reaction(by, held.link, Acting(named=one, vector=line.along * st.mm(found.size), at=line.at, computed=np.abs(found.size)))
+    if parallel:
+        keep_pin(st, held, found)
+    else:
+        _close(st, held, replace(load, forces=(*load.forces, known)), found)
+
+
+def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
+    number, known = st.mech.number(held.link), load.symbols
+    one, two = f"${st.named(by, held.link).symbol}$", f"${st.named(held.parent, held.link).symbol}$"
+    return Words(f"取构件 {number} 为分离体：{known.zh}、{one}、{two} 平衡；{one} 的作用线已知。",
+                 f"Isolate link {number}: {known.en}, {one} and {two} balance; the line of {one} is known.")
+
+
+def _close(st: Statics, held: Held, load: Resultant, found: Balanced) -> None:
+    """The polygon of the load and the force found by moments; its closing side is the parent's force."""
+    link, named = held.link, st.named(held.parent, held.link)
+    st.board.step(Words(f"按 $μ_F$ 作构件 {st.mech.number(link)} 的力多边形，由封闭边量得 ${named.symbol}$。",
+                        f"Draw the force polygon of link {st.mech.number(link)} to $μ_F$; its closing side is ${named.symbol}$, which is measured."), pane_of(st, link))
+    side = draw_polygon(st, link, load, (Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?"),))[named.key]
+    write_sizes(st, st.settle(held.parent, link, side.end - side.start, found.touch, side, found.sense))
 
 
 def about_pin(st: Statics, held: Held, load: Resultant, line: Line, named: Named) -> Balanced:

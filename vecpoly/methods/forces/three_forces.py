@@ -24,11 +24,11 @@ from .state import OFF_SHEET, Statics
 def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Find the reaction of `by` (on its line) and of the parent on the held link."""
     link = held.link
-    st.board.step(_taken(st, held, load, line, by), View.MECHANISM)
     parallel = abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL
     if parallel or (isinstance(held.joint, Revolute) and off_sheet(load, line, st.desk.at[held.joint.point])):
         balance_parallel(st, held, load, line, by)
         return
+    st.board.step(_taken(st, held, load, line, by), View.MECHANISM)
     x = st.board.meet(load.line, line, Words(
         f"构件 {st.mech.number(link)}：载荷与 R_{st.mech.number(by)}{st.mech.number(link)} 的作用线",
         f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}"))

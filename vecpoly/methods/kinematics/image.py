@@ -14,7 +14,7 @@ from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
-from .terms import known, normal, symbol
+from .terms import known, normal_of, symbol
 
 
 def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
@@ -106,8 +106,8 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     label = desk.tip_label(view, at)
     board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
     base = known(desk, view, p_at)
-    about_pole = p in desk.mech.frame
-    terms = list(_turning_terms(desk, view, link, at, p_at))
+    about_pole = p in desk.mech.frame and desk.at_rest(view, p_at)  # C_2 of link 2 that passes over the fixed point C moves
+    terms = list(_turning_terms(desk, view, link, at, p, None if about_pole else desk.canonical(p_at)))
     rel = Rel(VECTOR[view], desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
     eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
@@ -119,18 +119,16 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     board.plot(view, closed.meeting, label)
 
 
-def _turning_terms(desk: Desk, view: View, link: str, at: At, p_at: At) -> tuple[Term, ...]:
-    x, p = at.point, p_at.point
-    ref = None if p in desk.mech.frame else p_at
+def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str, ref: At | None) -> tuple[Term, ...]:
+    x, to = at.point, desk.canonical(at)
     if view is View.VELOCITY:
-        rel = Rel(Kind.V, desk.canonical(at), ref)
-        return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
-    n = normal(desk, at, p, link)
+        return (_laid(desk, view, Rel(Kind.V, to, ref), link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
+    start = desk.start_label(View.ACCELERATION, ref or At(p))
+    n = normal_of(desk, Rel(Kind.AN, to, ref), p, link, (start, f"n_{link}^′"))
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)
-    rel = Rel(Kind.AT, desk.canonical(at), ref)
-    return (n, _laid(desk, view, rel, link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
+    return (n, _laid(desk, view, Rel(Kind.AT, to, ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
 
 
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:
