@@ -170,6 +170,14 @@ class TableError(VecpolyError, ValueError):
     """A printed table that cannot be read: file, line, column, cause, remedy."""
 
 
+class ArgumentError(VecpolyError, ValueError):
+    """An argument that no function of ours takes: what it is, and what it may be."""
+
+
+class ReportTemplateError(VecpolyError, ValueError):
+    """A report template that cannot be filled: file, line, cause."""
+
+
 class FaultError(ValueError):
     """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
 

@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import Any
 
 from .errors import FaultError
+from .limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH, POWER
 from .words import Words
 
 _DEFINITIONS = (
@@ -103,15 +104,10 @@ class Quantity:
     text: str
 
 
-MOST, LEAST = 1e20, 1e-20  # of any number; of any quantity in SI
-MOST_ANGLE = 1e6  # rad
-_NUMBER = re.compile(
-    r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
-)
+_GREATEST = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
+_NUMBER = re.compile(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
 _SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
-_SPELLING = str.maketrans(
-    {"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"}
-)
+_SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
 
 
 def read(text: object, dim: Dim) -> Quantity:
@@ -144,7 +140,7 @@ def read(text: object, dim: Dim) -> Quantity:
 
 def _sensible(si: float, text: str, dim: Dim) -> float:
     """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
-    if abs(si) > (MOST_ANGLE if dim is Dim.ANGLE else MOST):
+    if abs(si) > _GREATEST.get(dim, MOST):
         raise FaultError(Words(
             f"“{text}”作为{dim.label.zh}过大；请检查数值和单位，如写 {dim.example}",
             f"'{text}' is too large for {dim.label.en}; check number and unit, and write e.g. {dim.example}"), code="out-of-range")
@@ -154,9 +150,7 @@ def _sensible(si: float, text: str, dim: Dim) -> float:
 def _times(number: float, factor: float) -> float:
     """The product; a division where that is exact, so that 350 mm is 0.35 m to the last digit."""
     inverse = 1 / factor
-    return (
-        number / round(inverse) if inverse > 1 and abs(inverse - round(inverse)) < 1e-9 else number * factor
-    )
+    return number / round(inverse) if inverse > 1 and abs(inverse - round(inverse)) < 1e-9 else number * factor
 
 
 def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
@@ -192,12 +186,22 @@ def unit_of(unit: str) -> tuple[float, str]:
 
 def unit_by_pint(unit: str) -> tuple[float, str]:
     """The same from pint, for spellings not known by heart."""
+    _no_great_power(unit)
     try:
         quantity = _registry().Quantity(1.0, unit).to_base_units()
+        if not 1 / MOST <= quantity.magnitude <= MOST:
+            raise OverflowError(unit)
     except Exception:  # pint raises many kinds, all of them meaning that the unit cannot be read
         raise FaultError(Words(f"单位“{unit}”不可识别", f"unit '{unit}' is unknown") + _near(unit), code="unknown-unit") from None
     powers = sorted((name.strip("[]"), power) for name, power in quantity.dimensionality.items())
     return float(quantity.magnitude), " ".join(f"{name} {power:g}" for name, power in powers)
+
+
+def _no_great_power(unit: str) -> None:
+    """Raise FaultError for m^999: no unit of mechanics has such a power, and reckoning with it takes for ever."""
+    for power in re.findall(r"\d+", unit):
+        if len(power) > 4 or (int(power) > POWER and "**" in unit):
+            raise FaultError(Words(f"单位“{unit}”的幂次过高", f"unit '{unit}' has too great a power"), code="unknown-unit")
 
 
 def _near(unit: str) -> Words:

@@ -8,9 +8,10 @@ from typing import Annotated
 
 import typer
 
+from ..files import write_whole
 from ..words import Words
-from .files import parent_of, write_text
-from .terminal import say, wrote
+from .files import put
+from .terminal import say
 from .tongue import told_in
 
 _ID = re.compile(r"\w[\w.\-]*")
@@ -22,14 +23,13 @@ NewFile = Annotated[Path, typer.Argument(metavar="FILE", help="The file to write
 
 def new(path: NewFile, like: Like = None) -> None:
     """Write a problem file to start from: a commented one, or a copy of one of the library."""
-    target = parent_of(path if path.suffix else path.with_suffix(".yaml"))
+    target = path if path.suffix else path.with_suffix(".yaml")
     text = _start(target) if like is None else _copy(like)
     if _ID.fullmatch(target.stem):
         text = _ID_LINE.sub(f"id: {target.stem}", text, count=1)
     text = text if _EDITOR in text else f"{_EDITOR}{SCHEMA}\n{text}"
     try:
-        with target.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        write_whole(target, text.encode(), new=True)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
     _write_schema(target.with_name(SCHEMA))
@@ -41,7 +41,7 @@ def _write_schema(path: Path) -> None:
     if not path.exists():
         from .schema import schema_text
 
-        wrote(write_text(path, schema_text()))
+        put(path, schema_text().encode())
 
 
 def _start(target: Path) -> str:

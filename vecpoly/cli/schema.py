@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import json
 
-import typer
-
-from .files import write_text
-from .options import OutOption
+from .files import STDOUT, put, spared
+from .options import JSON, OutOption
 
 
 def schema(output: OutOption = None) -> None:
     """Print the JSON Schema of a problem file."""
-    if output is None:
-        typer.echo(schema_text(), nl=False)
-    else:
-        write_text(output, schema_text())
+    put(spared(output, JSON) or STDOUT, schema_text().encode())
 
 
 def schema_text() -> str:

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
 
-from ..words import Words
+from ..words import Lang, Words
 from .tongue import told_in
+from .wording import bare
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -69,6 +70,12 @@ def progress(items: Sequence[T], doing: Words) -> Iterator[T]:
     from rich.progress import track
 
     yield from track(items, description=told_in(doing), console=Console(stderr=True), transient=True)
+
+
+def warn(problem: str, said: Iterable[Words], lang: Lang) -> None:
+    """What is accepted but hardly meant, on stderr."""
+    for words in said:
+        typer.echo(f"vecpoly: {f'注意 {problem}：' if lang == 'zh' else f'note on {problem}: '}{bare(words.of(lang))}", err=True)
 
 
 def say(text: str) -> None:

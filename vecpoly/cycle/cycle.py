@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
+from ..arguments import of_kind
 from ..errors import AssemblyError, MobilityError
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
@@ -210,6 +211,7 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
     (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a whole cycle.
     Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
     """
+    of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
     mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
     if not mech.drives:
         raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import pi, sqrt
-from types import MappingProxyType
 from typing import Literal
+
+from ..frozen import FrozenMap
 
 Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 
@@ -92,7 +93,7 @@ class Friction:
 
     def __post_init__(self) -> None:
         for name in ("pins", "slides", "contacts"):
-            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+            object.__setattr__(self, name, FrozenMap(dict(getattr(self, name))))
 
     def __bool__(self) -> bool:
         return any((*self.pins.values(), *self.slides.values(), *self.contacts.values()))

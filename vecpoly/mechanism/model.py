@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 
+from ..frozen import FrozenMap
 from .placements import ByAngle as ByAngle
 from .placements import ByLengths as ByLengths
 from .placements import ByOffsets as ByOffsets
@@ -30,7 +30,7 @@ class Link:
     placements: tuple[Placement, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "points", MappingProxyType(dict(self.points)))
+        object.__setattr__(self, "points", FrozenMap(dict(self.points)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -171,8 +171,8 @@ class Mechanism:
     welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "frame", MappingProxyType(dict(self.frame)))
-        object.__setattr__(self, "guesses", MappingProxyType(dict(self.guesses)))
+        object.__setattr__(self, "frame", FrozenMap(dict(self.frame)))
+        object.__setattr__(self, "guesses", FrozenMap(dict(self.guesses)))
 
     @property
     def drive(self) -> Drive:

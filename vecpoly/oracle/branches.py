@@ -79,6 +79,19 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         f"links {names} can be assembled in two ways at joint {step.joint}") + _advice(mech, step, before, after))
 
 
+def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
+    """AssemblyError for a statement that is not so in the finished assembly: the drive or the data decide otherwise."""
+    at, where = places(mech, bodies), run.text(float(run.q[-1]))
+    for statement in mech.branches:
+        gap = margin(statement, at)
+        if gap < -1e-9 * mech.scale:
+            held = _words(replace(statement, side=_OPPOSITE[statement.side]))
+            raise AssemblyError(
+                Words(f"'{_words(statement)}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
+                      f"'{_words(statement)}' contradicts the other data: where the drive stands at {where}, they make it '{held}', by {-1e3 * gap:.4g} mm; "
+                      "leave it out, or correct either"), code="branch contradicts", numbers={"gap": gap})
+
+
 def _hinged(step: Step) -> bool:
     """Whether the two assemblies differ in the place of a hinge, whose letter is the step's joint."""
     return isinstance(step, Hinged) or (isinstance(step, Newton) and step.two)

@@ -13,7 +13,7 @@ from ..mechanism.gearing import misfit
 from ..mechanism.mobility import check
 from ..mechanism.model import FRAME, Mechanism, Rolling
 from ..words import Words
-from .branches import check_letters, choose
+from .branches import check_letters, choose, confirm
 from .drive import Driver, driver
 from .feasible import Closes, Ranges, Spans, alone, refusal, scan, spans
 from .run import STEP, Run, track
@@ -125,6 +125,7 @@ def build(mech: Mechanism) -> Plan:
             partial.placed(step, bodies, run)
             chosen.append(choose(mech, step, bodies, run))
             bodies |= chosen[-1].place(bodies, run)
+        confirm(mech, bodies, run)
     return replace(empty, steps=tuple(chosen))
 
 

@@ -34,8 +34,10 @@ from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .standing import check_starts, geared
+from .tables import read_tables
 from .validate import validate
-from .wanted import CENTRAL, default_asks, read_find, read_point, read_printed, read_scales
+from .wanted import CENTRAL, default_asks, plottable, read_find, read_point, read_printed, read_scales
+from .warnings import warnings_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -52,7 +54,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
-    tables = _tables(spec, tree, faults)
+    tables = read_tables(spec, tree, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
     check_starts(mechanism, faults)
@@ -74,22 +76,9 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
+        read=tree.files,
+        warnings=warnings_of(tree),
     )
-
-
-def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
-    """Files of printed tables, found beside the file that names them."""
-    found = []
-    for i, name in enumerate(spec.tables):
-        with faults.at("tables", i):
-            place = tree.places.get(("tables", i))
-            file = (Path(place.file).parent if place else Path()) / name
-            if not file.is_file():
-                raise FaultError(Words(
-                    f"本文件旁没有数据表“{name}”（已查找 {file}）",
-                    f"no table '{name}' beside this file (looked for {file})"))
-            found.append(file)
-    return tuple(found)
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
@@ -161,9 +150,15 @@ def _inputs(
     drives: list[Drive] = []
     motion: list[Datum] = []
     several = isinstance(spec.input, list)
+    with faults.at("input"):
+        if not spec.input:
+            raise FaultError(Words("没有给出原动件；请写如 input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}",
+                                   "no link is driven; write e.g. input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}"))
     for i, item in enumerate(spec.input if isinstance(spec.input, list) else [spec.input]):
         with faults.at(*(("input", i) if several else ("input",))):
             drive, data = read_input(item, bodies, joints)
+            if drive.link in [other.link for other in drives]:
+                raise FaultError(Words(f"构件 {drive.link} 已由另一项驱动；请删去其一", f"link {drive.link} is driven by another entry already; leave out one of them"), "link")
             drives.append(drive)
             motion.extend(data)
     return tuple(drives), tuple(motion)
@@ -216,6 +211,7 @@ def _wanted(
     scales = Scales()
     with faults.at("scales"):
         scales = read_scales(spec.scales)
+        plottable(scales, mechanism)
     return tuple(asks), tuple(printed), scales
 
 

@@ -15,6 +15,7 @@ from .schema import DeviceSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
 from .wanted import as_given, read_scales
+from .warnings import warnings_of
 
 
 def about_device(tree: Tree) -> bool:
@@ -52,6 +53,8 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
+        read=tree.files,
+        warnings=warnings_of(tree),
     )
 
 

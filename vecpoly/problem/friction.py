@@ -30,6 +30,8 @@ def read_friction(entries: dict[str, FrictionSpec], mech: Mechanism, faults: Fau
         with faults.at("friction", name):
             if m := _SLIDE.fullmatch(name):
                 joint = _slide(m[1], m[2], mech)
+                if joint in slides:
+                    raise FaultError(Words(f"移动副 {m[1]}-{m[2]} 的摩擦已经给出；请删去其一", f"the friction of the slide {m[1]}-{m[2]} is given twice; leave out one of the entries"))
                 told, slides[joint] = _leaning(f"{m[1]}{m[2]}", spec)
             elif name in letters:
                 told, contacts[name] = _leaning(name, spec)

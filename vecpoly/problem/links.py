@@ -13,7 +13,7 @@ from ..units import Dim, positive, read
 from ..words import Words
 from .draft import ANGLE_FROM, LETTER, ONE, TWO, Draft, Line, letters_of, ray
 from .faults import meant
-from .places import place
+from .places import aside, place
 from .problem import Shape
 from .source import Value
 from .starts import read_start
@@ -117,6 +117,7 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
     if bases:
         first, second = letters_of(bases[0])
         _within(bases[0], lambda: _bar(draft, first, second, data[bases[0]]))
+    _one_shape(draft, data, bases)
     for key in singles:
         letter = str(data[key])
         if not ONE.fullmatch(letter):
@@ -139,6 +140,15 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
         raise FaultError(Words(
             f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、缸体、活塞、齿条、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
             f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, cylinder, piston, rack, gear, disc or face, e.g. {{block: C}}"), code="missing")
+
+
+def _one_shape(draft: Draft, data: Mapping[str, Value], bases: list[str]) -> None:
+    """Raise FaultError where two keys say two things of what the link is, of which one would have to be ignored."""
+    pairs = [("slot", "rod"), *((base, "block") for base in bases)]
+    for one, other in pairs:
+        if one in data and other in data:
+            raise FaultError(Words(f"构件 {draft.name} 同时写有 {one} 和 {other}，二者只能取一：滑块只有一个铰链点，导路只有一条",
+                                   f"link {draft.name} has both {one} and {other}, of which one would be ignored: a block has but its one pin, a link one guide line; leave one out"), other)
 
 
 def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
@@ -173,9 +183,7 @@ def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
                 "请由构件上的射线量角，如 60 deg from CD",
                 "write the angle from a ray of the link, e.g. 60 deg from CD"), "angle", code="missing")
         turn = ray(draft, m[2])[2] * cmath.exp(1j * read(m[1], Dim.ANGLE).si)
-    left = (
-        read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
-    )
+    left = aside(data)
     if what == "face":
         _note_face(draft, letter, data)
     return Line(draft.points[letter] + 1j * left * turn, cmath.phase(turn), letter)

@@ -43,6 +43,7 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
     for name, load in spec.loads.items():
         with faults.at("loads", name):
             found.append(_load(name, load, bodies))
+    _masses_meant(spec, faults)
     if not acts(spec) or faults.found:
         return None
     if spec.masses and spec.inertia and sense_only(spec):
@@ -57,6 +58,15 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
         _something_acts(loads)
         return loads
     return None
+
+
+def _masses_meant(spec: ProblemSpec, faults: Faults) -> None:
+    """Weight and inertia forces are those of masses: without any, `weight` and `inertia` would be ignored."""
+    for key in ("weight", "inertia"):
+        if not spec.masses and key in spec.model_fields_set and getattr(spec, key) != ProblemSpec.model_fields[key].default:
+            with faults.at(key):
+                raise FaultError(Words(f"没有构件给出质量，{key} 不起作用；请在 masses 中给出质量，或删去 {key}",
+                                       f"no link has a mass, so that '{key}' would be ignored; give masses, or leave it out"), code="contradiction")
 
 
 def _check_name(name: str) -> None:

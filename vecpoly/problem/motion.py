@@ -52,6 +52,9 @@ def read_branch(text: str, letters: Iterable[str]) -> SideOf:
     for letter in (point, *ref):
         if letter not in known:
             raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
+    if len({point, *ref}) < 1 + len(ref):
+        raise FaultError(Words(f"'{text}'：同一点出现两次，没有左右可分；请写三个不同的点，如 C left of BD",
+                               f"'{text}' names one point twice, and so no side of anything; name different points, e.g. C left of BD"), code="contradiction")
     return SideOf(point=point, side=_SIDES[side], ref=ref)
 
 
@@ -128,6 +131,9 @@ def _turning(
     ]
     if spec.alpha is not None:
         data.append(Datum(symbol=f"α_{name}", si=accel.si, text=accel.text))
+    if spec.omega in _TURNS and spec.alpha is not None:
+        raise FaultError(Words(f"omega: {spec.omega} 只给出转向，alpha: {spec.alpha} 便无从使用；请给出角速度的数值，或删去 alpha",
+                               f"omega: {spec.omega} gives the sense alone, and alpha: {spec.alpha} has no use then; give the angular velocity as a number, or leave out alpha"), "alpha")
     position = phi.si + zero - lean
     return Drive(link=name, position=position, rate=rate, accel=accel.si), tuple(data)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
 from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
@@ -56,11 +56,25 @@ def _by_offsets(draft: Draft, point: str, data: Mapping[str, Value]) -> tuple[Pl
                 "does not go together with 'along'; write along, at and left or right"), key, code="contradiction")
     base, start, unit = ray(draft, str(data["along"]))
     at = read(data.get("at"), Dim.LENGTH)
-    left = (
-        read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
-    )
+    left = aside(data)
     _note_offsets(draft, point, data, start + unit * at.si, base[0], at)
     return ByOffsets(point=point, base=base, along=at.si, left=left), start + unit * complex(at.si, left)
+
+
+def aside(data: Mapping[str, Value]) -> float:
+    """How far to the left (m): `left` or, to the other side, `right`; raises FaultError where both are written."""
+    if "left" in data and "right" in data:
+        raise FaultError(Words(f"left: {data['left']} 与 right: {data['right']} 互相矛盾，一点只在一侧；请删去其一",
+                               f"left: {data['left']} and right: {data['right']} contradict each other, for a point lies on one side; leave out one of them"), "right")
+    return read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
+
+
+def _alone(data: Mapping[str, Value], allowed: Iterable[str], by: str) -> None:
+    """Raise FaultError for a key that says nothing beside those that already place the point."""
+    for key in data:
+        if key not in allowed:
+            raise FaultError(Words(f"'{key}' 与 {by} 不能并用：该点已由 {by} 确定；请删去其一",
+                                   f"'{key}' does not go together with {by}, which places the point already; leave out one of them"), key)
 
 
 def _note_offsets(
@@ -95,6 +109,7 @@ def _by_angle(
         raise FaultError(Words(
             "请写长度和由射线量起的角，如 {BE: 200 mm, angle: 50 deg from BC}",
             "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle", code="spelling")
+    _alone(data, ("angle", lengths[0]), f"{lengths[0]}, angle")
     ends = ends_of(lengths[0])
     base, start, unit = ray(draft, m[2])
     if set(ends) != {base[0], point}:
@@ -126,6 +141,7 @@ def _by_lengths(
         raise FaultError(Words(
             f"{point} 在哪一侧？如写 side: left of BC",
             f"on which side is {point}? write e.g. side: left of BC"), code="missing")
+    _alone(data, ("side", *lengths), ", ".join(lengths))
     base = (m[2], m[3])
     (_, start, unit) = ray(draft, m[2] + m[3])
     found: dict[str, float] = {}

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
+from ..limits import PAPER
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.quantities import pairs
@@ -35,6 +36,8 @@ def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At], forces:
         key = read_any(spec, bodies, named, forces)
         return AskNamed(rel=key) if isinstance(key, Named) else AskRel(rel=key)
     if spec.coriolis is not None:
+        if beside := [key for key in FindSpec.model_fields if key != "coriolis" and getattr(spec, key) is not None]:
+            raise FaultError(Words(f"coriolis 不能与 {'、'.join(beside)} 并用；请分写成两项", f"coriolis does not go together with {', '.join(beside)}; write them as two entries"), beside[0])
         return AskCoriolis(rel=read_key(f"ak_{spec.coriolis}", bodies, named))
     return read_point(spec, bodies)
 
@@ -170,6 +173,17 @@ def read_scales(spec: ScalesSpec) -> Scales:
     )
 
 
+def plottable(scales: Scales, mech: Mechanism) -> None:
+    """Raise FaultError where the mechanism would be a speck, or far larger than any paper."""
+    if scales.mu_l is None:
+        return
+    size, (least, most) = mech.scale / scales.mu_l, PAPER
+    if not least <= size <= most:
+        told = f"{size:.3g} mm"
+        raise FaultError(Words(f"按此比例尺，机构在图纸上的尺寸为 {told}，无法作图（应在 {least:g} 至 {most:g} mm 之间）；请核对或写 auto",
+                               f"at this scale the mechanism would measure {told} on paper, which cannot be drawn ({least:g} to {most:g} mm can); check it, or write auto"), "mu_l")
+
+
 def _is_length(text: str) -> bool:
     words = text.split()
     return bool(words) and unit_of(words[-1])[1] == Dim.LENGTH.dimension
@@ -184,7 +198,7 @@ def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At], forces:
 def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
     """The printed value of this quantity (None: of a length on the diagram)."""
     kind = rel.kind if isinstance(rel, Rel) else Kind.P
-    direction = read(spec.direction, Dim.ANGLE).si if spec.direction is not None else None
+    direction = _direction(spec, rel)
     if spec.scale is None:
         value = _named_value(spec.value, rel) if isinstance(rel, Named) else read(spec.value, _DIM.get(kind, Dim.ACCEL)).si
         paper, scale = None, None
@@ -207,6 +221,16 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         direction=direction,
         note=spec.note,
     )
+
+
+def _direction(spec: PrintedSpec, rel: Key | None) -> float | None:
+    """The printed direction (rad) of a vector; FaultError for that of anything else."""
+    if spec.direction is None:
+        return None
+    if rel is None or not rel.is_vector:
+        raise FaultError(Words(f"{spec.symbol} 不是矢量，没有方向；请删去 direction（转向写在数值之后，如 2 rad/s cw）",
+                               f"{spec.symbol} is no vector and has no direction; leave it out (a sense is written behind the value, 2 rad/s cw)"), "direction")
+    return read(spec.direction, Dim.ANGLE).si
 
 
 def _named_value(text: str, named: Named) -> float:
