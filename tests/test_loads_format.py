@@ -305,7 +305,7 @@ def test_the_schema_knows_loads_friction_masses_and_devices() -> None:
     devices = {branch["if"]["properties"]["device"]["const"]: branch["then"]["properties"]["data"] for branch in schema["allOf"]}
     assert set(devices) == set(schema["properties"]["device"]["enum"]) - {None}
     assert {"d", "p", "f", "Q"} <= set(devices["screw-jack"]["properties"])
-    assert {"on", "at", "size", "direction", "role"} == set(schema["$defs"]["LoadSpec"]["properties"])
+    assert {"on", "cylinder", "at", "size", "direction", "role"} == set(schema["$defs"]["LoadSpec"]["properties"])
 
 
 def references(node: object) -> list[str]:

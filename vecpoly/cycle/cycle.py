@@ -13,6 +13,7 @@ from .. import oracle
 from ..errors import AssemblyError, MobilityError
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
+from ..mechanism.rams import driver_words
 from ..problem.problem import Problem
 from ..words import Words
 from .columns import Column, catalogue, column_of
@@ -88,9 +89,19 @@ class Cycle:
     def drive(self) -> Column:
         """The drive's position: φ_1, or s_1 of a sliding input."""
         link = self.mech.drive.link
+        if self.mech.drive.between:
+            return self._between()
         if self.mech.drive.slide:
             return Column(key=f"s_{link}", symbol=f"s_{{{link}}}", unit="m", words=Words(f"原动件 {link} 的位移", f"travel of the driving link {link}"))
         return Column(key=f"phi_{link}", symbol=f"φ_{{{link}}}", unit="rad", words=Words(f"原动件 {link} 的转角", f"angle of the driving link {link}"))
+
+    def _between(self) -> Column:
+        """The position of a cylinder, or of a motor in a hinge."""
+        drive = self.mech.drive
+        pair, words = f"{drive.link}{drive.on}", driver_words(self.mech)
+        if drive.slide:
+            return Column(key=f"s_{pair}", symbol=f"s_{{{pair}}}", unit="m", words=Words(f"{words.zh}的长度", f"length of {words.en}"))
+        return Column(key=f"phi_{pair}", symbol=f"φ_{{{pair}}}", unit="rad", words=Words(f"{words.zh}的转角", f"angle of {words.en}"))
 
     @property
     def assembled(self) -> NDArray[np.bool_]:

@@ -7,6 +7,15 @@ from collections.abc import Mapping
 from .model import Side, SideOf
 
 
+def nearer(guesses: Mapping[str, complex], one: Mapping[str, complex], two: Mapping[str, complex], hair: float) -> int | None:
+    """Which of two assemblies (0 or 1: positions of letters, m) lies nearer to the rough places; None where they do not tell.
+
+    hair: sums of distances (m) that differ by less are the same.
+    """
+    off = [sum(abs(at[p] - place) for p, place in guesses.items() if p in one and p in two) for at in (one, two)]
+    return None if abs(off[0] - off[1]) < hair else int(off[1] < off[0])
+
+
 def margin(statement: SideOf, at: Mapping[str, complex]) -> float:
     """How far (m) the statement is fulfilled at these positions; negative where it is not.
 

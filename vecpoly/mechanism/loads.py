@@ -19,7 +19,8 @@ Role = Literal["", "driving", "resisting"]  # what the problem says of a load; i
 class Force:
     """A force on a link through one of its lettered points, in a fixed direction (rad from the x axis).
 
-    size: N, positive along `direction`; None: it balances.
+    size: N, positive along `direction`; None: it balances. A cylinder's thrust acts `against` another link as well: from that link's
+    point `foot` to `point`, and with the opposite force on `foot`; it has no direction of its own.
     """
 
     name: str  # ASCII: F, Q, F_r
@@ -28,6 +29,8 @@ class Force:
     direction: float
     size: float | None = None
     role: Role = ""
+    against: str = ""
+    foot: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

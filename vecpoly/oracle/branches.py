@@ -7,9 +7,11 @@ from dataclasses import replace
 from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.branch import margin
+from ..mechanism.branch import margin, nearer
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from ..words import Words
+from .driven import drives_in
+from .driven_assemblies import among
 from .dyads import Hinged, Swinging
 from .newton import Newton
 from .run import Run
@@ -45,6 +47,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
 
     Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two coincide.
     """
+    if isinstance(step, Newton) and drives_in(step.rows):
+        return among(mech, step, bodies, run)
     before = places(mech, bodies)
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
@@ -59,6 +63,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return options[fits.index(True)]
+    if all(fits) and step.two and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
+        return options[near]
     if not any(fits):
         statement = " and ".join(f"'{_words(s)}'" for s in told)
         raise AssemblyError(
@@ -105,7 +111,8 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
             other = replace(statement, side=_OPPOSITE[statement.side])
             return Words(f"；请指明“{_words(statement)}”或“{_words(other)}”", f"; say which: '{_words(statement)}' or '{_words(other)}'")
-    return Words.same("")
+    return Words(f"；没有字母点能区分两者，请以 guesses: {{{step.joint}: [x mm, y mm]}} 给出大致位置",
+                 f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}")
 
 
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:

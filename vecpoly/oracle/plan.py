@@ -23,7 +23,7 @@ from .steps import Step, is_followed, step_for
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Drives and steps in order of solution. Build it with `plan_for`."""
+    """Drives against the frame and steps in order of solution. Build it with `plan_for`."""
 
     mech: Mechanism
     drivers: tuple[Driver, ...]
@@ -39,10 +39,8 @@ class Plan:
         if self.followed:
             path, q = track(drive.position, STEP * (self.mech.scale if drive.slide else 2 * np.pi), asked)
             run = replace(run, q=q, track=path)
-        bodies = {FRAME: at_rest(), drive.link: self.drivers[0].body(run.q)}
-        for other in self.drivers[1:]:
-            bodies[other.drive.link] = other.body(np.full(1, other.drive.position))
-        return run, bodies
+        held = {one.drive.link: one.body(run.q if one.drive is drive else np.full(1, one.drive.position)) for one in self.drivers}
+        return run, {FRAME: at_rest(), **held}
 
     def bodies(self, asked: Reals, order: int = 2, strict: bool = True) -> dict[str, Body]:
         """Every link at these positions of the drive (rad or m); rates where the order asks for them.
@@ -76,7 +74,7 @@ class Plan:
             open_ |= np.isnan(body.unit) | np.isnan(body.at)
         if open_[run.asked :].any():
             first = run.first(open_)
-            gap = np.broadcast_to(step.miss(bodies), run.q.shape)[first]
+            gap = np.broadcast_to(step.miss(bodies, run), run.q.shape)[first]
             here = float(run.q[first])
             raise refusal(step, run.text(here), float(gap), self.ranges(step), alone=alone(self._upto(step).closes(), here, self.mech.scale))
 
@@ -118,7 +116,7 @@ def build(mech: Mechanism) -> Plan:
     check_letters(mech)
     _check_gears(mech)
     raw = tuple(step_for(mech, group) for group in decompose(mech))
-    empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives), (), any(map(is_followed, raw)))
+    empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives if not drive.between), (), any(map(is_followed, raw)))
     chosen: list[Step] = []
     with np.errstate(invalid="ignore", divide="ignore"):
         run, bodies = empty.start(np.array([mech.drive.position]), strict=True)

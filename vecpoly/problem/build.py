@@ -29,6 +29,7 @@ from .masses import read_masses
 from .motion import numbered, read_branch, read_input
 from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
+from .rollers import weld_rollers
 from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
@@ -106,6 +107,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         contacts=tuple(bodies.contacts),
         starts=tuple(draft.start for draft in bodies.drafts.values() if draft.start is not None),
         guesses=guesses,
+        welded=tuple(bodies.welded.items()),
     )
     return geared(seated(mech, read_pins(spec.pins, mech, faults)), spec, faults), motion
 
@@ -138,6 +140,8 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
                     f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"), code="spelling")
             bodies.drafts[name] = read_link(name, data)
             refuse_frame(bodies.drafts[name], bodies.frame)
+    if not faults.found:
+        weld_rollers(spec, bodies, faults)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies

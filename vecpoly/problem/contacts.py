@@ -70,7 +70,7 @@ def _on_disc(m: re.Match[str], bodies: Bodies, one: Circle, two: Circle) -> None
         raise FaultError(Words(
             f"半径 {one.radius * 1e3:g} mm 的圆盘不能在半径 {two.radius * 1e3:g} mm 的圆盘内运动；请减小其半径",
             f"a disc of {one.radius * 1e3:g} mm inside another of {two.radius * 1e3:g} mm does not run; give it a smaller radius"), code="out-of-range")
-    name = _free(f"{one.centre}{two.centre}", bodies)
+    name = bodies.free(f"{one.centre}{two.centre}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {one.centre: 0j, two.centre: complex(reach)})
     bodies.contacts.append(Contact(point=m["point"], disc=one, on=two, substitute=name, internal=internal))
 
@@ -87,16 +87,10 @@ def _on_face(m: re.Match[str], bodies: Bodies, disc: Circle, other: Draft) -> Pr
             "圆盘不能从内侧与平面接触；请去掉 inside",
             "a disc does not touch a flat face from inside; leave 'inside' out"))
     side, line = Side(m["side"]), other.face
-    name = _free(f"pin{disc.centre}", bodies)
+    name = bodies.free(f"pin{disc.centre}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {disc.centre: 0j})
     face = Rack(link=other.name, origin=line.origin, direction=line.direction)
     bodies.contacts.append(Contact(point=m["point"], disc=disc, on=face, substitute=name, side=side))
     shift = cmath.rect(disc.radius, line.direction) * (1j if side is Side.LEFT else -1j)
     return Prismatic(guide=other.name, block=name, origin=line.origin + shift, direction=line.direction, pin=disc.centre, pin_in_slot=True)
 
-
-def _free(name: str, bodies: Bodies) -> str:
-    """A name that no link has yet."""
-    while name in bodies.drafts:
-        name += "′"
-    return name

@@ -17,6 +17,8 @@ from .problem import Datum, Shape
 LETTER = r"[A-Z][a-z'′]?"
 ONE = re.compile(LETTER)
 TWO = re.compile(rf"({LETTER})({LETTER})")
+CENTRE = r"S\d+[a-z'′]?"  # the centre of mass of a link
+PLACED = re.compile(rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})")  # the ends of a length to a point that is set out: BE, BS2
 ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 
@@ -66,6 +68,14 @@ def letters_of(word: str) -> tuple[str, str]:
     return m[1], m[2]
 
 
+def ends_of(word: str) -> tuple[str, str]:
+    """'BE' to ('B', 'E'), 'BS2' to ('B', 'S2'); raises FaultError otherwise."""
+    m = PLACED.fullmatch(word)
+    if m is None:
+        raise FaultError(Words(f"“{word}” 不是 BE 这样的两个字母", f"'{word}' is not two letters such as BE"))
+    return m[1], m[2]
+
+
 def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
     """Base letters, start and unit vector of a ray: 'BC', or along the link's guide line 'B' or 'line'."""
     line = draft.line or (Line(0j, 0.0, next(iter(draft.points))) if len(draft.points) == 1 else None)
@@ -80,7 +90,7 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
             draft.points[first],
             cmath.exp(1j * cmath.phase(draft.points[second] - draft.points[first])),
         )
-    lined = draft.line is not None or draft.shape is Shape.BLOCK
+    lined = draft.line is not None or draft.shape in (Shape.BLOCK, Shape.PISTON)
     if line is None or first != line.through or not lined:
         raise FaultError(Words(
             f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",

@@ -19,6 +19,8 @@ class Shape(StrEnum):
     ROD = "rod"  # a straight rod that passes through a block or sleeve
     BLOCK = "block"  # a sliding block
     GEAR = "gear"
+    CYLINDER = "cylinder"  # of a hydraulic drive
+    PISTON = "piston"  # with its rod
     PIN = "pin"  # the massless block that stands for a pin in a slot; not drawn
 
 

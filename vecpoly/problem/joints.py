@@ -8,7 +8,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import degrees
 
 from ..errors import FaultError
 from ..mechanism.model import FRAME, Contact, Joint, Prismatic, Revolute
@@ -17,6 +16,7 @@ from ..words import Words
 from .draft import LETTER, Draft, Line, letters_of
 from .faults import meant, not_on_frame, not_on_link
 from .problem import Shape
+from .slides import check_cylinder, note_slide
 
 LINK = r"\d+[a-z']?"
 _GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {LINK})?|{LINK}"
@@ -41,12 +41,20 @@ class Bodies:
     drafts: dict[str, Draft]
     pitch: list[str] = field(default_factory=list)  # letters of pitch points and contacts
     contacts: list[Contact] = field(default_factory=list)
+    welded: dict[str, str] = field(default_factory=dict)  # rollers -> the links to which they were welded
 
     def draft(self, name: str) -> Draft:
-        """The moving link `name`."""
+        """The moving link `name`; for a roller the link to which it is welded."""
+        name = self.welded.get(name, name)
         if name not in self.drafts:
             raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts), code="unknown-name")
         return self.drafts[name]
+
+    def free(self, name: str) -> str:
+        """A name that no link has yet."""
+        while name in self.drafts:
+            name += "′"
+        return name
 
     def letters(self) -> tuple[str, ...]:
         """All letters: the frame's first, then link by link."""
@@ -87,7 +95,8 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     if pin not in block.points:
         raise not_on_link(pin, block.name, block.points)
     offset = read(m["offset"], Dim.LENGTH) if m["offset"] else None
-    _note_slide(m, block, pin)
+    check_cylinder(guide, block, bodies.drafts)
+    note_slide(m, block, pin)
     return Prismatic(
         guide=guide,
         block=block.name,
@@ -100,30 +109,10 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     )
 
 
-def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
-    """Remember the data of a sliding joint for 已知."""
-    zh_side = "左" if m["side"] == "left" else "右"
-    if m["offset"]:
-        block.say(Words(
-            f"偏距 $e$ = {m['offset']}（${pin}$ 在导路{zh_side}侧）",
-            f"offset $e$ = {m['offset']} (${pin}$ to the {m['side']} of the guide)"))
-    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
-    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(Words(
-            f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-            f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal"))
-    if m["turn"]:
-        turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
-        acute = min(turn, 180 - turn)
-        block.say(Words(
-            f"构件 {block.name} 的槽与导路成 {acute:g}°",
-            f"the slot of link {block.name} is at {acute:g}° to the guide"))
-
-
 def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
     block = bodies.draft(m["block"])
     guide, line = _guide(m["guide"], bodies, block.name)
+    check_cylinder(guide, block, bodies.drafts)
     return Prismatic(
         guide=guide,
         block=block.name,
@@ -141,7 +130,7 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
             f"点“{pin}”不在任何活动构件上",
             f"point '{pin}' is on no moving link") + meant(pin, bodies.letters()), code="unknown-name")
     guide, line = _guide(m["guide"], bodies, "")
-    name = f"pin{pin}"
+    name = bodies.free(f"pin{pin}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
     return Prismatic(
         guide=guide,

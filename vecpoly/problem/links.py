@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import re
 from collections.abc import Callable, Mapping
 from functools import partial
 
@@ -10,14 +11,14 @@ from ..errors import FaultError
 from ..mechanism.model import Circle
 from ..units import Dim, positive, read
 from ..words import Words
-from .draft import ANGLE_FROM, ONE, TWO, Draft, Line, letters_of, ray
+from .draft import ANGLE_FROM, LETTER, ONE, TWO, Draft, Line, letters_of, ray
 from .faults import meant
 from .places import place
 from .problem import Shape
 from .source import Value
 from .starts import read_start
 
-_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "rack": Shape.ROD, "disc": Shape.BAR, "face": Shape.BAR}
+_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "cylinder": Shape.CYLINDER, "piston": Shape.PISTON, "gear": Shape.GEAR, "rack": Shape.ROD, "disc": Shape.BAR, "face": Shape.BAR}
 _PLACED = ("gear", "rack", "disc", "face")  # what may name a point that is set out further on
 LINK_KEYS = (*_SINGLE, "radius", "phi", "s")
 
@@ -32,13 +33,16 @@ def read_link(name: str, data: Value) -> Draft:
     for key in data:
         _known(key)
     _base(draft, data)
+    slot_early = isinstance(data.get("slot"), dict) and _drawn_from_base(draft, data["slot"])
+    if slot_early:
+        _within("slot", lambda: _slot(draft, data["slot"]))
     early = "face" in data and _through(data["face"]) in draft.points
     if early:
         _within("face", lambda: _face(draft, data["face"]))
     for key, value in data.items():
         if ONE.fullmatch(key):
             _within(key, partial(place, draft, key, value))
-    if isinstance(data.get("slot"), dict):
+    if isinstance(data.get("slot"), dict) and not slot_early:
         _within("slot", lambda: _slot(draft, data["slot"]))
     if "rack" in data:
         _within("rack", lambda: _rack(draft, data["rack"]))
@@ -47,6 +51,13 @@ def read_link(name: str, data: Value) -> Draft:
     _round(draft, data)
     read_start(draft, data)
     return draft
+
+
+def _drawn_from_base(draft: Draft, slot: Mapping[str, Value]) -> bool:
+    """Whether the slot's line depends on no point that is set out further on, so that such points may be told from it."""
+    m = ANGLE_FROM.fullmatch(str(slot.get("angle", "")))
+    named = {str(slot.get("through")), *(re.findall(LETTER, m[2]) if m and m[2] != "line" else ())}
+    return named <= set(draft.points)
 
 
 def _through(data: Value) -> str:
@@ -118,7 +129,7 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             raise FaultError(Words(
                 f"点“{letter}”不在构件 {draft.name} 上",
                 f"point '{letter}' is not on link {draft.name}"), key, code="unknown-name")
-        if key in ("slot", "rod"):
+        if key in ("slot", "rod", "cylinder"):
             draft.line = Line(draft.points[letter], 0.0, letter)
     for key in ("slot", "rack", "face"):
         led = data.get(key)
@@ -126,8 +137,8 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
     if not draft.points:
         raise FaultError(Words(
-            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿条、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
-            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, rack, gear, disc or face, e.g. {{block: C}}"), code="missing")
+            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、缸体、活塞、齿条、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
+            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, cylinder, piston, rack, gear, disc or face, e.g. {{block: C}}"), code="missing")
 
 
 def _bar(draft: Draft, first: str, second: str, value: Value) -> None:

@@ -14,6 +14,7 @@ from .joints import Bodies
 from .motion import sense_only
 from .problem import Datum
 from .schema import LoadSpec, ProblemSpec
+from .thrusts import read_thrust
 
 _NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
 _TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*")  # keys of reactions, inertia forces and couples, inertias, instant centres
@@ -58,7 +59,7 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
     return None
 
 
-def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
+def _check_name(name: str) -> None:
     if not _NAME.fullmatch(name):
         raise FaultError(Words(
             f"“{name}”不是载荷名；请写 F、Q、F_r 或 M_1",
@@ -67,6 +68,14 @@ def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
         raise FaultError(Words(
             f"“{name}”是反力、惯性力或瞬心的符号；载荷请写 F、Q、F_r 或 M_1",
             f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the load F, Q, F_r or M_1"))
+
+
+def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
+    _check_name(name)
+    if spec.cylinder is not None:
+        return read_thrust(name, spec, bodies)
+    if spec.on is None:
+        raise FaultError(Words("缺少载荷所作用的构件；请写 on: 3（油缸推力则写 cylinder: 2-3）", "'on' is missing: on which link does the load act? write on: 3 (the thrust of a cylinder: cylinder: 2-3)"), "on")
     draft = bodies.drafts.get(spec.on)
     if spec.on in (FRAME, frame_number(bodies)):
         raise FaultError(Words(
@@ -175,7 +184,11 @@ _ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting":
 
 def _told(load: Load, size: str, direction: str) -> Datum:
     role = _ROLE[load.role]
-    if isinstance(load, Force):
+    if isinstance(load, Force) and load.against:
+        zh = f"为油缸 {load.against}-{load.link} 的推力，使其伸长者为正"
+        en = f"as the thrust of the cylinder {load.against}-{load.link}, positive where it lengthens it"
+        name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")
+    elif isinstance(load, Force):
         zh = f"作用于构件 {load.link} 的 ${load.point}$ 点，方向角 {direction}"
         en = f"on link {load.link} at ${load.point}$, direction {direction}"
         name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")

@@ -12,6 +12,7 @@ from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
+from .between import is_between, read_between
 from .draft import LETTER, Draft, letters_of
 from .faults import meant
 from .joints import Bodies
@@ -56,6 +57,12 @@ def read_branch(text: str, letters: Iterable[str]) -> SideOf:
 
 def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     """One drive, and its data as written."""
+    if is_between(spec):
+        return read_between(spec, bodies, joints)
+    if spec.link is None:
+        raise FaultError(Words("缺少原动件；请写 link: 1（或油缸 cylinder: 2-3）", "the driving link is missing; write link: 1 (or cylinder: 2-3)"))
+    if spec.length is not None:
+        raise FaultError(Words("length 只用于油缸；请写 cylinder: 2-3，或以 s 表示位移", "'length' belongs to a cylinder; write cylinder: 2-3, or give the travel as s"), "length")
     try:
         draft = bodies.draft(spec.link)
     except FaultError as fault:
@@ -146,12 +153,7 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     if not any(isinstance(j, Prismatic) and j.guide == FRAME and j.block == draft.name for j in joints):
-        raise FaultError(
-            Words(
-            f"构件 {draft.name} 不沿固定导路移动；请写运动副“{draft.name} slides on y = 0 mm”",
-            f"link {draft.name} slides on no fixed guide; write a joint '{draft.name} slides on y = 0 mm'"),
-            "link",
-        code="spelling")
+        raise _on_no_fixed_guide(draft.name, joints)
     if spec.s is None or spec.v is None:
         raise FaultError(Words(
             "移动输入要有 s 和 v，如 s: 120 mm, v: 0.5 m/s",
@@ -169,6 +171,16 @@ def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Dr
     if spec.a is not None:
         data.append(Datum(symbol=f"a_{name}", si=accel.si, text=accel.text))
     return Drive(link=name, position=travel.si, rate=rate.si, accel=accel.si, slide=True), tuple(data)
+
+
+def _on_no_fixed_guide(name: str, joints: Iterable[Joint]) -> FaultError:
+    """What to write instead: a cylinder where the link slides on a moving one."""
+    pair = next((j for j in joints if isinstance(j, Prismatic) and name in (j.guide, j.block) and FRAME not in (j.guide, j.block)), None)
+    if pair is not None:
+        both = f"{pair.guide}-{pair.block}"
+        return FaultError(Words(f"构件 {name} 只在活动构件上移动；若由油缸驱动，请写 input: {{cylinder: {both}, length: 800 mm, v: 0.1 m/s}}",
+                                f"link {name} slides on a moving link only; if a cylinder drives it, write input: {{cylinder: {both}, length: 800 mm, v: 0.1 m/s}}"), "link")
+    return FaultError(Words(f"构件 {name} 不在固定导路上移动；请写运动副“{name} slides on y = 0 mm”", f"link {name} slides on no fixed guide; write a joint '{name} slides on y = 0 mm'"), "link")
 
 
 def _read(key: str, text: str | None, dim: Dim) -> Quantity:

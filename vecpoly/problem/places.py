@@ -11,7 +11,7 @@ from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
 from ..names import subscripted
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
-from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
+from .draft import ANGLE_FROM, LETTER, PLACED, Draft, ends_of, ray
 from .faults import meant
 from .source import Value
 from .starts import is_phased, phased
@@ -30,7 +30,7 @@ def place(draft: Draft, point: str, data: Value) -> None:
         raise FaultError(Words(
             f"点 {point} 已在构件 {draft.name} 上",
             f"point {point} is already on link {draft.name}"), code="contradiction")
-    lengths = [key for key in data if TWO.fullmatch(key)]
+    lengths = [key for key in data if PLACED.fullmatch(key)]
     for key in data:
         if key not in (*_KEYS, *lengths):
             raise FaultError(Words(f"“{key}”不是位置的键", f"'{key}' is no key of a place") + meant(key, _KEYS), key, code="unknown-key")
@@ -95,7 +95,7 @@ def _by_angle(
         raise FaultError(Words(
             "请写长度和由射线量起的角，如 {BE: 200 mm, angle: 50 deg from BC}",
             "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle", code="spelling")
-    ends = letters_of(lengths[0])
+    ends = ends_of(lengths[0])
     base, start, unit = ray(draft, m[2])
     if set(ends) != {base[0], point}:
         raise FaultError(Words(
@@ -130,7 +130,7 @@ def _by_lengths(
     (_, start, unit) = ray(draft, m[2] + m[3])
     found: dict[str, float] = {}
     for key in lengths:
-        other = [letter for letter in letters_of(key) if letter != point]
+        other = [letter for letter in ends_of(key) if letter != point]
         if len(other) != 1 or other[0] not in base:
             raise FaultError(Words(
                 f"长度应联接 {point} 与 {base[0]} 或 {base[1]}",

@@ -106,7 +106,8 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
     """What is asked where the file does not say: the unknown load, with friction also without it and η, and every reaction."""
     name = loads.unknown.name
     keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
-    keys += [f"R_{mech.number(by)}{mech.number(on)}" for by, on in pairs(mech)]
+    rams = [{force.link, force.against} for force in loads.forces]  # between a cylinder and its piston there is only the thrust
+    keys += [f"R_{mech.number(by)}{mech.number(on)}" for by, on in pairs(mech) if {by, on} not in rams]
     return tuple(AskNamed(rel=forces[key]) for key in keys)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from ...errors import AssemblyError, DeadPointError
-from ...mechanism.branch import margin
+from ...mechanism.branch import margin, nearer
 from ...mechanism.model import FRAME, Side, SideOf
 from ...plane import Points, nominal
 from ...words import Words
@@ -30,16 +32,24 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     about = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(trials[0]) and {s.point, *s.ref} & new]
     holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
     fits = [all(held) for held in holds]
+    if all(fits) and (near := nearer(*_in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
+        return pair[near], None
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
     deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
     return (pair[0] if fits[0] else pair[1]), deciding
 
 
+def _in_metres(desk: Desk, trials: list[dict[str, complex]]) -> tuple[Mapping[str, complex], dict[str, complex], dict[str, complex]]:
+    """The rough places of the problem, and where all letters lie with either meeting point."""
+    one, two = ({name: at / desk.mm(1.0) for name, at in trial.items()} for trial in trials)
+    return desk.mech.guesses, one, two
+
+
 def said(statement: SideOf | None) -> Words:
     """The deciding statement in words."""
     if statement is None:
-        return Words.same("")
+        return Words("（取靠近所给大致位置的一点）", " (of the two, the one near the rough place given)")
     beside = statement.side in (Side.LEFT, Side.RIGHT)
     ref = ("→" if beside else "").join(statement.ref)
     return Words(f"（取 ${statement.point}$ 在 ${ref}$ {_SIDE[statement.side]}的一点）", f" (of the two, ${statement.point}$ {_en(statement)} ${ref}$)")

@@ -60,7 +60,7 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
     board.remark(said(why) + Words("。", "."))
     board.swing(View.MECHANISM, desk.at[p], radius, desk.at[c])
     desk.settle(d.link_j, (p, c))
-    desk.settle_turned(d.link_k, c, _slider_axis(desk, d.outer_k, d.link_k, line))
+    desk.settle_turned(d.link_k, c, slider_axis(desk, d.outer_k, d.link_k, line))
 
 
 @method(stage=Stage.POSITION, group="RPR", source=_SOURCE, example="3-9",
@@ -103,7 +103,7 @@ def position_prp(desk: Desk, d: Dyad) -> None:
     lines = [desk.locus(joint, link, b) for joint, link in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))]
     desk.at[b] = board.meet(lines[0], lines[1], Words(f"构件 {d.link_j} 与 {d.link_k} 的导路", f"guides of links {d.link_j} and {d.link_k}"))
     for joint, link, line in zip((d.outer_j, d.outer_k), (d.link_j, d.link_k), lines, strict=True):
-        desk.settle_turned(link, b, _slider_axis(desk, joint, link, line))
+        desk.settle_turned(link, b, slider_axis(desk, joint, link, line))
 
 
 @method(stage=Stage.POSITION, group="RPP", source=_SOURCE, example="3-14",
@@ -120,7 +120,7 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
         View.MECHANISM,
     )
     guide = desk.guide_line(outer)
-    axis = _slider_axis(desk, outer, d.link_k, guide)
+    axis = slider_axis(desk, outer, d.link_k, guide)
     own = inner.direction if inner.guide == d.link_k else -inner.turn
     slot = axis * np.exp(1j * own)
     r = next(iter(desk.body(d.link_k).points))
@@ -128,7 +128,7 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     side = desk.mm(desk.offset(inner, d.link_j, b) - desk.offset(inner, d.link_k, r))
     desk.at[r] = lines_meet(path, Line(desk.at[b] - 1j * slot * side, slot))
     desk.settle_turned(d.link_k, r, axis)
-    desk.settle_turned(d.link_j, b, _slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
+    desk.settle_turned(d.link_j, b, slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
 
 
 def _tangent(q: str, p: str, offset: float) -> Words:
@@ -147,7 +147,7 @@ def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> 
     desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
 
 
-def _slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
+def slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
     """Direction of the x axis of the link that slides, from the line of the guide."""
     turn = joint.turn if link == joint.block else -joint.direction
     axis: Points = line.along * np.exp(1j * turn)
