@@ -109,7 +109,7 @@ def test_the_arrows_go_round_in_no_circle() -> None:
 
 def test_the_oracle_is_a_stranger_and_no_method_knows_it() -> None:
     graph = table()
-    assert graph["oracle"][0] == {"devices", "errors", "mechanism", "names", "plugins", "numpy"}
+    assert graph["oracle"][0] == {"devices", "errors", "mechanism", "names", "plugins", "words", "numpy"}
     assert graph["plane"][0] == {"numpy"}
     for part in ("methods", "board", "vector", "plane", "quantity", "drawing"):
         assert not reach(part) & {"oracle", "check"}

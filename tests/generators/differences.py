@@ -16,6 +16,8 @@ from vecpoly.names import At, Kind, Rel, parse_rel
 from vecpoly.oracle.motion import Motion
 from vecpoly.solution import Solution
 
+from .nearby import natural
+
 STEP = 2e-3  # of the drive: rad, or metres over the size of the mechanism
 AGREE = 1e-6  # of the largest rate of the kind
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
@@ -31,12 +33,13 @@ def against_differences(mech: Mechanism, solution: Solution) -> str:
         return ""  # too near the end of the range for five positions
     asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None]
     found = {key: (_rate(mech, coarse, rel, STEP), _rate(mech, fine, rel, STEP / 2)) for key, rel in asked}
+    floor = natural(mech)
     size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
     for key, rel in asked:
         answer = solution.answers[key]
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
         rough, good = found[key]
-        if not abs(good - exact) <= AGREE * max(size[rel.kind], 1e-9) + 4 * abs(good - rough):
+        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough):
             return f"{key} exact {exact}, by central differences {good}"
     return ""
 

@@ -16,7 +16,7 @@ from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
 from .family import Check, content
-from .nearby import slack
+from .nearby import natural, slack
 
 AGREE = 1e-9  # of the largest quantity of the kind
 
@@ -67,8 +67,10 @@ def _disagreeing(solution: Solution) -> str:
     """The first quantity of which the exact hand draws something else than the oracle finds."""
     answers = solution.answers.values()
     near = slack(solution)
+    floor = natural(solution.problem.subject) if isinstance(solution.problem.subject, Mechanism) else {}
     for one in answers:
-        size = max(abs(other.exact) for other in answers if other.reading.unit == one.reading.unit)
+        unit = one.reading.unit
+        size = max(floor.get(unit, 0.0), *(abs(other.exact) for other in answers if other.reading.unit == unit))
         if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
             drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
             return f"{one.key} drawn {drawn}, exact {exact}"

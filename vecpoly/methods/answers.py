@@ -13,6 +13,7 @@ from ..plane import Points, Reals, nominal
 from ..quantity import magnitude, stated, worked
 from ..words import Words
 from .desk import Desk
+from .standing import standing
 
 Repeats = dict[str, Reals]  # key -> what the reading's `scalar` is by every hand
 
@@ -62,7 +63,7 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 
 
 def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
-    view, start, end, line = _line(desk, rel)
+    view, start, end, line = standing(desk, rel)
     board, scale = desk.board, desk.board.scales[view]
     on_paper = board.measure(start, end, line)
     direction = board.hand.gauge(np.angle(end - start))
@@ -77,29 +78,6 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     return reading, size
 
 
-def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
-    """Where the vector stands: figure, start, end, letters."""
-    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
-    if own.key in desk.ends:
-        view, start, end = desk.ends[own.key]
-        return view, start, end, _letters(desk, view, own)
-    view = View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
-    if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
-        start = 0j if own.ref is None else desk.tip(view, own.ref)
-        return view, start, desk.tip(view, own.to), _letters(desk, view, own)
-    if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
-        return View.ACCELERATION, 0j, 0j, "—"
-    raise NoMethodError(f"{rel.key} was not drawn: no method on file gives it for this mechanism")
-
-
-def _letters(desk: Desk, view: View, rel: Rel) -> str:
-    end = desk.tip_label(view, rel.to)
-    if rel.kind in (Kind.V, Kind.A):
-        return f"{desk.start_label(view, rel.ref)} {end}"
-    k = desk.k_tip(Rel(Kind.AK, rel.to, rel.ref))
-    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: k, Kind.AR: f"{k} {end}"}[rel.kind]
-
-
 def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:
     """Why a Coriolis term is zero."""
     if rel.kind is not Kind.AK or not zero:
@@ -110,5 +88,3 @@ def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:
     if turns and abs(float(nominal(turns[0].value))) < 1e-9:
         return Words(f"此瞬时 $ω_{rel.to.link}$ = 0", f"$ω_{rel.to.link}$ = 0 at this instant")
     return Words("此瞬时相对速度为零", "the relative velocity is zero at this instant")
-
-

@@ -58,6 +58,7 @@ class Desk:
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
     central: dict[str, Reading] = field(default_factory=dict)  # answers that instant centres gave
     central_repeats: dict[str, Reals] = field(default_factory=dict)
+    slides: dict[tuple[str, str], Rel] = field(default_factory=dict)  # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------
@@ -190,6 +191,14 @@ class Desk:
         """The flat face of a contact as drawn."""
         assert isinstance(contact.on, Rack)
         return Line(self.place(contact.on.link, contact.on.origin), self.axis(contact.on.link) * np.exp(1j * contact.on.direction))
+
+    def note_slide(self, joint: Prismatic, rel: Rel) -> None:
+        """Remember under which key the relative motion of a sliding pair was drawn, and of which link against which."""
+        links = joint.guide, joint.block
+        assert rel.ref is not None
+        upper = rel.to.link if rel.to.link in links else links[links.index(rel.ref.link) - 1] if rel.ref.link in links else ""
+        if upper:
+            self.slides[upper, links[links.index(upper) - 1]] = rel
 
     # -- what is known of the motion ------------------------------------------------------------------------------
 

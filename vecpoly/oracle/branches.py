@@ -9,6 +9,7 @@ from itertools import product
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.branch import margin
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
+from ..words import Words
 from .dyads import Hinged, Swinging
 from .run import Run
 from .state import Bodies
@@ -60,7 +61,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
             f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}"
             f"{_advice(mech, step, before, after)}")
     if isinstance(step, Swinging):
-        return _ahead(step, bodies)
+        return _ahead(step, bodies, where)
     raise AssemblyError(
         f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
 
@@ -75,12 +76,17 @@ def _words(statement: SideOf) -> str:
     return f"{statement.point} {statement.side.value} {'of ' if of else ''}{''.join(statement.ref)}"
 
 
-def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
+def _ahead(step: Swinging, bodies: Bodies, where: str) -> Swinging:
     """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
     here, there = step.ends(bodies)
     forward = [option for option in options if option.reach(there - here)[-1] + option.shift > 0]
-    return forward[0] if forward else options[0]
+    if len(forward) != 1:
+        raise AssemblyError(
+            Words(f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；请在 branch 中写出该组某点在哪一侧",
+                  f"the guide of link {step.guide}, on which link {step.block} slides, can point either way where the drive stands at {where}; "
+                  f"say in 'branch' on which side a point of these two links lies"), code="branch-missing")
+    return forward[0]
 
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> str:

@@ -15,12 +15,13 @@ from ..mechanism.quantities import quantities
 from ..names import At, Named
 from ..units import Dim, read
 from .asks import Ask, AskNamed
+from .bodies import Bodies
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
 from .draft import LETTER
 from .faults import Faults, meant
 from .friction import read_friction
-from .joints import Bodies, read_joint, revolutes
+from .joints import read_joint, revolutes
 from .links import read_link
 from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses

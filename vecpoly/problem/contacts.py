@@ -7,8 +7,9 @@ import re
 
 from ..errors import FaultError
 from ..mechanism.model import Circle, Contact, Joint, Prismatic, Rack, Side
+from .bodies import Bodies
 from .draft import LETTER, Draft
-from .joints import LINK, Bodies
+from .guides import LINK
 from .problem import Shape
 
 _TOUCHES = re.compile(

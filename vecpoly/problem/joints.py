@@ -2,30 +2,18 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from itertools import pairwise
-from math import degrees
 
 from ..errors import FaultError
-from ..mechanism.model import FRAME, Circle, Contact, Joint, Prismatic, Rack, Revolute, Rolling, Side
-from ..units import Dim, positive, read
-from ..words import Words
-from .draft import LETTER, Draft, Line, letters_of
+from ..mechanism.model import FRAME, Circle, Joint, Rack, Revolute, Rolling, Side
+from ..units import positive
+from .bodies import Bodies
+from .draft import LETTER
 from .faults import meant
-from .problem import Shape
+from .guides import LINK, fixed_line
+from .slides import read_slide
 
-LINK = r"\d+[a-z']?"
-_GUIDE = rf"[xy] = .+?|line through {LETTER} at .+?|{LETTER}{LETTER}(?: of {LINK})?|{LINK}"
-_SLIDE = re.compile(
-    rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{_GUIDE})"
-    rf"(?: with (?P<off>{LETTER}) (?P<offset>.+?) (?P<side>left|right))?(?: turned (?P<turn>.+))?"
-)
-_THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK})")
-_RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{_GUIDE})")
 _ROLLS = re.compile(
     rf"(?P<gear>{LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
     rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}) "
@@ -35,28 +23,6 @@ EXAMPLES = (
     "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
     "'3 rolls on y = 0 mm at D', '4 rolls on 3 at H' or '1 touches 2 at K'"
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Bodies:
-    """The frame's points and the links read so far."""
-
-    frame: Mapping[str, complex]
-    drafts: dict[str, Draft]
-    pitch: list[str] = field(default_factory=list)  # letters of pitch points and contacts
-    contacts: list[Contact] = field(default_factory=list)
-
-    def draft(self, name: str) -> Draft:
-        """The moving link `name`."""
-        if name not in self.drafts:
-            raise FaultError(f"link '{name}' does not exist{meant(name, self.drafts)}")
-        return self.drafts[name]
-
-    def letters(self) -> tuple[str, ...]:
-        """All letters: the frame's first, then link by link."""
-        return tuple(
-            dict.fromkeys([*self.frame, *(p for draft in self.drafts.values() for p in draft.points)])
-        )
 
 
 def revolutes(bodies: Bodies) -> tuple[Revolute, ...]:
@@ -73,140 +39,11 @@ def read_joint(text: object, bodies: Bodies) -> Joint:
     """One entry of `joints`. A pin in a slot adds its massless block to the bodies."""
     if not isinstance(text, str):
         raise FaultError(f"a joint is a sentence such as {EXAMPLES}")
-    if m := _SLIDE.fullmatch(text):
-        return _slide(m, bodies)
-    if m := _THROUGH.fullmatch(text):
-        return _through(m, bodies)
-    if m := _RUNS.fullmatch(text):
-        return _runs(m, bodies)
+    if (slide := read_slide(text, bodies)) is not None:
+        return slide
     if m := _ROLLS.fullmatch(text):
         return _rolls(m, bodies)
     raise FaultError(f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)")
-
-
-def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
-    block = bodies.draft(m["block"])
-    guide, line = _guide(m["guide"], bodies, block.name)
-    pin = m["off"] or m["pin"] or next(iter(block.points))
-    if pin not in block.points:
-        raise FaultError(f"point '{pin}' is not on link {block.name}{meant(pin, block.points)}")
-    offset = read(m["offset"], Dim.LENGTH) if m["offset"] else None
-    _note_slide(m, block, pin)
-    return Prismatic(
-        guide=guide,
-        block=block.name,
-        origin=line.origin,
-        direction=line.direction,
-        pin=pin,
-        through=line.through,
-        offset=0.0 if offset is None else offset.si if m["side"] == "left" else -offset.si,
-        turn=read(m["turn"], Dim.ANGLE).si if m["turn"] else 0.0,
-    )
-
-
-def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
-    """Remember the data of a sliding joint for 已知."""
-    zh_side = "左" if m["side"] == "left" else "右"
-    if m["offset"]:
-        block.say(
-            Words(
-                f"偏距 $e$ = {m['offset']}（${pin}$ 在导路{zh_side}侧）",
-                f"offset $e$ = {m['offset']} (${pin}$ to the {m['side']} of the guide)",
-            )
-        )
-    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
-    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(
-            Words(
-                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            )
-        )
-    if m["turn"]:
-        turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
-        acute = min(turn, 180 - turn)
-        block.say(
-            Words(
-                f"构件 {block.name} 的槽与导路成 {acute:g}°",
-                f"the slot of link {block.name} is at {acute:g}° to the guide",
-            )
-        )
-
-
-def _through(m: re.Match[str], bodies: Bodies) -> Prismatic:
-    block = bodies.draft(m["block"])
-    guide, line = _guide(m["guide"], bodies, block.name)
-    return Prismatic(
-        guide=guide,
-        block=block.name,
-        origin=line.origin,
-        direction=line.direction,
-        pin=next(iter(block.points)),
-        through=line.through,
-    )
-
-
-def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
-    pin = m["pin"]
-    if not any(pin in draft.points for draft in bodies.drafts.values()):
-        raise FaultError(f"point '{pin}' is on no moving link{meant(pin, bodies.letters())}")
-    guide, line = _guide(m["guide"], bodies, "")
-    name = f"pin{pin}"
-    bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
-    return Prismatic(
-        guide=guide,
-        block=name,
-        origin=line.origin,
-        direction=line.direction,
-        pin=pin,
-        through=line.through,
-        pin_in_slot=True,
-    )
-
-
-def _guide(text: str, bodies: Bodies, block: str) -> tuple[str, Line]:
-    """The guide link and its line."""
-    if fixed := _fixed_line(text, bodies):
-        return FRAME, fixed
-    if re.fullmatch(LINK, text):
-        draft = bodies.draft(text)
-        if draft.line is None and len(draft.points) >= 2:
-            return text, _along(draft.points, *list(draft.points)[:2])
-        if draft.line is None:
-            raise FaultError(
-                f"link {text} has no guide line; write slot: {next(iter(draft.points))} "
-                f"(or rod:) in link {text}"
-            )
-        return text, draft.line
-    letters, _, on = text.partition(" of ")
-    first, second = letters_of(letters)
-    if not on and first in bodies.frame and second in bodies.frame:
-        return FRAME, _along(bodies.frame, first, second)
-    owners = (
-        [on]
-        if on
-        else [n for n, d in bodies.drafts.items() if {first, second} <= d.points.keys() and n != block]
-    )
-    if not owners or not {first, second} <= bodies.draft(owners[0]).points.keys():
-        raise FaultError(f"no link has both points {first} and {second}")
-    return owners[0], _along(bodies.drafts[owners[0]].points, first, second)
-
-
-def _along(points: Mapping[str, complex], first: str, second: str) -> Line:
-    return Line(points[first], cmath.phase(points[second] - points[first]), first)
-
-
-def _fixed_line(text: str, bodies: Bodies) -> Line | None:
-    """y = 600 mm, x = 0 mm, or line through K at -12 deg; directed to the right, upwards, or by the angle."""
-    if m := re.fullmatch(r"([xy]) = (.+)", text):
-        at = read(m[2], Dim.LENGTH).si
-        return Line(complex(at, 0), math.pi / 2, "") if m[1] == "x" else Line(complex(0, at), 0.0, "")
-    if m := re.fullmatch(rf"line through ({LETTER}) at (.+)", text):
-        if m[1] not in bodies.frame:
-            raise FaultError(f"point '{m[1]}' is not on the frame{meant(m[1], bodies.frame)}")
-        return Line(bodies.frame[m[1]], read(m[2], Dim.ANGLE).si, m[1])
-    return None
 
 
 def _rolls(m: re.Match[str], bodies: Bodies) -> Rolling:
@@ -227,7 +64,7 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
         if m[1] not in bodies.frame:
             raise FaultError(f"point '{m[1]}' is not on the frame{meant(m[1], bodies.frame)}")
         return Circle(link=FRAME, centre=m[1], radius=positive(m[2]).si)
-    if (fixed := _fixed_line(on, bodies)) is not None:
+    if (fixed := fixed_line(on, bodies)) is not None:
         return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)
     draft = bodies.draft(on)
     if draft.gear is None and draft.line is not None:

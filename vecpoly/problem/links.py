@@ -17,6 +17,7 @@ from .problem import Shape
 from .source import Value
 
 _SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "disc": Shape.BAR, "face": Shape.BAR}
+_LINED = ("slot", "rod")  # what has a line of its own
 _PLACED = ("gear", "disc", "face")  # what may name a point that is set out further on
 LINK_KEYS = (*_SINGLE, "radius")
 
@@ -32,11 +33,7 @@ def read_link(name: str, data: Value) -> Draft:
     early = "face" in data and _through(data["face"]) in draft.points
     if early:
         _within("face", lambda: _face(draft, data["face"]))
-    for key, value in data.items():
-        if ONE.fullmatch(key):
-            _within(key, partial(place, draft, key, value))
-    if isinstance(data.get("slot"), dict):
-        _within("slot", lambda: _slot(draft, data["slot"]))
+    _set_out(draft, data)
     if "face" in data and not early:
         _within("face", lambda: _face(draft, data["face"]))
     _round(draft, data)
@@ -48,8 +45,33 @@ def _through(data: Value) -> str:
     return str(data.get("through")) if isinstance(data, dict) else str(data)
 
 
-def _slot(draft: Draft, data: Mapping[str, Value]) -> None:
-    draft.line = _line(draft, data, "slot")
+def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
+    """Further points and the link's own line: each as soon as there is what it is set out from."""
+    waiting: dict[str, Callable[[], None]] = {}
+    for key, value in data.items():
+        if ONE.fullmatch(key):
+            waiting[key] = partial(place, draft, key, value)
+        elif key in _LINED and isinstance(value, dict):
+            waiting[key] = partial(_own_line, draft, key, value)
+    while waiting:
+        done = [key for key, act in waiting.items() if _succeeds(act)]
+        if not done:  # nothing gets any further: the faults are told in their order
+            for key, act in waiting.items():
+                _within(key, act)
+        waiting = {key: act for key, act in waiting.items() if key not in done}
+
+
+def _succeeds(act: Callable[[], None]) -> bool:
+    try:
+        act()
+    except FaultError:
+        return False
+    return True
+
+
+def _own_line(draft: Draft, key: str, data: Mapping[str, Value]) -> None:
+    """The line of a slot or a rod that passes at an angle, or beside a point."""
+    draft.line = _line(draft, data, key)
 
 
 def _face(draft: Draft, data: Value) -> None:
@@ -98,9 +120,9 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             draft.shape, draft.points[letter] = _SINGLE[key], 0j
         elif letter not in draft.points and key not in _PLACED:
             raise FaultError(f"point '{letter}' is not on link {draft.name}", key)
-        if key in ("slot", "rod"):
+        if key in _LINED:
             draft.line = Line(draft.points[letter], 0.0, letter)
-    for key in ("slot", "face"):
+    for key in (*_LINED, "face"):
         led = data.get(key)
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
@@ -120,7 +142,7 @@ def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
 
 
 def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
-    """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, or of a face."""
+    """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, of a rod or of a face."""
     for key in data:
         if key not in ("through", "angle", "left", "right"):
             raise FaultError(

@@ -7,14 +7,14 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
-from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute, Side, SideOf
+from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Side, SideOf
 from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
+from .bodies import Bodies
 from .draft import LETTER, Draft, letters_of
 from .faults import meant
-from .joints import Bodies
 from .problem import Datum, Shape
 from .schema import InputSpec, ProblemSpec
 
@@ -96,9 +96,7 @@ def _rate(name: str, text: str | None) -> tuple[float, Datum]:
 def _turning(
     spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]
 ) -> tuple[Drive, tuple[Datum, ...]]:
-    pivot = next(
-        (j.point for j in joints if isinstance(j, Revolute) and {j.a, j.b} == {draft.name, FRAME}), None
-    )
+    pivot = next((letter for letter in draft.points if letter in bodies.frame), None)  # other links may be pinned there too
     if pivot is None:
         raise FaultError(
             f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on "

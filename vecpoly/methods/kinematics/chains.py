@@ -21,7 +21,7 @@ def turning_chain(desk: Desk, view: View, at: At, about: str, link: str) -> tupl
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), None if rest else At(about))
         return (*front, across(desk, rel, about, at.point))
-    return (*front, normal(desk, at, about, link), tangential(desk, at, about))
+    return (*front, normal(desk, at, At(about), link), tangential(desk, at, At(about)))
 
 
 def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, parent: str) -> tuple[Term, ...]:

@@ -14,7 +14,7 @@ from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
-from .terms import known, normal, symbol
+from .terms import known, normal, reference, symbol
 
 
 def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
@@ -41,7 +41,7 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
     elif len(held) >= 2:
         _by_image(desk, view, link, at, held)
     elif held:
-        _by_turning(desk, view, link, at, held[0])
+        _by_turning(desk, view, link, at, held[0][1])
 
 
 def found_tip(desk: Desk, view: View, at: At) -> Points:
@@ -99,19 +99,16 @@ def _in_line(desk: Desk, p: At, q: At, x: At) -> bool:
     return abs(float(cross(b - a, c - a))) < 1e-6 * abs(b - a) * abs(c - a)
 
 
-def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At]) -> None:
+def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
-    p, p_at = held
-    board = desk.board
-    label = desk.tip_label(view, at)
+    board, label = desk.board, desk.tip_label(view, at)
     board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
-    base = known(desk, view, p_at)
-    about_pole = p in desk.mech.frame
-    terms = list(_turning_terms(desk, view, link, at, p))
+    rests = desk.at_rest(view, held)
+    terms = (*(() if rests else (known(desk, view, held),)), *_turning_terms(desk, view, link, at, held))
     rel = Rel(VECTOR[view], desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
-    eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
-    if not about_pole or len(terms) > 1:
+    eq = Equation(left=(left,), right=terms)
+    if len(terms) > 1:
         board.equate(eq.table())
     closed = close(board, view, 0j, eq)
     desk.tips[view, at] = closed.meeting
@@ -119,13 +116,13 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     board.plot(view, closed.meeting, label)
 
 
-def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str) -> tuple[Term, ...]:
-    x = at.point
-    ref = None if p in desk.mech.frame else At(p)
+def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple[Term, ...]:
+    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides."""
+    p, x, ref = held.point, at.point, reference(desk, view, held)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
         return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
-    n = normal(desk, at, p, link)
+    n = normal(desk, at, held, link)
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)

@@ -71,7 +71,7 @@ def _about_gear(desk: Desk, joint: Rolling, other: Circle, c: str) -> tuple[Term
     rest = desk.at_rest(_VIEW, At(o))
     rel = Rel(Kind.AT, At(c), None if rest else At(o))
     tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {arm}$"), magnitude="?", along=1j * desk.towards(o, c))
-    return (*(() if rest else (known(desk, _VIEW, At(o)),)), normal(desk, At(c), o, arm), tangent)
+    return (*(() if rest else (known(desk, _VIEW, At(o)),)), normal(desk, At(c), At(o), arm), tangent)
 
 
 def _pitch_point(desk: Desk, joint: Rolling, other: Circle, c: str) -> None:
@@ -88,7 +88,7 @@ def _pitch_point(desk: Desk, joint: Rolling, other: Circle, c: str) -> None:
     tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
     slide = Rel(Kind.AR, at, base)
     along = Term(rel=slide, symbol=symbol(desk, slide), direction=Words.same(f"∥$ {o}{c}$"), magnitude="?", along=desk.towards(o, c))
-    left = (known(desk, _VIEW, At(c)), normal(desk, at, c, gear), tangent)
+    left = (known(desk, _VIEW, At(c)), normal(desk, at, At(c), gear), tangent)
     closed = solve(desk, _VIEW, Equation(left=left, right=(known(desk, _VIEW, base), along)), at)
     angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(_VIEW, at)}", symbol(desk, rel))
 

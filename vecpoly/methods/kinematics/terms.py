@@ -42,6 +42,8 @@ def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
 def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
     """A vector along the drawn guide, its magnitude unknown: v^r or a^r of a sliding pair."""
     name = guide_name(desk, joint)
+    if rel.ref is not None:
+        desk.note_slide(joint, rel)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?",
                 along=desk.guide_line(joint).along)
 
@@ -61,27 +63,27 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
     return abs(desk.offset(joint, link, point)) < 1e-12
 
 
-def normal(desk: Desk, at: At, about: str, link: str) -> Term:
+def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
     turn, q = desk.turns[omega(link)], at.point
-    rel = Rel(Kind.AN, desk.canonical(at), _ref(desk, about))
+    rel = Rel(Kind.AN, desk.canonical(at), reference(desk, View.ACCELERATION, about))
     sign = symbol(desk, rel)
-    length = desk.length(about, q)
+    length = desk.length(about.point, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
     if not at_rest:
-        start = desk.start_label(View.ACCELERATION, At(about))
+        start = desk.start_label(View.ACCELERATION, about)
         laid = desk.board.compute(sign, size, "m/s^2")
         desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
-    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
-                magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
+    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about.point}$"),
+                magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about.point),
                 mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else _n_tip(desk, link))
 
 
-def tangential(desk: Desk, at: At, about: str) -> Term:
+def tangential(desk: Desk, at: At, about: At) -> Term:
     """a^t = α l: perpendicular to the line, magnitude unknown."""
-    return across(desk, Rel(Kind.AT, desk.canonical(at), _ref(desk, about)), about, at.point)
+    return across(desk, Rel(Kind.AT, desk.canonical(at), reference(desk, View.ACCELERATION, about)), about.point, at.point)
 
 
 def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
@@ -130,9 +132,9 @@ def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Word
                  f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the Coriolis term ${sign}$.")
 
 
-def _ref(desk: Desk, about: str) -> At | None:
-    """The reference point, or none where it is a fixed pivot."""
-    return None if about in desk.mech.frame else At(about)
+def reference(desk: Desk, view: View, about: At) -> At | None:
+    """The reference point of a relative vector; none where it is a fixed pivot. D2, a point of a link that slides over the pivot D, is no pivot."""
+    return None if desk.at_rest(view, about) else desk.canonical(about)
 
 
 def _n_tip(desk: Desk, link: str) -> str:

@@ -1,0 +1,80 @@
+"""Where an asked vector stands on the polygons: under its own key, as the opposite of another, or as that of the same sliding pair."""
+
+from __future__ import annotations
+
+from ..board.construction import View
+from ..errors import NoMethodError
+from ..names import Kind, Rel
+from ..plane import Points
+from ..words import Words
+from .desk import Desk
+
+Standing = tuple[View, Points, Points, str]  # figure, start, end, letters
+
+
+def standing(desk: Desk, rel: Rel) -> Standing:
+    """Figure, start, end and letters of a vector; raises NoMethodError where the construction holds no such line.
+
+    v_BC is v_CB turned round, and so are all relative vectors. Two links of a sliding pair turn alike, so that v, a^k and a^r
+    of the one against the other are the same at every point.
+    """
+    found = _drawn(desk, rel) or _turned(_drawn(desk, _back(rel))) or _sliding(desk, rel)
+    if found is None:
+        raise NoMethodError(Words(f"图上没有作出 {rel.key}：现有方法不能求得", f"{rel.key} was not drawn: no method on file gives it for this mechanism"),
+                            code="not-drawn")
+    return found
+
+
+def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:
+    """The vector itself, or from the tips of both its points."""
+    if rel is None:
+        return None
+    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
+    if own.key in desk.ends:
+        view, start, end = desk.ends[own.key]
+        return view, start, end, _letters(desk, view, own)
+    view = View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
+    if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
+        start = 0j if own.ref is None else desk.tip(view, own.ref)
+        return view, start, desk.tip(view, own.to), _letters(desk, view, own)
+    return None
+
+
+def _back(rel: Rel) -> Rel | None:
+    """v_CB for v_BC."""
+    return None if rel.ref is None else Rel(rel.kind, rel.ref, rel.to)
+
+
+def _turned(found: Standing | None) -> Standing | None:
+    if found is None:
+        return None
+    view, start, end, letters = found
+    return view, end, start, " ".join(reversed(letters.split()))
+
+
+def _sliding(desk: Desk, rel: Rel) -> Standing | None:
+    """A relative vector of a sliding pair, as it was drawn at another of its points."""
+    if rel.ref is None or rel.kind not in (Kind.V, Kind.AK, Kind.AR):
+        return None
+    ahead, back = (rel.to.link, rel.ref.link), (rel.ref.link, rel.to.link)
+    if ahead in desk.slides:
+        return _of_pair(desk, rel.kind, desk.slides[ahead])
+    return _turned(_of_pair(desk, rel.kind, desk.slides[back])) if back in desk.slides else None
+
+
+def _of_pair(desk: Desk, kind: Kind, slide: Rel) -> Standing | None:
+    """The vector of the pair where it was drawn; where the guide only translates there is no Coriolis term, and a^r is all."""
+    found = _drawn(desk, Rel(kind, slide.to, slide.ref))
+    if found is not None:
+        return found
+    if kind is Kind.AK and _drawn(desk, Rel(Kind.V, slide.to, slide.ref)):
+        return View.ACCELERATION, 0j, 0j, "—"
+    return _drawn(desk, Rel(Kind.A, slide.to, slide.ref)) if kind is Kind.AR else None
+
+
+def _letters(desk: Desk, view: View, rel: Rel) -> str:
+    end = desk.tip_label(view, rel.to)
+    if rel.kind in (Kind.V, Kind.A):
+        return f"{desk.start_label(view, rel.ref)} {end}"
+    k = desk.k_tip(Rel(Kind.AK, rel.to, rel.ref))
+    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: k, Kind.AR: f"{k} {end}"}[rel.kind]
