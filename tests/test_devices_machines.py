@@ -93,7 +93,7 @@ def expected(case: str) -> dict[str, complex | float]:
 @pytest.mark.parametrize("case", NUMBERS)
 def test_the_drawing_by_the_exact_hand_agrees_with_the_worked_exercise(case: str) -> None:
     problem = vecpoly.load(case)
-    construction, _ = construct_device(asking_all(problem.device), hand("exact"), {})
+    construction, *_ = construct_device(asking_all(problem.device), hand("exact"), {})
     for key, value in expected(case).items():
         reading = construction.readings[key]
         assert (reading.scalar if reading.vector is None else reading.vector) == pytest.approx(value, rel=1e-9), key

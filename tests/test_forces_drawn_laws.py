@@ -159,7 +159,7 @@ friction: {{A: {{rho: 3 mm}}, B: {{rho: 2 mm}}, C: {{rho: 2 mm}}, 3-4: {{phi: 6 
 def test_another_force_scale_changes_millimetres_and_no_answer(kind: str, given: dict[str, object]) -> None:
     one = drawn(kind, given, 1.0)
     text = "id: r\ntitle: r\nscales: {mu_F: 7 N/mm}\n" + kind % given + FRICTION[kind] % ((3.0,) * (FRICTION[kind].count("%") - 1) + (0.12,))
-    two, _ = construct(loads(text), hand("exact"), {})
+    two, *_ = construct(loads(text), hand("exact"), {})
     for key, reading in one.readings.items():
         assert abs(_value(two.readings[key]) - _value(reading)) <= 1e-9 * max(1.0, abs(_value(reading))), key
 

@@ -7,22 +7,25 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import degrees, inf, isfinite, nan
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
+from .check.alarm import Cause, Weighed, alarm_at, warning
 from .check.exact import Exact
+from .check.precision import PLENTY, digits, noise, sizes
 from .devices.base import Device
 from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
 from .methods.centres.compare import comparable
 from .methods.devices.plan import construct_device
+from .methods.drawn import Drawn
 from .methods.passes import needs_centres, stages
 from .methods.plan import construct
 from .problem.problem import Problem
-from .words import Lang
+from .words import Lang, Words
 
 REPEATS = 200  # repeated hands behind every expected drawing error
 POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
@@ -35,7 +38,8 @@ class Answer:
     """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
 
     drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector, exact_vector:
-    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning.
+    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning. weighed: what the
+    alarm goes by.
     """
 
     key: str
@@ -47,6 +51,17 @@ class Answer:
     exact_vector: complex | None = None
     exact_acts: LineOfAction | None = None
     turns: bool = False
+    weighed: Weighed
+
+    @property
+    def suspect(self) -> Cause | None:
+        """Why the value must not be taken for an answer; None where it may."""
+        return self.weighed.cause
+
+    @property
+    def digits(self) -> int:
+        """How many digits the exact value keeps where rounding is magnified, near a dead point; 15 at most."""
+        return digits(self.weighed.noise, self.weighed.size)
 
     @property
     def computed(self) -> bool:
@@ -95,7 +110,21 @@ class Answer:
             data["sense"] = self.sense
         if self.reading.mm is not None:
             data["reading_mm"] = self.reading.mm
-        return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None}
+        if self.digits < PLENTY:
+            data["exact_digits"] = self.digits
+        return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None, "suspect": self.suspect is not None}
+
+
+def plain(data: Any) -> Any:
+    """The data with null for what is not finite: JSON knows neither NaN nor infinity."""
+    match data:
+        case dict():
+            return {key: plain(value) for key, value in data.items()}
+        case list():
+            return [plain(value) for value in data]
+        case float() if not isfinite(data):
+            return None
+    return data
 
 
 def _xy(at: complex) -> list[float]:
@@ -123,12 +152,17 @@ class Solution:
     construction: Construction
     answers: Mapping[str, Answer]
 
+    @property
+    def suspect(self) -> bool:
+        """Whether any answer must not be taken for one."""
+        return any(answer.suspect for answer in self.answers.values())
+
     def as_json(self) -> dict[str, Any]:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""
         data: dict[str, Any] = {"id": self.problem.id, "hand": self.construction.hand,
-                                "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+                                "suspect": self.suspect, "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
         forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
-        return data | ({"forces": forces} if forces else {})
+        return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
     def report(self, path: str | Path, *, lang: Lang = "zh", style: str = "solution") -> Path:
         """Write the report of this problem as a PDF."""
@@ -144,22 +178,42 @@ class Solution:
         return to_svg(sheets(self.construction)[0].scene, self.problem.title.zh)
 
 
-def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS) -> Solution:
+def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
+    precise: also find how many digits the exact values keep; else that is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
     truth = Exact(problem)
-    exact = truth.values  # first: its refusals know the range of the input that does assemble
-    construction, spread = _constructed(problem, hand(by, seed=seed, repeats=repeats))
-    readings, exact, spread = comparable(construction.readings, exact, spread)
-    construction = replace(construction, readings=readings)
+    values = truth.values  # first: its refusals know the range of the input that does assemble
+    size = sizes(problem, values)
+    off = noise(problem, truth, size) if precise else dict.fromkeys(values, 0.0)
+    drawn = _constructed(problem, hand(by, seed=seed, repeats=repeats))
+    readings, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
+    ideal, true, _ = comparable(drawn.ideal, values, {})
+    reached = {key: _expected(spread[key]) for key in readings}
+    limit = {key: alarm_at(reached[key], spread[key], scatters=by == "pencil") for key in readings}
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
-    answers = {key: _answer(reading, exact[key], spread[key], truth.lines.get(key), reading.unit in turning) for key, reading in construction.readings.items()}
-    return Solution(problem, construction, answers)
+    answers = {key: _answer(reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
+                            _weighed(reading, exact[key], ideal[key], true[key], limit[key] if repeats else nan, off[key], size[key]))
+               for key, reading in readings.items()}
+    if not precise and any(answer.suspect for answer in answers.values()):
+        return solve(problem, by=by, seed=seed, repeats=repeats)
+    said = warning((one.reading.symbol, one.suspect) for one in answers.values() if one.suspect)
+    return Solution(problem, replace(drawn.construction, readings=readings, warning=said), answers)
 
 
-def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str, Any]]:
+def fewer_digits(solution: Solution) -> Words | None:
+    """What is to be said where exact values have lost digits near a dead point or change point."""
+    short = [(answer.reading.symbol, answer.digits) for answer in solution.answers.values() if answer.digits < PLENTY]
+    if not short:
+        return None
+    zh, en = "、".join(f"${symbol}$ 剩 {left} 位" for symbol, left in short), ", ".join(f"${symbol}$ {left}" for symbol, left in short)
+    return Words(f"机构离死点（变点）很近，精确值的有效数字减少：{zh}。",
+                 f"So near to a dead point (change point) the exact values keep only a few digits: {en}.")
+
+
+def _constructed(problem: Problem, by: Hand) -> Drawn:
     """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
     if isinstance(problem.subject, Device):
         return construct_device(problem, by, {})
@@ -169,13 +223,27 @@ def _constructed(problem: Problem, by: Hand) -> tuple[Construction, Mapping[str,
     return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), fits_sheet)
 
 
-def _answer(reading: Reading, exact: complex | float, scalars: Any, line: tuple[complex, str] | None, turns: bool) -> Answer:
-    vector = isinstance(exact, complex)
+def _expected(scalars: Any) -> float:
+    """3σ of the repeated hands; of none 0."""
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
-    error = 3.0 * float(np.std(found)) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
+    return 3.0 * float(np.std(found)) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
+
+
+def _answer(reading: Reading, exact: complex | float, error: float, line: tuple[complex, str] | None, turns: bool, weighed: Weighed) -> Answer:
     return Answer(
-        key=reading.key, reading=reading, drawn=reading.scalar, exact=abs(exact) if vector else float(np.real(exact)),
-        expected_error=error, drawn_vector=reading.vector, exact_vector=exact if isinstance(exact, complex) else None,
-        exact_acts=None if line is None else LineOfAction(point=line[0], tangent=line[1]), turns=turns,
+        key=reading.key, reading=reading, drawn=reading.scalar, exact=_size(exact), expected_error=error, drawn_vector=reading.vector,
+        exact_vector=exact if isinstance(exact, complex) else None,
+        exact_acts=None if line is None else LineOfAction(point=line[0], tangent=line[1]), turns=turns, weighed=weighed,
     )
+
+
+def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, reach: float, off: float, size: float) -> Weighed:
+    as_vector = ideal.vector is not None and isinstance(true, complex)
+    return Weighed(drawn=reading.scalar, exact=_size(exact), ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
+                   true=true if as_vector else _size(true), reach=reach, noise=off, size=size)
+
+
+def _size(value: complex | float) -> float:
+    """The magnitude of a vector, the signed value of a scalar."""
+    return abs(value) if isinstance(value, complex) else float(value)

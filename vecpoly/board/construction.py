@@ -133,6 +133,7 @@ class Construction:
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
     forces: Mapping[str, Reading] = field(default_factory=dict)  # everything that a force analysis found, asked for or not
+    warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
 
     def figure(self, place: Place) -> Figure | None:
         """The figure at this place (the first of a view), if drawn."""

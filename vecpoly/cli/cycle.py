@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import NotAskedError, UnknownNameError
-from .errors import about
+from ..errors import NotAskedError, UnknownNameError, VecpolyError
+from .errors import Tally, about
 from .files import write_bytes
 from .jobs import problems
 from .options import Lang, LangOption
@@ -65,6 +65,19 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
             say(f"wrote {write_bytes(plot, data)}")
         if output is None and plot is None:
             _print(turn, problem, keys, lang)
+        _weigh(problem, lang)
+
+
+def _weigh(problem: Problem, lang: Lang) -> None:
+    """Raise the alarm where the drawing of the problem's own position contradicts the analysis that the cycle goes by."""
+    from ..solution import solve
+
+    tally = Tally()
+    try:
+        tally.weigh(problem.id, solve(problem, by="exact", repeats=0).construction.warning, lang)
+    except VecpolyError:
+        return  # no method draws it: there is nothing to compare with
+    tally.settle()
 
 
 def _checked(path: Path | None, endings: tuple[str, ...]) -> None:

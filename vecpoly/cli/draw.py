@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..errors import UnknownNameError
-from .errors import about
+from .errors import Tally, about
 from .files import write_bytes
 from .jobs import problems
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
@@ -46,10 +46,14 @@ def draw(
     (problem,) = problems([name])
     from ..solution import solve
 
+    tally = Tally()
     with about(problem.id):
-        pages = scenes(solve(problem, by=hand, seed=seed, repeats=0), figure, lang)
+        solution = solve(problem, by=hand, seed=seed, repeats=0)
+        pages = scenes(solution, figure, lang)
     for target, data in encoded(pages, path, dpi):
         say(f"wrote {write_bytes(target, data)}")
+    tally.weigh(problem.id, solution.construction.warning, lang)
+    tally.settle()
 
 
 def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:

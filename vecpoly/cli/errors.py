@@ -1,4 +1,7 @@
-"""How a refusal sounds: 'vecpoly: ...' on stderr, exit code 2; 130 after Ctrl-C; silence where the reader went away."""
+"""How a refusal sounds: 'vecpoly: ...' on stderr, exit code 2; 130 after Ctrl-C; silence where the reader went away.
+
+What was drawn and is contradicted by the analysis is told in red, with an exit code of its own, 3.
+"""
 
 from __future__ import annotations
 
@@ -7,12 +10,17 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import typer
 
 from ..errors import VecpolyError
+from .wording import bare
 
-DISAGREES, REFUSED, INTERRUPTED = 1, 2, 130
+if TYPE_CHECKING:
+    from ..words import Lang, Words
+
+DISAGREES, REFUSED, SUSPECT, INTERRUPTED = 1, 2, 3, 130
 
 
 @contextmanager
@@ -62,9 +70,10 @@ def _hush() -> None:
 
 @dataclass(slots=True)
 class Tally:
-    """Several jobs of which some may fail: the others are still done, and every failure is told at the end."""
+    """Several jobs of which some may fail: the others are still done, and every failure and every alarm is told at the end."""
 
     failed: list[Exception] = field(default_factory=list)
+    alarms: list[str] = field(default_factory=list)
 
     @contextmanager
     def job(self) -> Iterator[None]:
@@ -76,9 +85,16 @@ class Tally:
         except (VecpolyError, OSError) as error:
             self.failed.append(error)
 
+    def weigh(self, problem: str, warning: Words | None, lang: Lang) -> None:
+        """Note the alarm that a solution raised, if it did."""
+        if warning is not None:
+            self.alarms.append(f"{problem}: {bare(warning.of(lang))}")
+
     def settle(self) -> None:
-        """Tell the failures, if there were any, and leave."""
-        if self.failed:
-            for error in self.failed:
-                tell(error)
-            raise typer.Exit(REFUSED)
+        """Tell the failures and the alarms, if there were any, and leave."""
+        for error in self.failed:
+            tell(error)
+        for alarm in self.alarms:
+            typer.secho(f"vecpoly: {alarm}", err=True, fg="red", bold=True)
+        if self.failed or self.alarms:
+            raise typer.Exit(SUSPECT if self.alarms else REFUSED)

@@ -23,12 +23,14 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     """Print the analytic answers, without a drawing."""
     found = problems(names)
     from ..check.exact import Exact
+    from ..check.precision import noise, sizes
 
     tally = Tally()
     data: list[dict[str, Any]] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
             truth = Exact(problem)
+            noise(problem, truth, sizes(problem, truth.values))  # refuses what has lost its digits
             values, lines, units = truth.values, truth.lines, {ask.rel.key: ask.rel.unit for ask in problem.asks}
             data.append({"id": problem.id, "answers": {key: _plain(key, value, units[key]) | _line(lines.get(key)) for key, value in values.items()}})
             if json != "-":

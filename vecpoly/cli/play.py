@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from .draw import Id
-from .errors import about
+from .errors import Tally, about
 from .files import write_text
 from .jobs import problems
 from .options import HandOption, LangOption, OutOption, SeedOption
@@ -30,12 +30,15 @@ def play(
     It shows the construction line by line with the sentence of each step beside it, and the finished figures for every place of the crank.
     """
     (problem,) = problems([name])
-    from ..player.page import player_html
+    from ..player.page import player
     from ..solution import solve
 
+    tally = Tally()
     with about(problem.id):
-        page = player_html(solve(problem, by=hand, seed=seed, repeats=0), lang=lang, places=places, seed=seed)
+        page = player(solve(problem, by=hand, seed=seed, repeats=0), lang=lang, places=places, seed=seed)
     path = output or Path(f"{problem.id}.html")
     if path.is_dir():
         path = path / f"{problem.id}.html"
-    say(f"wrote {write_text(path, page)}")
+    say(f"wrote {write_text(path, page.html)}")
+    tally.weigh(problem.id, page.warning, lang)
+    tally.settle()

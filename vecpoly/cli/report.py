@@ -38,6 +38,8 @@ def report(
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
             say(f"wrote {write(job, solutions, path, lang, style)}")
+            for solution in solutions:
+                tally.weigh(solution.problem.id, solution.construction.warning, lang)
     tally.settle()
 
 

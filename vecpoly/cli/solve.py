@@ -8,7 +8,7 @@ from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
-from .terminal import add, progress, show, table
+from .terminal import add, progress, say, show, table
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
@@ -40,8 +40,9 @@ def solve(
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
-    if json != "-":
-        for solution in solutions:
+    for solution in solutions:
+        tally.weigh(solution.problem.id, solution.construction.warning, lang)
+        if json != "-":
             _print(solution, lang)
     if json is not None and not tally.failed:
         data = [solution.as_json() for solution in solutions]
@@ -50,6 +51,8 @@ def solve(
 
 
 def _print(solution: Solution, lang: Lang) -> None:
+    from ..solution import fewer_digits
+
     problem = solution.problem
     title = f"{problem.id}  {bare(problem.title.of(lang))}  ({_HANDS[solution.construction.hand][lang]})"
     left = {0, 3, 6}
@@ -59,5 +62,7 @@ def _print(solution: Solution, lang: Lang) -> None:
         add(made, (
             symbol(answer.key), drawn(answer, lang), exact(answer, lang), unit(answer.reading.unit), gap(answer), reach(answer),
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
-        ))  # fmt: skip
+        ), alarmed=answer.suspect is not None)  # fmt: skip
     show(made)
+    if (few := fewer_digits(solution)) is not None:
+        say(bare(few.of(lang)))

@@ -50,11 +50,11 @@ def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
     return made
 
 
-def add(to: Table, cells: Iterable[str]) -> None:
-    """A row of plain text: square brackets are letters here, not markup."""
+def add(to: Table, cells: Iterable[str], *, alarmed: bool = False) -> None:
+    """A row of plain text: square brackets are letters here, not markup; in red where it must not be taken for an answer."""
     from rich.text import Text
 
-    to.add_row(*(Text(cell) for cell in cells))
+    to.add_row(*(Text(cell) for cell in cells), style="bold red" if alarmed else "")
 
 
 def progress(items: Sequence[T], doing: str) -> Iterator[T]:

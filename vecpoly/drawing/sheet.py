@@ -12,6 +12,7 @@ from .detail import detailed
 from .figure import draw_figure
 from .packing import Layout
 from .paging import Drawn, arranged, paged, reading_order
+from .redbox import red_box
 from .scene import Item, Rect, Scene
 from .space import A4, FRAME, STRIP, room_inside, usable
 from .titleblock import Strip, furniture
@@ -38,6 +39,7 @@ class Sheet:
     landscape: bool
     strip: Strip
     lang: Lang
+    warning: Words | None = None
 
     @property
     def size(self) -> tuple[float, float]:
@@ -46,9 +48,10 @@ class Sheet:
 
     @property
     def scene(self) -> Scene:
-        """Frame, title strip and figures."""
+        """Frame, title strip and figures; a warning in red over all."""
         page = Rect(0.0, 0.0, *self.size)
-        return Scene((*furniture(page, self.strip, self.lang), *self.drawn), page)
+        alarm = () if self.warning is None else red_box(page, self.warning.of(self.lang))
+        return Scene((*furniture(page, self.strip, self.lang), *self.drawn, *alarm), page)
 
 
 def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE) -> tuple[Sheet, ...]:
@@ -68,7 +71,7 @@ def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_T
     if pages is None:
         raise _too_large(next(one for one in drawn if arranged((one,)) is None))
     return tuple(
-        _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang)
+        _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang, construction.warning)
         for n, (group, layout) in enumerate(pages, start=1)
     )
 
@@ -94,7 +97,7 @@ def _too_large(one: Drawn) -> VecpolyError:
     )
 
 
-def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang) -> Sheet:
+def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
     items: list[Item] = []
     placed: list[Placed] = []
     for one, corner in zip(drawn, layout.corners, strict=True):
@@ -102,4 +105,4 @@ def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang) -
         shifted = one.scene.moved(by)
         items.extend(shifted.items)
         placed.append(Placed(one.view, by, shifted.extents, one.name))
-    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang)
+    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang, warning)

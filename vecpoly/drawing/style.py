@@ -24,6 +24,7 @@ class Hue(Enum):
     ACCELERATION = (0.55, 0.05, 0.09)
     GREY = (0.38, 0.38, 0.38)
     GHOST = (0.78, 0.78, 0.78)  # what is not of the highlighted step
+    ALARM = (0.78, 0.0, 0.0)  # what must not be taken for an answer
     WHITE = (1.0, 1.0, 1.0)
     PLATE = (0.91, 0.91, 0.91)
     FORCE = (0.02, 0.33, 0.20)

@@ -24,6 +24,7 @@ from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
 from .desk import POLE, Desk
+from .drawn import Drawn
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
@@ -53,23 +54,25 @@ WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
-def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None) -> tuple[Construction, Repeats]:
+def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None) -> Drawn:
     """Solve the problem on a board.
 
     slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet; they are drawn
-    as large as it allows. Returns the construction and every answer by all hands.
+    as large as it allows.
     Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
-        scales = _choose_scales(problem, slots, fit)
+        scales, sketch = _choose_scales(problem, slots, fit)
         desk = _draw(problem, by, scales)
         readings, repeats = _answers(desk, problem)
+        ideal, _ = _answers(sketch or _draw(problem, hand("exact"), scales), problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
                                 steps=tuple(desk.board.steps), readings=readings, forces=desk.named)
-    return construction, repeats
+    return Drawn(construction, repeats, ideal)
 
 
-def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> dict[View, Scale]:
+def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:
+    """The scales, and the last sketch drawn to find them; none where all are given."""
     mech, drive = problem.mechanism, problem.mechanism.drive
     size = mech.scale
     speed = abs(drive.rate) * (1.0 if drive.slide else size) or 1.0
@@ -78,12 +81,12 @@ def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], 
              View.FORCE: _typical_force(problem) / 60, View.BODY: size / 100}
     given = _given_scales(problem)
     if all(given[View(stage.value)] for stage in (Stage.VELOCITY, Stage.ACCELERATION, Stage.FORCE) if stage in stages(problem)) and given[View.MECHANISM]:
-        return {view: _scale(view, given[view] or value) for view, value in guess.items()}
-    chosen = _fitted(problem, slots, guess, fit)
+        return {view: _scale(view, given[view] or value) for view, value in guess.items()}, None
+    chosen, sketch = _fitted(problem, slots, guess, fit)
     while chosen[View.FORCE].value < guess[View.FORCE] / FAR and problem.scales.mu_f is None:  # inertia forces far below the guess: a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
-        chosen = _fitted(problem, slots, guess, fit)
-    return chosen
+        chosen, sketch = _fitted(problem, slots, guess, fit)
+    return chosen, sketch
 
 
 def _typical_force(problem: Problem) -> float:
@@ -100,8 +103,8 @@ def _given_scales(problem: Problem) -> dict[View, float | None]:
     return {View.MECHANISM: wish.mu_l, View.VELOCITY: wish.mu_v, View.ACCELERATION: wish.mu_a, View.FORCE: wish.mu_f, View.BODY: wish.mu_l}
 
 
-def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> dict[View, Scale]:
-    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet."""
+def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> tuple[dict[View, Scale], Desk]:
+    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
     sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
     given = _given_scales(problem)
     figures = sketch.board.figures(TITLES)
@@ -115,7 +118,7 @@ def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: 
         fixed = frozenset(view for view in views if given[view])
         values = enlarged(sketched, {view: chosen[view].value for view in views}, fixed, fit)
         chosen |= {view: _scale(view, value) for view, value in values.items()}
-    return chosen | {View.BODY: chosen[View.MECHANISM]}
+    return chosen | {View.BODY: chosen[View.MECHANISM]}, sketch
 
 
 def _sketched(view: View, scale: float, marks: tuple[Mark, ...]) -> Sketched:

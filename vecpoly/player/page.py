@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -30,16 +30,29 @@ GAP = 800  # units between figures one under the other
 _HEADINGS = re.compile(r"<(h1|h2|button|summary|thead|output)\b.*?</\1>", re.S)  # what is set in Hei
 
 
+class Page(NamedTuple):
+    """One HTML document, and the warning in it: what of the steps or of any place of the drive must not be taken for right."""
+
+    html: str
+    warning: Words | None
+
+
 def player_html(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0) -> str:
-    """The player of a solved problem as one HTML document: its steps, and its figures at `places` places of the drive.
+    """The player of a solved problem as one HTML document."""
+    return player(solution, lang=lang, places=places, seed=seed).html
+
+
+def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0) -> Page:
+    """The player of a solved problem: its steps, and its figures at `places` places of the drive.
 
     A page that would be larger than a megabyte has half as many places.
     """
     ink = Ink()
     through = cycle(solution, places, seed=seed)
     turning = len(through.turns) > 1
+    warning = _warning(solution, through)
     context: dict[str, Any] = {
-        "lang": lang, "title": _title(solution), "problem": _problem(solution, ink),
+        "lang": lang, "title": _title(solution), "warning": html(warning, ink.faces) if warning else None, "problem": _problem(solution, ink),
         "sections": sections(solution.construction.steps, ink.faces), "count": len(solution.construction.steps),
         "figures": _stacked(shown_figures(solution.construction, ink)), "turning": turning,
         "slides": turning and solution.problem.mechanism.drive.slide,
@@ -47,7 +60,7 @@ def player_html(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, 
         "motion": _motion(through, solution, ink) if turning else "",
     }
     page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
-    return page if len(page.encode()) <= LIMIT or not turning else player_html(solution, lang=lang, places=places // 2, seed=seed)
+    return Page(page, warning) if len(page.encode()) <= LIMIT or not turning else player(solution, lang=lang, places=places // 2, seed=seed)
 
 
 def _rendered(context: dict[str, Any], ink: Ink) -> str:
@@ -80,6 +93,12 @@ def _problem(solution: Solution, ink: Ink) -> list[tuple[Words, Words]]:
     said = {lang: statement(solution, lang) for lang in LANGS}
     heads = {"statement": Words("", ""), "given": Words("已知：", "Given: "), "asked": Words("求：", "Find: "), "scales": Words("比例尺：", "Scales: ")}
     return [(head, html(Words(said["zh"][key], said["en"][key]), ink.faces)) for key, head in heads.items() if said["zh"][key]]
+
+
+def _warning(solution: Solution, through: Cycle) -> Words | None:
+    """The alarm of the solution itself, or of the first place of the drive that has one."""
+    solutions = (solution, *(turn.solution for turn in through.turns))
+    return next((one.construction.warning for one in solutions if one.construction.warning), None)
 
 
 def _drive(solution: Solution, ink: Ink) -> str:

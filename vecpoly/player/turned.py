@@ -53,7 +53,7 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
         if moved is None:
             continue
         try:
-            found[number] = Turned(_shown(problem, float(places[number]) - mech.drive.position), solve(moved, by=hand, seed=seed, repeats=0))
+            found[number] = Turned(_shown(problem, float(places[number]) - mech.drive.position), solve(moved, by=hand, seed=seed, repeats=0, precise=False))
         except VecpolyError:
             continue  # a dead point, or a load that cannot act as it is said to there: no drawing of this place
     order, goes_round = (sorted(found), False) if mech.drive.slide else in_order(sorted(found), count)
@@ -70,7 +70,7 @@ def _rescaled(turns: tuple[Turned, ...], own: int, hand: str, seed: int) -> tupl
 
 def _redrawn(turn: Turned, scales: Scales, hand: str, seed: int) -> Turned:
     try:
-        return replace(turn, solution=solve(replace(turn.solution.problem, scales=scales), by=hand, seed=seed, repeats=0))
+        return replace(turn, solution=solve(replace(turn.solution.problem, scales=scales), by=hand, seed=seed, repeats=0, precise=False))
     except VecpolyError:
         return turn  # what is small there is too small to be drawn so: it leaves its pane
 

@@ -13,7 +13,7 @@ from ..mechanism.centre_quantities import count, is_centre, is_place
 from ..mechanism.model import Mechanism
 from ..problem.asks import AskCoriolis, AskNamed, AskPoint
 from ..quantity import number
-from ..solution import YES_NO, Answer, Solution
+from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .formulas import beside
 from .structure import numbering, structure
@@ -68,10 +68,9 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
     """Counts in which no hand can err, and which still are not what the oracle says; why, as far as the oracle knows."""
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
     wrong = [answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
-    if not wrong:
-        return []
-    why = dependence(solution.problem.subject)
-    return [_disagreed(wrong).of(lang), *([] if why is None else [why.of(lang)])]
+    why = dependence(solution.problem.subject) if wrong else None
+    few = fewer_digits(solution)
+    return [words.of(lang) for words in (few, _disagreed(wrong) if wrong else None, why) if words is not None]
 
 
 def _disagreed(wrong: list[Answer]) -> Words:

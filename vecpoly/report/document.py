@@ -20,7 +20,7 @@ from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
-from .flow.blocks import Drawing
+from .flow.blocks import Callout, Drawing
 from .flow.doc import Metadata, ReportDoc, SheetPage
 from .flow.table import DataTable
 from .flow.xml import to_flowables
@@ -51,9 +51,15 @@ def write_report(
     """
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
-    story = to_flowables(document, objects.named, lang)
+    story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
     return ReportDoc(story, meta).write(path).path
+
+
+def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
+    """The red boxes that open a report in which an answer is suspect, whatever its template says."""
+    said = [(one.problem.id, one.construction.warning) for one in solutions]
+    return [Callout(Words(f"题 {name}：{text.zh}", f"Problem {name}: {text.en}").of(lang), "fail", lang) for name, text in said if text is not None]
 
 
 def markup(

@@ -8,8 +8,10 @@ from dataclasses import replace
 from math import degrees, nan
 from typing import Any
 
+import numpy as np
+
 from ...board.construction import Reading
-from ...mechanism.centre_quantities import ENDLESS
+from ...mechanism.centre_quantities import ENDLESS, is_centre
 
 Exact = Mapping[str, complex | float]
 
@@ -24,7 +26,15 @@ def comparable(readings: Mapping[str, Reading], exact: Exact, spread: Mapping[st
             errors[key] = nan
         elif reading.unit == ENDLESS and isinstance(value, complex):
             true[key], errors[key] = _direction(value), nan
+        if drawn[key].unit == ENDLESS and is_centre(key):
+            true[key] = float(_half_turned(true[key], drawn[key].scalar))
+            errors[key] = _half_turned(np.asarray(errors.get(key, nan)), drawn[key].scalar)
     return drawn, true, errors
+
+
+def _half_turned(direction: Any, near: float) -> Any:
+    """The same directions of lines (deg), each by that of its two numbers which lies nearer: 179.9° and 0.1° are neighbours."""
+    return direction - 180.0 * np.round((direction - near) / 180.0)
 
 
 def _direction(at: complex) -> float:

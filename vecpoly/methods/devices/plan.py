@@ -12,9 +12,9 @@ from ...board.extent import extent
 from ...board.hand import Hand, hand
 from ...board.scales import round_scale
 from ...devices.base import Device
-from ...plane import Reals
 from ...problem.problem import Problem
 from ...words import Words
+from ..drawn import Drawn
 from .bench import NO_SCALE, Bench
 from .registry import find_device
 
@@ -24,15 +24,16 @@ TITLES = {view: Words("", "") for view in View} | {
 SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
 
 
-def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]]) -> tuple[Construction, dict[str, Reals]]:
-    """Solve a device on a board: the construction, and every asked answer by all hands."""
+def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]]) -> Drawn:
+    """Solve a device on a board."""
     device = problem.device
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        bench = _draw(device, by, _scales(problem, slots))
+        scales, sketch = _scales(problem, slots)
+        bench = _draw(device, by, scales)
     keys = [ask.rel.key for ask in problem.asks]
     construction = Construction(problem=problem.id, hand=by.name, figures=bench.board.figures(TITLES),
                                 steps=tuple(bench.board.steps), readings={key: bench.readings[key] for key in keys})
-    return construction, {key: bench.repeats[key] for key in keys}
+    return Drawn(construction, {key: bench.repeats[key] for key in keys}, {key: sketch.readings[key] for key in keys})
 
 
 def _draw(device: Device, by: Hand, scales: Mapping[View, Scale]) -> Bench:
@@ -41,8 +42,8 @@ def _draw(device: Device, by: Hand, scales: Mapping[View, Scale]) -> Bench:
     return bench
 
 
-def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict[View, Scale]:
-    """Round scales with which the largest figure of each kind fills its place."""
+def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> tuple[dict[View, Scale], Bench]:
+    """Round scales with which the largest figure of each kind of a sketch fills its place; and the sketch."""
     device = problem.device
     guess = {View.MECHANISM: device.size / 80, View.BODY: device.size / 80, View.FORCE: device.force / 60}
     wish = {View.MECHANISM: problem.scales.mu_l, View.BODY: problem.scales.mu_l, View.FORCE: problem.scales.mu_f}
@@ -53,7 +54,7 @@ def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> dict
         fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn if value), default=value)
         chosen[view] = _scale(view, wish[view] or fitted)
     chosen[View.BODY] = chosen[View.MECHANISM] if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES)) else chosen[View.BODY]
-    return chosen
+    return chosen, sketch
 
 
 def _scale(view: View, value: float) -> Scale:

@@ -1,0 +1,88 @@
+"""The alarm: a drawn value that the exact one contradicts, or that is not finite, never passes as an answer.
+
+Every answer is weighed here by its numbers alone, whatever method drew it. Two hands are asked: the one that drew the
+sheet, which may be off by its expected error, and an ideal one, which must agree with the oracle but for rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from ..words import Words
+
+AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
+MOST = 6  # symbols in a warning
+Number = complex | float
+
+
+def alarm_at(expected_error: float, scalars: Any, *, scatters: bool) -> float:
+    """How far from the exact value a drawn one may lie before it is suspect.
+
+    The expected error, 3σ; or, where the repeated hands have long tails, the farthest of them from their median. A hand that
+    scatters itself exceeds 3σ once in 370 readings and is allowed 5σ, once in two million.
+    """
+    repeated = np.asarray(scalars)[1:] if np.ndim(scalars) else np.empty(0)
+    found = repeated[np.isfinite(repeated)]
+    tail = float(np.max(np.abs(found - np.median(found)))) if found.size else 0.0
+    return max(expected_error * (5 / 3 if scatters else 1.0), tail)
+
+
+class Cause(StrEnum):
+    """Why a value is suspect."""
+
+    NOT_FINITE = "not finite"
+    APART = "drawing and analysis disagree"
+    BEYOND = "beyond the expected drawing error"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Weighed:
+    """A value as drawn, as an ideal hand would draw it, and exact (SI), with what each may be off.
+
+    drawn, exact: compared by size. ideal, true: compared as vectors, where they are. reach: expected error of the drawn
+    value, NaN where none is known. noise: what the exact value itself may be off by. size: of such quantities here.
+    """
+
+    drawn: float
+    exact: float
+    ideal: Number
+    true: Number
+    reach: float
+    noise: float
+    size: float
+
+    @property
+    def cause(self) -> Cause | None:
+        """Why the value is suspect; None where it is not."""
+        if not (isfinite(self.drawn) and isfinite(self.exact) and isfinite(abs(self.ideal))):
+            return Cause.NOT_FINITE
+        if abs(self.ideal - self.true) > AGREE * self.size + self.noise:
+            return Cause.APART
+        if abs(self.drawn - self.exact) > self.reach + AGREE * self.size + self.noise:
+            return Cause.BEYOND
+        return None
+
+
+_SAID = {
+    Cause.NOT_FINITE: Words("不是有限值", "not finite"),
+    Cause.APART: Words("作图与解析结果不符", "drawing and analysis disagree"),
+    Cause.BEYOND: Words("与精确值之差超出预期作图误差", "farther from the exact value than the expected drawing error"),
+}
+
+
+def warning(found: Iterable[tuple[str, Cause]]) -> Words | None:
+    """The warning over a solution with suspect answers (symbol and cause of each); None where none is suspect."""
+    causes: dict[Cause, list[str]] = {}
+    for symbol, cause in found:
+        causes.setdefault(cause, []).append(f"${symbol}$")
+    if not causes:
+        return None
+    zh = "；".join(f"{'、'.join(symbols[:MOST])}{' 等' * (len(symbols) > MOST)} {_SAID[cause].zh}" for cause, symbols in causes.items())
+    en = "; ".join(f"{', '.join(symbols[:MOST])}{' …' * (len(symbols) > MOST)}: {_SAID[cause].en}" for cause, symbols in causes.items())
+    return Words(f"结果存疑，不得作为答案：{zh}。", f"Suspect, not to be taken as an answer: {en}.")
