@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.assur import decompose
-from ..mechanism.branch import margin
+from ..mechanism.branch import margin, opposite
 from ..mechanism.model import Mechanism, Revolute, Side, SideOf
 from ..names import At
 from ..problem.problem import Problem
@@ -20,7 +20,6 @@ from ..problem.problem import Problem
 SAME = 1e-9  # of the mechanism's size: as far apart as two solutions of one assembly may be
 NEAR = 1e-5  # of that size: farther apart they are two assemblies; near a limit position rounding alone makes 1e-7
 _SIDES = (Side.LEFT, Side.RIGHT, Side.ABOVE, Side.BELOW)
-_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
 Places = Mapping[str, complex]
 
 
@@ -65,10 +64,10 @@ def _gap(mech: Mechanism, at: Places) -> float:
     return max(abs(complex(motion.position(At(letter))) - place) for letter, place in at.items())
 
 
-def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[SideOf, ...]]:
+def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
     """The mechanism's own statements; those turned round that no longer hold; new ones for every group, a single hinge read in two ways."""
     yield mech.branches
-    yield tuple(s if margin(s, at) >= 0 else replace(s, side=_OPPOSITE[s.side]) for s in mech.branches)
+    yield tuple(s if margin(s, at) >= 0 else opposite(s) for s in mech.branches)
     yield tuple(_fresh(mech, at, False))
     yield tuple(_fresh(mech, at, True))
 

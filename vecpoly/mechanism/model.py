@@ -9,19 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 from types import MappingProxyType
 
+from .statements import Shaped as Shaped
+from .statements import Side as Side
+from .statements import SideOf as SideOf
+from .statements import Statement as Statement
+
 FRAME = "0"
-
-
-class Side(StrEnum):
-    """Where a point lies, in a lecturer's words."""
-
-    LEFT = "left"
-    RIGHT = "right"
-    ABOVE = "above"
-    BELOW = "below"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,15 +154,6 @@ class Contact:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SideOf:
-    """Branch of an assembly: `point` lies on `side` of the ray ref[0] -> ref[1], or of the single point ref[0]."""
-
-    point: str
-    side: Side
-    ref: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
     """The input: link `link` turns about its frame pivot (`slide` False), or slides on its frame guide (`slide` True).
 
@@ -190,7 +176,7 @@ class Mechanism:
     links: tuple[Link, ...]
     joints: tuple[Joint, ...]
     drives: tuple[Drive, ...]
-    branches: tuple[SideOf, ...] = ()
+    branches: tuple[Statement, ...] = ()
     contacts: tuple[Contact, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
 

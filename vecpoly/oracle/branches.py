@@ -7,16 +7,18 @@ from dataclasses import replace
 from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.branch import margin
+from ..mechanism.branch import margin, opposite
+from ..mechanism.four_bar import fourth_corner
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
+from ..mechanism.statements import Form, Shaped
 from ..words import Words
 from .dyads import Hinged, Swinging
+from .parallel import parallel
 from .run import Run
 from .state import Bodies
 from .steps import Step
 
 Places = dict[str, complex]
-_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
 
 
 def places(mech: Mechanism, bodies: Bodies) -> Places:
@@ -31,10 +33,10 @@ def check_letters(mech: Mechanism) -> None:
     """UnknownNameError where a statement names a letter that no link carries."""
     letters = {point for link in mech.links for point in link.points} | set(mech.frame)
     for statement in mech.branches:
-        for letter in (statement.point, *statement.ref):
+        for letter in statement.letters:
             if letter not in letters:
                 raise UnknownNameError(
-                    f"'{_words(statement)}' names the unknown point {letter}; known: {', '.join(sorted(letters))}")
+                    f"'{statement}' names the unknown point {letter}; known: {', '.join(sorted(letters))}")
 
 
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
@@ -43,6 +45,9 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two coincide.
     """
     before = places(mech, bodies)
+    figure = _parallelogram(mech, step)
+    if figure is not None and _is_said(mech, figure[1]) and step.group.dyad is not None:
+        return parallel(mech, step.group, step.group.dyad, figure[0])
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
@@ -50,13 +55,16 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         raise DeadPointError(
             f"links {names} are at a dead point where the drive stands at {where}: their two assemblies "
             f"coincide and cannot be told apart; choose another position of the drive")
-    told = [s for s in mech.branches if _letters(s) <= set(after[0]) and not _letters(s) <= set(before)]
+    told = [s for s in mech.branches if set(s.letters) <= set(after[0]) and not set(s.letters) <= set(before)]
     sure = 1e-9 * mech.scale
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
-        return options[fits.index(True)]
+        i = fits.index(True)
+        if figure is not None and step.group.dyad is not None and margin(figure[1], after[i]) > 0:
+            return parallel(mech, step.group, step.group.dyad, figure[0])
+        return options[i]
     if not any(fits):
-        statement = " and ".join(f"'{_words(s)}'" for s in told)
+        statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
             f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}"
             f"{_advice(mech, step, before, after)}")
@@ -66,21 +74,24 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
 
 
-def _letters(statement: SideOf) -> set[str]:
-    return {statement.point, *statement.ref}
+def _parallelogram(mech: Mechanism, step: Step) -> tuple[str, Shaped] | None:
+    """The fourth corner of a dyad that can be that of a parallelogram, and the statement that it is one."""
+    dyad = step.group.dyad
+    if not isinstance(step, Hinged) or dyad is None or (corner := fourth_corner(mech, dyad)) is None:
+        return None
+    b, d = (joint.point for joint in (dyad.outer_j, dyad.outer_k) if isinstance(joint, Revolute))
+    return corner, Shaped(corners=(corner, b, step.joint, d), form=Form.PARALLELOGRAM)
 
 
-def _words(statement: SideOf) -> str:
-    """C left of BD."""
-    of = statement.side in (Side.LEFT, Side.RIGHT)
-    return f"{statement.point} {statement.side.value} {'of ' if of else ''}{''.join(statement.ref)}"
+def _is_said(mech: Mechanism, shape: Shaped) -> bool:
+    return any(isinstance(s, Shaped) and s.form is shape.form and set(s.letters) == set(shape.letters) for s in mech.branches)
 
 
 def _ahead(step: Swinging, bodies: Bodies, where: str) -> Swinging:
     """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
     here, there = step.ends(bodies)
-    forward = [option for option in options if option.reach(there - here)[-1] + option.shift > 0]
+    forward = [option for option in options if option.sign * option.reach(there - here)[-1] + option.shift > 0]
     if len(forward) != 1:
         raise AssemblyError(
             Words(f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；请在 branch 中写出该组某点在哪一侧",
@@ -96,8 +107,7 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
-            other = replace(statement, side=_OPPOSITE[statement.side])
-            return f"; say which: '{_words(statement)}' or '{_words(other)}'"
+            return f"; say which: '{statement}' or '{opposite(statement)}'"
     return ""
 
 

@@ -6,11 +6,13 @@ import numpy as np
 
 from ..mechanism.assur import Dyad, Group
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
-from .dyads import Crossed, Hinged, Swinging
+from .crossed import Crossed
+from .dyads import Hinged, Swinging
 from .loci import Arc, Locus, roll, slide
 from .newton import Newton, newton
+from .parallel import Parallel
 
-Step = Hinged | Swinging | Crossed | Newton
+Step = Hinged | Swinging | Crossed | Parallel | Newton
 
 
 def step_for(mech: Mechanism, group: Group) -> Step:
