@@ -329,3 +329,25 @@ def test_an_assignment_may_hold_a_device_and_change_a_load(tmp_path: Path) -> No
     assert isinstance(jack.subject, Device)
     assert half.loads and half.loads.forces[0].size == 500.0
     assert exact_values(half)["M"].real == pytest.approx(exact_values(load("4-3a"))["M"].real / 2, rel=1e-9)
+
+
+def test_a_load_may_be_called_like_the_power_of_another_and_no_centre_is_meant() -> None:
+    text = """
+id: named-P
+title: a load called P_r
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 150 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+branch: [C right of B]
+loads: {P_r: {on: 3, at: C, size: "?", direction: 180 deg}, M_1: {on: 1, size: 10 N*m}}
+find: [P_r, P_13, omega_ratio_12, R_43]
+"""
+    from vecpoly import loads, solve
+    from vecpoly.errors import ProblemFileError
+
+    solution = solve(loads(text), by="exact", repeats=0)
+    assert [answer.is_place for answer in solution.answers.values()] == [False, True, False, False]
+    assert all(abs(answer.deviation) < 1e-9 * max(1, abs(answer.exact)) for answer in solution.answers.values())
+    with pytest.raises(ProblemFileError, match="instant centre"):
+        loads(text.replace("P_r", "P_12"))

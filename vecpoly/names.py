@@ -99,24 +99,50 @@ class Rel:
         return self.key
 
 
+class Sort(StrEnum):
+    """What a named quantity belongs to. A key's letters do not tell: P_r may be a load, P_13 is a centre."""
+
+    PLAIN = "plain"  # of a force analysis, a device, a structure
+    CENTRE = "centre"  # the place of an instant centre
+    CENTRE_SPEED = "centre speed"  # the velocity that both links have there
+    RATIO = "ratio"  # of two angular velocities, by centres
+    LIMIT = "limit"  # an angle of the crank at which a led point stands still
+
+
 @dataclass(frozen=True, slots=True)
 class Named:
     """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
 
     key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI throughout,
-    except a unit `deg`, whose value is in degrees, `mm` and `kW`.
+    except a unit `deg`, whose value is in degrees, `mm` and `kW`. sort: what it belongs to.
     """
 
     key: str
     symbol: str
     unit: str
     is_vector: bool = False
+    sort: Sort = Sort.PLAIN
+
+    @property
+    def is_central(self) -> bool:
+        """Whether it is found from instant centres."""
+        return self.sort is not Sort.PLAIN
 
     def __str__(self) -> str:
         return self.key
 
 
 Key = Rel | Named
+
+
+def is_centre(key: Key) -> bool:
+    """Whether the quantity is the place of an instant centre, P_13."""
+    return isinstance(key, Named) and key.sort is Sort.CENTRE
+
+
+def is_place(key: Key) -> bool:
+    """Whether the quantity is a place: of a point, p_F, or of an instant centre, P_13."""
+    return key.kind is Kind.P if isinstance(key, Rel) else is_centre(key)
 
 
 def reaction(by: str, on: str) -> Named:

@@ -11,11 +11,12 @@ from typing import Any, cast
 
 import numpy as np
 
+from .answer import YES_NO, Answer, line_of
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
-from .check.alarm import Cause, Weighed, alarm_at, warning
+from .check.alarm import Weighed, alarm_at, warning
 from .check.exact import Exact
-from .check.precision import PLENTY, digits, noise, sizes
+from .check.precision import PLENTY, noise, sizes
 from .devices.base import Device
 from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
@@ -24,95 +25,15 @@ from .methods.devices.plan import construct_device
 from .methods.drawn import Drawn
 from .methods.passes import needs_centres, stages
 from .methods.plan import construct
+from .names import Key
 from .problem.problem import Problem
 from .words import Lang, Words
 
+__all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
+
 REPEATS = 200  # repeated hands behind every expected drawing error
 POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
-YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 _TURNING = ("rad/s", "rad/s^2", "N·m")  # units whose sign is a sense of turning
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Answer:
-    """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
-
-    drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector, exact_vector:
-    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning. weighed: what the
-    alarm goes by.
-    """
-
-    key: str
-    reading: Reading
-    drawn: float
-    exact: float
-    expected_error: float
-    drawn_vector: complex | None = None
-    exact_vector: complex | None = None
-    exact_acts: LineOfAction | None = None
-    turns: bool = False
-    weighed: Weighed
-
-    @property
-    def suspect(self) -> Cause | None:
-        """Why the value must not be taken for an answer; None where it may."""
-        return self.weighed.cause
-
-    @property
-    def digits(self) -> int:
-        """How many digits the exact value keeps where rounding is magnified, near a dead point; 15 at most."""
-        return digits(self.weighed.noise, self.weighed.size)
-
-    @property
-    def computed(self) -> bool:
-        """Whether the value was found by formula alone: no repeated hand gives another, and it is the exact one."""
-        size = abs(self.exact)
-        return self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size
-
-    @property
-    def deviation(self) -> float:
-        """drawn − exact."""
-        return self.drawn - self.exact
-
-    @property
-    def relative_deviation(self) -> float:
-        """(drawn − exact) / exact; where the exact value vanishes there is none, and this is NaN."""
-        return self.deviation / self.exact if self.exact else nan
-
-    @property
-    def direction(self) -> float | None:
-        """Direction of the drawn vector in degrees from +x; None for ω, α and for a vector that vanishes."""
-        if self.drawn_vector is None or self.drawn_vector == 0:
-            return None
-        return degrees(cmath.phase(self.drawn_vector))
-
-    @property
-    def sense(self) -> str | None:
-        """ccw or cw for ω, α and the moments of a mechanism; none where it is zero."""
-        if not self.turns or self.drawn == 0:
-            return None
-        return "ccw" if self.drawn > 0 else "cw"
-
-    def as_json(self) -> dict[str, Any]:
-        """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
-        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
-        if self.reading.unit == YES_NO:
-            return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
-        if self.key.startswith(("p_", "P_")) and self.drawn_vector is not None and self.exact_vector is not None:
-            data |= {"drawn_xy": _xy(self.drawn_vector), "exact_xy": _xy(self.exact_vector)}
-        elif self.key.startswith("P_") and self.key[2:3].isdigit():  # a centre P_13; P_out is a power
-            data["at_infinity"] = True
-        elif self.drawn_vector is not None:
-            exact = self.exact_vector or 0j
-            towards = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
-            data |= {"direction_deg": self.direction, "exact_direction_deg": towards} | _line("", self.reading.acts) | _line("exact_", self.exact_acts)
-        elif self.turns:
-            data["sense"] = self.sense
-        if self.reading.mm is not None:
-            data["reading_mm"] = self.reading.mm
-        if self.digits < PLENTY:
-            data["exact_digits"] = self.digits
-        return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None, "suspect": self.suspect is not None}
 
 
 def plain(data: Any) -> Any:
@@ -127,21 +48,12 @@ def plain(data: Any) -> Any:
     return data
 
 
-def _xy(at: complex) -> list[float]:
-    return [at.real, at.imag]
-
-
-def _line(which: str, acts: LineOfAction | None) -> dict[str, Any]:
-    """A point (m) of the line of action, and the sense of its moment about the pin where it touches a friction circle."""
-    return {} if acts is None else {f"{which}point": _xy(acts.point), f"{which}tangent": acts.tangent or None}
-
-
 def _drawn(reading: Reading) -> dict[str, Any]:
     """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
     data: dict[str, Any] = {"unit": reading.unit, "drawn": reading.scalar}
     if reading.vector is not None:
         data["direction_deg"] = degrees(cmath.phase(reading.vector)) if reading.vector else None
-    return data | _line("", reading.acts)
+    return data | line_of("", reading.acts)
 
 
 @dataclass(frozen=True)
@@ -194,7 +106,8 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     reached = {key: _expected(spread[key]) for key in readings}
     limit = {key: alarm_at(reached[key], spread[key], scatters=by == "pencil") for key in readings}
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
-    answers = {key: _answer(reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
+    asked = {ask.rel.key: ask.rel for ask in problem.asks}
+    answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
                             _weighed(reading, exact[key], ideal[key], true[key], limit[key] if repeats else nan, off[key], size[key]))
                for key, reading in readings.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
@@ -230,9 +143,9 @@ def _expected(scalars: Any) -> float:
     return 3.0 * float(np.std(found)) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
 
 
-def _answer(reading: Reading, exact: complex | float, error: float, line: tuple[complex, str] | None, turns: bool, weighed: Weighed) -> Answer:
+def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, line: tuple[complex, str] | None, turns: bool, weighed: Weighed) -> Answer:
     return Answer(
-        key=reading.key, reading=reading, drawn=reading.scalar, exact=_size(exact), expected_error=error, drawn_vector=reading.vector,
+        rel=rel, reading=reading, drawn=reading.scalar, exact=_size(exact), expected_error=error, drawn_vector=reading.vector,
         exact_vector=exact if isinstance(exact, complex) else None,
         exact_acts=None if line is None else LineOfAction(point=line[0], tangent=line[1]), turns=turns, weighed=weighed,
     )

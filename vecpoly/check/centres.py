@@ -6,7 +6,8 @@ import re
 from functools import cache
 
 from ..errors import NotAskedError, UnknownNameError
-from ..mechanism.centre_quantities import KEYS, centre_quantities
+from ..mechanism.centre_quantities import centre_quantities
+from ..names import Named
 from ..oracle.centres import Centres
 from ..problem.asks import AskPoint
 from ..problem.problem import Printed, Problem
@@ -26,7 +27,7 @@ class CentralTruth:
         self.answers = cache(lambda: exact_values(problem))
 
     def _spoken_of(self) -> bool:
-        return any(p.symbol.startswith(KEYS) or (p.rel is None and "P" in p.symbol) for p in self.problem.printed)
+        return any((isinstance(p.rel, Named) and p.rel.is_central) or (p.rel is None and "P" in p.symbol) for p in self.problem.printed)
 
     def __call__(self, printed: Printed) -> float | None:
         """The size of the exact value; None where the print is of something else."""

@@ -12,7 +12,6 @@ from .. import oracle
 from ..devices.base import Device
 from ..errors import NotAskedError
 from ..mechanism.assur import hinges
-from ..mechanism.centre_quantities import KEYS, centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..mechanism.quantities import given_value, pairs
@@ -73,17 +72,17 @@ class Exact:
 
     def _central(self) -> Values:
         """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction (deg)."""
-        mech, keys = self.problem.mechanism, [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed)]
-        if not any(key.startswith(KEYS) for key in keys):
+        mech, keys = self.problem.mechanism, [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_central]
+        if not keys:
             return {}
         from ..oracle.centres import Centres
 
-        known, centres = centre_quantities(mech), Centres(mech)
-        return {key: centres.value(key) for key in keys if key in known}
+        centres = Centres(mech)
+        return {key: centres.value(key) for key in keys}
 
     def _static(self) -> Values:
         """Reactions, balancing loads and the like."""
-        asked = [ask.rel for ask in self.problem.asks if isinstance(ask, AskNamed) and not ask.rel.key.startswith(KEYS)]
+        asked = [ask.rel for ask in self.problem.asks if isinstance(ask, AskNamed) and not ask.rel.is_central]
         if self.problem.loads is None or not asked:
             return {}
         data = {named.key: value for named in asked if (value := given_value(self.problem.loads, named.key)) is not None}

@@ -6,6 +6,7 @@ import cmath
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
+from ..names import is_centre, is_place
 from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
@@ -14,6 +15,7 @@ from .terminal import add, progress, show, table
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
+    from ..names import Key
     from ..problem.problem import Problem
 
 _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact", "unit", "direction")}
@@ -31,8 +33,8 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
         with tally.job(), about(problem.id):
             truth = Exact(problem)
             noise(problem, truth, sizes(problem, truth.values))  # refuses what has lost its digits
-            values, lines, units = truth.values, truth.lines, {ask.rel.key: ask.rel.unit for ask in problem.asks}
-            data.append({"id": problem.id, "answers": {key: _plain(key, value, units[key]) | _line(lines.get(key)) for key, value in values.items()}})
+            values, lines, rels = truth.values, truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
+            data.append({"id": problem.id, "answers": {key: _plain(rels[key], value) | _line(lines.get(key)) for key, value in values.items()}})
             if json != "-":
                 _print(problem, values, lang)
     if json is not None and not tally.failed:
@@ -40,16 +42,12 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
     tally.settle()
 
 
-def _is_centre(key: str) -> bool:
-    """P_13 is an instant centre, P_out a power."""
-    return key.startswith("P_") and key[2:3].isdigit()
-
-
-def _plain(key: str, value: complex | float, si: str) -> dict[str, Any]:
+def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
+    si = rel.unit
     if not isinstance(value, complex):
-        endless = _is_centre(key)  # an instant centre at infinity: its direction
+        endless = is_centre(rel)  # an instant centre at infinity: its direction
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
-    if key.startswith(("p_", "P_")):
+    if is_place(rel):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
     return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value))}
 
@@ -63,14 +61,14 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
     title = f"{problem.id}  {bare(problem.title.of(lang))}"
     made = table(title, [(name, "right" if i == 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
     for ask in problem.asks:
-        key, value, way = ask.rel.key, values[ask.rel.key], "—"
-        if not isinstance(value, complex) and _is_centre(key):
+        value, way = values[ask.rel.key], "—"
+        if not isinstance(value, complex) and is_centre(ask.rel):
             size, way = "∞", f"{value:.3f}°"
         elif not isinstance(value, complex):
             size = scalar(value, ask.rel.unit, lang, 7)
-        elif key.startswith(("p_", "P_")):
+        elif is_place(ask.rel):
             size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
         else:
             size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−")
-        add(made, (symbol(key), size, unit(ask.rel.unit), way))
+        add(made, (symbol(ask.rel.key), size, unit(ask.rel.unit), way))
     show(made)

@@ -52,9 +52,9 @@ def exact(answer: Answer, lang: Lang) -> str:
 
 
 def _value(answer: Answer, size: float, vector: complex | None, lang: Lang) -> str:
-    if answer.key.startswith(("p_", "P_")) and vector is not None:
+    if answer.is_place and vector is not None:
         return f"({number(vector.real)}, {number(vector.imag)})"
-    if answer.key.startswith("P_"):
+    if answer.is_place:
         return f"∞, {number(size)}"
     return scalar(size, answer.reading.unit, lang)
 
@@ -73,9 +73,9 @@ def gap(answer: Answer) -> str:
     """How far the drawn value is off, in per cent of the exact one; nothing to say of what a formula gave."""
     if answer.computed:
         return "—"
-    if answer.key.startswith(("p_", "P_")) and answer.drawn_vector is not None and answer.exact_vector is not None:
+    if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
         return number(abs(answer.drawn_vector - answer.exact_vector), 2)
-    if abs(answer.exact) < _NOISE or answer.key.startswith("P_"):  # of a direction to infinity, in degrees
+    if abs(answer.exact) < _NOISE or answer.is_place:  # of a direction to infinity, in degrees
         return number(answer.deviation, 2)
     return percent(answer.relative_deviation)
 
@@ -93,7 +93,7 @@ def reach(answer: Answer) -> str:
 
 def way(answer: Answer, lang: Lang) -> str:
     """Direction in degrees, or the sense of turning."""
-    if answer.key.startswith(("p_", "P_")):
+    if answer.is_place:
         return "—"
     if answer.drawn_vector is not None:
         turn = answer.direction

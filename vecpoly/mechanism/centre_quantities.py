@@ -10,23 +10,12 @@ from __future__ import annotations
 from itertools import combinations
 
 from ..errors import MobilityError
-from ..names import Named
+from ..names import Named, Sort
 from .assur import decompose
 from .model import FRAME, Mechanism, Prismatic, Revolute
 
 Pair = tuple[str, str]  # two links by name, in the order of their printed numbers
-KEYS = ("P_", "v_P", "omega_ratio_", "phi_")  # how the keys begin
 ENDLESS = "deg"  # unit in which a centre at infinity is told: the direction of the line on which it lies
-
-
-def is_place(key: str) -> bool:
-    """Whether the quantity is a place: a point p_F, an instant centre P_13; p_l is a number of pairs."""
-    return (key.startswith("p_") and key[2:3].isupper()) or is_centre(key)
-
-
-def is_centre(key: str) -> bool:
-    """Whether the quantity is an instant centre, P_13; P_out and P_A_in are powers."""
-    return key.startswith("P_") and key[2:3].isdigit()
 
 
 def real_links(mech: Mechanism) -> tuple[str, ...]:
@@ -55,19 +44,19 @@ def pair_of(mech: Mechanism, a: str, b: str) -> Pair:
 def centre(mech: Mechanism, a: str, b: str) -> Named:
     """P_13: the instant centre of two links."""
     key, symbol = _subscript(mech, a, b)
-    return Named(f"P_{key}", f"P_{{{symbol}}}", "m", True)
+    return Named(f"P_{key}", f"P_{{{symbol}}}", "m", True, Sort.CENTRE)
 
 
 def centre_speed(mech: Mechanism, a: str, b: str) -> Named:
     """v_P13: the velocity of the centre of two links, as a point of either."""
     key, symbol = _subscript(mech, a, b)
-    return Named(f"v_P{key}", f"v_{{P{symbol}}}", "m/s", True)
+    return Named(f"v_P{key}", f"v_{{P{symbol}}}", "m/s", True, Sort.CENTRE_SPEED)
 
 
 def ratio(mech: Mechanism, a: str, b: str) -> Named:
     """omega_ratio_13: ω_1/ω_3, positive where both turn alike."""
     i, j = mech.number(a), mech.number(b)
-    return Named(f"omega_ratio_{i}{j}" if _short(i, j) else f"omega_ratio_{i}_{j}", f"ω_{{{i}}}/ω_{{{j}}}", "")
+    return Named(f"omega_ratio_{i}{j}" if _short(i, j) else f"omega_ratio_{i}_{j}", f"ω_{{{i}}}/ω_{{{j}}}", "", sort=Sort.RATIO)
 
 
 def crank_groups(mech: Mechanism) -> tuple[tuple[str, str, str], ...]:
@@ -89,7 +78,7 @@ def crank_groups(mech: Mechanism) -> tuple[tuple[str, str, str], ...]:
 
 def limits(mech: Mechanism, point: str) -> tuple[Named, Named]:
     """Crank angles (deg) at which a led point stands still: rod and crank extended, and overlapped."""
-    return (Named(f"phi_{point}_extended", f"φ_{point}^{{′}}", "deg"), Named(f"phi_{point}_overlapped", f"φ_{point}^{{′′}}", "deg"))
+    return (Named(f"phi_{point}_extended", f"φ_{point}^{{′}}", "deg", sort=Sort.LIMIT), Named(f"phi_{point}_overlapped", f"φ_{point}^{{′′}}", "deg", sort=Sort.LIMIT))
 
 
 def centre_quantities(mech: Mechanism) -> dict[str, Named]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from ..mechanism.centre_quantities import KEYS
 from ..names import Kind
 from ..problem.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
@@ -26,7 +25,7 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
 
 def needs_centres(problem: Problem) -> bool:
     """Whether the problem asks for centres, or for what is found from them."""
-    asked = any(isinstance(a, AskNamed) and a.rel.key.startswith(KEYS) for a in problem.asks)
+    asked = any(isinstance(a, AskNamed) and a.rel.is_central for a in problem.asks)
     return asked or problem.by_centres or any(isinstance(a, AskPoint) and a.slowest is not None for a in problem.asks)
 
 

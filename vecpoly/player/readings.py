@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..mechanism.centre_quantities import is_place
 from ..quantity import number
 from ..report.tables import way
 from ..report.values import called, printed_unit, value
@@ -29,7 +28,7 @@ def readings(turns: Sequence[Turned], faces: Faces) -> list[list[Cells]]:
 
 
 def _cells(answer: Answer, solution: Solution, faces: Faces) -> Cells:
-    if is_place(answer.key):
+    if answer.is_place:
         return _place(answer, faces)
     ways = html(Words(*(way(answer, solution.problem, lang) for lang in LANGS)), faces)
     unit = answer.reading.unit

@@ -8,11 +8,11 @@ from pathlib import Path
 
 from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
-from ..mechanism.centre_quantities import KEYS, centre_quantities
+from ..mechanism.centre_quantities import centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, SideOf
 from ..mechanism.quantities import quantities
-from ..names import At, Named
+from ..names import At, Named, is_centre
 from ..units import Dim, read
 from .asks import Ask, AskNamed
 from .bodies import Bodies
@@ -30,7 +30,7 @@ from .problem import Datum, Given, Printed, Problem, Scales
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
-from .wanted import default_asks, read_find, read_point, read_printed, read_scales
+from .wanted import CENTRAL, default_asks, read_find, read_point, read_printed, read_scales
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -184,7 +184,7 @@ def _wanted(
                 named.append(read_point(item, bodies).at)
     for i, item in enumerate(spec.find):
         if item == ALL_CENTRES:
-            asks += [AskNamed(rel=named) for key, named in forces.items() if key.startswith("P_")]
+            asks += [AskNamed(rel=named) for named in forces.values() if is_centre(named)]
         elif not faults.found:
             with faults.at("find", i):
                 asks.append(numbered(read_find(item, bodies, named, forces), spec))
@@ -202,7 +202,7 @@ def _wanted(
 def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
     """What the instant centres give, where one of these is asked for or printed."""
     keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
-    wanted = any(key == ALL_CENTRES or key.startswith(KEYS) for key in keys)
+    wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
     return centre_quantities(mechanism) if wanted and not faults.found else {}
 
 

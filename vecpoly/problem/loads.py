@@ -16,7 +16,7 @@ from .problem import Datum
 from .schema import LoadSpec, ProblemSpec
 
 _NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
-_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+")  # keys of reactions, inertia forces and couples, inertias
+_TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*")  # keys of reactions, inertia forces and couples, inertias, instant centres
 _ACTING = ("loads", "masses", "friction", "weight")
 UNKNOWN = "?"
 
@@ -60,7 +60,7 @@ def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
     if not _NAME.fullmatch(name):
         raise FaultError(f"'{name}' is no name of a load; write F, Q, F_r or M_1")
     if _TAKEN.fullmatch(name):
-        raise FaultError(f"'{name}' is the name of a reaction or of an inertia force; call the load F, Q, F_r or M_1")
+        raise FaultError(f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the load F, Q, F_r or M_1")
     draft = bodies.drafts.get(spec.on)
     if spec.on in (FRAME, frame_number(bodies)):
         raise FaultError(f"link {spec.on} is the frame: a load there moves nothing; put it on a moving link or leave it out", "on")

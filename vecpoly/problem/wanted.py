@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
-from ..mechanism.centre_quantities import KEYS
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.quantities import pairs
@@ -22,6 +21,7 @@ from .schema import FindSpec, PrintedSpec, ScalesSpec
 _KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
 _FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
+CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written
 _PERCENT = re.compile(r"\s*([-+−]?[\d.]+)\s*[%％]\s*")
 _DIM = {Kind.P: Dim.LENGTH, Kind.V: Dim.SPEED, Kind.OMEGA: Dim.OMEGA, Kind.ALPHA: Dim.ALPHA}
 _MU = {Kind.P: Dim.MU_L, Kind.V: Dim.MU_V, Kind.OMEGA: Dim.MU_V}
@@ -81,9 +81,9 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
     """A key of motion (v_E) or of forces (R_12); raises FaultError."""
     if text in forces:
         return forces[text]
-    if text.startswith(("P_", "omega_ratio_")):
+    if CENTRAL.match(text) and text[0] != "v":
         raise FaultError(f"'{text}' names no instant centre of two links by their numbers (the frame has the last){meant(text, [k for k in forces if k[0] == text[0]])}")
-    loads = [key for key in forces if not key.startswith(KEYS)]
+    loads = [key for key, named in forces.items() if not named.is_central]
     if _FORCES.fullmatch(text):
         raise FaultError(f"'{text}' is no quantity of these loads{meant(text, loads)}" if loads else
                          f"'{text}' needs loads; say under 'loads' what acts on the mechanism")

@@ -9,8 +9,9 @@ from typing import Any
 
 from ..board.construction import EquationTable, Step
 from ..check.structure import dependence
-from ..mechanism.centre_quantities import count, is_centre, is_place
+from ..mechanism.centre_quantities import count
 from ..mechanism.model import Mechanism
+from ..names import is_centre, is_place
 from ..problem.asks import AskCoriolis, AskNamed, AskPoint
 from ..quantity import number
 from ..solution import YES_NO, Answer, Solution, fewer_digits
@@ -99,7 +100,7 @@ def _coriolis(answer: Answer) -> Words:
 def asked(solution: Solution, lang: Lang) -> Iterator[str]:
     """The questions in symbols and words."""
     coriolis = {ask.rel.key for ask in solution.problem.asks if isinstance(ask, AskCoriolis)}
-    centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel.key)]
+    centres = [ask.rel for ask in solution.problem.asks if isinstance(ask, AskNamed) and is_centre(ask.rel)]
     every = bool(centres) and len(centres) == count(solution.problem.mechanism)
     if every:
         yield Words("全部瞬心", "all instant centres").of(lang)
@@ -112,7 +113,7 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
             yield _point_asked(ask, symbol).of(lang)
         elif isinstance(ask, AskCoriolis):
             yield Words(f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points").of(lang)
-        elif is_place(reading.key):
+        elif is_place(ask.rel):
             of = symbol.replace("^{∞}", "")
             yield Words(f"{of} 的位置", f"the position of {of}").of(lang)
         elif reading.unit == YES_NO:

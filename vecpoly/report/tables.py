@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import degrees
 
 from ..check.verdict import Checked
-from ..mechanism.centre_quantities import is_place
+from ..names import is_place
 from ..problem.problem import Problem, as_printed
 from ..quantity import number
 from ..solution import YES_NO, Answer, Solution
@@ -47,13 +47,13 @@ def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequen
 def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     mm = "—" if r.mm is None else f"{r.mm:.1f}"
-    if is_place(r.key) and answer.drawn_vector is not None and answer.exact_vector is not None:
+    if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
         drawn, exact = (f"({_fixed(v.real)}, {_fixed(v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
         off = abs(answer.drawn_vector - answer.exact_vector)
         gap = f"{number(1e3 * off if off > _NOTHING else 0.0, 2)} mm"
         return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap,
                 number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE)
-    if is_place(r.key):  # at infinity
+    if answer.is_place:  # at infinity
         gap = number(answer.deviation, 2) + "°"
         return (f"${r.symbol}$", mm, "—", "∞", _angle(answer.drawn), _angle(answer.exact), gap, _NONE if answer.computed else rough(answer.expected_error) + "°")
     factor = printed_unit(r.unit)[0]
@@ -134,7 +134,7 @@ def _as_given(checked: Checked, lang: Lang) -> str:
 def _exact_like(checked: Checked, lang: Lang) -> str:
     """The exact value with its unit."""
     rel = checked.printed.rel
-    if rel is None or is_place(rel.key):
+    if rel is None or is_place(rel):
         return f"{number(checked.exact, 5)} m"
     return value(checked.exact, rel.unit, lang, digits=5)
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...board.construction import Reading
-from ...mechanism.centre_quantities import ENDLESS, is_centre
+from ...mechanism.centre_quantities import ENDLESS
 
 Exact = Mapping[str, complex | float]
 
@@ -26,7 +26,7 @@ def comparable(readings: Mapping[str, Reading], exact: Exact, spread: Mapping[st
             errors[key] = nan
         elif reading.unit == ENDLESS and isinstance(value, complex):
             true[key], errors[key] = _direction(value), nan
-        if drawn[key].unit == ENDLESS and is_centre(key):
+        if drawn[key].unit == ENDLESS:
             true[key] = float(_half_turned(true[key], drawn[key].scalar))
             errors[key] = _half_turned(np.asarray(errors.get(key, nan)), drawn[key].scalar)
     return drawn, true, errors

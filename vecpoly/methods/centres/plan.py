@@ -6,6 +6,7 @@ from ...board.construction import View
 from ...formula import Row, Txt, row
 from ...mechanism.assur import Group
 from ...mechanism.centre_quantities import count, real_links
+from ...names import Sort
 from ...problem.asks import AskNamed, AskPoint
 from ...problem.problem import Problem
 from ...words import Words
@@ -73,7 +74,7 @@ def _sparing(fig: CentreFigure) -> Words:
 
 def _limit_positions(desk: Desk, problem: Problem) -> None:
     for ask in problem.asks:
-        if isinstance(ask, AskNamed) and ask.rel.key not in desk.central and ask.rel.key.startswith("phi_"):
+        if isinstance(ask, AskNamed) and ask.rel.key not in desk.central and ask.rel.sort is Sort.LIMIT:
             find(Stage.CENTRES, "limit positions").draw(desk, ask.rel)
 
 

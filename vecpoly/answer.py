@@ -1,0 +1,116 @@
+"""One asked quantity: as drawn, exact, what the hand may be off by, and whether it may be taken for an answer."""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import dataclass
+from math import degrees, isfinite, nan
+from typing import Any
+
+from .board.construction import LineOfAction, Reading
+from .check.alarm import Cause, Weighed
+from .check.precision import PLENTY, digits
+from .names import Key, is_place
+
+YES_NO = "yes/no"  # unit of an answer that is 1 or 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer:
+    """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
+
+    drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector, exact_vector:
+    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning. weighed: what the
+    alarm goes by.
+    """
+
+    rel: Key
+    reading: Reading
+    drawn: float
+    exact: float
+    expected_error: float
+    drawn_vector: complex | None = None
+    exact_vector: complex | None = None
+    exact_acts: LineOfAction | None = None
+    turns: bool = False
+    weighed: Weighed
+
+    @property
+    def key(self) -> str:
+        """ASCII symbol."""
+        return self.rel.key
+
+    @property
+    def is_place(self) -> bool:
+        """Whether it is the place of a point or of an instant centre; one at infinity is told by its direction."""
+        return is_place(self.rel)
+
+    @property
+    def suspect(self) -> Cause | None:
+        """Why the value must not be taken for an answer; None where it may."""
+        return self.weighed.cause
+
+    @property
+    def digits(self) -> int:
+        """How many digits the exact value keeps where rounding is magnified, near a dead point; 15 at most."""
+        return digits(self.weighed.noise, self.weighed.size)
+
+    @property
+    def computed(self) -> bool:
+        """Whether the value was found by formula alone: no repeated hand gives another, and it is the exact one."""
+        size = abs(self.exact)
+        return self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size
+
+    @property
+    def deviation(self) -> float:
+        """drawn − exact."""
+        return self.drawn - self.exact
+
+    @property
+    def relative_deviation(self) -> float:
+        """(drawn − exact) / exact; where the exact value vanishes there is none, and this is NaN."""
+        return self.deviation / self.exact if self.exact else nan
+
+    @property
+    def direction(self) -> float | None:
+        """Direction of the drawn vector in degrees from +x; None for ω, α and for a vector that vanishes."""
+        if self.drawn_vector is None or self.drawn_vector == 0:
+            return None
+        return degrees(cmath.phase(self.drawn_vector))
+
+    @property
+    def sense(self) -> str | None:
+        """ccw or cw for ω, α and the moments of a mechanism; none where it is zero."""
+        if not self.turns or self.drawn == 0:
+            return None
+        return "ccw" if self.drawn > 0 else "cw"
+
+    def as_json(self) -> dict[str, Any]:
+        """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
+        data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
+        if self.reading.unit == YES_NO:
+            return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
+        if self.is_place and self.drawn_vector is not None and self.exact_vector is not None:
+            data |= {"drawn_xy": place_of(self.drawn_vector), "exact_xy": place_of(self.exact_vector)}
+        elif self.is_place:
+            data["at_infinity"] = True
+        elif self.drawn_vector is not None:
+            exact = self.exact_vector or 0j
+            towards = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
+            data |= {"direction_deg": self.direction, "exact_direction_deg": towards} | line_of("", self.reading.acts) | line_of("exact_", self.exact_acts)
+        elif self.turns:
+            data["sense"] = self.sense
+        if self.reading.mm is not None:
+            data["reading_mm"] = self.reading.mm
+        if self.digits < PLENTY:
+            data["exact_digits"] = self.digits
+        return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None, "suspect": self.suspect is not None}
+
+
+def place_of(at: complex) -> list[float]:
+    return [at.real, at.imag]
+
+
+def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:
+    """A point (m) of the line of action, and the sense of its moment about the pin where it touches a friction circle."""
+    return {} if acts is None else {f"{which}point": place_of(acts.point), f"{which}tangent": acts.tangent or None}
