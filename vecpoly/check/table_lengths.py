@@ -6,7 +6,9 @@ import cmath
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import assert_never
 
+from ..mechanism.branch import opposite
 from ..mechanism.model import (
     ByAngle,
     ByLengths,
@@ -16,8 +18,10 @@ from ..mechanism.model import (
     Mechanism,
     Placement,
     Prismatic,
+    Shaped,
     Side,
     SideOf,
+    Statement,
 )
 from ..words import Words
 
@@ -191,6 +195,6 @@ def _told(branch: Statement) -> Words:
             return Words(f"装配分支取 ${point}$ 在 ${ref}$ {_SIDE[side]}", f"assembled with ${point}$ {side.value} {of}${ref}$")
         case Shaped(form=form):
             corners = "".join(branch.corners)
-            return Words(f"装配分支取 ${corners}$ 为{FIGURE[form].zh}", f"assembled with ${corners}$ as {FIGURE[form].en}")
+            return Words(f"装配分支取 ${corners}$ 为{form.words.zh}", f"assembled with ${corners}$ as {form.words.en}")
         case _:
             assert_never(branch)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .closing import INSIDE
 from .curve import Curve
 from .cycle import Cycle
 from .pieces import Piece, ends, pieces, towards
@@ -120,7 +121,8 @@ def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
     """Values at the ends of the drive's range, ±∞ where it runs away; none of a whole turn that comes back to the same value."""
     cycle = curve.cycle
     first, last = (float(value) for value in curve.value(np.array([cycle.low, cycle.high])))
-    if cycle.whole and not abs(last - first) > 1e-6 * span:
+    inside, again = (float(value) for value in curve.value(cycle.low + INSIDE + np.array([0.0, 2 * np.pi])))
+    if cycle.whole and not max(abs(last - first), abs(again - inside)) > 1e-6 * span:
         return ()
     room = cycle.high - cycle.low
     told = ((cycle.low, first, 1.0), (cycle.high, last, -1.0))

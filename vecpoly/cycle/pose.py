@@ -13,7 +13,7 @@ from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.assur import decompose
 from ..mechanism.branch import margin, opposite
-from ..mechanism.model import Mechanism, Revolute, Side, SideOf
+from ..mechanism.model import Mechanism, Revolute, Side, SideOf, Statement
 from ..names import At
 from ..problem.problem import Problem
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import degrees, isfinite
 
 from ..words import Words
+from .changing import figure_of
 from .cycle import Cycle
 from .extremes import Extremes, Spot, extremes
 from .facts import Facts, Peak, Stroke, Transmission
@@ -82,11 +83,13 @@ def _laps(cycle: Cycle, found: Facts) -> Iterator[Words]:
 
 
 def _changes(cycle: Cycle, found: Facts) -> Iterator[Words]:
-    """Change points: the columns go on with the assembly that the problem states, which need not be how a real linkage goes on."""
+    """Change points: the columns go smoothly through, as a real linkage does that is carried through by its inertia."""
     for key, spots in found.changes:
         links, places = key.removeprefix("gamma_"), ", ".join(shown(cycle, cycle.drive.key, s.phi, 5) for s in spots)
-        yield Words(f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点），其后如何运动并不确定；以下始终按所给的装配计算，速度在此可能突变。",
-                    f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two assemblies meet (change points): how it moves on is not determined. What follows keeps to the assembly that is given, and rates may jump there.")
+        figure = figure_of(cycle, links)
+        kept = Words("", "") if figure is None else Words(f"，${''.join(figure.corners)}$ 始终为{figure.form.words.zh}", f": ${''.join(figure.corners)}$ remains {figure.form.words.en}")
+        yield Words(f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点）。以下按机构靠惯性平稳通过变点计算{kept.zh}。",
+                    f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two assemblies meet (change points). What follows goes smoothly through them, as inertia carries a real linkage{kept.en}.")
 
 
 def _stroke(cycle: Cycle, stroke: Stroke) -> Words:

@@ -1,4 +1,4 @@
-"""Four-bars whose opposite sides are equal: as a parallelogram they move without a change of figure, through every change point."""
+"""Four-bars whose opposite, or adjacent, sides are equal: parallelograms and folded kites keep their figure through every change point."""
 
 from __future__ import annotations
 
@@ -8,8 +8,18 @@ from .model import Mechanism, Revolute
 EQUAL = 1e-12  # of the mechanism's size
 
 
+def folded_corner(mech: Mechanism, dyad: Dyad) -> str | None:
+    """The hinge A of the two known links on which an RRR dyad B-C-D hangs, where AB = BC and AD = CD (a kite), so that C can come to lie on A and stay."""
+    return _corner(mech, dyad, crossed=False)
+
+
 def fourth_corner(mech: Mechanism, dyad: Dyad) -> str | None:
     """The hinge A of the two known links on which an RRR dyad B-C-D hangs, where AB = CD and BC = AD; None of any other dyad."""
+    return _corner(mech, dyad, crossed=True)
+
+
+def _corner(mech: Mechanism, dyad: Dyad, crossed: bool) -> str | None:
+    """The common hinge from which the known links reach as far as the dyad's arms do; crossed: each as far as the other's arm."""
     if not (isinstance(dyad.outer_j, Revolute) and isinstance(dyad.inner, Revolute) and isinstance(dyad.outer_k, Revolute)):
         return None
     b, c, d = dyad.outer_j.point, dyad.inner.point, dyad.outer_k.point
@@ -18,6 +28,7 @@ def fourth_corner(mech: Mechanism, dyad: Dyad) -> str | None:
     for a in first:
         if a in second and dyad.parent_j != dyad.parent_k:
             sides = abs(first[b] - first[a]), abs(second[d] - second[a])
-            if max(abs(arms[0] - sides[1]), abs(arms[1] - sides[0])) <= EQUAL * mech.scale and min(sides) > EQUAL * mech.scale:
+            own, other = arms[::-1] if crossed else arms
+            if max(abs(own - sides[0]), abs(other - sides[1])) <= EQUAL * mech.scale and min(sides) > EQUAL * mech.scale:
                 return a
     return None

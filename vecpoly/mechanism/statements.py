@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ..words import Words
+
 
 class Side(StrEnum):
     """Where a point lies, in a lecturer's words."""
@@ -20,6 +22,11 @@ class Form(StrEnum):
 
     PARALLELOGRAM = "parallelogram"
     ANTIPARALLELOGRAM = "antiparallelogram"
+
+    @property
+    def words(self) -> Words:
+        """As a sentence calls it."""
+        return Words("平行四边形", "a parallelogram") if self is Form.PARALLELOGRAM else Words("反平行四边形", "an antiparallelogram")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

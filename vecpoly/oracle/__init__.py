@@ -26,7 +26,7 @@ def solve(
     Also raises MobilityError, and UnknownNameError for an unknown letter in a branch statement.
     """
     asked = np.asarray(mech.drive.position if position is None else position, dtype=np.float64)
-    return Motion(mech, plan_for(mech).bodies(np.atleast_1d(asked), order, strict), asked.shape, order)
+    return Motion(mech, plan_for(mech, own=position is None).bodies(np.atleast_1d(asked), order, strict), asked.shape, order)
 
 
 def feasible(mech: Mechanism) -> tuple[str, ...]:

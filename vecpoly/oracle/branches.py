@@ -8,12 +8,12 @@ from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.branch import margin, opposite
-from ..mechanism.four_bar import fourth_corner
+from ..mechanism.four_bar import folded_corner, fourth_corner
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from ..mechanism.statements import Form, Shaped
 from ..words import Words
 from .dyads import Hinged, Swinging
-from .parallel import parallel
+from .parallel import folded, parallel
 from .run import Run
 from .state import Bodies
 from .steps import Step
@@ -46,8 +46,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     """
     before = places(mech, bodies)
     figure = _parallelogram(mech, step)
-    if figure is not None and _is_said(mech, figure[1]) and step.group.dyad is not None:
-        return parallel(mech, step.group, step.group.dyad, figure[0])
+    if figure is not None and _is_said(mech, figure):
+        return parallel(mech, step.group, figure.corners[0])
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
@@ -59,10 +59,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     sure = 1e-9 * mech.scale
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
-        i = fits.index(True)
-        if figure is not None and step.group.dyad is not None and margin(figure[1], after[i]) > 0:
-            return parallel(mech, step.group, step.group.dyad, figure[0])
-        return options[i]
+        return _figured(mech, options[fits.index(True)], figure, after[fits.index(True)])
     if not any(fits):
         statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
@@ -74,13 +71,22 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
 
 
-def _parallelogram(mech: Mechanism, step: Step) -> tuple[str, Shaped] | None:
-    """The fourth corner of a dyad that can be that of a parallelogram, and the statement that it is one."""
+def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
+    """The step itself, or where it is a parallelogram or a folded kite the step that stays one through its change points."""
+    if figure is not None and margin(figure, at) > 0:
+        return parallel(mech, step.group, figure.corners[0])
+    if isinstance(step, Hinged) and step.group.dyad is not None and (corner := folded_corner(mech, step.group.dyad)) is not None:
+        return folded(mech, step.group, corner) if abs(at[step.joint] - at[corner]) < 1e-7 * mech.scale else step
+    return step
+
+
+def _parallelogram(mech: Mechanism, step: Step) -> Shaped | None:
+    """What is said of a dyad that can be half of a parallelogram."""
     dyad = step.group.dyad
     if not isinstance(step, Hinged) or dyad is None or (corner := fourth_corner(mech, dyad)) is None:
         return None
     b, d = (joint.point for joint in (dyad.outer_j, dyad.outer_k) if isinstance(joint, Revolute))
-    return corner, Shaped(corners=(corner, b, step.joint, d), form=Form.PARALLELOGRAM)
+    return Shaped(corners=(corner, b, step.joint, d), form=Form.PARALLELOGRAM)
 
 
 def _is_said(mech: Mechanism, shape: Shaped) -> bool:

@@ -1,4 +1,4 @@
-"""RRR as a parallelogram ABCD: BC stays parallel to AD and CD to AB, through every change point."""
+"""RRR whose links turn as known ones do: a parallelogram ABCD, in which BC stays parallel to AD, or a folded kite, in which C stays on A."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..mechanism.assur import Dyad, Group
+from ..mechanism.assur import Group
 from ..mechanism.model import Mechanism, Revolute
 from .run import Run
 from .state import Bodies, Body, Reals
@@ -55,18 +55,30 @@ class Parallel:
         return np.full(1, np.inf)
 
 
-def parallel(mech: Mechanism, group: Group, dyad: Dyad, corner: str) -> Parallel:
-    """The parallelogram with the known links' hinge `corner`."""
-    assert isinstance(dyad.inner, Revolute) and isinstance(dyad.outer_j, Revolute) and isinstance(dyad.outer_k, Revolute)
-    inner = dyad.inner.point
-    ends = (dyad.link_j, dyad.parent_j, dyad.outer_j.point), (dyad.link_k, dyad.parent_k, dyad.outer_k.point)
-    arms = [_arm(mech, one, other, corner, inner) for one, other in (ends, ends[::-1])]
+def parallel(mech: Mechanism, group: Group, corner: str) -> Parallel:
+    """The parallelogram with the known links' hinge `corner`: each arm parallel to the other known link."""
+    ends, inner = _ends(group)
+    arms = [_arm(mech, one, (other[1], corner, other[2]), inner) for one, other in (ends, ends[::-1])]
     return Parallel(group, (arms[0], arms[1]), inner)
 
 
-def _arm(mech: Mechanism, mine: tuple[str, str, str], other: tuple[str, str, str], corner: str, inner: str) -> Arm:
-    """BC of link j: parallel to AD of the other known link."""
-    (name, parent, pin), (_, along, end) = mine, other
+def folded(mech: Mechanism, group: Group, corner: str) -> Parallel:
+    """The kite folded on the known links' hinge `corner`: each arm lies on its own known link."""
+    ends, inner = _ends(group)
+    arms = [_arm(mech, one, (one[1], one[2], corner), inner) for one in ends]
+    return Parallel(group, (arms[0], arms[1]), inner)
+
+
+def _ends(group: Group) -> tuple[tuple[tuple[str, str, str], tuple[str, str, str]], str]:
+    """Link, known link and outer hinge of both arms; the inner hinge."""
+    dyad = group.dyad
+    assert dyad is not None and isinstance(dyad.inner, Revolute) and isinstance(dyad.outer_j, Revolute) and isinstance(dyad.outer_k, Revolute)
+    return ((dyad.link_j, dyad.parent_j, dyad.outer_j.point), (dyad.link_k, dyad.parent_k, dyad.outer_k.point)), dyad.inner.point
+
+
+def _arm(mech: Mechanism, mine: tuple[str, str, str], ray: tuple[str, str, str], inner: str) -> Arm:
+    """The arm from its outer hinge to the inner one, parallel to a ray of a known link (link, start, end)."""
+    (name, parent, pin), (along, start, end) = mine, ray
     own, led = mech.link(name).points, mech.link(along).points
-    turn = (led[end] - led[corner]) / (own[inner] - own[pin])
+    turn = (led[end] - led[start]) / (own[inner] - own[pin])
     return Arm(name, parent, along, mech.link(parent).points[pin], own[pin], turn / abs(turn))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...errors import AssemblyError
 from ...mechanism.branch import margin
-from ...mechanism.model import Prismatic, SideOf
+from ...mechanism.model import Prismatic, Statement
 from ...plane import Points, nominal
 from ...words import Words
 from ..desk import Desk
@@ -15,7 +15,7 @@ from .assembly import HAIR
 Places = dict[str, complex]
 
 
-def choose_way(desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points, Points]) -> tuple[Points, SideOf | None]:
+def choose_way(desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points, Points]) -> tuple[Points, Statement | None]:
     """Of two directions of the guide pinned at Q, whose block is pinned at P, the one that is meant, and the statement that decided.
 
     Raises AssemblyError where neither fulfils the statements, or nothing tells them apart.
@@ -23,7 +23,7 @@ def choose_way(desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points,
     sides = [complex(nominal(way)) for way in ways]
     trials = [_with_way(desk, joint, q, p, way) for way in sides]
     new = set(trials[0]) - set(desk.at)
-    told = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(trials[0]) and {s.point, *s.ref} & new]
+    told = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
     holds = [[margin(s, trial) > 1e-2 * HAIR * desk.mm(desk.mech.scale) for s in told] for trial in trials]
     fits = [all(held) for held in holds]
     if not any(fits):
