@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from generators.__main__ import text_of
-from generators.family import families
-from generators.judge import Kind, judge
 
-EACH = 25
+from tests.generators.__main__ import text_of
+from tests.generators.family import families
+from tests.generators.judge import Kind, judge
+
+EACH = 15
 
 
 @pytest.mark.parametrize("name", [one.name for one in families() if one.name.startswith("linkage")])

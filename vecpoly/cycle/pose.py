@@ -13,7 +13,9 @@ from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.assur import decompose
 from ..mechanism.branch import margin, opposite
-from ..mechanism.model import Mechanism, Revolute, Side, SideOf, Statement
+from ..mechanism.four_bar import fourth_corner
+from ..mechanism.model import Mechanism, Revolute, Shaped, Side, SideOf, Statement
+from ..mechanism.statements import Form
 from ..names import At
 from ..problem.problem import Problem
 
@@ -72,15 +74,33 @@ def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
     yield tuple(_fresh(mech, at, True))
 
 
-def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[SideOf]:
-    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here."""
+def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[Statement]:
+    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here; of a swinging guide some point of it."""
+    known = set(mech.frame) | set(mech.link(mech.drive.link).points)
     for group in decompose(mech):
         pins = [joint.point for joint in group.inner if isinstance(joint, Revolute)]
         outer = tuple(out.joint.point for out in group.outer if isinstance(out.joint, Revolute))
-        for pin in pins:
+        own = {point for name in group.links for point in mech.link(name).points} - known
+        if group.dyad is not None and (corner := fourth_corner(mech, group.dyad)) is not None:
+            yield from _figure(at, (corner, outer[0], pins[0], outer[1]), mech.scale)
+            continue
+        for pin in pins or sorted(own, key=lambda letter: -_aside(at, letter, outer))[:1]:
             refs = [outer] if len(outer) == 2 else [(letter,) for letter in outer]
-            sides = _SIDES[:2] if len(outer) == 2 else _by_reach(at, pin, outer, turned)
+            sides = _SIDES[:2] if len(outer) == 2 and pins else _by_reach(at, pin, outer, turned)
+            refs = refs if pins else [(letter,) for letter in outer[:1]]
             yield from [s for s in (SideOf(point=pin, side=side, ref=ref) for ref, side in product(refs, sides)) if margin(s, at) > 0][:1]
+        known |= own
+
+
+def _figure(at: Places, corners: tuple[str, str, str, str], scale: float) -> Iterator[Statement]:
+    """Parallelogram or antiparallelogram, where it can be told: at a change point it is taken for the former."""
+    parallel = Shaped(corners=corners, form=Form.PARALLELOGRAM)
+    yield parallel if margin(parallel, at) > -NEAR * scale else Shaped(corners=corners, form=Form.ANTIPARALLELOGRAM)
+
+
+def _aside(at: Places, letter: str, outer: tuple[str, ...]) -> float:
+    """How far a point lies from the pin about which it swings."""
+    return abs(at[letter] - at[outer[0]]) if outer else 0.0
 
 
 def _by_reach(at: Places, pin: str, outer: tuple[str, ...], turned: bool) -> tuple[Side, ...]:

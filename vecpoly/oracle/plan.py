@@ -118,8 +118,12 @@ class Plan:
     def is_tight(self) -> bool:
         """Whether a dyad stands so near a change point at the own position that few digits of its rates are left."""
         own = np.array([self.mech.drive.position])
-        return any(isinstance(step, Hinged | Swinging) and step.two and bool(replace(self, steps=self.steps[:i]).fold(step, own)[-1] < TIGHT)
-                   for i, step in enumerate(self.steps))
+        return any(isinstance(step, Hinged | Swinging) and step.two and bool(self._before(i).fold(step, own)[-1] < TIGHT)
+                   for i, step in enumerate(self.steps) if not any(map(is_followed, self.steps[: i + 1])))
+
+    def _before(self, i: int) -> Plan:
+        """The steps before the i-th, none of which needs a path."""
+        return replace(self, steps=self.steps[:i], followed=False)
 
     def closes(self) -> Closes:
         """Whether everything closes, as a function of the drive's positions."""
@@ -168,7 +172,7 @@ def through(plan: Plan) -> Plan:
         if is_followed(step):
             break
         if isinstance(step, Hinged | Swinging) and step.two:
-            before = replace(plan, steps=tuple(steps), followed=False)
+            before = replace(plan, steps=tuple(steps), followed=False)  # these know of their own change points
             places = touches(partial(before.fold, step), low, low + span, scale if drive.slide else 1.0)
             if places:
                 step = replace(step, changes=Changes(drive.position, places, None if drive.slide else span))

@@ -13,6 +13,7 @@ from ..desk import Desk
 from ..registry import Stage, method
 from .assembly import choose, said
 from .cam import tangent_words
+from .parallelogram import step_off
 
 _SOURCE = "机械原理, kinematic diagrams by Assur groups"
 
@@ -22,6 +23,8 @@ _SOURCE = "机械原理, kinematic diagrams by Assur groups"
 def position_rrr(desk: Desk, d: Dyad) -> None:
     """Two arcs: C is where the arc of l_j about P meets the arc of l_k about Q."""
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    if step_off(desk, d):
+        return
     c, p, q, board = d.inner.point, d.outer_j.point, d.outer_k.point, desk.board
     lengths = [abs(desk.body(li).points[c] - desk.body(li).points[o]) for li, o in ((d.link_j, p), (d.link_k, q))]
     bars = desk.bar(d.link_j, p, c), desk.bar(d.link_k, q, c)

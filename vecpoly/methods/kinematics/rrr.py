@@ -13,6 +13,7 @@ from ..desk import QUANTITY, VECTOR, Desk
 from ..registry import Stage, method
 from .chains import letters, solve, turning_chain
 from .image import images_of_link
+from .parallelogram import is_parallelogram, move_parallelogram
 from .terms import symbol
 from .turning import angular_acceleration, angular_velocity
 
@@ -35,6 +36,9 @@ def acceleration_rrr(desk: Desk, d: Dyad) -> None:
 
 def _hinge_group(desk: Desk, view: View, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    if is_parallelogram(desk, d):
+        move_parallelogram(desk, view, d)
+        return
     c = d.inner.point
     desk.board.step(opening(view, c, d.link_j, d.link_k), view)
     hinge_polygon(desk, view, c, (d.outer_j.point, d.link_j), (d.outer_k.point, d.link_k))
