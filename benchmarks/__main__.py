@@ -6,14 +6,16 @@ from . import (
     cold_start,
     course_report,
     cycle,
+    lettering,
     memory,
     oracle_forces,
     oracle_sixbar,
     pencil_hands,
     player,
+    printed_tables,
     report_pages,
 )
 
 if __name__ == "__main__":
-    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, player, cold_start, course_report, memory):
+    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, lettering, printed_tables, player, cold_start, course_report, memory):
         print(module.run(), flush=True)

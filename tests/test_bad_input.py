@@ -125,8 +125,8 @@ CASES = {
         "'1' occurs twice",
         "first in line 5",
     ),
-    "syntax": ("[v_C]", "[v_C", "line 11", "no valid YAML", "expected"),
-    "tab": ("  1: {AB", "\t1: {AB", "line 5", "no valid YAML", "a tab; indent with spaces"),
+    "syntax": ("[v_C]", "[v_C", "line 10", "'['", "not closed"),
+    "tab": ("  1: {AB", "\t1: {AB", "line 5", "column 1", "a tab; indent with spaces"),
     "alias": (
         "1: {AB: 40 mm}",
         "1: &a {AB: 40 mm}\n  4: *a",
@@ -135,7 +135,7 @@ CASES = {
         "write the value out",
     ),
     "id of strange letters": ("id: t", "id: ../t", "line 1", "id", "may hold only"),
-    "second colon": ("title: test", "title: a: b", "line 2", "no valid YAML", "quotes"),
+    "second colon": ("title: test", "title: a: b", "line 2", "a second ':'", "quotes"),
     "text with a comma": ("title: test", "title: {zh: a, en: b, c}", "line 2", "title", "between quotes"),
 }
 

@@ -38,7 +38,7 @@ def test_a_value_read_off_a_drawing_may_be_three_per_cent_off(value: float, verd
 
 
 @pytest.mark.parametrize(("factor", "slip"), [
-    (10.0, "10 times"), (0.001, "0.001 times"), (2 * pi / 60, "r/min"), (1 / (2 * pi), "2π left out"), (2.0, "factor 2"),
+    (10.0, "10 times"), (0.001, "0.001 times"), (2 * pi / 60, "r/min"), (1 / (2 * pi), "2π left out"),
 ])
 def test_the_usual_slips_are_recognised(factor: float, slip: str) -> None:
     checked = check_printed(printed("x", 0.173 * factor, "graphical"), 0.173)
@@ -87,3 +87,23 @@ def test_the_conveyor_lost_two_pi() -> None:
     result = check_problem(load("C-conveyor"))
     assert result.whole is not None and "2π" in result.whole.en
     assert {c.printed.symbol for c in result.answers if c.verdict is Verdict.WRONG} >= {"v_B", "v_E", "a_B", "a_C", "a_E"}
+
+
+@pytest.mark.parametrize(("key", "ratio", "slip"), [("ak_B3B2", 0.5, "the 2 of"), ("v_E", 0.5, None), ("v_E", 2.0, None), ("a_E", 2.0, None)])
+def test_a_factor_2_is_a_slip_only_where_a_formula_has_it(key: str, ratio: float, slip: str | None) -> None:
+    checked = check_printed(printed("x", 0.173 * ratio, "graphical", key=key), 0.173)
+    assert checked.verdict is Verdict.WRONG
+    assert (checked.slip is None) if slip is None else (checked.slip is not None and slip in checked.slip.en)
+
+
+def test_the_rate_of_a_link_that_translates_is_wrong_with_the_reason() -> None:
+    checked = check_printed(printed("2 rad/s", 2.0, key="omega_4"), 1e-17)
+    assert checked.verdict is Verdict.WRONG and checked.exact == 0.0
+    assert checked.slip is not None and "link 4 does not turn here" in checked.slip.en and "构件 4" in checked.slip.zh
+
+
+@pytest.mark.parametrize(("text", "value", "exact", "verdict"), [
+    ("3 rad/s", 3.0, 1.2575, Verdict.WRONG), ("2 rad/s", 2.0, 1.2575, Verdict.ROUNDING), ("1.27 rad/s", 1.27, 1.2575, Verdict.ROUNDING),
+])
+def test_two_units_of_the_last_digit_are_rounding_only_where_they_are_little(text: str, value: float, exact: float, verdict: Verdict) -> None:
+    assert check_printed(printed(text, value, key="omega_2"), exact).verdict is verdict

@@ -120,7 +120,7 @@ def environment(it: Study, made: ForceModel, phi: np.ndarray) -> tuple[dict[str,
     env[made.unknowns[-1]] = statics.wet.load
     largest = np.abs(np.asarray(statics.wet.load))
     for touch in made.touches:
-        index = next(i for i, p in enumerate(statics.system.pairs) if {p.a, p.b} == {touch.a, touch.b} and (p.text.split()[-1] == touch.letter or not p.text.startswith("pin")))
+        index = next(i for i, p in enumerate(statics.system.pairs) if {p.a, p.b} == {touch.a, touch.b} and (p.text.en.split()[-1] == touch.letter or not p.text.en.startswith("pin")))
         pair, units = statics.system.pairs[index], statics.wet.units[index]
         wrench = statics.wet.wrench(statics.system.pairs, index)
         sign = 1 if pair.b == touch.b else -1

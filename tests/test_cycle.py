@@ -388,7 +388,7 @@ def test_the_command_writes_tables_and_plots(run: Run) -> None:
 
 @pytest.mark.parametrize(("words", "said"), [
     (("4-1",), "device"), (("A-27", "--of", "omega_9"), "no link 9"), (("A-27", "-o", "a.doc"), ".csv"), (("A-27", "--plot", "a.gif"), ".svg"),
-    (("A-27", "--path", "F"), "--plot"), (("3-7",), "one problem"), (("A-27", "--of", "R_12"), "loads"), (("A-27", "--step", "0.00001", "-o", "a.csv"), "positions"),
+    (("A-27", "--path", "F"), "--plot"), (("A-27", "--of", "R_12"), "loads"), (("A-27", "--step", "0.00001", "-o", "a.csv"), "positions"),
 ])
 def test_the_command_refuses_in_one_sentence(run: Run, words: tuple[str, ...], said: str) -> None:
     done = run("cycle", *words)

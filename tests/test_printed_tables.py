@@ -6,7 +6,6 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from time import process_time
 
 import numpy as np
 import pytest
@@ -40,14 +39,8 @@ GUIDES = ("phi3_deg", "phi5_deg", "omega5_rad_s", "alpha5_rad_s2", "xD_mm", "aD_
 
 
 @cache
-def timed(problem: str, table: str) -> tuple[TableCheck, float]:
-    start = process_time()
-    check = check_table(load(problem), PRINTED / f"{table}_printed.csv")
-    return check, process_time() - start
-
-
 def checked(problem: str, table: str) -> TableCheck:
-    return timed(problem, table)[0]
+    return check_table(load(problem), PRINTED / f"{table}_printed.csv")
 
 
 def slips(column: ColumnCheck) -> set[Slip]:
@@ -199,11 +192,6 @@ def test_a_table_that_numbers_its_links_otherwise_is_matched_by_its_angles() -> 
     assert [check.column(f"theta{n}_deg").column.target.key for n in (2, 3, 5, 6)] == ["phi_2", "phi_3", "phi_4", "phi_5"]
     assert any("its links 5, 6 are the problem's links 4, 5" in note.en for note in check.notes)
     assert check.column("theta5_deg").column.label.en == "the table's $θ_{5}$ (our $φ_{4}$)"
-
-
-def test_a_table_is_checked_within_five_seconds_of_work() -> None:
-    for problem, table in (("A-16", "A_p16"), ("B-26.5", "B_table_1A")):
-        assert timed(problem, table)[1] < 5.0
 
 
 # -- true tables ------------------------------------------------------------------------------------------------

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
+from math import radians
 from pathlib import Path
 
 import pytest
 from texts import CLASS_III
 
 from vecpoly.errors import AssemblyError, DeadPointError, NoMethodError
+from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import solve
@@ -125,3 +128,28 @@ def test_the_conveyor_at_120_degrees_agrees_with_the_report_s_whole_cycle_table(
     assert answers["omega_3"].drawn == pytest.approx(1.3108645229856541, rel=1e-9)
     assert answers["alpha_3"].drawn == pytest.approx(0.5090096637699539, rel=1e-9)
     assert answers["a_E"].drawn_vector == pytest.approx(0.10418828837077336 - 0.9801714318790871j, rel=1e-9)
+
+
+def test_what_is_replaced_in_python_is_printed_as_it_is() -> None:
+    problem = load("3-9")
+    mech = problem.mechanism
+    longer = replace(mech.link("1"), points={"A": 0j, "B": 0.04 + 0j})
+    faster = replace(mech.drive, rate=-20.0, position=mech.drive.position + radians(30))
+    changed = replace(problem, subject=replace(mech, links=tuple(longer if link.name == "1" else link for link in mech.links), drives=(faster,)))
+    given = {datum.symbol: datum.text for datum in (*changed.given.lengths, *changed.given.motion)}
+    assert given["l_AB"] == "40 mm"
+    assert given["ω_1"] == "20 rad/s cw"
+    assert given["φ_1"] == "75 deg"
+    untouched = {datum.symbol: datum for datum in problem.given.lengths}
+    assert all(datum is untouched[datum.symbol] for datum in changed.given.lengths if datum.symbol != "l_AB")
+    assert changed.solve(by="exact").answers["v_B"].exact == pytest.approx(0.8)
+
+
+def test_data_of_which_nothing_was_replaced_stay_as_they_were_written() -> None:
+    bound = 0
+    for name in LIBRARY:
+        problem = load(name)
+        if isinstance(problem.subject, Mechanism):
+            bound += len(problem.given.bound or ())
+            assert replace(problem, subject=replace(problem.subject)).given == problem.given
+    assert bound > 250

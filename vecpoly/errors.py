@@ -1,14 +1,20 @@
 """One error root; every error also refines the built-in error a Python user would expect.
 
-What is refused is data first: a code, a text in Chinese and in English, the numbers that disagree. `str(error)` is
-the English text; `error.words.of("zh")` the Chinese one.
+What is refused is data first (`Fault`: a code, a place, a path, the numbers that disagree), then a text in Chinese and in
+English. `str(error)` is the English text; `error.words.of("zh")` the Chinese one.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Self
 
 from .words import Words
+
+Path = tuple[str | int, ...]
+Numbers = Mapping[str, str | float]
 
 
 def bilingual(text: Words | str) -> Words:
@@ -16,18 +22,97 @@ def bilingual(text: Words | str) -> Words:
     return text if isinstance(text, Words) else Words.same(text)
 
 
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a key or an item stands, counted from 1; 0 where the line or the column is not known."""
+
+    file: str
+    line: int = 0
+    column: int = 0
+
+    @property
+    def words(self) -> Words:
+        """a.yaml, line 5, column 7."""
+        zh, en = self.file, self.file
+        if self.line:
+            zh, en = f"{zh} 第 {self.line} 行", f"{en}, line {self.line}"
+        if self.column:
+            zh, en = f"{zh}第 {self.column} 列", f"{en}, column {self.column}"
+        return Words(zh, en)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fault:
+    """One thing that is wrong, as data: what kind (`code`), where in which file, at which path, which numbers disagree.
+
+    said: cause and remedy in both languages, the remedy behind the first semicolon.
+    """
+
+    said: Words
+    code: str = "value"
+    place: Place | None = None
+    path: Path = ()
+    numbers: Numbers = field(default_factory=dict)
+
+    @property
+    def words(self) -> Words:
+        """File, line, column, path, cause, remedy in one line."""
+        text = self.said if not self.path else Words(f"{dotted(self.path)}：{self.said.zh}", f"{dotted(self.path)}: {self.said.en}")
+        return text if self.place is None else self.place.words + Words("：", ": ") + text
+
+    @property
+    def remedy(self) -> Words:
+        """What to do; empty where the cause says it."""
+        return Words(self.said.zh.partition("；")[2], self.said.en.partition("; ")[2])
+
+    def as_json(self) -> dict[str, Any]:
+        """Plain data for programs."""
+        at = self.place or Place("")
+        return {
+            "code": self.code, "file": at.file or None, "line": at.line or None, "column": at.column or None,
+            "path": dotted(self.path) or None, "numbers": dict(self.numbers),
+            "zh": self.said.zh, "en": self.said.en, "remedy": {"zh": self.remedy.zh, "en": self.remedy.en},
+        }  # fmt: skip
+
+
+def dotted(path: Path) -> str:
+    """A path as people write it: links.2.F, joints[0]."""
+    text = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
+    return text.removeprefix(".")
+
+
 class VecpolyError(Exception):
     """Anything that vecpoly refuses to do; its text names the culprit, the numbers and the remedy.
 
-    words: the text in both languages. code: what kind of refusal it is, for programs. numbers: symbol -> value as written.
+    words: the text in both languages. code: what kind of refusal it is, for programs; the name of the class where none is given.
+    numbers: symbol -> value as written. faults: the same as data, one for each thing that is wrong.
     """
 
-    def __init__(self, text: Words | str = "", *, code: str = "", numbers: Mapping[str, str | float] | None = None) -> None:
+    def __init__(
+        self, text: Words | str = "", *, code: str = "", numbers: Numbers | None = None, faults: tuple[Fault, ...] = ()
+    ) -> None:
         super().__init__(text)
-        self.words, self.code, self.numbers = bilingual(text), code, dict(numbers or {})
+        self.words, self.code, self.numbers = bilingual(text), code or _kebab(type(self).__name__), dict(numbers or {})
+        self.faults = faults or (Fault(said=self.words, code=self.code, numbers=self.numbers),)
 
     def __str__(self) -> str:
         return self.words.en
+
+    def led_by(self, words: Words) -> Self:
+        """The same refusal with these words in front: the problem, or the file, that it is about."""
+        faults = tuple(fault if fault.place else replace(fault, said=words + fault.said) for fault in self.faults)
+        return type(self)(words + self.words, code=self.code, numbers=self.numbers, faults=faults)
+
+    @classmethod
+    def of(cls, *faults: Fault) -> Self:
+        """One refusal of all these faults, a line each."""
+        zh, en = ("\n".join(fault.words.of(lang) for fault in faults) for lang in ("zh", "en"))
+        return cls(Words(zh, en), code=faults[0].code, numbers=faults[0].numbers, faults=faults)
+
+
+def _kebab(name: str) -> str:
+    """DeadPointError → dead-point."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name.removesuffix("Error")).lower()
 
 
 class ProblemFileError(VecpolyError, ValueError):
@@ -66,17 +151,19 @@ class TableError(VecpolyError, ValueError):
     """A printed table that cannot be read: file, line, column, cause, remedy."""
 
 
-class FaultError(Exception):
+class FaultError(ValueError):
     """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
 
-    def __init__(self, text: Words | str, *path: str | int) -> None:
+    def __init__(self, text: Words | str, *path: str | int, code: str = "value", numbers: Numbers | None = None) -> None:
         super().__init__(text)
-        self.words, self.path = bilingual(text), path
+        self.words, self.path, self.code, self.numbers = bilingual(text), path, code, dict(numbers or {})
 
-    @property
-    def text(self) -> str:
-        """The English text."""
+    def __str__(self) -> str:
         return self.words.en
+
+    def under(self, *path: str | int) -> FaultError:
+        """The same fault, seen from further up in the file."""
+        return FaultError(self.words, *path, *self.path, code=self.code, numbers=self.numbers)
 
 
 class EquilibriumError(VecpolyError, ValueError):

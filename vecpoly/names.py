@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from .errors import UnknownNameError
+from .words import Words
 
 
 class Kind(StrEnum):
@@ -174,9 +175,9 @@ def parse_rel(text: str) -> Rel:
     if m := _VECTOR.match(text):
         ref = At(m[4], m[5] or "") if m[4] else None
         return Rel(Kind(m[1]), At(m[2], m[3] or ""), ref)
-    raise UnknownNameError(
-        f"'{text}' is no symbol; write v_E, a_E, v_CB, an_CB, at_CB, ak_B3B2, omega_2 or alpha_2"
-    )
+    raise UnknownNameError(Words(
+        f"“{text}”不是可识别的符号；应写 v_E、a_E、v_CB、an_CB、at_CB、ak_B3B2、omega_2 或 alpha_2",
+        f"'{text}' is no symbol; write v_E, a_E, v_CB, an_CB, at_CB, ak_B3B2, omega_2 or alpha_2"))
 
 
 def omega(link: str) -> Rel:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from difflib import get_close_matches
 from enum import Enum
 from functools import lru_cache
 from typing import Any
 
 from .errors import FaultError
+from .words import Words
 
 _DEFINITIONS = (
     "meter = [length] = m = metre = 米",
@@ -55,31 +57,34 @@ _COMMON = {
     "kg*m**2": (1.0, "length 2 mass 1"),
     "kg/m**3": (1.0, "length -3 mass 1"),
 }  # spelling: SI factor and dimension
+_USUAL = "mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
 
 
 class Dim(Enum):
-    """A kind of quantity: its name, its dimension, and how one is written."""
+    """A kind of quantity: its name in both languages, its dimension, and how one is written."""
 
-    LENGTH = ("a length", "length 1", "30 mm")
-    ANGLE = ("an angle", "angle 1", "60 deg")
-    OMEGA = ("an angular velocity", "angle 1 time -1", "10 rad/s ccw")
-    ALPHA = ("an angular acceleration", "angle 1 time -2", "5 rad/s^2 ccw")
-    SPEED = ("a velocity", "length 1 time -1", "0.5 m/s")
-    ACCEL = ("an acceleration", "length 1 time -2", "2 m/s^2")
-    MU_L = ("a length scale", "", "0.002 m/mm")
-    MU_V = ("a velocity scale", "time -1", "0.01 (m/s)/mm")
-    MU_A = ("an acceleration scale", "time -2", "0.1 (m/s^2)/mm")
-    MU_F = ("a force scale", "mass 1 time -2", "10 N/mm")
-    FORCE = ("a force", "length 1 mass 1 time -2", "1000 N")
-    MOMENT = ("a moment", "length 2 mass 1 time -2", "20 N*m ccw")
-    MASS = ("a mass", "mass 1", "3 kg")
-    INERTIA = ("a moment of inertia", "length 2 mass 1", "0.02 kg*m^2")
-    DENSITY = ("a density", "length -3 mass 1", "7800 kg/m^3")
-    POWER = ("a power", "length 2 mass 1 time -3", "5 kW")
+    LENGTH = (Words("长度", "a length"), "length 1", "30 mm")
+    ANGLE = (Words("角度", "an angle"), "angle 1", "60 deg")
+    OMEGA = (Words("角速度", "an angular velocity"), "angle 1 time -1", "10 rad/s ccw")
+    ALPHA = (Words("角加速度", "an angular acceleration"), "angle 1 time -2", "5 rad/s^2 ccw")
+    SPEED = (Words("速度", "a velocity"), "length 1 time -1", "0.5 m/s")
+    ACCEL = (Words("加速度", "an acceleration"), "length 1 time -2", "2 m/s^2")
+    MU_L = (Words("长度比例尺", "a length scale"), "", "0.002 m/mm")
+    MU_V = (Words("速度比例尺", "a velocity scale"), "time -1", "0.01 (m/s)/mm")
+    MU_A = (Words("加速度比例尺", "an acceleration scale"), "time -2", "0.1 (m/s^2)/mm")
+    MU_F = (Words("力比例尺", "a force scale"), "mass 1 time -2", "10 N/mm")
+    FORCE = (Words("力", "a force"), "length 1 mass 1 time -2", "1000 N")
+    MOMENT = (Words("力矩", "a moment"), "length 2 mass 1 time -2", "20 N*m ccw")
+    MASS = (Words("质量", "a mass"), "mass 1", "3 kg")
+    INERTIA = (Words("转动惯量", "a moment of inertia"), "length 2 mass 1", "0.02 kg*m^2")
+    DENSITY = (Words("密度", "a density"), "length -3 mass 1", "7800 kg/m^3")
+    POWER = (Words("功率", "a power"), "length 2 mass 1 time -3", "5 kW")
 
     @property
-    def label(self) -> str:
-        return str(self.value[0])
+    def label(self) -> Words:
+        label = self.value[0]
+        assert isinstance(label, Words)
+        return label
 
     @property
     def dimension(self) -> str:
@@ -103,7 +108,7 @@ MOST_ANGLE = 1e6  # rad
 _NUMBER = re.compile(
     r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
 )
-_SENSE = re.compile(r"\s*(?:\b(ccw|cw|counter-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$")
+_SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 _SPELLING = str.maketrans(
     {"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"}
 )
@@ -112,23 +117,27 @@ _SPELLING = str.maketrans(
 def read(text: object, dim: Dim) -> Quantity:
     """A written quantity of this dimension; raises FaultError with what is wrong and how to write it."""
     if not isinstance(text, str):
-        raise FaultError(f"{dim.label} is expected here; write e.g. {dim.example}")
+        raise _refused(Words(f"此处应为{dim.label.zh}", f"{dim.label.en} is expected here"), dim)
     bare, sign = _split_sense(text, dim)
     m = _NUMBER.fullmatch(bare)
     if m is None:
-        raise FaultError(f"'{text}' is not {dim.label}; write e.g. {dim.example}")
+        raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim)
     number, unit = float(m[1].replace("−", "-")), m[2].translate(_SPELLING).replace("^", "**")
     if not math.isfinite(number):
-        raise FaultError(f"'{text}' is not a finite number; write e.g. {dim.example}")
+        raise _refused(Words(f"“{text}”不是有限的数", f"'{text}' is not a finite number"), dim)
     if not unit:
         if number == 0:
             return Quantity(0.0, text)
-        raise FaultError(f"'{text}' has no unit; {dim.label} is needed: write e.g. {_advice(m[1], dim)}")
+        advice = _advice(m[1], dim)
+        raise FaultError(Words(
+            f"“{text}”没有单位，此处应为{dim.label.zh}；如写 {advice}",
+            f"'{text}' has no unit; {dim.label.en} is needed: write e.g. {advice}"), code="no-unit", numbers={"written": text})
     factor, dimension = unit_of(unit)
     if dimension != dim.dimension:
-        raise FaultError(
-            f"'{text}' is not {dim.label}: its unit '{m[2]}' is {_named(dimension)}; write e.g. {dim.example}"
-        )
+        other = _named(dimension)
+        raise _refused(Words(
+            f"“{text}”不是{dim.label.zh}：单位“{m[2]}”属于{other.zh}",
+            f"'{text}' is not {dim.label.en}: its unit '{m[2]}' is {other.en}"), dim, "wrong-unit", text)
     per_mm = 1e-3 if dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
     return Quantity(sign * _sensible(_times(number, factor * per_mm), text, dim), text)
 
@@ -136,7 +145,9 @@ def read(text: object, dim: Dim) -> Quantity:
 def _sensible(si: float, text: str, dim: Dim) -> float:
     """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
     if abs(si) > (MOST_ANGLE if dim is Dim.ANGLE else MOST):
-        raise FaultError(f"'{text}' is too large for {dim.label}; check number and unit, and write e.g. {dim.example}")
+        raise FaultError(Words(
+            f"“{text}”作为{dim.label.zh}过大；请检查数值和单位，如写 {dim.example}",
+            f"'{text}' is too large for {dim.label.en}; check number and unit, and write e.g. {dim.example}"), code="out-of-range")
     return 0.0 if abs(si) < LEAST else si
 
 
@@ -152,7 +163,9 @@ def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     """A quantity greater than zero, such as a link's length."""
     quantity = read(text, dim)
     if quantity.si <= 0:
-        raise FaultError(f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}")
+        raise FaultError(Words(
+            f"“{quantity.text}”应大于零；如写 {dim.example}",
+            f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}"))
     return quantity
 
 
@@ -161,9 +174,13 @@ def pure(text: object, example: str) -> float:
     try:
         number = float(str(text).replace("−", "-"))
     except ValueError:
-        raise FaultError(f"'{text}' is no pure number; write e.g. {example}") from None
+        raise FaultError(Words(
+            f"“{text}”不是纯数；如写 {example}",
+            f"'{text}' is no pure number; write e.g. {example}")) from None
     if not abs(number) <= MOST:
-        raise FaultError(f"'{text}' is not a finite number; write e.g. {example}")
+        raise FaultError(Words(
+            f"“{text}”不是有限的数；如写 {example}",
+            f"'{text}' is not a finite number; write e.g. {example}"))
     return number
 
 
@@ -178,11 +195,19 @@ def unit_by_pint(unit: str) -> tuple[float, str]:
     try:
         quantity = _registry().Quantity(1.0, unit).to_base_units()
     except Exception:  # pint raises many kinds, all of them meaning that the unit cannot be read
-        raise FaultError(
-            f"unit '{unit}' is unknown; known: mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
-        ) from None
+        raise FaultError(Words(f"单位“{unit}”不可识别", f"unit '{unit}' is unknown") + _near(unit), code="unknown-unit") from None
     powers = sorted((name.strip("[]"), power) for name, power in quantity.dimensionality.items())
     return float(quantity.magnitude), " ".join(f"{name} {power:g}" for name, power in powers)
+
+
+def _near(unit: str) -> Words:
+    """'; did you mean rad/s?' of a unit written in other capitals or misspelt; else the units there are."""
+    known = {spelling.replace("**", "^"): spelling for spelling in _COMMON}
+    by_small = {spelling.lower(): spelling for spelling in known}
+    close = get_close_matches(unit.replace("**", "^").lower(), by_small, n=1, cutoff=0.7)
+    if close:
+        return Words(f"；是否指“{by_small[close[0]]}”？", f"; did you mean '{by_small[close[0]]}'?")
+    return Words(f"；可用：{_USUAL}", f"; known: {_USUAL}")
 
 
 @lru_cache(maxsize=1)
@@ -200,16 +225,24 @@ def _split_sense(text: str, dim: Dim) -> tuple[str, float]:
     if m is None:
         return text, 1.0
     if "angle" not in dim.dimension and dim is not Dim.MOMENT:
-        raise FaultError(f"'{text}': {dim.label} has no sense of rotation; write e.g. {dim.example}")
+        raise _refused(Words(f"“{text}”：{dim.label.zh}没有转向", f"'{text}': {dim.label.en} has no sense of rotation"), dim)
     bare = text[: m.start()]
     if bare.lstrip().startswith(("-", "−")):
-        raise FaultError(f"'{text}' has both a minus sign and a sense of rotation; leave out one of them")
-    return bare, -1.0 if (m[1] or m[2]) in ("cw", "clockwise", "顺时针") else 1.0
+        raise FaultError(Words(
+            f"“{text}”既有负号又有转向；请去掉其一",
+            f"'{text}' has both a minus sign and a sense of rotation; leave out one of them"))
+    return bare, -1.0 if (m[1] or m[2]).lower() in ("cw", "clockwise", "顺时针") else 1.0
+
+
+def _refused(cause: Words, dim: Dim, code: str = "value", written: str = "") -> FaultError:
+    """What is wrong, and how a quantity of this kind is written."""
+    numbers = {"written": written} if written else {}
+    return FaultError(cause + Words(f"；如写 {dim.example}", f"; write e.g. {dim.example}"), code=code, numbers=numbers)
 
 
 def _advice(number: str, dim: Dim) -> str:
     return f"{number} {dim.example.split(' ', 1)[1]}"
 
 
-def _named(dimension: str) -> str:
-    return next((dim.label for dim in Dim if dim.dimension == dimension), "of another kind")
+def _named(dimension: str) -> Words:
+    return next((dim.label for dim in Dim if dim.dimension == dimension), Words("其他量", "of another kind"))

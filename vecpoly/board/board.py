@@ -7,20 +7,20 @@ laying off, meeting, measuring and computing here. It is the one mutable object 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from math import asin, degrees
 
 import numpy as np
 
-from ..errors import AssemblyError, DeadPointError, EquilibriumError
+from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
 from ..formula import Node, Row, row
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
 from ..plane.geometry import dot, inclined
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
-from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
+from .construction import Place, Scale, View
 from .hand import Hand
-from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from .log import Log
+from .marks import Arc, Dot, ImageOf, Point, RightAngle, Role, Segment, Vector
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
 NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direction to each other
@@ -28,82 +28,13 @@ PARALLEL = 1e-9  # sine below which two ruled lines do not meet
 GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
 
 
-class Board:
+class Board(Log):
     """One sheet under one hand (and its repetitions)."""
 
     def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
+        super().__init__(scales)
         self.hand = hand
-        self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
-        self.steps: list[Step] = []
-        self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
-        self._titles: dict[Pane, Words] = {}
-        self._section = Words.same("")
-
-    # -- the record -------------------------------------------------------------------------------------------
-
-    def section(self, title: Words) -> None:
-        """Open a part of the solution."""
-        self._section = title
-
-    def step(self, words: Words, view: Place | None = None) -> None:
-        """Open the next numbered step; marks and formulas that follow belong to it."""
-        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
-
-    def remark(self, words: Words) -> None:
-        """Add a sentence to the step."""
-        last = self.steps[-1]
-        self.steps[-1] = replace(last, words=last.words + words)
-
-    def equate(self, table: EquationTable) -> None:
-        """Write a vector equation with its two rows into the step."""
-        self.steps[-1] = replace(self.steps[-1], equation=table)
-
-    def write(self, *formulas: Node) -> None:
-        """Write formulas into the step."""
-        last = self.steps[-1]
-        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
-
-    def mark(self, view: Place, *marks: Mark) -> None:
-        """Leave marks of the step on a figure."""
-        number = len(self.steps)
-        self._marks[view] += [replace(m, step=m.step or number) for m in marks]
-
-    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None) -> Pane:
-        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
-        pane = Pane(view, name)
-        if scale is not None:
-            self.scales[pane] = scale
-        self._titles.setdefault(pane, title)
-        self._marks.setdefault(pane, [])
-        return pane
-
-    def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
-        """The finished figures, those with marks: by kind, then as they were begun."""
-        order = list(View)
-        places = sorted((p for p in self._marks if self._marks[p]), key=lambda p: order.index(view_of(p)))
-        return tuple(
-            Figure(view=view_of(p), title=self._titles[p] if isinstance(p, Pane) else titles[p], name=p.name if isinstance(p, Pane) else "",
-                   scale=self.scale_of(p), marks=tuple(self._marks[p])) for p in places
-        )
-
-    def marks(self, view: Place) -> tuple[Mark, ...]:
-        """What stands on a figure so far."""
-        return tuple(self._marks[view])
-
-    # -- scales -----------------------------------------------------------------------------------------------
-
-    def scale_of(self, place: Place) -> Scale:
-        """The scale of a figure."""
-        return self.scales.get(place) or self.scales[view_of(place)]
-
-    def mu(self, view: Place) -> Quantity:
-        """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
-        scale = self.scale_of(view)
-        return magnitude(scale.symbol, scale.value, scale.per_mm)
-
-    def to_paper(self, view: Place, value: Reals) -> Reals:
-        """A quantity as a length on paper (mm)."""
-        return value / self.scale_of(view).value
+        self._read: dict[frozenset[tuple[complex, ...]], Reals] = {}  # length of every segment that was measured
 
     # -- acts -------------------------------------------------------------------------------------------------
 
@@ -150,15 +81,16 @@ class Board:
         if label:
             self.mark(view, Point(at=end + past * OVERRUN, label=label, dot=Dot.NONE))
 
-    def meet(self, g: Line, h: Line, what: str) -> Points:
-        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked."""
+    def meet(self, g: Line, h: Line, what: Words | str) -> Points:
+        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both start at their meeting point."""
         sine = abs(float(nominal(cross(g.along, h.along))))
         if sine < PARALLEL:
             raise DeadPointError(
-                f"{what}: the two direction lines are parallel, the polygon does not close at one point; this is a dead point "
-                f"or change point, choose another input position"
+                bilingual(what) + Words(
+                "：两方向线平行，多边形不能闭合于一点；此为死点或转折点位置，请另取原动件位置",
+                ": the two direction lines are parallel, the polygon does not close at one point; this is a dead point or change point, choose another input position")
             )
-        if sine < GRAZING:
+        if sine < GRAZING and abs(complex(nominal(g.at - h.at))) > NO_LENGTH:
             angle = degrees(asin(sine))
             self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
         return lines_meet(g, h)
@@ -171,21 +103,22 @@ class Board:
         start = float(np.angle(p - c)) - half
         self.mark(view, Arc(centre=c, radius=size, start=start, sweep=2 * half, role=Role.CONSTRUCTION))
 
-    def arcs(self, c1: Points, r1: Reals, c2: Points, r2: Reals, what: str) -> tuple[Points, Points]:
+    def arcs(self, c1: Points, r1: Reals, c2: Points, r2: Reals, what: Words | str) -> tuple[Points, Points]:
         """Two compass arcs: both meeting points, the one left of c1 → c2 first."""
         a, b = circles_meet(c1, self.hand.carry(r1), c2, self.hand.carry(r2))
         if not np.isfinite(nominal(a)):
             d, s = float(nominal(abs(c2 - c1))), float(nominal(r1)) + float(nominal(r2))
-            raise AssemblyError(f"{what}: the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart "
-                                f"do not meet (sum {s:.2f} mm)")
+            raise AssemblyError(bilingual(what) + Words(
+                f"：半径 {nominal(r1):.2f} mm 与 {nominal(r2):.2f} mm 的两弧圆心相距 {d:.2f} mm，不相交（半径之和 {s:.2f} mm）",
+                f": the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart do not meet (sum {s:.2f} mm)"))
         return a, b
 
-    def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: str) -> tuple[Points, Points]:
+    def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
         """A compass arc on a ruled line: both meeting points, the one further along the line first."""
         a, b = line_circle_meet(line, centre, self.hand.carry(radius))
         if not np.isfinite(nominal(a)):
             gap = abs(float(nominal(cross(line.along, centre - line.at))))
-            raise AssemblyError(f"{what}: an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away")
+            raise AssemblyError(bilingual(what) + Words(f"：半径 {nominal(radius):.2f} mm 的弧达不到相距 {gap:.2f} mm 的直线", f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away"))
         return a, b
 
     def tangent_from(self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points) -> Points:
@@ -195,8 +128,9 @@ class Board:
         """
         away, size = float(nominal(np.abs(x - centre))), float(nominal(radius))
         if away <= max(size * abs(moment), NO_LENGTH):
-            raise EquilibriumError(f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius "
-                                   f"{size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ")
+            raise EquilibriumError(Words(
+                f"作用线须过距摩擦圆圆心 {away:.2f} mm 的一点，而摩擦圆半径为 {size:.2f} mm，该点在圆内，无切线，在此摩擦下不能平衡；请减小 f 或 ρ",
+                f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius {size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ"))
         ahead, behind = inclined(x - centre, moment * radius / np.abs(x - centre))
         return self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
 
@@ -208,8 +142,9 @@ class Board:
         """
         span, arms = np.abs(q - p), moment_p * rho_p + moment_q * rho_q
         if abs(float(nominal(arms))) >= float(nominal(span)):
-            raise EquilibriumError(f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and "
-                                   f"{float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ")
+            raise EquilibriumError(Words(
+                f"两转动副相距 {float(nominal(span)):.2f} mm，摩擦圆半径为 {float(nominal(rho_p)):.2f} mm 和 {float(nominal(rho_q)):.2f} mm，无公切线，力不能经此构件传递；请减小 f 或 ρ",
+                f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and {float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ"))
         u = inclined(q - p, arms / span)[0 if sense > 0 else 1]
         return Line(p - 1j * u * moment_p * rho_p, self.hand.tilt(u))
 
@@ -220,9 +155,11 @@ class Board:
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens."""
-        mm = self.hand.read(np.abs(b - a))
-        return paper(letters_node(letters), mm)
+        """Read a length off the rule (mm): here, and only here, rounding happens. One segment is read once, whoever asks."""
+        ends = frozenset(tuple(np.atleast_1d(at)[:3].tolist()) for at in (a, b))  # what is one place for the first hands is one point
+        if ends not in self._read:
+            self._read[ends] = self.hand.read(np.abs(b - a))
+        return paper(letters_node(letters), self._read[ends])
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..errors import UnknownNameError
 from ..plane import Points, Reals
+from ..words import Words
 
 HandName = Literal["exact", "drafting", "pencil"]
 
@@ -103,6 +104,8 @@ def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
     Raises UnknownNameError for any other name.
     """
     if name not in _SKILLS:
-        raise UnknownNameError(f"no hand is called '{name}'; there are exact, drafting and pencil")
+        raise UnknownNameError(Words(
+            f"没有名为“{name}”的作图手法；可用 exact、drafting、pencil",
+            f"no hand is called '{name}'; there are exact, drafting and pencil"))
     first, others = _SKILLS[name]
     return Hand(name, first, others, repeats, np.random.Generator(np.random.PCG64(seed)))

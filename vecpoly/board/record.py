@@ -10,6 +10,7 @@ from typing import Any
 
 from .. import formula, words
 from ..errors import VecpolyError
+from ..words import Words
 from . import construction, marks
 from .construction import Construction
 
@@ -29,9 +30,11 @@ def from_json(text: str) -> Construction:
     try:
         thing = _thing(json.loads(text))
     except (ValueError, TypeError, KeyError) as error:
-        raise VecpolyError(f"this JSON holds no construction: {error}") from None
+        raise VecpolyError(Words(f"此 JSON 不是作图记录：{error}", f"this JSON holds no construction: {error}")) from None
     if not isinstance(thing, Construction):
-        raise VecpolyError(f"this JSON holds a {type(thing).__name__}, not a construction")
+        raise VecpolyError(Words(
+            f"此 JSON 是 {type(thing).__name__}，不是作图记录",
+            f"this JSON holds a {type(thing).__name__}, not a construction"))
     return thing
 
 

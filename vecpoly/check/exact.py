@@ -18,6 +18,7 @@ from ..mechanism.quantities import given_value, pairs
 from ..names import Kind, Rel, reaction
 from ..problem.asks import AskNamed, AskPoint
 from ..problem.problem import Problem
+from ..words import Words
 from .roles import refuse_wrong_roles
 
 if TYPE_CHECKING:
@@ -58,7 +59,9 @@ class Exact:
         found = self._values()
         for key, value in found.items():
             if not np.isfinite(value):
-                raise NotAskedError(f"{key} has no value with these data; leave it out of `find`, or check the data")
+                raise NotAskedError(Words(
+                    f"由所给数据 {key} 无值；请从 find 中去掉，或检查数据",
+                    f"{key} has no value with these data; leave it out of `find`, or check the data"))
         return found
 
     def _values(self) -> Values:

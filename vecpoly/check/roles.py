@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 from ..errors import EquilibriumError
 from ..mechanism.loads import Force, Load, Loads
 from ..names import At
+from ..words import Words
 
 if TYPE_CHECKING:
     from ..oracle import Motion
     from ..oracle.forces import Forces
 
+ROLES = {"driving": Words("驱动力（矩）", "driving"), "resisting": Words("阻力（矩）", "resisting")}
 NONE = 1e-9  # of the greatest power: no power at all
 
 
@@ -26,9 +28,10 @@ def refuse_wrong_roles(loads: Loads, balance: Forces) -> None:
         power = powers[load.name]
         if load.role and abs(power) > NONE * greatest and (power > 0) != (load.role == "driving"):
             other = "resisting" if load.role == "driving" else "driving"
-            does = "gives power to" if power > 0 else "takes power from"
-            raise EquilibriumError(f"load {load.name} is called {load.role}, but in this position it {does} the mechanism: "
-                                   f"turn round its direction or the motion, or write role: {other}")
+            does = Words("向机构输入功率", "gives power to") if power > 0 else Words("消耗机构的功率", "takes power from")
+            raise EquilibriumError(Words(
+                f"载荷 {load.name} 注明为{ROLES[load.role].zh}，但在此位置它{does.zh}；请改变其方向或运动的转向，或写 role: {other}",
+                f"load {load.name} is called {load.role}, but in this position it {does.en} the mechanism: turn round its direction or the motion, or write role: {other}"))
 
 
 def _size(load: Load, balance: Forces) -> float:

@@ -77,12 +77,16 @@ def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] |
     Raises TableError where the table cannot be read or has nothing to do with the mechanism.
     """
     if isinstance(problem.subject, Device):
-        raise TableError(f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle")
+        raise TableError(Words(
+            f"{problem.id} 是机械装置题，不是作运动的机构，没有整周数据表",
+            f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle"))
     sheet = read_sheet(Path(path))
     table = read_table(sheet, problem, columns or {})
     given = suspect(problem.mechanism, table.positions, table.columns)
     if given is None:
-        raise TableError(f"{problem.id} cannot be assembled, so there is nothing to compare {table.name} with")
+        raise TableError(Words(
+            f"{problem.id} 的机构不能装配，{table.name} 无从比较",
+            f"{problem.id} cannot be assembled, so there is nothing to compare {table.name} with"))
     weighed = [weighed_by(column, given) for column in table.columns]
     told = explained(table.columns, given, weighed)
     checks = tuple(_checked(table, i, weighed, told) for i in range(len(table.columns)))

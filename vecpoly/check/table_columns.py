@@ -74,9 +74,11 @@ def _drive(sheet: Sheet, heading: Heading, drive: Drive, scale: float, notes: li
     values = _values(sheet, heading)
     if not np.isfinite(values).all():
         row = int(np.flatnonzero(~np.isfinite(values))[0])
-        raise TableError(f"{sheet.at(sheet.lines[row], heading.index)}: the position of the drive is missing")
+        raise TableError(sheet.at(sheet.lines[row], heading.index) + Words("：缺少原动件的位置", ": the position of the drive is missing"))
     if (np.ptp(values)) == 0:
-        raise TableError(f"{sheet.name}: the drive stands at {values[0]:g} in every row; its positions must differ")
+        raise TableError(Words(
+            f"{sheet.name}：各行中原动件位置均为 {values[0]:g}；其位置应各不相同",
+            f"{sheet.name}: the drive stands at {values[0]:g} in every row; its positions must differ"))
     unit = heading.unit
     if unit is None:
         large = float(np.abs(values).max()) > (20 * scale if drive.slide else 2 * pi + 0.02)
@@ -135,7 +137,9 @@ def _column(sheet: Sheet, heading: Heading, motion: Motion, notes: list[Words]) 
     assert target is not None
     values, half, exact = _values(sheet, heading), _halves(sheet, heading), target.of(motion)
     if np.isfinite(values).sum() < 3:
-        raise TableError(f"{sheet.name}: column '{heading.text}' has {np.isfinite(values).sum()} numbers; at least 3 are needed")
+        raise TableError(Words(
+            f"{sheet.name}：列“{heading.text}”只有 {np.isfinite(values).sum()} 个数；至少需要 3 个",
+            f"{sheet.name}: column '{heading.text}' has {np.isfinite(values).sum()} numbers; at least 3 are needed"))
     unit = heading.unit or _fitting(target, values, exact)
     if heading.unit is None:
         notes.append(_guessed(heading.text, unit))

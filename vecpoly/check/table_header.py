@@ -13,6 +13,7 @@ from ..mechanism.model import Mechanism
 from ..oracle import Motion
 from ..problem.faults import meant
 from ..units import unit_of
+from ..words import Words
 from .table_sheet import Sheet
 from .table_target import STEMS, Target, is_drive, read_other, read_target
 
@@ -61,7 +62,9 @@ def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: L
     """
     for header in said:
         if header not in sheet.header:
-            raise TableError(f"{sheet.name}: there is no column '{header}'{meant(header, sheet.header)}")
+            raise TableError(Words(
+                f"{sheet.name}：没有列“{header}”",
+                f"{sheet.name}: there is no column '{header}'") + meant(header, sheet.header))
     found, left_out = [], []
     for i, text in enumerate(sheet.header):
         heading = _heading(sheet, i, said.get(text, ""), mech, loads)
@@ -72,12 +75,17 @@ def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: L
     drive = [h for h in found if h.target is None]
     columns = tuple(h for h in found if h.target is not None)
     if not drive:
-        raise TableError(f"{sheet.name}: no column tells the position of the drive; name one phi{mech.drive.link}, or say --columns NAME=phi{mech.drive.link}"
-                         f" (there are: {', '.join(sheet.header)})")
+        raise TableError(Words(
+            f"{sheet.name}：没有给出原动件位置的列；请将一列命名为 phi{mech.drive.link}，或用 --columns 列名=phi{mech.drive.link} 指明（现有：{', '.join(sheet.header)}）",
+            f"{sheet.name}: no column tells the position of the drive; name one phi{mech.drive.link}, or say --columns NAME=phi{mech.drive.link} (there are: {', '.join(sheet.header)})"))
     if len(drive) > 1:
-        raise TableError(f"{sheet.name}: '{drive[0].text}' and '{drive[1].text}' both tell the position of the drive; leave one out with --columns {drive[1].text}=-")
+        raise TableError(Words(
+            f"{sheet.name}：“{drive[0].text}”与“{drive[1].text}”都是原动件位置；请用 --columns {drive[1].text}=- 略去其一",
+            f"{sheet.name}: '{drive[0].text}' and '{drive[1].text}' both tell the position of the drive; leave one out with --columns {drive[1].text}=-"))
     if not columns:
-        raise TableError(f"{sheet.name}: no column holds a quantity to compare; name them phi5, omega5, alpha5, xE, vE, aE, or say --columns NAME=omega_5")
+        raise TableError(Words(
+            f"{sheet.name}：没有可比较的量；请将列命名为 phi5、omega5、alpha5、xE、vE、aE，或用 --columns 列名=omega_5 指明",
+            f"{sheet.name}: no column holds a quantity to compare; name them phi5, omega5, alpha5, xE, vE, aE, or say --columns NAME=omega_5"))
     return Headings(drive=drive[0], columns=columns, left_out=tuple(left_out))
 
 
@@ -110,7 +118,9 @@ def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism, loads: Loads | No
         target = read_other(name, mech, loads) or target
     if target is None:
         if said or get_close_matches(re.sub(r"[_\d]", "", name).lower(), [s for s in STEMS if len(s) > 2], n=1, cutoff=0.75):
-            raise TableError(f"{where}: '{name}' is no quantity; write phi5, omega5, alpha5, xE, vE, vxE, aE, or leave the column out with --columns {text}=-")
+            raise TableError(where + Words(
+                f"：“{name}”不是可识别的量；请写 phi5、omega5、alpha5、xE、vE、vxE、aE，或用 --columns {text}=- 略去此列",
+                f": '{name}' is no quantity; write phi5, omega5, alpha5, xE, vE, vxE, aE, or leave the column out with --columns {text}=-"))
         return None
     return Heading(index=i, text=text, target=target, unit=_unit(unit, target.unit, where), said=bool(said))
 
@@ -120,12 +130,13 @@ def known(sheet: Sheet, heading: Heading, mech: Mechanism, motion: Motion) -> No
     target, where = heading.target, sheet.at(sheet.head_line, heading.index)
     assert target is not None
     if target.of_link and target.of_link not in mech.bodies:
-        raise TableError(f"{where}: there is no link {target.of_link}; known: {', '.join(mech.bodies)}; say which it is, e.g. --columns "
-                         f"{heading.text}={target.on(mech.bodies[-1]).key}")
+        raise TableError(where + Words(
+            f"：没有构件 {target.of_link}；已有：{', '.join(mech.bodies)}；请指明是哪个构件，如 --columns {heading.text}={target.on(mech.bodies[-1]).key}",
+            f": there is no link {target.of_link}; known: {', '.join(mech.bodies)}; say which it is, e.g. --columns {heading.text}={target.on(mech.bodies[-1]).key}"))
     try:
         target.of(motion)
     except VecpolyError as error:
-        raise TableError(f"{where}: {error}") from None
+        raise TableError(where + Words("：", ": ") + error.words) from None
 
 
 def _is_unit(text: str) -> bool:
@@ -141,18 +152,18 @@ def _plain(text: str) -> str:
     return re.sub(r"(?<=[a-z])2$", "^2", text.translate(_SPELLING)).replace("^", "**")
 
 
-def _unit(text: str, si: str, where: str) -> Unit | None:
+def _unit(text: str, si: str, where: Words) -> Unit | None:
     """The unit, checked against the quantity's; None where none is written."""
     if not text:
         return None
     try:
         factor, dimension = unit_of(_plain(text))
     except FaultError as fault:
-        raise TableError(f"{where}: {fault.text}") from None
+        raise TableError(where + Words("：", ": ") + fault.words) from None
     if dimension != unit_of(_plain(si))[1]:
-        raise TableError(f"{where}: the unit '{text}' does not belong to a quantity in {si}")
+        raise TableError(where + Words(f"：单位“{text}”不属于以 {si} 为单位的量", f": the unit '{text}' does not belong to a quantity in {si}"))
     return Unit(name=re.sub(r"(?<=s)\^?2$", "^2", text.replace("²", "2")), factor=factor)
 
 
-def _drive_unit(text: str, mech: Mechanism, where: str) -> Unit | None:
+def _drive_unit(text: str, mech: Mechanism, where: Words) -> Unit | None:
     return _unit(text, "m" if mech.drive.slide else "rad", where)

@@ -38,7 +38,9 @@ class Loops:
     def of(cls, mech: Mechanism, poses: Motion) -> Loops:
         """The lengths of this mechanism at the angles of that motion; TableError where links roll on one another."""
         if any(isinstance(joint, Rolling) for joint in mech.joints):
-            raise TableError("links that roll have no rates apart from their positions")
+            raise TableError(Words(
+                "作纯滚动的构件，其速度、加速度不能与位置分开计算",
+                "links that roll have no rates apart from their positions"))
         driven = {drive.link for drive in mech.drives}
         rows = tuple(r for joint in mech.joints for r in [row(mech, joint, False)] if not {r.a, r.b} <= {*driven, FRAME})
         links = tuple(link.name for link in mech.links if link.name not in driven)

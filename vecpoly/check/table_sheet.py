@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ..errors import TableError
+from ..errors import Place, TableError
 from ..words import Words
 
 FEWEST = 5  # rows below which nothing can be told
@@ -40,9 +40,10 @@ class Sheet:
         """The cells of one column; a blank or a dash is an empty text."""
         return tuple("" if row[i] in _BLANK else row[i] for row in self.rows)
 
-    def at(self, line: int, column: int) -> str:
+    def at(self, line: int, column: int) -> Words:
         """Where a cell stands, for messages."""
-        return f"{self.name}, line {line}, column {column + 1} ('{self.header[column]}')" if self.header[column] else f"{self.name}, line {line}, column {column + 1}"
+        place, name = Place(self.name, line, column + 1).words, self.header[column]
+        return place + Words(f"（{name}）", f" ('{name}')") if name else place
 
     def number(self, i: int, row: int) -> float:
         """The cell as a number; NaN where it is blank; raises TableError with file, line and column."""
@@ -50,7 +51,7 @@ class Sheet:
         if text in _BLANK:
             return float("nan")
         if not is_number(text):
-            raise TableError(f"{self.at(self.lines[row], i)}: '{text}' is not a number")
+            raise TableError(self.at(self.lines[row], i) + Words(f"：“{text}”不是数", f": '{text}' is not a number"))
         return float(text)
 
 
@@ -79,20 +80,26 @@ def read_sheet(path: Path) -> Sheet:
     while len(lines) > 1 and sum(map(bool, lines[0][1])) == 1 < sum(map(bool, lines[1][1])):
         lines.pop(0)  # a title
     if not lines:
-        raise TableError(f"{path.name}: the table is empty")
+        raise TableError(Words(f"{path.name}：表是空的", f"{path.name}: the table is empty"))
     (head_line, header), body = lines[0], _pointed(lines[1:])
     if all(is_number(cell) for cell in header if cell):
-        raise TableError(f"{path.name}, line {head_line}: the first row must name the columns, e.g. phi1, omega5, alpha5")
+        raise TableError(Words(
+            f"{path.name} 第 {head_line} 行：首行应为列名，如 phi1, omega5, alpha5",
+            f"{path.name}, line {head_line}: the first row must name the columns, e.g. phi1, omega5, alpha5"))
     while header and not header[-1]:
         header.pop()
     for line, cells in body:
         if (len(cells) != len(header) and any(cells[len(header) :])) or len(cells) < len(header):
-            raise TableError(f"{path.name}, line {line}: {len(cells)} cells where the header has {len(header)}")
+            raise TableError(Words(
+                f"{path.name} 第 {line} 行：有 {len(cells)} 格，而表头有 {len(header)} 列",
+                f"{path.name}, line {line}: {len(cells)} cells where the header has {len(header)}"))
     units = [""] * len(header)
     if body and not any(is_number(cell) for cell in body[0][1]):
         units = [cell.strip("[]()（） ") for cell in body.pop(0)[1]]
     if len(body) < FEWEST:
-        raise TableError(f"{path.name}: {len(body)} rows of numbers; at least {FEWEST} are needed to compare columns")
+        raise TableError(Words(
+            f"{path.name}：只有 {len(body)} 行数据；比较至少需要 {FEWEST} 行",
+            f"{path.name}: {len(body)} rows of numbers; at least {FEWEST} are needed to compare columns"))
     return Sheet(name=path.name, header=tuple(header), units=tuple(units[: len(header)]), head_line=head_line, title=_title(path),
                  rows=tuple(tuple(cells[: len(header)]) for _, cells in body), lines=tuple(line for line, _ in body))
 
@@ -116,7 +123,7 @@ def _of_text(path: Path) -> Lines:
     try:
         raw = path.read_bytes()
     except OSError as error:
-        raise TableError(f"{path}: {error.strerror or 'cannot be read'}") from None
+        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
     text = _decoded(raw, path.name)
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
     first = max((line for _, line in rows[:3]), key=lambda line: max(map(line.count, _MARKS)), default="")
@@ -133,13 +140,15 @@ def _of_text(path: Path) -> Lines:
 def _decoded(raw: bytes, name: str) -> str:
     marked = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
     if b"\0" in raw and not marked:
-        raise TableError(f"{name} is no table of text; save it as CSV")
+        raise TableError(Words(f"{name} 不是文本表格；请另存为 CSV", f"{name} is no table of text; save it as CSV"))
     for code in ("utf-16",) if marked else ("utf-8-sig", "gb18030"):
         try:
             return raw.decode(code)
         except UnicodeDecodeError:
             continue
-    raise TableError(f"{name} is neither UTF-8 nor GB 18030 text; save it as CSV in UTF-8")
+    raise TableError(Words(
+        f"{name} 的编码既非 UTF-8 也非 GB 18030；请另存为 UTF-8 编码的 CSV",
+        f"{name} is neither UTF-8 nor GB 18030 text; save it as CSV in UTF-8"))
 
 
 def _pointed(lines: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:
@@ -155,13 +164,17 @@ def _of_workbook(path: Path) -> Lines:
     try:
         from openpyxl import load_workbook
     except ImportError:
-        raise TableError(f"{path.name}: to read XLSX files install openpyxl (pip install openpyxl), or save the sheet as CSV") from None
+        raise TableError(Words(
+            f"{path.name}：读取 XLSX 文件需要 openpyxl（pip install openpyxl）；或将工作表另存为 CSV",
+            f"{path.name}: to read XLSX files install openpyxl (pip install openpyxl), or save the sheet as CSV")) from None
     try:
         book = load_workbook(path, read_only=True, data_only=True)
     except OSError as error:
-        raise TableError(f"{path}: {error.strerror or 'cannot be read'}") from None
+        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
     except Exception as error:  # a broken archive fails in many ways
-        raise TableError(f"{path.name} is no readable XLSX file ({error})") from None
+        raise TableError(Words(
+            f"{path.name} 不是可读的 XLSX 文件（{error}）",
+            f"{path.name} is no readable XLSX file ({error})")) from None
     rows = book.worksheets[0].iter_rows(values_only=True)
     return ((n, [_cell(cell) for cell in row]) for n, row in enumerate(rows, 1))
 

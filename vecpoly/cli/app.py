@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated, Any
 
 import typer
@@ -11,28 +12,41 @@ from .check import check
 from .cycle import cycle
 from .demo import demo
 from .draw import draw
-from .errors import REFUSED, tell, told
+from .errors import REFUSED, tell, tell_as, told
 from .exact import exact
+from .help import Command, in_chinese
 from .listing import listing
 from .new import new
+from .options import ErrorsOption, SaidLang
 from .play import play
 from .report import report
 from .schema import schema
 from .solve import solve
 from .terminal import speak_utf8
+from .tongue import speak, tongue
 
 
 class Commands(TyperGroup):
     """All commands under one roof: whatever one of them refuses is told in a line, never in a traceback."""
+
+    def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:
+        """Read the command line, its language first."""
+        speak(args)
+        with told():
+            return super().make_context(info_name, args, parent, **extra)
 
     def invoke(self, ctx: Any) -> Any:
         """Run the command."""
         with told():
             return super().invoke(ctx)
 
+    def get_help(self, ctx: Any) -> str:
+        """The help page."""
+        return in_chinese(self, ctx) if tongue() == "zh" else super().get_help(ctx)
+
 
 app = typer.Typer(
-    cls=Commands, name="vecpoly", no_args_is_help=True, add_completion=False, rich_markup_mode=None,
+    cls=Commands, name="vecpoly", no_args_is_help=True, rich_markup_mode=None,
     pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]},
 )  # fmt: skip
 
@@ -47,24 +61,25 @@ def _version(wanted: bool) -> None:
 
 @app.callback()
 def vecpoly(
+    ctx: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
     ] = False,
+    lang: SaidLang = None,
+    errors: ErrorsOption = "text",
 ) -> None:
     """Velocity, acceleration and force polygons, drawn to scale, from a problem file to a printed report."""
+    if lang is not None:
+        ctx.default_map = {name: {"lang": lang} for name in COMMANDS}
+    tell_as(errors)
 
 
-app.command("solve")(solve)
-app.command("exact")(exact)
-app.command("report")(report)
-app.command("check")(check)
-app.command("cycle")(cycle)
-app.command("draw")(draw)
-app.command("list")(listing)
-app.command("play")(play)
-app.command("new")(new)
-app.command("schema")(schema)
-app.command("demo")(demo)
+COMMANDS: dict[str, Callable[..., None]] = {
+    "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "list": listing, "play": play,
+    "new": new, "schema": schema, "demo": demo,
+}  # fmt: skip
+for _name, _command in COMMANDS.items():
+    app.command(_name, cls=Command)(_command)
 
 
 def main() -> None:

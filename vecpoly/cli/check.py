@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ..errors import UnknownNameError
+from ..words import Words
 from .check_table import check_table_of, columns_said
+from .completion import ids
 from .errors import DISAGREES, Tally, about
 from .files import write_json
 from .jobs import problems
-from .options import ColumnsOption, JsonOption, Lang, LangOption, Problems, TableOption
+from .options import ColumnsOption, JsonOption, Lang, LangOption, TableOption
 from .terminal import add, progress, show, table
 from .wording import bare, beside, number, percent, symbol, unit
 
@@ -27,23 +31,31 @@ _COLUMNS = {
 _NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
 
 
-def check(names: Problems, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en") -> None:
+Claimed = Annotated[
+    list[str],
+    typer.Argument(metavar="ID_OR_FILE... [SYMBOL=VALUE...]", help="The problems, and printed answers such as v_D=0.49.", show_default=False, autocompletion=ids),
+]
+
+
+def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en") -> None:
     """Check printed answers, or a printed table, against exact values.
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies
     are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are compared.
+    Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 rad/s".
 
     Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """
     said = columns_said(columns)
-    found = problems(names)
+    tally = Tally()
+    found = _found(names, tally)
     if table_file is not None:
+        tally.settle()
         check_table_of(found, table_file, said, json, lang)
         return
     from ..check.printed import check_problem
     from ..check.verdict import Verdict
 
-    tally = Tally()
     checked: list[tuple[Problem, PrintedCheck]] = []
     for problem in progress(found, "checking"):
         with tally.job(), about(problem.id):
@@ -51,12 +63,30 @@ def check(names: Problems, table_file: TableOption = None, columns: ColumnsOptio
     if json != "-":
         for problem, result in checked:
             _print(problem, result, lang)
-    if json is not None and not tally.failed:
+    if json is not None and checked:
         data = [_as_json(problem, result) for problem, result in checked]
-        write_json(data if len(names) > 1 else data[0], json)
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
     if any(line.verdict is Verdict.WRONG for _, result in checked for line in result.answers):
         raise typer.Exit(DISAGREES)
+
+
+def _found(names: list[str], tally: Tally) -> list[Problem]:
+    """The problems named; printed answers beside one of them stand in place of its own."""
+    claims = [name for name in names if "=" in name and not Path(name).exists()]
+    if not claims:
+        return problems(names, tally)
+    from ..problem.claimed import load_claimed
+
+    rest = [name for name in names if name not in claims]
+    if len(rest) != 1:
+        raise UnknownNameError(Words(
+            f"{'、'.join(claims)} 是哪道题的答案？题目与答案同写时只写一道题，这里有 {len(rest)} 道",
+            f"of which problem is {', '.join(claims)} the answer? name one problem beside answers; here are {len(rest)}"))
+    with tally.job():
+        return [load_claimed(rest[0], claims)]
+    tally.settle()
+    return []
 
 
 def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
@@ -78,7 +108,7 @@ def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
 def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
     printed, name = line.printed, _unit(line.printed)
     text = printed.text if printed.paper_mm is None else f"{printed.text} = {beside(number(printed.value), name)}"
-    gap = percent(line.deviation) if isfinite(line.deviation) else "∞"
+    gap = percent(line.deviation) if isfinite(line.deviation) else "—"  # of an exact zero
     return (
         symbol(printed.symbol), text, beside(number(line.exact), name), gap, line.verdict.words.of(lang),
         bare(line.slip.of(lang)) if line.slip else "",

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..errors import TableError
+from ..words import Words
 from .errors import DISAGREES, about
 from .files import write_json
 from .options import Lang
@@ -36,7 +37,9 @@ def columns_said(texts: Sequence[str] | None) -> dict[str, str]:
     for text in (part.strip() for one in texts or () for part in one.split(",") if part.strip()):
         header, equals, meaning = text.partition("=")
         if not (equals and header.strip() and meaning.strip()):
-            raise TableError(f"--columns {text}: write HEADER=MEANING, e.g. phi_5=rad, w3=omega_4, remarks=-")
+            raise TableError(Words(
+                f"--columns {text}：应写作 列名=含义，如 phi_5=rad, w3=omega_4, remarks=-",
+                f"--columns {text}: write HEADER=MEANING, e.g. phi_5=rad, w3=omega_4, remarks=-"))
         said[header.strip()] = meaning.strip()
     return said
 
@@ -46,7 +49,9 @@ def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, s
     from ..check.table import check_table
 
     if len(problems) != 1:
-        raise TableError(f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}")
+        raise TableError(Words(
+            f"一张表只与一道题比较；这里给出 {len(problems)} 道：{', '.join(one.id for one in problems)}",
+            f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}"))
     with about(problems[0].id):
         checked = check_table(problems[0], path, said)
     if json != "-":

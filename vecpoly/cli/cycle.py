@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from math import ceil, degrees, floor, isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,11 +11,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..errors import NotAskedError, UnknownNameError, VecpolyError
+from ..words import Words
+from .completion import ids
 from .errors import Tally, about
 from .files import write_bytes
-from .jobs import problems
+from .jobs import each, problems
 from .options import Lang, LangOption
-from .terminal import add, say, show, table
+from .terminal import add, show, table, wrote
 from .wording import bare, number, unit
 
 if TYPE_CHECKING:
@@ -30,7 +33,7 @@ _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
 }
 
-Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as A-27, or a file.", show_default=False)]
+Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as A-27, or a file.", show_default=False, autocompletion=ids)]
 Count = Annotated[int, typer.Option("-n", min=2, max=MOST, help="Number of positions, both ends included.")]
 Step = Annotated[float | None, typer.Option("--step", min=1e-6, max=1e6, help="Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).", show_default=False)]
 Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
@@ -46,49 +49,51 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
     _checked(output, TABLES)
     _checked(plot, PLOTS)
     if path and hodograph:
-        raise NotAskedError("--path and --hodograph are two drawings: ask for one of them")
+        raise NotAskedError(Words(
+            "--path 与 --hodograph 是两种图；请只取其一",
+            "--path and --hodograph are two drawings: ask for one of them"))
     if (path or hodograph) and plot is None:
-        raise NotAskedError("--path and --hodograph are drawings: say where to with --plot FILE")
-    (problem,) = _one(problems([name]))
+        raise NotAskedError(Words(
+            "--path 与 --hodograph 用于绘图；请用 --plot 文件 指明输出",
+            "--path and --hodograph are drawings: say where to with --plot FILE"))
+    tally = Tally()
+    found = problems([name], tally)
     from ..cycle import cycle as whole
 
-    with about(problem.id):
-        turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
-        keys = tuple(part.strip() for part in of.split(",") if part.strip())
-        for key in keys:
-            turn.info(key)
-        if output is not None:
-            _write(turn, keys, output, lang)
-        if plot is not None:
-            drawn = _drawn(turn, problem, keys, path, hodograph, lang)
-            data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}[plot.suffix.lower()]()
-            say(f"wrote {write_bytes(plot, data)}")
-        if output is None and plot is None:
-            _print(turn, problem, keys, lang)
-        _weigh(problem, lang)
+    keys = tuple(part.strip() for part in of.split(",") if part.strip())
+    for problem in found:
+        with tally.job(), about(problem.id):
+            turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
+            for key in keys:
+                turn.info(key)
+            if output is not None:
+                _write(turn, keys, each(output, problem.id, len(found)) if output != STDOUT else output, lang)
+            if plot is not None:
+                _plot(_drawn(turn, problem, keys, path, hodograph, lang), each(plot, problem.id, len(found)))
+            if output is None and plot is None:
+                _print(turn, problem, keys, lang)
+            _weigh(problem, lang, tally)
+    tally.settle()
 
 
-def _weigh(problem: Problem, lang: Lang) -> None:
+def _plot(drawn: Plot, path: Path) -> None:
+    data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}[path.suffix.lower()]()
+    wrote(write_bytes(path, data))
+
+
+def _weigh(problem: Problem, lang: Lang, tally: Tally) -> None:
     """Raise the alarm where the drawing of the problem's own position contradicts the analysis that the cycle goes by."""
     from ..solution import solve
 
-    tally = Tally()
-    try:
+    with suppress(VecpolyError):  # no method draws it: there is nothing to compare with
         tally.weigh(problem.id, solve(problem, by="exact", repeats=0).construction.warning, lang)
-    except VecpolyError:
-        return  # no method draws it: there is nothing to compare with
-    tally.settle()
 
 
 def _checked(path: Path | None, endings: tuple[str, ...]) -> None:
     if path is not None and path.suffix.lower() not in endings and not (path == STDOUT and endings is TABLES):
-        raise UnknownNameError(f"{path}: can be {', '.join(endings)}; end the file's name with one of these")
-
-
-def _one(found: list[Problem]) -> list[Problem]:
-    if len(found) != 1:
-        raise UnknownNameError(f"one problem at a time; these are {', '.join(problem.id for problem in found)}")
-    return found
+        raise UnknownNameError(Words(
+            f"{path}：可写的格式为 {', '.join(endings)}；请使用其中一种扩展名",
+            f"{path}: can be {', '.join(endings)}; end the file's name with one of these"))
 
 
 def _multiples(turn: Cycle, step: float) -> list[float]:
@@ -97,10 +102,14 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
     first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
     count = last - first + 1
     if count > MOST:
-        raise NotAskedError(f"a step of {step:g} makes {count} positions; at most {MOST} are possible")
+        raise NotAskedError(Words(
+            f"步长 {step:g} 产生 {count} 个位置；至多 {MOST} 个",
+            f"a step of {step:g} makes {count} positions; at most {MOST} are possible"))
     if count < 2:
         low, high = turn.low * factor, turn.high * factor
-        raise NotAskedError(f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step")
+        raise NotAskedError(Words(
+            f"步长 {step:g} 在 {low:.6g} … {high:.6g} {turn.drive.shown_unit} 内不足 2 个位置；请减小步长",
+            f"a step of {step:g} makes fewer than 2 positions within {low:.6g} … {high:.6g} {turn.drive.shown_unit}; take a finer step"))
     return [k * step / factor for k in range(first, last + 1)]
 
 
@@ -109,7 +118,7 @@ def _write(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> None
     if output == STDOUT:
         typer.echo(data.decode(), nl=False)
     else:
-        say(f"wrote {write_bytes(output, data)}")
+        wrote(write_bytes(output, data))
 
 
 def _encoded(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> bytes:

@@ -11,7 +11,7 @@ from .jobs import job
 from .options import Lang
 from .play import play
 from .report import draw, report, write
-from .terminal import progress, say
+from .terminal import progress, wrote
 
 ASSIGNMENTS = ("assignment-ch2", "assignment-ch3", "assignment-ch4", "assignment-ch5")
 COURSE, PLAYED = "A-27", "3-9"
@@ -27,7 +27,7 @@ def demo(output: Folder = Path("out")) -> None:
         sheet = job(str(data_dir("problems") / f"{name}.yaml"))
         solutions = draw(progress(sheet.problems, f"drawing {name}"), "drafting", 0)
         for lang in LANGS:
-            say(f"wrote {write(sheet, solutions, output / f'{name}.{lang}.pdf', lang, 'solution')}")
+            wrote(write(sheet, solutions, output / f'{name}.{lang}.pdf', lang, 'solution'))
     for lang in LANGS:
         report([COURSE], output / f"course-{COURSE}.{lang}.pdf", lang, "course")
     play(PLAYED, output / f"play-{PLAYED}.html")

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..errors import UnknownNameError
+from ..words import Words
+from .completion import ids
 from .errors import Tally, about
 from .files import write_bytes
-from .jobs import problems
+from .jobs import each, problems
 from .options import HandOption, Lang, LangOption, OutOption, SeedOption
-from .terminal import say
+from .terminal import wrote
 
 if TYPE_CHECKING:
     from ..board.construction import Construction, Place
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 
 SHEET = "sheet"
 FORMATS = (".svg", ".png", ".pdf")
-Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="The problem: an id such as 3-9, or a file.", show_default=False)]
+Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as 3-9, or a file.", show_default=False, autocompletion=ids)]
 FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
                                            "force:3; sheet is the whole A4 page.")]
 Dpi = Annotated[float, typer.Option("--dpi", min=10, max=1200, help="Resolution of a PNG.")]
@@ -42,17 +44,19 @@ def draw(
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     if path.suffix.lower() not in FORMATS:
-        raise UnknownNameError(f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these")
-    (problem,) = problems([name])
+        raise UnknownNameError(Words(
+            f"{path}：可绘的格式为 {', '.join(FORMATS)}；请使用其中一种扩展名",
+            f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these"))
+    tally = Tally()
+    found = problems([name], tally)
     from ..solution import solve
 
-    tally = Tally()
-    with about(problem.id):
-        solution = solve(problem, by=hand, seed=seed, repeats=0)
-        pages = scenes(solution, figure, lang)
-    for target, data in encoded(pages, path, dpi):
-        say(f"wrote {write_bytes(target, data)}")
-    tally.weigh(problem.id, solution.construction.warning, lang)
+    for problem in found:
+        with tally.job(), about(problem.id):
+            solution = solve(problem, by=hand, seed=seed, repeats=0)
+            for target, data in encoded(scenes(solution, figure, lang), each(path, problem.id, len(found)), dpi):
+                wrote(write_bytes(target, data))
+            tally.weigh(problem.id, solution.construction.warning, lang)
     tally.settle()
 
 
@@ -69,7 +73,9 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     drawn = None if place is None else solution.construction.figure(place)
     if drawn is None:
         there = ", ".join([*named(solution.construction), SHEET])
-        raise UnknownNameError(f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}")
+        raise UnknownNameError(Words(
+            f"{solution.problem.id} 没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
+            f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 

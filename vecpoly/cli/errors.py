@@ -5,22 +5,35 @@ What was drawn and is contradicted by the analysis is told in red, with an exit 
 
 from __future__ import annotations
 
+import errno
+import json
 import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from ..errors import VecpolyError
+from ..errors import Fault, VecpolyError
+from ..words import Words
+from .tongue import told_in, tongue
+from .usage import UsageError, in_chinese
 from .wording import bare
 
 if TYPE_CHECKING:
-    from ..words import Lang, Words
+    from ..words import Lang
 
 DISAGREES, REFUSED, SUSPECT, INTERRUPTED = 1, 2, 3, 130
+Form = Literal["text", "json"]
+_FORM: ContextVar[Form] = ContextVar("form", default="text")  # for the length of one command
+_SYSTEM = {
+    errno.ENOENT: "没有此文件或文件夹", errno.EACCES: "没有权限", errno.EPERM: "没有权限", errno.EEXIST: "已存在，不会覆盖；请换一个名称",
+    errno.EISDIR: "是文件夹；请给出其中的文件名", errno.ENOTDIR: "是文件而不是文件夹；请另选位置", errno.ENOSPC: "磁盘已满",
+    errno.EROFS: "是只读的", errno.ENAMETOOLONG: "名称过长",
+}  # fmt: skip
 
 
 @contextmanager
@@ -35,8 +48,13 @@ def told() -> Iterator[None]:
     except (VecpolyError, OSError) as error:
         tell(error)
         raise typer.Exit(REFUSED) from None
+    except UsageError as error:
+        if tongue() != "zh":
+            raise
+        typer.echo(in_chinese(error), err=True)
+        raise typer.Exit(REFUSED) from None
     except KeyboardInterrupt:
-        typer.echo("vecpoly: interrupted", err=True)
+        typer.echo(told_in(Words("vecpoly: 已中断", "vecpoly: interrupted")), err=True)
         raise typer.Exit(INTERRUPTED) from None
 
 
@@ -46,20 +64,37 @@ def about(problem: str) -> Iterator[None]:
     try:
         yield
     except VecpolyError as error:
-        raise type(error)(f"{problem}: {error}") from None
+        raise error.led_by(Words(f"{problem}：", f"{problem}: ")) from None
+
+
+def tell_as(form: Form) -> None:
+    """How what is refused is told from now on, in this command."""
+    _FORM.set(form)
 
 
 def tell(error: Exception) -> None:
-    """One line on stderr for each thing that is wrong."""
-    for line in worded(error).splitlines():
+    """One line on stderr for each thing that is wrong; or one line of JSON, for programs."""
+    if _FORM.get() == "json":
+        typer.echo(json.dumps(as_json(error), ensure_ascii=False), err=True)
+        return
+    for line in told_in(worded(error)).splitlines():
         typer.echo(f"vecpoly: {line}", err=True)
 
 
-def worded(error: Exception) -> str:
+def as_json(error: Exception) -> dict[str, Any]:
+    """A refusal as plain data: its kind, and each fault with code, place, path, numbers, texts and remedy."""
+    faults = error.faults if isinstance(error, VecpolyError) else (Fault(said=worded(error), code="file"),)
+    return {"error": type(error).__name__, "faults": [fault.as_json() for fault in faults]}
+
+
+def worded(error: Exception) -> Words:
     """What went wrong, with the file's name where there is one."""
+    if isinstance(error, VecpolyError) and str(error):
+        return error.words
     if isinstance(error, OSError) and error.strerror:
-        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    return str(error) or type(error).__name__
+        at = Words(f"{error.filename}：", f"{error.filename}: ") if error.filename else Words.same("")
+        return at + Words(_SYSTEM.get(error.errno or 0, error.strerror), error.strerror)
+    return Words.same(str(error) or type(error).__name__)
 
 
 def _hush() -> None:

@@ -11,7 +11,7 @@ from .errors import Tally, about
 from .files import write_json
 from .jobs import problems
 from .options import JsonOption, Lang, LangOption, Problems
-from .terminal import add, progress, show, table
+from .terminal import add, progress, say, show, table
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
@@ -23,11 +23,11 @@ _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact
 
 def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
     """Print the analytic answers, without a drawing."""
-    found = problems(names)
+    tally = Tally()
+    found = problems(names, tally)
     from ..check.exact import Exact
     from ..check.precision import noise, sizes
 
-    tally = Tally()
     data: list[dict[str, Any]] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
@@ -37,8 +37,8 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> 
             data.append({"id": problem.id, "answers": {key: _plain(rels[key], value) | _line(lines.get(key)) for key, value in values.items()}})
             if json != "-":
                 _print(problem, values, lang)
-    if json is not None and not tally.failed:
-        write_json(data if len(found) > 1 else data[0], json)
+    if json is not None and data:
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
 
@@ -72,3 +72,7 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
             size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−")
         add(made, (symbol(ask.rel.key), size, unit(ask.rel.unit), way))
     show(made)
+    if not problem.asks:
+        from ..problem.hints import nothing_asked
+
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")

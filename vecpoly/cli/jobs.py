@@ -1,4 +1,4 @@
-"""From what stands on the command line to problems, with every bad name told before any work is done."""
+"""From what stands on the command line to problems: what cannot be read is told at the end, and does not stop the others."""
 
 from __future__ import annotations
 
@@ -24,28 +24,25 @@ class Job:
     fields: Mapping[str, str] | None = None
 
 
-def problems(names: Sequence[str]) -> list[Problem]:
-    """All problems named."""
-    from ..problem.load import load
-
-    tally = Tally()
-    found = []
-    for name in _parts(names):
-        with tally.job():
-            found.append(load(name))
-    tally.settle()
-    return found
+def problems(names: Sequence[str], tally: Tally) -> list[Problem]:
+    """All problems named, those of assignments among them; the tally keeps what cannot be read, and tells it at once where nothing can."""
+    return [problem for job in jobs(names, tally) for problem in job.problems]
 
 
-def jobs(names: Sequence[str]) -> list[Job]:
+def jobs(names: Sequence[str], tally: Tally) -> list[Job]:
     """All documents named: a problem by id or file, an assignment by file."""
-    tally = Tally()
     found: list[Job] = []
     for name in _parts(names):
         with tally.job():
             found.append(job(name))
-    tally.settle()
+    if not found:
+        tally.settle()
     return found
+
+
+def each(path: Path, name: str, count: int) -> Path:
+    """Where the output of one of several problems goes: table-3-9.csv."""
+    return path if count < 2 else path.with_name(f"{path.stem}-{name}{path.suffix}")
 
 
 def _parts(names: Sequence[str]) -> list[str]:

@@ -8,10 +8,12 @@ from typing import Annotated
 
 import typer
 
+from ..words import Words
 from .files import parent_of
 from .terminal import say
+from .tongue import told_in
 
-_ID = re.compile(r"[A-Za-z0-9][\w.\-]*", re.ASCII)
+_ID = re.compile(r"\w[\w.\-]*")
 _ID_LINE = re.compile(r"^id:[ \t]*[\w.\-'\"]+", re.M)
 _STEM = "my-problem"
 Like = Annotated[str | None, typer.Option("--like", metavar="ID", help="Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.", show_default=False)]
@@ -29,7 +31,7 @@ def new(path: NewFile, like: Like = None) -> None:
             file.write(text)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
-    say(f"wrote {target}; now try: vecpoly solve {target}")
+    say(told_in(Words(f"已写入 {target}；可接着运行：vecpoly solve {target}", f"wrote {target}; now try: vecpoly solve {target}")))
 
 
 def _start(target: Path) -> str:

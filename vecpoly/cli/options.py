@@ -7,13 +7,17 @@ from typing import Annotated, Literal
 
 import typer
 
+from .completion import ids
+
 Lang = Literal["zh", "en"]
 Hand = Literal["exact", "drafting", "pencil"]
 Style = Literal["solution", "question", "course"]
 
 Problems = Annotated[
-    list[str], typer.Argument(metavar="ID_OR_PATH...", help="Problems: ids such as 3-9, or problem files.", show_default=False)
+    list[str],
+    typer.Argument(metavar="ID_OR_FILE...", help="Problems or assignments: ids such as 3-9, or files.", show_default=False, autocompletion=ids),
 ]
+Documents = Problems
 HandOption = Annotated[
     Hand, typer.Option("--hand", help="How accurately is drawn: exact; drafting (0.1 mm); pencil (0.5 mm, with scatter).")
 ]
@@ -27,14 +31,15 @@ ColumnsOption = Annotated[
                  help="What columns of the table hold: phi_5=rad, w3=omega_4, V=v_E[mm/s], remarks=- (left out)."),
 ]
 LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help="Chinese or English.")]
+SaidLang = Annotated[Lang | None, typer.Option("--lang", help="Chinese or English.", show_default=False)]
+ErrorsOption = Annotated[
+    Literal["text", "json"],
+    typer.Option("--errors", envvar="VECPOLY_ERRORS", help="How what is refused is told: as text, or as JSON, a line each, for programs."),
+]
 JsonOption = Annotated[
     str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON to this file, or to stdout with -.", show_default=False)
 ]
 StyleOption = Annotated[Style, typer.Option("--style", help="The solution; the question with blank frames to draw in; or the course report over the whole cycle.")]
 OutOption = Annotated[
     Path | None, typer.Option("-o", "--output", help="File or folder to write; missing folders are made.", show_default=False)
-]
-Documents = Annotated[
-    list[str],
-    typer.Argument(metavar="ID_OR_FILE...", help="Problems or assignments: ids such as 3-9, or files.", show_default=False),
 ]

@@ -6,12 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import NoMethodError, VecpolyError
+from ..errors import NoMethodError, UnknownNameError, VecpolyError
+from ..words import Words
 from .errors import Tally, about
 from .files import named
 from .jobs import Job, jobs
 from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
-from .terminal import progress, say
+from .terminal import progress, wrote
 
 if TYPE_CHECKING:
     from ..problem.problem import Problem
@@ -31,16 +32,25 @@ def report(
     With -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem or assignment gets a file there.
     Without -o the files are written here.
     """
-    plan = _plan(jobs(names), output, lang, style)
+    _checked(output)
     tally = Tally()
+    plan = _plan(jobs(names, tally), output, lang, style)
     for job, path in progress(plan, "writing"):
         with tally.job():
             inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
-            say(f"wrote {write(job, solutions, path, lang, style)}")
+            wrote(write(job, solutions, path, lang, style))
             for solution in solutions:
                 tally.weigh(solution.problem.id, solution.construction.warning, lang)
     tally.settle()
+
+
+def _checked(output: Path | None) -> None:
+    """Refuse base.docx: neither a PDF nor, by its looks, a folder."""
+    if output is not None and output.suffix[1:2].isalpha() and output.suffix.lower() != ".pdf" and not output.is_dir():
+        raise UnknownNameError(Words(
+            f"{output}：报告是 PDF；请用 .pdf 结尾的文件名，或已有的文件夹",
+            f"{output}: a report is a PDF; end the file's name with .pdf, or name a folder that exists"))
 
 
 def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "solution") -> list[Solution]:
@@ -88,7 +98,9 @@ def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -
     for job in found:
         path = (output or Path()) / f"{job.name}{ending}"
         if path in plan:
-            raise VecpolyError(f"two of the documents would be written to {path}; change the id of one of the problems")
+            raise VecpolyError(Words(
+                f"有两份文档都要写入 {path}；请更改其中一题的 id",
+                f"two of the documents would be written to {path}; change the id of one of the problems"))
         plan[path] = job
     return [(job, path) for path, job in plan.items()]
 

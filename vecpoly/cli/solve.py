@@ -32,10 +32,10 @@ def solve(
     lang: LangOption = "en",
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
-    found = problems(names)
+    tally = Tally()
+    found = problems(names, tally)
     from ..solution import solve as solved
 
-    tally = Tally()
     solutions: list[Solution] = []
     for problem in progress(found, "solving"):
         with tally.job(), about(problem.id):
@@ -44,13 +44,14 @@ def solve(
         tally.weigh(solution.problem.id, solution.construction.warning, lang)
         if json != "-":
             _print(solution, lang)
-    if json is not None and not tally.failed:
+    if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]
-        write_json(data if len(found) > 1 else data[0], json)
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
 
 def _print(solution: Solution, lang: Lang) -> None:
+    from ..problem.hints import nothing_asked
     from ..solution import fewer_digits
 
     problem = solution.problem
@@ -64,5 +65,7 @@ def _print(solution: Solution, lang: Lang) -> None:
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
         ), alarmed=answer.suspect is not None)  # fmt: skip
     show(made)
+    if not problem.asks:
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
     if (few := fewer_digits(solution)) is not None:
         say(bare(few.of(lang)))

@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
 
+from ..words import Words
+from .tongue import told_in
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -71,3 +74,8 @@ def progress(items: Sequence[T], doing: str) -> Iterator[T]:
 def say(text: str) -> None:
     """A remark that is not part of the output."""
     typer.echo(text, err=True)
+
+
+def wrote(path: object) -> None:
+    """That a file was written."""
+    say(told_in(Words(f"已写入 {path}", f"wrote {path}")))

@@ -25,11 +25,13 @@ def hodograph(cycle: Cycle, key: str, lang: Lang = "zh", *, width: float = 90.0,
     """
     info = cycle.info(key)
     if not info.is_vector:
-        raise NotAskedError(f"{key} is no vector: a hodograph needs one, such as v_E or a_E")
+        raise NotAskedError(Words(
+            f"{key} 不是矢量，不能作矢端图；请用 v_E 或 a_E 之类的量",
+            f"{key} is no vector: a hodograph needs one, such as v_E or a_E"))
     values = info.factor * np.asarray(cycle.column(key), np.complex128)
     known = values[np.isfinite(values)]
     if not known.size:
-        raise NotAskedError(f"{key} has no value in any position")
+        raise NotAskedError(Words(f"{key} 在任何位置都无值", f"{key} has no value in any position"))
     low = complex(min(known.real.min(), 0.0), min(known.imag.min(), 0.0))
     high = complex(max(known.real.max(), 0.0), max(known.imag.max(), 0.0))
     labels = tuple(style.axis_label(cycle.info(f"{key}.{part}").symbol, info.shown_unit) for part in "xy")

@@ -55,14 +55,18 @@ def _drive_label(drive: Column, lang: Lang) -> str:
 
 def _grouped(cycle: Cycle, keys: tuple[str, ...]) -> list[list[Column]]:
     if not keys:
-        raise NotAskedError("no quantity is named: say which curves to draw, such as omega_3,alpha_3")
+        raise NotAskedError(Words(
+            "未指定要绘的量；请指明，如 omega_3,alpha_3",
+            "no quantity is named: say which curves to draw, such as omega_3,alpha_3"))
     groups: dict[str, list[Column]] = {}
     for key in dict.fromkeys(keys):
         info = cycle.info(key)
         groups.setdefault(info.shown_unit, []).append(cycle.info(f"{key}.abs") if info.is_vector else info)
     for group in groups.values():
         if len(group) > len(style.PENS):
-            raise NotAskedError(f"{len(group)} curves in {group[0].shown_unit} cannot be told apart; draw at most {len(style.PENS)} at once")
+            raise NotAskedError(Words(
+                f"以 {group[0].shown_unit} 为单位的 {len(group)} 条曲线难以分辨；一次至多绘 {len(style.PENS)} 条",
+                f"{len(group)} curves in {group[0].shown_unit} cannot be told apart; draw at most {len(style.PENS)} at once"))
     return list(groups.values())
 
 

@@ -27,7 +27,9 @@ def trace(cycle: Cycle, points: tuple[str, ...], lang: Lang = "zh", *, width: fl
     Raises NotAskedError for no letter or more than six, UnknownNameError.
     """
     if not 0 < len(points) <= len(style.PENS):
-        raise NotAskedError(f"{len(points)} paths: name one to {len(style.PENS)} points")
+        raise NotAskedError(Words(
+            f"{len(points)} 条轨迹；请指定 1 至 {len(style.PENS)} 个点",
+            f"{len(points)} paths: name one to {len(style.PENS)} points"))
     paths = [1e3 * np.asarray(cycle.column(f"p_{letter}"), np.complex128) for letter in points]
     lines = [line[:, 0] for line in skeleton(cycle, np.array([cycle.mech.drive.position]))]
     every = np.concatenate([*paths, *lines, 1e3 * np.array(list(cycle.mech.frame.values()))])

@@ -97,13 +97,17 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
     if loads is not None and (named := quantities(mech, loads).get(key)) is not None:
         return _named(named)
     if loads is None and re.fullmatch(r"(R|M|F|h|eta|Q)(_\w+)?", key):
-        raise EquilibriumError(f"there are no loads, so {key} cannot be asked for; the problem needs `loads`")
+        raise EquilibriumError(Words(
+            f"题目没有载荷，不能求 {key}；题目中须有 loads",
+            f"there are no loads, so {key} cannot be asked for; the problem needs `loads`"))
     return _kinematic(mech, key)
 
 
 def _part(whole: Column, part: str) -> Column:
     if not whole.is_vector or part not in PARTS:
-        raise UnknownNameError(f"there is no {whole.key}.{part}; a vector has the parts {', '.join(PARTS)}")
+        raise UnknownNameError(Words(
+            f"没有 {whole.key}.{part}；矢量的分量有 {', '.join(PARTS)}",
+            f"there is no {whole.key}.{part}; a vector has the parts {', '.join(PARTS)}"))
     key, rate = f"{whole.key}.{part}", f"{whole.rate}.{part}" if whole.rate and part in "xy" else ""
     stem, _, sub = whole.symbol.partition("_")
     sub = sub.strip("{}")
@@ -156,12 +160,16 @@ _RATES = {Kind.P: "v", Kind.V: "a", Kind.OMEGA: "alpha"}
 def _kinematic(mech: Mechanism, key: str) -> Column:
     rel = parse_rel(key)
     if not rel.is_vector and rel.to.link not in mech.bodies:
-        raise UnknownNameError(f"there is no link {rel.to.link}; known: {', '.join(mech.bodies)}")
+        raise UnknownNameError(Words(
+            f"没有构件 {rel.to.link}；已有：{', '.join(mech.bodies)}",
+            f"there is no link {rel.to.link}; known: {', '.join(mech.bodies)}"))
     letters = {*mech.frame, *(p for link in mech.links for p in link.points), *(c.point for c in mech.contacts)}
     for at in (rel.to, rel.ref):
         bare = at.point.rstrip("0123456789") if at else ""
         if rel.is_vector and at and not {at.point, bare, str(at)} & {*letters, *(getattr(j, "point", "") for j in mech.joints)}:
-            raise UnknownNameError(f"there is no point {at}; known: {', '.join(sorted(letters))}")
+            raise UnknownNameError(Words(
+                f"没有点 {at}；已有：{', '.join(sorted(letters))}",
+                f"there is no point {at}; known: {', '.join(sorted(letters))}"))
     what = _WORDS[rel.kind]
     if not rel.is_vector:
         words = Words(f"构件 {rel.to.link} 的{what.zh}", f"{what.en} of link {rel.to.link}")

@@ -201,9 +201,11 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
     """
     mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
     if not mech.drives:
-        raise MobilityError("no link is driven: a cycle needs an `input`")
+        raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))
     if n < 2:
-        raise AssemblyError(f"{n} positions make no cycle; ask for at least 2")
+        raise AssemblyError(Words(
+            f"{n} 个位置不成一周；至少取 2 个",
+            f"{n} positions make no cycle; ask for at least 2"))
     low, high, whole = _range(mech)
     phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
     acting = own if loads is None else loads
@@ -212,7 +214,9 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
 
 def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
     if not isinstance(problem.subject, Mechanism):
-        raise MobilityError("a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input")
+        raise MobilityError(Words(
+            "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
+            "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input"))
     return problem.subject, problem.loads, problem.id
 
 
@@ -225,4 +229,6 @@ def _range(mech: Mechanism) -> tuple[float, float, bool]:
         turn = 0.0 if drive.slide else full * float(np.floor((drive.position - low) / full + 1e-9))
         if low - 1e-9 <= drive.position - turn <= high + 1e-9:
             return low + turn, high + turn, False
-    raise AssemblyError("the drive can stand in no position: the mechanism cannot be assembled")
+    raise AssemblyError(Words(
+        "原动件在任何位置机构都不能装配",
+        "the drive can stand in no position: the mechanism cannot be assembled"))

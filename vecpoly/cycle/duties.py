@@ -77,7 +77,7 @@ def stills(cycle: Cycle) -> tuple[Still, ...]:
             continue
         with np.errstate(invalid="ignore"):
             change = np.flatnonzero(pair.rate[:-1] * pair.rate[1:] < 0)
-        letter = pair.text.rpartition(" ")[2]
+        letter = pair.text.en.rpartition(" ")[2]
         letter = letter if len(letter) and letter.isalpha() else ""
         places = ridders(lambda q, k=index: _rate(cycle, k, q), phi[change], phi[change + 1])  # type: ignore[misc]
         found += [Still(_reduced(cycle, float(q)), pair.who, letter, pair.turns) for q in places if np.isfinite(q)]

@@ -16,6 +16,7 @@ from ..mechanism.model import Mechanism, Prismatic
 from ..mechanism.quantities import quantities
 from ..names import parse_rel
 from ..oracle.forces import Forces, forces
+from ..words import Words
 from .columns import dyads, slides
 from .transmission import angle_of, arm_of
 
@@ -36,7 +37,9 @@ class Sample:
     def statics(self) -> Forces:
         """The equilibrium at the same positions; NaN where it locks."""
         if self.loads is None:
-            raise EquilibriumError("there are no loads: reactions cannot be asked for; give the problem `loads`")
+            raise EquilibriumError(Words(
+                "题目没有载荷，不能求反力；请在题目中给出 loads",
+                "there are no loads: reactions cannot be asked for; give the problem `loads`"))
         return forces(self.mech, self.loads, self.phi, strict=False)
 
     def value(self, key: str) -> Points | Reals:

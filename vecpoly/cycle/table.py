@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import AssemblyError
-from ..words import Lang
+from ..words import Lang, Words
 from .columns import Column
 from .cycle import Cycle
 from .transmission import folded
@@ -65,7 +65,9 @@ def xlsx_bytes(made: Table, title: str, lang: Lang) -> bytes:
     from openpyxl.styles import Alignment, Font
 
     if len(made.values) > SHEET_ROWS - 3:
-        raise AssemblyError(f"{len(made.values)} rows are more than a spreadsheet holds ({SHEET_ROWS - 3}); take a coarser step, or CSV")
+        raise AssemblyError(Words(
+            f"共 {len(made.values)} 行，超过电子表格的容量（{SHEET_ROWS - 3}）；请加大步长，或用 CSV",
+            f"{len(made.values)} rows are more than a spreadsheet holds ({SHEET_ROWS - 3}); take a coarser step, or CSV"))
     book = Workbook(write_only=True)
     sheet = book.create_sheet("".join(c for c in title if c not in "[]:*?/\\")[:31] or "cycle")
     sheet.freeze_panes = "B4"

@@ -16,16 +16,14 @@ from ..errors import FaultError, UnknownNameError
 from ..names import Named
 from ..plugins import load_modules
 from ..units import Dim, Quantity, positive, pure, read
+from ..words import Words
 
 
 def _reader(dim: Dim, how: Callable[[object, Dim], Quantity]) -> Callable[[Any], Quantity]:
     def value(text: Any) -> Quantity:
         if isinstance(text, Quantity):
             return text
-        try:
-            return how(text, dim)
-        except FaultError as fault:
-            raise ValueError(fault.text) from None
+        return how(text, dim)
 
     return value
 
@@ -34,12 +32,9 @@ def _ratio(text: Any) -> Quantity:
     """A pure number, not negative."""
     if isinstance(text, Quantity):
         return text
-    try:
-        value = pure(text, "0.15")
-    except FaultError as fault:
-        raise ValueError(fault.text) from None
+    value = pure(text, "0.15")
     if value < 0:
-        raise ValueError(f"'{text}' must not be negative; write e.g. 0.15")
+        raise FaultError(Words(f"“{text}”不得为负；如写 0.15", f"'{text}' must not be negative; write e.g. 0.15"))
     return Quantity(value, str(text))
 
 
@@ -47,7 +42,9 @@ def _efficiency(text: Any) -> Quantity:
     """A pure number in (0, 1]."""
     quantity = _ratio(text)
     if not 0 < quantity.si <= 1:
-        raise ValueError(f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97")
+        raise FaultError(Words(
+            f"“{quantity.text}”不是效率；应写大于 0 且不大于 1 的数，如 0.97",
+            f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97"))
     return quantity
 
 
@@ -96,5 +93,7 @@ def kinds() -> dict[str, type[Device]]:
 def kind_of(name: str) -> type[Device]:
     """The device class of this name; raises UnknownNameError."""
     if name not in kinds():
-        raise UnknownNameError(f"no device '{name}'; known: {', '.join(kinds())}")
+        raise UnknownNameError(Words(
+            f"没有装置“{name}”；已有：{', '.join(kinds())}",
+            f"no device '{name}'; known: {', '.join(kinds())}"))
     return kinds()[name]

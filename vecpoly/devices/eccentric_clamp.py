@@ -8,7 +8,9 @@ from typing import ClassVar, Literal
 
 from pydantic import Field, model_validator
 
+from ..errors import FaultError
 from ..names import Named, reaction
+from ..words import Words
 from .base import Angle, Device, ForceSize, Length, Ratio
 
 
@@ -34,13 +36,17 @@ class EccentricClamp(Device):
     @model_validator(mode="after")
     def _possible(self) -> EccentricClamp:
         if self.e.si + self.radius >= self.R.si:
-            raise ValueError(f"the pin with its friction circle must lie inside the disc: e = {self.e.text} and rho = {self.rho.text if self.rho else '0 mm'} "
-                             f"together reach R = {self.R.text}")
+            raise FaultError(Words(
+                f"轴颈连同其摩擦圆应在偏心轮之内：e = {self.e.text} 与 rho = {self.rho.text if self.rho else '0 mm'} 之和已达 R = {self.R.text}",
+                f"the pin with its friction circle must lie inside the disc: e = {self.e.text} and rho = {self.rho.text if self.rho else '0 mm'} together reach R = {self.R.text}"))
         if self.turn * cos(self.theta.si) >= -1e-9:
-            raise ValueError(f"turned {self.closing}, the centre at theta = {self.theta.text} does not move down on the work, so the clamp does not close; "
-                             "correct theta or closing")
+            raise FaultError(Words(
+                f"按 {self.closing} 方向转动时，位于 theta = {self.theta.text} 的轮心并不向工件下移，偏心夹具不能夹紧；请改正 theta 或 closing",
+                f"turned {self.closing}, the centre at theta = {self.theta.text} does not move down on the work, so the clamp does not close; correct theta or closing"))
         if self.turn * sin(self.F.si - self.handle.si) <= 1e-9:
-            raise ValueError(f"a force in the direction F = {self.F.text} on the handle at {self.handle.text} does not turn it {self.closing}; correct F or closing")
+            raise FaultError(Words(
+                f"作用在手柄 {self.handle.text} 处、方向为 F = {self.F.text} 的力不能使夹具按 {self.closing} 方向转动；请改正 F 或 closing",
+                f"a force in the direction F = {self.F.text} on the handle at {self.handle.text} does not turn it {self.closing}; correct F or closing"))
         return self
 
     @property

@@ -15,8 +15,10 @@ from typing import ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from ..errors import FaultError
 from ..names import Named
 from ..units import Quantity
+from ..words import Words
 from .base import Device, Efficiency, ForceSize, Power, Speed
 
 KINDS = ("belt", "chain", "gear", "worm", "bearing", "coupling", "screw", "conveyor", "winch", "pump", "machine")
@@ -69,18 +71,27 @@ class Part(BaseModel):
     def _is_one_thing(self) -> Part:
         kinds = [kind for kind in KINDS if getattr(self, kind) is not None] + ["parallel"] * (self.parallel is not None)
         if len(kinds) != 1:
-            raise ValueError(f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here stand "
-                             f"{' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97")
+            raise FaultError(Words(
+                f"传动系统的每一级为 {', '.join(KINDS)} 之一及其效率，或为 parallel；这里写的是 {' 和 '.join(kinds) or '空'}；如写 gear: 0.97",
+                f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97"))
         if (self.F is None) != (self.v is None):
-            raise ValueError("a force needs the speed at which it is overcome: write both F and v, or P alone")
+            raise FaultError(Words(
+                "有力 F 就须有克服它的速度 v；请同时写 F 和 v，或只写 P",
+                "a force needs the speed at which it is overcome: write both F and v, or P alone"))
         if self.P is not None and self.F is not None:
-            raise ValueError("what is delivered stands there twice: write P, or F and v")
+            raise FaultError(Words(
+                "输出功率重复给出；请写 P，或写 F 和 v",
+                "what is delivered stands there twice: write P, or F and v"))
         if self.parallel is None:
             return self
         if self.loaded or self.name:
-            raise ValueError("where the train parts nothing is delivered: write P, F, v and name at the ends of its branches")
+            raise FaultError(Words(
+                "分流处没有功率输出；P、F、v 和 name 应写在各支路的末端",
+                "where the train parts nothing is delivered: write P, F, v and name at the ends of its branches"))
         if len(self.parallel) < 2:
-            raise ValueError("parallel needs two branches or more; write a single one as part of the train itself")
+            raise FaultError(Words(
+                "parallel 至少要有两条支路；只有一条时直接写成串联的一级",
+                "parallel needs two branches or more; write a single one as part of the train itself"))
         for branch in self.parallel:
             _check(branch)
         return self
@@ -89,15 +100,22 @@ class Part(BaseModel):
 def _check(train: Train) -> None:
     """Power is delivered at the end of a train, and nowhere else."""
     if not train:
-        raise ValueError("a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]")
+        raise FaultError(Words(
+            "传动系统没有任何一级；如写 [gear: 0.97, {machine: 0.8, P: 5 kW}]",
+            "a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]"))
     for part in train[:-1]:
         if part.parallel is not None:
-            raise ValueError("after parallel the power is divided: put the parts that follow it into its branches")
+            raise FaultError(Words(
+                "parallel 之后功率已经分流；其后的各级应写入各支路",
+                "after parallel the power is divided: put the parts that follow it into its branches"))
         if part.loaded:
-            raise ValueError(f"power is delivered by the last part of a train, not by its {part.kind}: put P, or F and v, at the end, "
-                             f"or let the train part there with parallel")
+            raise FaultError(Words(
+                f"功率由系统的最后一级输出，不能由中间的 {part.kind} 输出；请将 P 或 F、v 写在末级，或在该处用 parallel 分流",
+                f"power is delivered by the last part of a train, not by its {part.kind}: put P, or F and v, at the end, or let the train part there with parallel"))
     if train[-1].parallel is None and not train[-1].loaded:
-        raise ValueError(f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}")
+        raise FaultError(Words(
+            f"最后一级的输出没有给出；如写 {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}",
+            f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}"))
 
 
 class PowerTrain(Device):
@@ -112,7 +130,9 @@ class PowerTrain(Device):
         names = [part.name for part in ends(self.train) if part.name]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise ValueError(f"two ends of the train are named {twice[0]}; give each its own letter")
+            raise FaultError(Words(
+                f"系统有两个末端都叫 {twice[0]}；请各取一个字母",
+                f"two ends of the train are named {twice[0]}; give each its own letter"))
         return self
 
     def quantities(self) -> tuple[Named, ...]:

@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from pydantic import model_validator
 
-from ..errors import LockedError
+from ..errors import FaultError, LockedError
 from ..names import Named, reaction
+from ..words import Words
 from .base import Angle, Device, ForceSize, Ratio
 
 
@@ -23,7 +24,9 @@ class RingSpring(Device):
     @model_validator(mode="after")
     def _possible(self) -> RingSpring:
         if not 0 < degrees(self.alpha.si) < 90:
-            raise ValueError(f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg")
+            raise FaultError(Words(
+                f"alpha = {self.alpha.text}：应在 0 与 90 deg 之间",
+                f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg"))
         return self
 
     def quantities(self) -> tuple[Named, ...]:
@@ -41,8 +44,10 @@ class RingSpring(Device):
 
     def locked(self) -> LockedError:
         """What is said of a buffer that cannot be pushed in."""
-        return LockedError(f"the buffer is self-locking: alpha = {degrees(self.alpha.si):g} deg must be greater than the friction angle "
-                           f"phi = {degrees(atan(self.f.si)):.4g} deg, or no force F spreads the side wedges; lower the friction or choose a larger alpha")
+        return LockedError(Words(
+            f"缓冲器自锁：alpha = {degrees(self.alpha.si):g} deg 应大于摩擦角 phi = {degrees(atan(self.f.si)):.4g} deg，否则 F 不能撑开两侧楔块；请减小摩擦或增大 alpha",
+            f"the buffer is self-locking: alpha = {degrees(self.alpha.si):g} deg must be greater than the friction angle "
+            f"phi = {degrees(atan(self.f.si)):.4g} deg, or no force F spreads the side wedges; lower the friction or choose a larger alpha"))
 
 
 PHI = Named("phi", "φ", "deg")

@@ -14,7 +14,9 @@ from typing import Annotated, ClassVar
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
+from ..errors import FaultError
 from ..names import Named, subscripted
+from ..words import Words
 from .base import Device
 from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural, read_pair
 
@@ -36,18 +38,24 @@ class Structure(Device):
     def _is_a_mechanism(self) -> Structure:
         names = {_plain(link, self.frame) for joint in self.joints.values() for link in joint.links}
         if FRAME not in names:
-            raise ValueError("no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)")
+            raise FaultError(Words(
+                "没有运动副与机架相连；机架为构件 0；如写 A: R(0, 1) at (0, 0)",
+                "no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)"))
         if self.links and (odd := names ^ {*(_plain(link, self.frame) for link in self.links), FRAME}):
-            raise ValueError(f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both")
+            raise FaultError(Words(
+                f"构件 {', '.join(sorted(odd, key=natural))} 只出现在 links 或 joints 之一中；两处应一致",
+                f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both"))
         chain = self.chain
         if loose := _loose(chain):
             told = f"links {', '.join(loose)} hang" if len(loose) > 1 else f"link {loose[0]} hangs"
-            raise ValueError(f"{told} on nothing: no chain of joints leads to the frame; add the missing joint")
+            raise FaultError(Words(f"构件 {', '.join(loose)} 没有经运动副与机架相连；请补上缺少的运动副", f"{told} on nothing: no chain of joints leads to the frame; add the missing joint"))
         for pair in chain.pairs:
             _check_contact(pair)
         for together in self.drive_sets:
             if len(set(together)) < len(together):
-                raise ValueError(f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once")
+                raise FaultError(Words(
+                    f"原动件 {'+'.join(together)}：有构件重复；每个原动件只写一次",
+                    f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once"))
             for link in together:
                 _check_driver(chain, link)
         return self
@@ -68,7 +76,9 @@ class Structure(Device):
         if not isinstance(centre, str):
             return centre
         if centre not in self.joints or centre == letter:
-            raise ValueError(f"joint {letter}: there is no other joint {centre} to be the centre; known: {', '.join(self.joints)}")
+            raise FaultError(Words(
+                f"运动副 {letter}：没有可作曲率中心的运动副 {centre}；已有：{', '.join(self.joints)}",
+                f"joint {letter}: there is no other joint {centre} to be the centre; known: {', '.join(self.joints)}"))
         return self.joints[centre].at
 
     @property
@@ -129,22 +139,31 @@ def _check_contact(pair: Pair) -> None:
     one, two = pair.about
     if one is None or two is None:
         if one == pair.at or two == pair.at:
-            raise ValueError(f"joint {pair.letter}: a point on a flat face has no normal; let the profile have a small radius")
+            raise FaultError(Words(
+                f"运动副 {pair.letter}：尖点与平面接触时无公法线；请给轮廓一个小的圆角半径",
+                f"joint {pair.letter}: a point on a flat face has no normal; let the profile have a small radius"))
         return
     if abs(two - one) < 1e-9:
-        raise ValueError(f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is no high pair")
+        raise FaultError(Words(
+            f"运动副 {pair.letter}：两轮廓的曲率中心重合，处处接触，不是高副",
+            f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is no high pair"))
     off = abs(((two - one).conjugate() * (pair.at - one)).imag) / abs(two - one)
     if off > OFF_LINE * abs(two - one):
-        raise ValueError(f"joint {pair.letter}: the contact stands {1e3 * off:.2f} mm beside the line of the two centres, which is the common normal; "
-                         f"put it on the line")
+        raise FaultError(Words(
+            f"运动副 {pair.letter}：接触点偏离两曲率中心的连线（公法线）{1e3 * off:.2f} mm；请将其置于连线上",
+            f"joint {pair.letter}: the contact stands {1e3 * off:.2f} mm beside the line of the two centres, which is the common normal; put it on the line"))
 
 
 def _check_driver(chain: Chain, link: str) -> None:
     """A driver is a link, joined to the frame by a lower pair."""
     if link not in chain.links:
-        raise ValueError(f"driver {link} is no link; links: {', '.join(chain.links)}")
+        raise FaultError(Words(
+            f"原动件 {link} 不是已有的构件；构件有：{', '.join(chain.links)}",
+            f"driver {link} is no link; links: {', '.join(chain.links)}"))
     if not any(pair.form.is_lower and FRAME in pair.links for pair in chain.at(link)):
-        raise ValueError(f"driver {link} is neither pinned to the frame nor slides on it; name a link that is")
+        raise FaultError(Words(
+            f"原动件 {link} 既不铰接于机架，也不在机架上移动；请另取与机架相连的构件",
+            f"driver {link} is neither pinned to the frame nor slides on it; name a link that is"))
 
 
 N, P_L, P_H = Named("n", "n", ""), Named("p_l", "p_L", ""), Named("p_h", "p_H", "")

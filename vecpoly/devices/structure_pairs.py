@@ -17,6 +17,9 @@ import re
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ..errors import FaultError
+from ..words import Words
+
 FRAME = "0"
 
 
@@ -142,13 +145,17 @@ def read_pair(text: object) -> Written:
         return text
     shape = _SHAPE.fullmatch(text) if isinstance(text, str) else None
     if shape is None or shape[1] not in Form.__members__:
-        raise ValueError(f"'{text}' is no joint; write e.g. {', '.join(_EXAMPLE.values())}")
+        raise FaultError(Words(
+            f"“{text}”不是运动副；如写 {', '.join(_EXAMPLE.values())}",
+            f"'{text}' is no joint; write e.g. {', '.join(_EXAMPLE.values())}"))
     form = Form(shape[1])
     members = [_member(part.strip(), form) for part in _COMMA.split(shape[2])]
     links = tuple(link for link, _ in members)
     _check_links(form, links)
     if (form is Form.P) != bool(shape[4]):
-        raise ValueError(f"a slide needs the direction of its guide, and only a slide: write e.g. {_EXAMPLE[Form.P]}")
+        raise FaultError(Words(
+            f"移动副（且只有移动副）要写导路方向；如写 {_EXAMPLE[Form.P]}",
+            f"a slide needs the direction of its guide, and only a slide: write e.g. {_EXAMPLE[Form.P]}"))
     about = tuple(centre for _, centre in members) if not form.is_lower else ()
     _check_faces(form, about)
     return Written(form, links, _place(shape[3]), _direction(shape[4]) if shape[4] else 0j, about, str(text))
@@ -156,27 +163,39 @@ def read_pair(text: object) -> Written:
 
 def _check_links(form: Form, links: tuple[str, ...]) -> None:
     if len(set(links)) != len(links):
-        raise ValueError(f"a joint joins different links; here stands {', '.join(links)}")
+        raise FaultError(Words(
+            f"运动副联接不同的构件；这里写的是 {', '.join(links)}",
+            f"a joint joins different links; here stands {', '.join(links)}"))
     if len(links) < 2 or (len(links) > 2 and form is not Form.R):
-        raise ValueError(f"{form.value} joins {'two links or more' if form is Form.R else 'two links'}, here {len(links)}; write e.g. {_EXAMPLE[form]}")
+        raise FaultError(Words(
+            f"{form.value} 联接{'两个或两个以上' if form is Form.R else '两个'}构件，这里有 {len(links)} 个；如写 {_EXAMPLE[form]}",
+            f"{form.value} joins {'two links or more' if form is Form.R else 'two links'}, here {len(links)}; write e.g. {_EXAMPLE[form]}"))
 
 
 def _check_faces(form: Form, about: tuple[complex | str | None, ...]) -> None:
     if about and None in about and (form is Form.G or about == (None, None)):
-        raise ValueError(f"{'a gear has a centre' if form is Form.G else 'two flat faces do not make a high pair'}; write e.g. {_EXAMPLE[form]}")
+        raise FaultError(Words(
+            f"{'齿轮要有中心' if form is Form.G else '两平面不成高副'}；如写 {_EXAMPLE[form]}",
+            f"{'a gear has a centre' if form is Form.G else 'two flat faces do not make a high pair'}; write e.g. {_EXAMPLE[form]}"))
 
 
 def _member(text: str, form: Form) -> tuple[str, complex | str | None]:
     member = _MEMBER.fullmatch(text)
     if member is None:
-        raise ValueError(f"'{text}' is no link; write e.g. 1{' about (9, 14)' if not form.is_lower else ''}")
+        raise FaultError(Words(
+            f"“{text}”不是构件；如写 1{' about (9, 14)' if not form.is_lower else ''}",
+            f"'{text}' is no link; write e.g. 1{' about (9, 14)' if not form.is_lower else ''}"))
     link = FRAME if member[1] == "frame" else member[1]
     if form.is_lower:
         if member[2] or member[3]:
-            raise ValueError(f"'{text}': only the profiles of a high pair have centres; write e.g. {_EXAMPLE[form]}")
+            raise FaultError(Words(
+                f"“{text}”：只有高副的轮廓才有曲率中心；如写 {_EXAMPLE[form]}",
+                f"'{text}': only the profiles of a high pair have centres; write e.g. {_EXAMPLE[form]}"))
         return link, None
     if not member[2] and not member[3]:
-        raise ValueError(f"'{text}' does not say what its profile is; write e.g. {link} about (9, 14), {link} about B, or {link} flat")
+        raise FaultError(Words(
+            f"“{text}”没有说明其轮廓；如写 {link} about (9, 14)、{link} about B 或 {link} flat",
+            f"'{text}' does not say what its profile is; write e.g. {link} about (9, 14), {link} about B, or {link} flat"))
     if member[3]:
         return link, None
     return link, _place(member[2]) if member[2].startswith("(") else member[2]
@@ -187,9 +206,13 @@ def _place(text: str) -> complex:
     try:
         x, y = (float(part) for part in text.strip("()").split(","))
     except ValueError:
-        raise ValueError(f"'{text}' is no place; write two numbers in mm, e.g. (35, 92)") from None
+        raise FaultError(Words(
+            f"“{text}”不是位置；请写以 mm 为单位的两个数，如 (35, 92)",
+            f"'{text}' is no place; write two numbers in mm, e.g. (35, 92)")) from None
     if not (abs(x) <= FAR and abs(y) <= FAR):
-        raise ValueError(f"'{text}' is no place on paper; write two numbers in mm, e.g. (35, 92)")
+        raise FaultError(Words(
+            f"“{text}”超出图纸范围；请写以 mm 为单位的两个数，如 (35, 92)",
+            f"'{text}' is no place on paper; write two numbers in mm, e.g. (35, 92)"))
     return complex(x, y) / 1e3
 
 
@@ -202,11 +225,15 @@ def _direction(text: str) -> complex:
     except ValueError:
         turn = math.nan
     if not math.isfinite(turn):
-        raise ValueError(f"'{text}' is no direction; write e.g. (0, 1) or 90 deg")
+        raise FaultError(Words(
+            f"“{text}”不是方向；如写 (0, 1) 或 90 deg",
+            f"'{text}' is no direction; write e.g. (0, 1) or 90 deg"))
     return cmath.rect(1.0, turn)
 
 
 def _unit(vector: complex) -> complex:
     if vector == 0 or not cmath.isfinite(vector):
-        raise ValueError("a direction cannot be (0, 0); write e.g. (0, 1) or 90 deg")
+        raise FaultError(Words(
+            "方向不能是 (0, 0)；如写 (0, 1) 或 90 deg",
+            "a direction cannot be (0, 0); write e.g. (0, 1) or 90 deg"))
     return vector / abs(vector)

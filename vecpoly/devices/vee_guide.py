@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from pydantic import model_validator
 
+from ..errors import FaultError
 from ..names import Named
+from ..words import Words
 from .base import Angle, Device, ForceSize, Length, Ratio
 
 
@@ -27,7 +29,9 @@ class VeeGuide(Device):
     @model_validator(mode="after")
     def _possible(self) -> VeeGuide:
         if not pi / 36 - 1e-9 <= self.theta.si <= pi / 2 * 17 / 18 + 1e-9:
-            raise ValueError(f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 deg has theta: 50 deg")
+            raise FaultError(Words(
+                f"theta = {self.theta.text} 是槽形半角，应在 5 与 85 deg 之间；槽形角为 100 deg 时写 theta: 50 deg",
+                f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 deg has theta: 50 deg"))
         return self
 
     def quantities(self) -> tuple[Named, ...]:

@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from pydantic import model_validator
 
+from ..errors import FaultError
 from ..names import Named, reaction
+from ..words import Words
 from .base import Angle, Device, ForceSize, Ratio
 
 
@@ -22,7 +24,9 @@ class WedgeClamp(Device):
     @model_validator(mode="after")
     def _possible(self) -> WedgeClamp:
         if not 0 < degrees(self.alpha.si) < 90:
-            raise ValueError(f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg")
+            raise FaultError(Words(
+                f"alpha = {self.alpha.text}：楔角应在 0 与 90 deg 之间",
+                f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg"))
         return self
 
     def quantities(self) -> tuple[Named, ...]:

@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from pydantic import model_validator
 
-from ..errors import LockedError
+from ..errors import FaultError, LockedError
 from ..names import Named, reaction
+from ..words import Words
 from .base import Angle, Device, ForceSize, Ratio
 
 FACES = ("12", "13", "23")  # who presses on whom
@@ -33,13 +34,18 @@ class Wedges(Device):
     def _possible(self) -> Wedges:
         alpha, beta = degrees(self.alpha.si), degrees(self.beta.si)
         if not 0 < beta < 90:
-            raise ValueError(f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from the vertical")
+            raise FaultError(Words(
+                f"beta = {self.beta.text}：两楔块的接触面与竖直方向的夹角应在 0 与 90 deg 之间",
+                f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from the vertical"))
         if alpha <= 0 or alpha + beta >= 180 - 1e-9:
-            raise ValueError(f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + beta below 180 deg, "
-                             "or wedge 1 has no taper and cannot lift wedge 2")
+            raise FaultError(Words(
+                f"alpha = {self.alpha.text}，beta = {self.beta.text}：alpha 应大于 0，且 alpha + beta 应小于 180 deg，否则楔块 1 没有楔角，不能顶起楔块 2",
+                f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + beta below 180 deg, or wedge 1 has no taper and cannot lift wedge 2"))
         each = (self.f12, self.f13, self.f23)
         if (self.f is None) == (None in each) or (self.f is not None and any(each)):
-            raise ValueError("write f: 0.15 for all faces, or each of f12, f13 and f23")
+            raise FaultError(Words(
+                "各接触面摩擦系数相同时写 f: 0.15，否则 f12、f13、f23 都要写",
+                "write f: 0.15 for all faces, or each of f12, f13 and f23"))
         return self
 
     def friction(self, face: str) -> Ratio:
@@ -69,8 +75,10 @@ class Wedges(Device):
 
     def locked(self, limit: float) -> LockedError:
         """What is said of a drive that cannot move; limit: the sum of friction angles that β must exceed (deg)."""
-        return LockedError(f"the wedges are self-locking: beta = {degrees(self.beta.si):g} deg must be greater than the friction angles "
-                           f"phi_12 + phi_23 = {limit:.4g} deg, or no force F lifts Q; lower the friction or choose a larger beta")
+        return LockedError(Words(
+            f"楔块机构自锁：beta = {degrees(self.beta.si):g} deg 应大于两摩擦角之和 phi_12 + phi_23 = {limit:.4g} deg，否则 F 不能顶起 Q；请减小摩擦或增大 beta",
+            f"the wedges are self-locking: beta = {degrees(self.beta.si):g} deg must be greater than the friction angles "
+            f"phi_12 + phi_23 = {limit:.4g} deg, or no force F lifts Q; lower the friction or choose a larger beta"))
 
 
 DRIVE, BY_SINES, IDEAL = Named("F", "F", "N"), Named("F_sine", "F", "N"), Named("F_0", "F_{0}", "N")

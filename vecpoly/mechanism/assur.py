@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 from ..errors import MobilityError
+from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
 
 
@@ -59,9 +60,9 @@ class Group:
     dyad: Dyad | None = None
 
     @property
-    def name(self) -> str:
+    def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        return f"{self.kind} group {', '.join(self.links)}"
+        return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
 def decompose(mech: Mechanism) -> tuple[Group, ...]:
@@ -75,10 +76,9 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known)), None)
         if group is None:
-            raise MobilityError(
-                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: "
-                f"a joint or a drive is missing, or one too many"
-            )
+            raise MobilityError(Words(
+                f"构件 {', '.join(rest)} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
+                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
         groups.append(group)
         known += group.links
         rest = [name for name in rest if name not in group.links]

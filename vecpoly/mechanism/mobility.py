@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import MobilityError
+from ..words import Words
 from .assur import ends, hinges, is_held
 from .model import Joint, Mechanism, Prismatic, Revolute, Rolling
 
@@ -59,15 +60,17 @@ def check(mech: Mechanism) -> Mobility:
     count = mobility(mech)
     if count.freedom == count.drives:
         return count
-    said = f"{count}, but {count.drives} drive{'s are' if count.drives != 1 else ' is'} given"
+    said = Words(f"{count}，而给了 {count.drives} 个原动件", f"{count}, but {count.drives} drive{'s are' if count.drives != 1 else ' is'} given")
     if count.freedom < 1:
-        raise MobilityError(f"{said}: nothing can move; remove a redundant joint, or add the missing link")
+        raise MobilityError(said + Words("：机构不能运动；请去掉多余的运动副，或补上缺少的构件", ": nothing can move; remove a redundant joint, or add the missing link"))
     if count.freedom > count.drives:
         loose = [name for name in mech.bodies if _joints_at(mech, name) < 2]
         hint = f" (links with a single joint: {', '.join(loose)})" if loose else ""
         raise MobilityError(
-            f"{said}: drive {count.freedom - count.drives} more link(s), or add the missing joint{hint}")
-    raise MobilityError(f"{said}: keep only {count.freedom} of them, or remove a joint")
+            said + Words(
+            f"；请再给 {count.freedom - count.drives} 个原动件，或补上缺少的运动副" + (f"（只有一个运动副的构件：{', '.join(loose)}）" if loose else ""),
+            f": drive {count.freedom - count.drives} more link(s), or add the missing joint{hint}"))
+    raise MobilityError(said + Words(f"；只保留其中 {count.freedom} 个，或去掉一个运动副", f": keep only {count.freedom} of them, or remove a joint"))
 
 
 def _joints_at(mech: Mechanism, name: str) -> int:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from ..board.board import NO_LENGTH
+from ..board.board import NO_LENGTH, letters_node
 from ..board.construction import Reading, View
 from ..errors import NoMethodError
 from ..formula import Row, Txt, sym
 from ..names import Key, Kind, Rel
 from ..plane import Points, Reals, nominal
-from ..quantity import magnitude, stated, worked
+from ..quantity import magnitude, paper, stated, worked
 from ..words import Words
 from .desk import Desk
-from .standing import standing
+from .standing import computed, standing
 
 Repeats = dict[str, Reals]  # key -> what the reading's `scalar` is by every hand
 
@@ -35,13 +37,17 @@ def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
     if named.key in desk.central:
         return desk.central[named.key], desk.central_repeats[named.key]
     if named.key not in desk.named:
-        raise NoMethodError(f"{named.key} was not found on the drawing: no method on file gives it for this mechanism")
+        raise NoMethodError(Words(
+            f"图上没有作出 {named.key}：现有图解法对此机构求不出此量",
+            f"{named.key} was not found on the drawing: no method on file gives it for this mechanism"))
     return desk.named[named.key], desk.named_repeats[named.key]
 
 
 def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     if rel not in desk.turns:
-        raise NoMethodError(f"{rel.key} was not found on the drawing: no method on file gives it")
+        raise NoMethodError(Words(
+            f"图上没有作出 {rel.key}：现有图解法求不出此量",
+            f"{rel.key} was not found on the drawing: no method on file gives it"))
     turn = desk.turns[rel]
     name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
@@ -65,15 +71,18 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     view, start, end, line = standing(desk, rel)
     board, scale = desk.board, desk.board.scales[view]
-    on_paper = board.measure(start, end, line)
+    known = computed(desk, rel)
+    on_paper = board.measure(start, end, line) if known is None else paper(letters_node(line), board.hand.read(board.to_paper(view, known.value)))
     direction = board.hand.gauge(np.angle(end - start))
-    size = on_paper.value * scale.value
+    size = on_paper.value * scale.value if known is None else known.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
+    symbol = sym(rel.symbol)
     reading = Reading(
         key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
         vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,
-        formula=worked(sym(rel.symbol), board.mu(view) * on_paper, rel.kind.unit), remark=_vanishing(desk, rel, exact_zero),
+        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit) if known is None else stated(replace(known, node=symbol)),
+        remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size
 

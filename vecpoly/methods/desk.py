@@ -51,6 +51,7 @@ class Desk:
     tips: dict[tuple[View, At], Points] = field(default_factory=dict)
     turns: dict[Rel, Turn] = field(default_factory=dict)
     ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
+    sizes: dict[str, Quantity] = field(default_factory=dict)  # of vectors that were computed, then laid off: they are not read again
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     named: dict[str, Reading] = field(default_factory=dict)  # answers of the force analysis

@@ -22,11 +22,20 @@ class Stage(StrEnum):
     FORCE = "force"
 
     @property
+    def words(self) -> Words:
+        """速度, velocity."""
+        return Words(_STAGES[self], self.value)
+
+    @property
     def folder(self) -> str:
         """The package whose files draw this stage."""
         inside = {Stage.CENTRES: "centres", Stage.FORCE: "forces"}.get(self, "kinematics")
         return f"vecpoly.methods.{inside}"
 
+
+_STAGES = {
+    Stage.POSITION: "位置", Stage.CENTRES: "瞬心", Stage.VELOCITY: "速度", Stage.ACCELERATION: "加速度", Stage.FORCE: "反力",
+}  # fmt: skip
 
 Draw = Callable[[Any, Any], Any]  # (desk or statics, what it is about)
 
@@ -77,7 +86,6 @@ def find(stage: Stage, group: str) -> Method:
         return _METHODS[stage, group]
     except KeyError:
         covered = ", ".join(sorted({g for s, g in _METHODS if s is stage}))
-        raise NoMethodError(
-            f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); "
-            f"'vecpoly exact' still gives the analytic answers"
-        ) from None
+        raise NoMethodError(Words(
+            f"没有求 {group} 组{stage.words.zh}的图解法（已有：{covered}）；仍可用 vecpoly exact 求解析解",
+            f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); 'vecpoly exact' still gives the analytic answers")) from None

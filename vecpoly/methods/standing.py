@@ -6,6 +6,7 @@ from ..board.construction import View
 from ..errors import NoMethodError
 from ..names import Kind, Rel
 from ..plane import Points
+from ..quantity import Quantity
 from ..words import Words
 from .desk import Desk
 
@@ -20,9 +21,25 @@ def standing(desk: Desk, rel: Rel) -> Standing:
     """
     found = _drawn(desk, rel) or _turned(_drawn(desk, _back(rel))) or _sliding(desk, rel)
     if found is None:
-        raise NoMethodError(Words(f"图上没有作出 {rel.key}：现有方法不能求得", f"{rel.key} was not drawn: no method on file gives it for this mechanism"),
-                            code="not-drawn")
+        raise NoMethodError(Words(f"图上没有作出 {rel.key}：现有图解法对此机构求不出此量",
+                                  f"{rel.key} was not drawn: no method on file gives it for this mechanism") + _instead(desk, rel), code="not-drawn")
     return found
+
+
+def _instead(desk: Desk, asked: Rel) -> Words:
+    """What to ask instead: the vectors of its kind that were drawn."""
+    drawn = sorted(key for key in desk.ends if key.startswith(f"{asked.kind.value}_"))
+    return Words(f"；图上有 {', '.join(drawn)}", f"; drawn are {', '.join(drawn)}") if drawn else Words.same("")
+
+
+def computed(desk: Desk, rel: Rel) -> Quantity | None:
+    """The quantity itself where it was computed and laid off, of this vector or of its opposite: it is not read again."""
+    for one in (rel, _back(rel)):
+        if one is not None:
+            key = Rel(one.kind, desk.canonical(one.to), desk.canonical(one.ref) if one.ref else None).key
+            if key in desk.sizes:
+                return desk.sizes[key]
+    return None
 
 
 def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:

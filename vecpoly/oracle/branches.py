@@ -36,7 +36,9 @@ def check_letters(mech: Mechanism) -> None:
         for letter in statement.letters:
             if letter not in letters:
                 raise UnknownNameError(
-                    f"'{statement}' names the unknown point {letter}; known: {', '.join(sorted(letters))}")
+                    Words(
+                    f"“{statement}”中的点 {letter} 不存在；已有：{', '.join(sorted(letters))}",
+                    f"'{statement}' names the unknown point {letter}; known: {', '.join(sorted(letters))}"))
 
 
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
@@ -53,8 +55,9 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
     if isinstance(step, Hinged) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
         raise DeadPointError(
-            f"links {names} are at a dead point where the drive stands at {where}: their two assemblies "
-            f"coincide and cannot be told apart; choose another position of the drive")
+            Words(
+            f"原动件位于 {where} 时构件 {'、'.join(step.group.links)} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
+            f"links {names} are at a dead point where the drive stands at {where}: their two assemblies coincide and cannot be told apart; choose another position of the drive"))
     told = [s for s in mech.branches if set(s.letters) <= set(after[0]) and not set(s.letters) <= set(before)]
     sure = 1e-9 * mech.scale
     fits = [all(margin(s, at) > sure for s in told) for at in after]
@@ -63,12 +66,15 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     if not any(fits):
         statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
-            f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}"
-            f"{_advice(mech, step, before, after)}")
+            Words(
+            f"原动件位于 {where} 时，构件 {'、'.join(step.group.links)} 的两种装配方式都不满足 {statement}",
+            f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}") + _advice(mech, step, before, after))
     if isinstance(step, Swinging):
         return _ahead(step, bodies, where)
     raise AssemblyError(
-        f"links {names} can be assembled in two ways at joint {step.joint}{_advice(mech, step, before, after)}")
+        Words(
+        f"构件 {'、'.join(step.group.links)} 在运动副 {step.joint} 处有两种装配方式",
+        f"links {names} can be assembled in two ways at joint {step.joint}") + _advice(mech, step, before, after))
 
 
 def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
@@ -106,15 +112,15 @@ def _ahead(step: Swinging, bodies: Bodies, where: str) -> Swinging:
     return forward[0]
 
 
-def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> str:
+def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> Words:
     """; say which: 'C left of BD' or 'C right of BD'."""
     if len(after) < 2 or not isinstance(step, Hinged):
-        return ""
+        return Words.same("")
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
-            return f"; say which: '{statement}' or '{opposite(statement)}'"
-    return ""
+            return Words(f"；请指明“{statement}”或“{opposite(statement)}”", f"; say which: '{statement}' or '{opposite(statement)}'")
+    return Words.same("")
 
 
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:

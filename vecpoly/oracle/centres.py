@@ -10,6 +10,7 @@ import numpy as np
 from ..errors import NotAskedError, UnknownNameError
 from ..mechanism.centre_quantities import centre, centre_speed, crank_groups, limits, link_pairs, ratio
 from ..mechanism.model import FRAME, Mechanism
+from ..words import Words
 from .motion import Motion
 from .plan import plan_for
 from .state import Reals, dot
@@ -50,7 +51,7 @@ class Centres:
             for named, kind in zip(limits(self.mech, led), LIMIT_KEYS, strict=True):
                 if key == named.key:
                     return limit(self.mech, pin, led, rod, extended=kind == LIMIT_KEYS[0])
-        raise UnknownNameError(f"there is no quantity {key} of instant centres here")
+        raise UnknownNameError(Words(f"此处没有瞬心的量 {key}", f"there is no quantity {key} of instant centres here"))
 
     def place(self, a: str, b: str) -> complex | float:
         """Where v_a(r) = v_b(r): r = i (v_a - v_b) / (ω_a - ω_b), velocities at the origin; at infinity the direction ⊥ (v_a - v_b) in deg."""
@@ -66,14 +67,18 @@ class Centres:
         """Velocity of the centre as a point of either link (m/s), with the drive's own rate."""
         at = self.place(a, b)
         if not isinstance(at, complex):
-            raise NotAskedError(f"the centre of links {self.mech.number(a)} and {self.mech.number(b)} is at infinity: it has no velocity")
+            raise NotAskedError(Words(
+                f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 的瞬心在无穷远处，没有速度",
+                f"the centre of links {self.mech.number(a)} and {self.mech.number(b)} is at infinity: it has no velocity"))
         return complex(_at(self.mech).moving(a).velocity_at(np.array([at]))[0])
 
     def ratio(self, a: str, b: str) -> float:
         """ω_a / ω_b."""
         turns = [float(self.motion.moving(name).omega[0]) for name in (a, b)]
         if abs(turns[1]) <= NONE * abs(turns[0]) or turns == [0.0, 0.0]:
-            raise NotAskedError(f"link {b} does not turn here: ω_{a}/ω_{b} has no value")
+            raise NotAskedError(Words(
+                f"构件 {b} 此时不转动，ω_{a}/ω_{b} 无值",
+                f"link {b} does not turn here: ω_{a}/ω_{b} has no value"))
         return turns[0] / turns[1]
 
     def _relative(self, a: str, b: str) -> tuple[complex, float]:
@@ -99,7 +104,9 @@ class Centres:
         first, second = (complex((m.acceleration - 1j * m.alpha * m.at - 1j * m.omega * m.velocity)[0]) for m in bodies)
         slip, turn = first - second, float((bodies[0].alpha - bodies[1].alpha)[0])
         if abs(turn) <= ONWARD and abs(slip) <= ONWARD * self.mech.scale:
-            raise NotAskedError(f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other here: they have no one centre")
+            raise NotAskedError(Words(
+                f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 此时无相对运动，瞬心不定",
+                f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other here: they have no one centre"))
         return slip, turn
 
 
@@ -108,7 +115,9 @@ def slowest(mech: Mechanism, link: str, p: str, q: str) -> complex:
     here = Centres(mech)
     pole = here.place(link, FRAME)
     if not isinstance(pole, complex):
-        raise NotAskedError(f"link {link} only translates here: all points of {p}{q} are equally fast")
+        raise NotAskedError(Words(
+            f"构件 {link} 此时作平动，{p}{q} 上各点速度相等",
+            f"link {link} only translates here: all points of {p}{q} are equally fast"))
     a, b = (complex(here.motion.place(letter)[0]) for letter in (p, q))
     along = (b - a) / abs(b - a)
     return a + along * (along.conjugate() * (pole - a)).real
@@ -136,7 +145,9 @@ def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> f
         a, b, c = (here.place(letter) for letter in (_pivot(mech), pin, led))
         if (float(dot(b - a, c - b)[0]) > 0) is extended and abs(float(_sway(turn, np.array([(low + high) / 2]), pin, led, rod)[0])) < 1e-6 * np.nanmax(np.abs(sway)):
             return float(np.degrees(np.angle((b - a)[0])) % 360.0)
-    raise NotAskedError(f"crank and rod are never {'extended' if extended else 'overlapped'}: {led} does not come to rest so")
+    raise NotAskedError(Words(
+        f"曲柄与连杆没有{'拉直' if extended else '重叠'}共线的位置，{led} 不在该处停歇",
+        f"crank and rod are never {'extended' if extended else 'overlapped'}: {led} does not come to rest so"))
 
 
 def _sway(mech: Mechanism, q: Reals, pin: str, led: str, rod: str) -> Reals:

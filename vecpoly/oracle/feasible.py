@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..errors import AssemblyError
 from ..mechanism.model import Drive
+from ..words import Words
 from .state import Reals
 from .steps import Step
 
@@ -61,14 +62,26 @@ def alone(closes: Closes, at: float, scale: float) -> bool:
 
 def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool = False) -> AssemblyError:
     """The error for links that do not close; alone: they do just before and after."""
-    links = " and ".join(step.group.links)
-    if np.isfinite(gap) and gap > 0:
-        what = f"links {links} do not meet at joint {step.joint}: {1e3 * gap:.4g} mm are missing"
-    else:
-        what = f"links {links} cannot be joined at {step.joint}"
-    nowhere = "they can in no position" if np.isfinite(gap) else "no assembly was found from the guesses; choose another position of the drive, or other guesses"
-    if alone:
-        why = "" if np.isfinite(gap) and gap > 0 else ", but two of their joints fall together there and leave their direction open"
-        return AssemblyError(f"{what} where the drive stands at {where}: they can just before and just after it{why}; move the drive a little")
-    room = f"they can where the drive is within {' or '.join(ranges)}" if ranges else nowhere
-    return AssemblyError(f"{what} where the drive stands at {where}; {room}")
+    zh, en = "、".join(step.group.links), " and ".join(step.group.links)
+    short, found = bool(np.isfinite(gap) and gap > 0), bool(np.isfinite(gap))
+    what = Words(f"原动件位于 {where} 时，构件 {zh} 在 {step.joint} 处不能装配", f"links {en} cannot be joined at {step.joint} where the drive stands at {where}")
+    if short:
+        mm = f"{1e3 * gap:.4g} mm"
+        what = Words(
+            f"原动件位于 {where} 时，构件 {zh} 在运动副 {step.joint} 处不能相接，相差 {mm}",
+            f"links {en} do not meet at joint {step.joint}: {mm} are missing where the drive stands at {where}")
+    return AssemblyError(what + (_alone(short) if alone else _room(ranges, found)))
+
+
+def _alone(short: bool) -> Words:
+    why = Words("", "") if short else Words("，只是此时两运动副重合，方向不定", ", but two of their joints fall together there and leave their direction open")
+    return Words(f"：在其前后均可装配{why.zh}；请略微移动原动件", f": they can just before and just after it{why.en}; move the drive a little")
+
+
+def _room(ranges: Ranges, found: bool) -> Words:
+    if ranges:
+        return Words(f"；原动件在 {' 或 '.join(ranges)} 内时可以装配", f"; they can where the drive is within {' or '.join(ranges)}")
+    if found:
+        return Words("；在任何位置都不能装配", "; they can in no position")
+    return Words("；由所给 guesses 没有找到装配方式，请另取原动件位置或另给 guesses",
+                 "; no assembly was found from the guesses; choose another position of the drive, or other guesses")

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from ..errors import AssemblyError
 from ..mechanism.assur import Group
 from ..mechanism.model import Mechanism, Prismatic
+from ..words import Words
 from .state import Bodies
 
 
@@ -55,9 +56,8 @@ def _pose(mech: Mechanism, group: Group, name: str, places: dict[str, complex], 
     link = mech.link(name)
     seen = [p for p in link.points if p in places]
     if not seen:
-        raise AssemblyError(
-            f"the {group.name} is solved by iteration and needs rough positions: "
-            f"give `guesses` for {', '.join(link.points)} of link {name}"
-        )
+        raise AssemblyError(Words(
+            f"{group.name.zh}须迭代求解，需要大致位置；请用 guesses 给出构件 {name} 上 {', '.join(link.points)} 的位置",
+            f"the {group.name.en} is solved by iteration and needs rough positions: give `guesses` for {', '.join(link.points)} of link {name}"))
     origin = complex(np.mean([places[p] - unit * link.points[p] for p in seen]))
     return [origin.real, origin.imag, float(np.angle(unit))]

@@ -10,6 +10,7 @@ import numpy as np
 from ..errors import NotAskedError, UnknownNameError
 from ..mechanism.model import Contact, Mechanism, Rolling
 from ..names import At, Rel
+from ..words import Words
 from .contact import touching
 from .pitch import pitch_point
 from .state import Body, Points, Reals
@@ -79,15 +80,17 @@ class Motion:
         """
         if velocity is not None and acceleration is None:
             body = self.moving(link)
-            gap, turn, what = velocity - body.velocity, 1j * body.omega, "velocity"
+            gap, turn, what = velocity - body.velocity, 1j * body.omega, Words("速度", "velocity")
         elif acceleration is not None and velocity is None:
             body = self.moving(link, 2)
             gap, turn = acceleration - body.acceleration, 1j * body.alpha - body.omega**2
-            what = "acceleration"
+            what = Words("加速度", "acceleration")
         else:
-            raise NotAskedError("ask for the point with a velocity, or for the point with an acceleration")
+            raise NotAskedError(Words(
+                "求点时请只给速度或只给加速度",
+                "ask for the point with a velocity, or for the point with an acceleration"))
         if (turn == 0).any():
-            raise NotAskedError(f"link {link} does not turn here: all its points have the same {what}")
+            raise NotAskedError(Words(f"构件 {link} 此时不转动，各点{what.zh}相同", f"link {link} does not turn here: all its points have the same {what.en}"))
         return self._points(body.at + gap / turn)
 
     def velocity_pole(self, link: str) -> Points:
@@ -102,13 +105,17 @@ class Motion:
         """The link's motion; UnknownNameError where there is no such link."""
         if link not in self.bodies:
             names = ", ".join(self.bodies)
-            raise UnknownNameError(f"there is no link {link}; known: {names}")
+            raise UnknownNameError(Words(
+                f"没有构件 {link}；已有：{names}",
+                f"there is no link {link}; known: {names}"))
         return self.bodies[link]
 
     def moving(self, link: str, order: int = 1) -> Body:
         """The link's motion with rates up to this order; NotAskedError where it was solved without."""
         if self.order < order:
-            raise NotAskedError(f"solved with order={self.order}; solve with order={order} for these rates")
+            raise NotAskedError(Words(
+                f"求解时取 order={self.order}；求这些量须取 order={order}",
+                f"solved with order={self.order}; solve with order={order} for these rates"))
         return self.body(link)
 
     def locate(self, point: str | At) -> tuple[str, complex | None]:
@@ -133,7 +140,9 @@ class Motion:
         letter = at.point.rstrip("0123456789")
         if not at.link and letter != at.point and self._is_letter(letter):
             return At(letter, at.point[len(letter) :])
-        raise UnknownNameError(f"there is no point {at}; known: {', '.join(sorted(self._letters()))}")
+        raise UnknownNameError(Words(
+            f"没有点 {at}；已有：{', '.join(sorted(self._letters()))}",
+            f"there is no point {at}; known: {', '.join(sorted(self._letters()))}"))
 
     def place(self, point: str | At) -> Points:
         """Where the letter is now, of whatever link (unshaped)."""

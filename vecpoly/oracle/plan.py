@@ -11,6 +11,7 @@ from ..errors import AssemblyError
 from ..mechanism.assur import decompose
 from ..mechanism.mobility import check
 from ..mechanism.model import FRAME, Mechanism
+from ..words import Words
 from .across import across
 from .branches import check_letters, choose
 from .changes import Changes, touches
@@ -36,7 +37,7 @@ class Plan:
     def start(self, asked: Reals, strict: bool) -> tuple[Run, dict[str, Body]]:
         """The run over these positions, with frame and driving links in place."""
         if not np.isfinite(asked).all():
-            raise AssemblyError("a position of the drive is not a finite number")
+            raise AssemblyError(Words("原动件的位置不是有限的数", "a position of the drive is not a finite number"))
         drive = self.mech.drive
         run = Run(asked, strict, "mm" if drive.slide else "deg")
         if self.followed:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import DeadPointError
+from ..words import Words
 from .state import Points, Reals
 
 STEP = 1 / 128  # of a turn, or of the scale for a sliding drive: the stride of a followed path
@@ -79,8 +80,7 @@ class Run:
             return det
         if self.strict and low.ravel()[self.asked if low.size > 1 else 0 :].any():
             where = self.text(float(self.q[self.first(low)]))
-            raise DeadPointError(
-                f"links {' and '.join(links)} are at a dead point where the drive stands at {where}: "
-                f"their velocities have no single value here; choose another position"
-            )
+            raise DeadPointError(Words(
+                f"原动件位于 {where} 时构件 {'、'.join(links)} 处于死点位置，速度没有唯一解；请另取位置",
+                f"links {' and '.join(links)} are at a dead point where the drive stands at {where}: their velocities have no single value here; choose another position"))
         return np.where(low, np.nan, det)

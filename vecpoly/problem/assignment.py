@@ -68,7 +68,7 @@ def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
     for key, value in written.items():
         with faults.at("title_block", key):
             if key not in names:
-                raise FaultError(f"unknown field '{key}'{meant(key, names)}")
+                raise FaultError(Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names))
             block[names[key]] = value or ""
     return block
 
@@ -80,11 +80,13 @@ def _problem(
         over = part(tree, ("problems", index)) if isinstance(item, dict) else None
         name = item if isinstance(item, str) else item.get("problem")
         if not isinstance(name, str):
-            raise FaultError("name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}")
+            raise FaultError(Words(
+                "请写出题号，如 {problem: 3-9, input: {omega: 10 rad/s ccw}}",
+                "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"))
         try:
             file = locate(name, path.parent)
         except UnknownNameError as error:
-            raise FaultError(str(error)) from None
+            raise FaultError(error.words) from None
         base = tree_of(file)
         if over is None:
             return build(base, file)
@@ -113,9 +115,8 @@ def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:
     for i, problem in enumerate(problems):
         with faults.at("problems", i):
             if problem.id in seen:
-                raise FaultError(
-                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; "
-                    f"give this one another, e.g. id: {problem.id}-b"
-                )
+                raise FaultError(Words(
+                    f"id“{problem.id}”已用于 problems[{seen[problem.id]}]；请另取一个，如 id: {problem.id}-b",
+                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"))
             seen[problem.id] = i
     faults.settle()

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from ..errors import FaultError
 from ..mechanism.model import Contact
+from ..words import Words
 from .draft import Draft
 from .faults import meant
 
@@ -23,7 +24,7 @@ class Bodies:
     def draft(self, name: str) -> Draft:
         """The moving link `name`."""
         if name not in self.drafts:
-            raise FaultError(f"link '{name}' does not exist{meant(name, self.drafts)}")
+            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts))
         return self.drafts[name]
 
     def letters(self) -> tuple[str, ...]:

@@ -30,7 +30,7 @@ def read_branch(text: str, letters: Iterable[str]) -> Statement:
     known = set(letters)
     for letter in statement.letters:
         if letter not in known:
-            raise FaultError(Words(f"没有点 {letter}", f"point '{letter}' does not exist{meant(letter, known)}"))
+            raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known))
     return statement
 
 

@@ -14,13 +14,14 @@ from ..mechanism.model import Drive, Joint, Mechanism, Shaped, Statement
 from ..mechanism.quantities import quantities
 from ..names import At, Named, is_centre
 from ..units import Dim, read
+from ..words import Words
 from .asks import Ask, AskNamed
 from .bodies import Bodies
 from .branches import check_figure, read_branch
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
-from .draft import LETTER
-from .faults import Faults, meant
+from .draft import LETTER, refuse_frame
+from .faults import Faults, Place, meant
 from .friction import read_friction
 from .joints import read_joint, revolutes
 from .links import read_link
@@ -79,7 +80,9 @@ def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
             place = tree.places.get(("tables", i))
             file = (Path(place.file).parent if place else Path()) / name
             if not file.is_file():
-                raise FaultError(f"no table '{name}' beside this file (looked for {file})")
+                raise FaultError(Words(
+                    f"本文件旁没有数据表“{name}”（已查找 {file}）",
+                    f"no table '{name}' beside this file (looked for {file})"))
             found.append(file)
     return tuple(found)
 
@@ -108,9 +111,13 @@ def _points(
     for letter, pair in data.items():
         with faults.at(key, letter):
             if not re.fullmatch(LETTER, letter):
-                raise FaultError(f"'{letter}' is no letter of a point, such as A")
+                raise FaultError(Words(
+                    f"“{letter}”不是点的字母；应写 A 之类的大写字母",
+                    f"'{letter}' is no letter of a point, such as A"))
             if known and letter not in known:
-                raise FaultError(f"point '{letter}' does not exist{meant(letter, known)}")
+                raise FaultError(Words(
+                    f"点“{letter}”不存在",
+                    f"point '{letter}' does not exist") + meant(letter, known))
             points[letter] = complex(read(pair[0], Dim.LENGTH).si, read(pair[1], Dim.LENGTH).si)
     return points
 
@@ -120,10 +127,11 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
     for name, data in spec.links.items():
         with faults.at("links", name):
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
-                raise FaultError(
-                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"
-                )
+                raise FaultError(Words(
+                    f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
+                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"))
             bodies.drafts[name] = read_link(name, data)
+            refuse_frame(bodies.drafts[name], bodies.frame)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies
@@ -186,10 +194,11 @@ def _wanted(
         if isinstance(item, FindSpec) and item.point:
             with faults.at("find", i):
                 named.append(read_point(item, bodies).at)
+    clean = not faults.found
     for i, item in enumerate(spec.find):
         if item == ALL_CENTRES:
             asks += [AskNamed(rel=named) for named in forces.values() if is_centre(named)]
-        elif not faults.found:
+        elif clean:
             with faults.at("find", i):
                 asks.append(numbered(read_find(item, bodies, named, forces), spec))
     for i, entry in enumerate(spec.printed):
@@ -226,5 +235,5 @@ def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
         mobility.check(mechanism)
     except VecpolyError as error:
         place = tree.places.get(("input",))
-        where = f"{tree.name}, line {place.line}" if place else tree.name
-        raise type(error)(f"{where}: input: {error}") from None
+        where = Place(place.file if place else tree.name, place.line if place else 0).words
+        raise error.led_by(where + Words("：input：", ": input: ")) from None

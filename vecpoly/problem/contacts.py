@@ -7,6 +7,7 @@ import re
 
 from ..errors import FaultError
 from ..mechanism.model import Circle, Contact, Joint, Prismatic, Rack, Side
+from ..words import Words
 from .bodies import Bodies
 from .draft import LETTER, Draft
 from .guides import LINK
@@ -28,21 +29,29 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
     """One contact: it is kept in the bodies, which get its substitute link too; the joints which that link needs beyond pins."""
     m = _TOUCHES.fullmatch(text)
     if m is None:
-        raise FaultError(f"'{text}' is no contact; write {EXAMPLES}")
+        raise FaultError(Words(
+            f"“{text}”不是接触的写法；应写 {EXAMPLES}",
+            f"'{text}' is no contact; write {EXAMPLES}"))
     if m["point"] in (*bodies.letters(), *bodies.pitch):
-        raise FaultError(f"the letter {m['point']} already is a point; give the contact a letter of its own")
+        raise FaultError(Words(
+            f"字母 {m['point']} 已是一个点；请给接触点另取字母",
+            f"the letter {m['point']} already is a point; give the contact a letter of its own"))
     first, second = bodies.draft(m["a"]), bodies.draft(m["b"])
     if first is second:
-        raise FaultError(f"link {first.name} cannot touch itself")
+        raise FaultError(Words(f"构件 {first.name} 不能与自身接触", f"link {first.name} cannot touch itself"))
     bodies.pitch.append(m["point"])
     if first.disc is None:
         first, second = second, first
     if first.disc is None:
-        raise FaultError(f"links {m['a']} and {m['b']} touch, but neither has a disc; write e.g. disc: {next(iter(second.points))}, radius: 40 mm in one of them")
+        raise FaultError(Words(
+            f"构件 {m['a']} 与 {m['b']} 接触，但都没有圆盘；请在其一中写 disc: {next(iter(second.points))}, radius: 40 mm",
+            f"links {m['a']} and {m['b']} touch, but neither has a disc; write e.g. disc: {next(iter(second.points))}, radius: 40 mm in one of them"))
     if second.face is not None and (second.disc is None or m["on"] == "the face of "):
         return (_on_face(m, bodies, first.disc, second),)
     if second.disc is None:
-        raise FaultError(f"link {second.name} has neither disc nor face to be touched; write disc: E, radius: 10 mm or face: {next(iter(second.points))} in it")
+        raise FaultError(Words(
+            f"构件 {second.name} 既无圆盘也无平面，无从接触；请在其中写 disc: E, radius: 10 mm 或 face: {next(iter(second.points))}",
+            f"link {second.name} has neither disc nor face to be touched; write disc: E, radius: 10 mm or face: {next(iter(second.points))} in it"))
     _on_disc(m, bodies, first.disc, second.disc)
     return ()
 
@@ -50,13 +59,17 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
 def _on_disc(m: re.Match[str], bodies: Bodies, one: Circle, two: Circle) -> None:
     """Disc on disc: a bar between the centres, R + r long, or R − r where one runs inside the other."""
     if m["side"]:
-        raise FaultError(f"links {one.link} and {two.link} touch with their discs: 'of the face' says nothing here")
+        raise FaultError(Words(
+            f"构件 {one.link} 与 {two.link} 是圆盘与圆盘接触；“of the face”在此无意义，请去掉",
+            f"links {one.link} and {two.link} touch with their discs: 'of the face' says nothing here"))
     internal = m["inside"] is not None
     if internal:  # the smaller disc is the one inside: it presses outwards
         one, two = sorted((one, two), key=lambda disc: disc.radius)
     reach = two.radius - one.radius if internal else one.radius + two.radius
     if reach <= 0:
-        raise FaultError(f"a disc of {one.radius * 1e3:g} mm inside another of {two.radius * 1e3:g} mm does not run; give it a smaller radius")
+        raise FaultError(Words(
+            f"半径 {one.radius * 1e3:g} mm 的圆盘不能在半径 {two.radius * 1e3:g} mm 的圆盘内运动；请减小其半径",
+            f"a disc of {one.radius * 1e3:g} mm inside another of {two.radius * 1e3:g} mm does not run; give it a smaller radius"))
     name = _free(f"{one.centre}{two.centre}", bodies)
     bodies.drafts[name] = Draft(name, Shape.PIN, {one.centre: 0j, two.centre: complex(reach)})
     bodies.contacts.append(Contact(point=m["point"], disc=one, on=two, substitute=name, internal=internal))
@@ -66,9 +79,13 @@ def _on_face(m: re.Match[str], bodies: Bodies, disc: Circle, other: Draft) -> Pr
     """Disc on a flat face: a block pinned at the centre, led along the parallel at the distance R from the face."""
     assert other.face is not None
     if m["side"] is None:
-        raise FaultError(f"on which side of the face of link {other.name} does the disc lie? write e.g. '{m[0]} right of the face' (of its direction)")
+        raise FaultError(Words(
+            f"圆盘在构件 {other.name} 平面的哪一侧？请写明，如“{m[0]} right of the face”（按平面的方向）",
+            f"on which side of the face of link {other.name} does the disc lie? write e.g. '{m[0]} right of the face' (of its direction)"))
     if m["inside"]:
-        raise FaultError("a disc does not touch a flat face from inside; leave 'inside' out")
+        raise FaultError(Words(
+            "圆盘不能从内侧与平面接触；请去掉 inside",
+            "a disc does not touch a flat face from inside; leave 'inside' out"))
     side, line = Side(m["side"]), other.face
     name = _free(f"pin{disc.centre}", bodies)
     bodies.drafts[name] = Draft(name, Shape.PIN, {disc.centre: 0j})

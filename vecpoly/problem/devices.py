@@ -7,6 +7,7 @@ from pathlib import Path
 from ..devices.base import Device, kind_of, kinds
 from ..errors import FaultError, UnknownNameError
 from ..names import Named
+from ..words import Words
 from .asks import AskNamed
 from .faults import Faults, meant
 from .problem import Datum, Given, Printed, Problem, Scales
@@ -21,7 +22,9 @@ def about_device(tree: Tree) -> bool:
     if "data" in tree.data and "device" not in tree.data:
         faults = Faults(tree.name, tree.places)
         with faults.at("data"):
-            raise FaultError(f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})")
+            raise FaultError(Words(
+                f"data 属于机械装置；请写出装置，如 device: {next(iter(kinds()))}（已有：{', '.join(kinds())}）",
+                f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})"))
         faults.settle()
     return "device" in tree.data
 
@@ -57,7 +60,9 @@ def _strange(tree: Tree, faults: Faults) -> None:
     for key in tree.data:
         if key in ProblemSpec.model_fields and key not in DeviceSpec.model_fields:
             with faults.at(key):
-                raise FaultError(f"'{key}' belongs to a mechanism; all that is given of a device stands in 'data'")
+                raise FaultError(Words(
+                    f"“{key}”属于机构；装置的已知量都写在 data 中",
+                    f"'{key}' belongs to a mechanism; all that is given of a device stands in 'data'"))
     faults.settle()
 
 
@@ -66,7 +71,9 @@ def _device(spec: DeviceSpec, faults: Faults) -> Device:
         try:
             kind = kind_of(spec.device)
         except UnknownNameError:
-            raise FaultError(f"there is no device '{spec.device}'{meant(spec.device, kinds())}") from None
+            raise FaultError(Words(
+                f"没有装置“{spec.device}”",
+                f"there is no device '{spec.device}'") + meant(spec.device, kinds())) from None
     faults.settle()
     return validate(kind, spec.data, faults, "data")
 
@@ -86,5 +93,7 @@ def _wanted(spec: DeviceSpec, named: dict[str, Named], faults: Faults) -> tuple[
 
 def _known(key: str, named: dict[str, Named]) -> Named:
     if key not in named:
-        raise FaultError(f"'{key}' is nothing that this device is asked for{meant(key, named)}")
+        raise FaultError(Words(
+            f"“{key}”不是此装置可求的量",
+            f"'{key}' is nothing that this device is asked for") + meant(key, named))
     return named[key]

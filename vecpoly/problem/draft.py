@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import cmath
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..errors import FaultError
 from ..mechanism.model import Circle, Link, Placement
 from ..words import Words
-from .faults import meant
+from .faults import not_on_link
 from .problem import Datum, Shape
 
 LETTER = r"[A-Z][a-z'′]?"
@@ -58,7 +59,7 @@ def letters_of(word: str) -> tuple[str, str]:
     """'BC' to ('B', 'C'); raises FaultError otherwise."""
     m = TWO.fullmatch(word)
     if m is None:
-        raise FaultError(f"'{word}' is not two letters such as BC")
+        raise FaultError(Words(f"“{word}”不是 BC 之类的两个字母", f"'{word}' is not two letters such as BC"))
     return m[1], m[2]
 
 
@@ -69,7 +70,7 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
     if word == "line":
         first = line.through if line else ""
     if first and first not in draft.points:
-        raise FaultError(f"point '{first}' is not on link {draft.name}{meant(first, draft.points)}")
+        raise not_on_link(first, draft.name, draft.points)
     if second in draft.points and draft.points[second] != draft.points[first]:
         return (
             (first, second),
@@ -78,7 +79,17 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
         )
     lined = draft.line is not None or draft.shape is Shape.BLOCK
     if line is None or first != line.through or not lined:
-        raise FaultError(
-            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"
-        )
+        raise FaultError(Words(
+            f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
+            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"))
     return (first,), draft.points[first], cmath.exp(1j * line.direction)
+
+
+def refuse_frame(draft: Draft, frame: Mapping[str, complex]) -> None:
+    """A bar whose points are all fixed is the frame, which has no entry."""
+    if draft.shape is Shape.BAR and len(draft.points) > 1 and set(draft.points) <= set(frame):
+        letters = "、".join(draft.points)
+        raise FaultError(Words(
+            f"{letters} 都是机架上的点，构件 {draft.name} 就是机架；请去掉此项（机架的点只写在 frame 中）",
+            f"{' and '.join(draft.points)} are points of the frame, so link {draft.name} is the frame itself; leave it out (the frame's points stand under 'frame' alone)"),
+            code="frame-as-link")

@@ -7,18 +7,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 
-from ..errors import FaultError, ProblemFileError, VecpolyError
+from ..errors import Fault, FaultError, Path, Place, ProblemFileError, VecpolyError, dotted
+from ..words import Words
 
-Path = tuple[str | int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """Where a key or an item stands, counted from 1."""
-
-    file: str
-    line: int
-    column: int
+__all__ = ["Faults", "Path", "Place", "dotted", "meant"]
 
 
 @dataclass(slots=True)
@@ -27,7 +19,7 @@ class Faults:
 
     file: str
     places: Mapping[Path, Place] = field(default_factory=dict)
-    found: list[tuple[Path, str]] = field(default_factory=list)
+    found: list[Fault] = field(default_factory=list)
 
     @contextmanager
     def at(self, *path: str | int) -> Iterator[None]:
@@ -35,33 +27,46 @@ class Faults:
         try:
             yield
         except FaultError as fault:
-            self.found.append(((*path, *fault.path), fault.text))
+            self.note(fault.under(*path))
         except VecpolyError as error:
-            self.found.append((path, str(error)))
+            self.note(FaultError(error.words, *path, code=error.code, numbers=error.numbers))
+
+    def note(self, fault: FaultError) -> None:
+        """Keep a fault, with the place of the nearest key that is written."""
+        path = fault.path
+        cut = next((path[:n] for n in range(len(path), 0, -1) if path[:n] in self.places), ())
+        place = self.places.get(cut, Place(self.file, 1, 1))
+        new = Fault(said=fault.words, code=fault.code, place=place, path=path, numbers=fault.numbers)
+        if new not in self.found:
+            self.found.append(new)
 
     def settle(self) -> None:
         """Raise one ProblemFileError with all that was found, if anything was."""
         if self.found:
-            lines = sorted({self._line(path, text) for path, text in self.found})
-            raise ProblemFileError("\n".join(text for _, text in lines))
-
-    def _line(self, path: Path, text: str) -> tuple[tuple[int, int], str]:
-        cut = next((path[:n] for n in range(len(path), 0, -1) if path[:n] in self.places), ())
-        place = self.places.get(cut, Place(self.file, 1, 1))
-        where = f"{place.file}, line {place.line}, column {place.column}"
-        return (place.line, place.column), f"{where}: {dotted(path)}: {text}" if path else f"{where}: {text}"
+            raise ProblemFileError.of(*sorted(self.found, key=_order))
 
 
-def dotted(path: Path) -> str:
-    """A path as people write it: links.2.F, joints[0]."""
-    text = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
-    return text.removeprefix(".")
+def _order(fault: Fault) -> tuple[int, int, str]:
+    place = fault.place or Place("")
+    return place.line, place.column, fault.words.en
 
 
-def meant(word: str, known: Iterable[str]) -> str:
+def meant(word: str, known: Iterable[str]) -> Words:
     """'; did you mean ...?', or the list of what exists."""
     names = sorted(set(known))
     close = get_close_matches(word, names, n=1, cutoff=0.6) or get_close_matches(word.lower(), names, n=1)
     if close:
-        return f"; did you mean '{close[0]}'?"
-    return f"; known: {', '.join(names)}" if 0 < len(names) <= 30 else ""
+        return Words(f"；是否指“{close[0]}”？", f"; did you mean '{close[0]}'?")
+    there = ", ".join(names)
+    return Words(f"；已有：{there}", f"; known: {there}") if 0 < len(names) <= 30 else Words.same("")
+
+
+def not_on_link(letter: str, link: str, points: Iterable[str]) -> FaultError:
+    """A letter that the link has not."""
+    return FaultError(Words(
+        f"点“{letter}”不在构件 {link} 上", f"point '{letter}' is not on link {link}") + meant(letter, points), code="unknown-point")
+
+
+def not_on_frame(letter: str, points: Iterable[str]) -> FaultError:
+    """A letter that the frame has not."""
+    return FaultError(Words(f"点“{letter}”不在机架上", f"point '{letter}' is not on the frame") + meant(letter, points), code="unknown-point")

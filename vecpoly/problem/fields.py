@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
+from ..errors import FaultError
 from ..words import Words
 
 _LETTER = "[A-Z][a-z'′]?"
@@ -20,7 +21,11 @@ def _words(value: Any) -> Words:
             return Words(value, value)
         case {"zh": str(zh), "en": str(en), **rest} if not rest:
             return Words(zh.strip(), en.strip())
-    raise ValueError("write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes")
+        case {"zh": str(one), **rest} | {"en": str(one), **rest} if not rest:
+            return Words.same(one.strip())
+    raise FaultError(Words(
+        "请写一个文本，或写 {zh: ..., en: ...}（可只写一种语言）；含逗号的文本要加引号",
+        "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"))
 
 
 Text = Annotated[
@@ -32,7 +37,7 @@ Text = Annotated[
                 {"type": "string"},
                 {
                     "type": "object",
-                    "required": ["zh", "en"],
+                    "minProperties": 1,
                     "additionalProperties": False,
                     "properties": {"zh": {"type": "string"}, "en": {"type": "string"}},
                 },
@@ -85,7 +90,7 @@ Link = Annotated[
 ]
 Centre = Annotated[Any, WithJsonSchema({"anyOf": [_ONE, _PLACE]})]
 Pair = tuple[Number, Number]
-ID = r"^[A-Za-z0-9][\w.\-]*$"
+ID = r"^\w[\w.\-]*$"
 
 
 def _yes(value: Any) -> bool:
@@ -93,7 +98,7 @@ def _yes(value: Any) -> bool:
     if isinstance(value, bool):
         return value
     if str(value).lower() not in known:
-        raise ValueError(f"'{value}' is neither yes nor no")
+        raise FaultError(Words(f"“{value}”既不是 yes 也不是 no", f"'{value}' is neither yes nor no"))
     return known[str(value).lower()]
 
 

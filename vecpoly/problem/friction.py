@@ -52,8 +52,11 @@ def _slide(one: str, other: str, mech: Mechanism) -> tuple[str, str]:
             return joint.block, joint.guide
         known += [f"{mech.number(block)}-{mech.number(joint.guide)}" for block in blocks]
     if any({joint.gear.link, joint.on.link} == pair for joint in mech.joints if isinstance(joint, Rolling)):
-        raise FaultError("these links roll on each other without sliding: no friction is lost there; leave the entry out")
-    raise FaultError(f"links {one} and {other} form no sliding pair{meant(f'{one}-{other}', known) if known else '; there is none'}")
+        raise FaultError(Words(
+            "此两构件作纯滚动，没有摩擦损失；请去掉此项",
+            "these links roll on each other without sliding: no friction is lost there; leave the entry out"))
+    raise FaultError(Words(f"构件 {one} 与 {other} 不组成移动副", f"links {one} and {other} form no sliding pair") + (
+        meant(f"{one}-{other}", known) if known else Words("；机构中没有移动副", "; there is none")))
 
 
 def _pinned(name: str, mech: Mechanism) -> None:
@@ -62,11 +65,17 @@ def _pinned(name: str, mech: Mechanism) -> None:
     if name in pins:
         return
     if name in {joint.point for joint in mech.joints if isinstance(joint, Rolling)}:
-        raise FaultError(f"at {name} links roll on each other without sliding: no friction is lost there; leave the entry out")
+        raise FaultError(Words(
+            f"在 {name} 处两构件作纯滚动，没有摩擦损失；请去掉此项",
+            f"at {name} links roll on each other without sliding: no friction is lost there; leave the entry out"))
     if mech.links_at(name):
-        raise FaultError(f"point {name} is no pin, since only {_link(mech, mech.links_at(name)[0])} carries it; pins: {', '.join(pins)}")
+        raise FaultError(Words(
+            f"点 {name} 不是转动副，只有{_link(mech, mech.links_at(name)[0]).zh}含有它；转动副有：{', '.join(pins)}",
+            f"point {name} is no pin, since only {_link(mech, mech.links_at(name)[0]).en} carries it; pins: {', '.join(pins)}"))
     contacts = [contact.point for contact in mech.contacts]
-    raise FaultError(f"'{name}' is neither a pin nor a contact nor a sliding pair such as 3-4{meant(name, [*pins, *contacts])}")
+    raise FaultError(Words(
+        f"“{name}”既不是转动副、接触点，也不是 3-4 之类的移动副",
+        f"'{name}' is neither a pin nor a contact nor a sliding pair such as 3-4") + meant(name, [*pins, *contacts]))
 
 
 def _pins(mech: Mechanism) -> tuple[str, ...]:
@@ -75,30 +84,36 @@ def _pins(mech: Mechanism) -> tuple[str, ...]:
     return tuple(letter for letter, names in hinges(mech).items() if len(set(names) - thought) > 1)
 
 
-def _link(mech: Mechanism, name: str) -> str:
-    return "the frame" if name == FRAME else f"link {name}"
+def _link(mech: Mechanism, name: str) -> Words:
+    return Words("机架", "the frame") if name == FRAME else Words(f"构件 {name}", f"link {name}")
 
 
 def _turning(name: str, spec: FrictionSpec, mech: Mechanism) -> tuple[Datum, float]:
     """ρ of a pin: given, or f r."""
-    _only(spec, "a pin", "rho, or f and r", "rho", "f", "f_v", "r")
+    _only(spec, Words("转动副", "a pin"), Words("rho，或 f 和 r", "rho, or f and r"), "rho", "f", "f_v", "r")
     if spec.rho is not None:
         if spec.f is not None or spec.f_v is not None or spec.r is not None:
-            raise FaultError("rho and f are both given, though rho = f r; leave out one of them")
+            raise FaultError(Words(
+                "rho 与 f 都给了，而 rho = f r；请去掉其一",
+                "rho and f are both given, though rho = f r; leave out one of them"))
         rho = _within("rho", lambda: _not_negative(spec.rho, Dim.LENGTH))
         datum = Datum(symbol=f"ρ_{name}", si=rho.si, text=rho.text)
         radius, key = rho.si, "rho"
     else:
         f, sign = _coefficient(spec)
         if spec.r is None:
-            raise FaultError("the radius of the pin is missing; write e.g. {f: 0.1, r: 20 mm}, or {rho: 2 mm}")
+            raise FaultError(Words(
+                "缺少轴颈半径；如写 {f: 0.1, r: 20 mm} 或 {rho: 2 mm}",
+                "the radius of the pin is missing; write e.g. {f: 0.1, r: 20 mm}, or {rho: 2 mm}"))
         r = _within("r", lambda: positive(spec.r))
         radius, key = f * r.si, "r"
         text = f"${sign}$ = {f:g}，$r_{name}$ = {r.text}，$ρ_{name}$ = ${sign} r_{name}$ = {1e3 * radius:.4g} mm"
         datum = Datum(words=Words(text, text.replace("，", ", ")))
     shortest, ends = _shortest(name, mech)
     if radius > shortest / 2:
-        raise FaultError(f"the friction circle's radius {1e3 * radius:g} mm is more than half of {ends} = {1e3 * shortest:g} mm; check both", key)
+        raise FaultError(Words(
+            f"摩擦圆半径 {1e3 * radius:g} mm 大于 {ends} = {1e3 * shortest:g} mm 的一半；请检查两者",
+            f"the friction circle's radius {1e3 * radius:g} mm is more than half of {ends} = {1e3 * shortest:g} mm; check both"), key)
     return datum, radius
 
 
@@ -113,13 +128,17 @@ def _shortest(name: str, mech: Mechanism) -> tuple[float, str]:
 
 def _leaning(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
     """φ of a slide or a contact: given, or arctan f; in a V-groove of half angle V, f_v = f / sin V."""
-    _only(spec, "a slide or a contact", "phi, or f, or f and V", "phi", "f", "f_v", "V")
+    _only(spec, Words("移动副或接触点", "a slide or a contact"), Words("phi，或 f，或 f 和 V", "phi, or f, or f and V"), "phi", "f", "f_v", "V")
     if spec.phi is not None:
         if spec.f is not None or spec.f_v is not None or spec.V is not None:
-            raise FaultError("phi and f are both given, though phi = arctan f; leave out one of them")
+            raise FaultError(Words(
+                "phi 与 f 都给了，而 phi = arctan f；请去掉其一",
+                "phi and f are both given, though phi = arctan f; leave out one of them"))
         phi = _within("phi", lambda: _not_negative(spec.phi, Dim.ANGLE))
         if phi.si >= math.pi / 2 * (1 - 1e-12):
-            raise FaultError(f"a friction angle of {phi.text} would hold against any force; it must be less than 90 deg", "phi")
+            raise FaultError(Words(
+                f"摩擦角 {phi.text} 对任何力都自锁；应小于 90 deg",
+                f"a friction angle of {phi.text} would hold against any force; it must be less than 90 deg"), "phi")
         return Datum(symbol=f"φ_{{{name}}}", si=phi.si, text=phi.text), phi.si
     f, sign = _coefficient(spec)
     text = f"${sign}_{{{name}}}$ = {f:g}"
@@ -132,40 +151,46 @@ def _leaning(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
     return Datum(words=Words(text, text.replace("，", ", "))), angle
 
 
-def _only(spec: FrictionSpec, what: str, keys: str, *allowed: str) -> None:
+def _only(spec: FrictionSpec, what: Words, keys: Words, *allowed: str) -> None:
     given = [key for key in type(spec).model_fields if getattr(spec, key) is not None]
     if not given:
-        raise FaultError(f"how large is the friction? {what} takes {keys}")
+        raise FaultError(Words(f"摩擦多大？{what.zh}应给 {keys.zh}", f"how large is the friction? {what.en} takes {keys.en}"))
     if strange := [key for key in given if key not in allowed]:
-        raise FaultError(f"'{strange[0]}' is no datum of {what}, which takes {keys}", strange[0])
+        raise FaultError(Words(f"“{strange[0]}”不是{what.zh}的数据，其应给 {keys.zh}", f"'{strange[0]}' is no datum of {what.en}, which takes {keys.en}"), strange[0])
 
 
 def _coefficient(spec: FrictionSpec) -> tuple[float, str]:
     if spec.f is not None and spec.f_v is not None:
-        raise FaultError("f and f_v are both given; leave out one of them")
+        raise FaultError(Words("f 与 f_v 都给了；请去掉其一", "f and f_v are both given; leave out one of them"))
     key, text = ("f", spec.f) if spec.f is not None else ("f_v", spec.f_v)
     if text is None:
-        raise FaultError("the coefficient f is missing; write e.g. f: 0.1")
+        raise FaultError(Words("缺少摩擦系数 f；如写 f: 0.1", "the coefficient f is missing; write e.g. f: 0.1"))
     try:
         f = pure(text, f"{key}: 0.1")
     except FaultError as fault:
-        raise FaultError(fault.text, key) from None
+        raise fault.under(key) from None
     if f < 0:
-        raise FaultError(f"{key} = {text}: a coefficient of friction is not negative; write e.g. {key}: 0.1", key)
+        raise FaultError(Words(
+            f"{key} = {text}：摩擦系数不得为负；如写 {key}: 0.1",
+            f"{key} = {text}: a coefficient of friction is not negative; write e.g. {key}: 0.1"), key)
     return f, key
 
 
 def _half_angle(text: str | None) -> Quantity:
     half = positive(text, Dim.ANGLE)
     if half.si > math.pi / 2 * (1 + 1e-12):
-        raise FaultError(f"'{half.text}' is more than 90 deg; V is half the angle of the groove, e.g. V: 45 deg")
+        raise FaultError(Words(
+            f"“{half.text}”大于 90 deg；V 为槽形半角，如 V: 45 deg",
+            f"'{half.text}' is more than 90 deg; V is half the angle of the groove, e.g. V: 45 deg"))
     return half
 
 
 def _not_negative(text: str | None, dim: Dim) -> Quantity:
     quantity = read(text, dim)
     if quantity.si < 0:
-        raise FaultError(f"'{text}' must not be negative; write e.g. {'6 mm' if dim is Dim.LENGTH else '8 deg'}")
+        raise FaultError(Words(
+            f"“{text}”不得为负；如写 {'6 mm' if dim is Dim.LENGTH else '8 deg'}",
+            f"'{text}' must not be negative; write e.g. {'6 mm' if dim is Dim.LENGTH else '8 deg'}"))
     return quantity
 
 
@@ -173,4 +198,4 @@ def _within(key: str, act: Callable[[], Quantity]) -> Quantity:
     try:
         return act()
     except FaultError as fault:
-        raise FaultError(fault.text, key) from None
+        raise fault.under(key) from None

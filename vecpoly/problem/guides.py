@@ -13,7 +13,7 @@ from ..units import Dim, read
 from ..words import Words
 from .bodies import Bodies
 from .draft import LETTER, Draft, Line, letters_of
-from .faults import meant
+from .faults import not_on_frame
 from .problem import Shape
 
 LINK = r"\d+[a-z']?"
@@ -61,6 +61,6 @@ def fixed_line(text: str, bodies: Bodies) -> Line | None:
         return Line(complex(at, 0), math.pi / 2, "") if m[1] == "x" else Line(complex(0, at), 0.0, "")
     if m := re.fullmatch(rf"line through ({LETTER}) at (.+)", text):
         if m[1] not in bodies.frame:
-            raise FaultError(f"point '{m[1]}' is not on the frame{meant(m[1], bodies.frame)}")
+            raise not_on_frame(m[1], bodies.frame)
         return Line(bodies.frame[m[1]], read(m[2], Dim.ANGLE).si, m[1])
     return None

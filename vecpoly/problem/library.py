@@ -30,9 +30,9 @@ def library(folder: Path | None = None) -> tuple[Entry, ...]:
     for entry in found:
         first = by_id.setdefault(entry.id, entry)
         if first is not entry:
-            raise ProblemFileError(
-                f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them"
-            )
+            raise ProblemFileError(Words(
+                f"{entry.path} 第 1 行：id：“{entry.id}”也是 {first.path} 的 id；请更改其一",
+                f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them"))
     return tuple(found)
 
 

@@ -25,7 +25,9 @@ LINK_KEYS = (*_SINGLE, "radius")
 def read_link(name: str, data: Value) -> Draft:
     """One entry of `links`."""
     if not isinstance(data, dict) or not data:
-        raise FaultError(f"link {name} needs a mapping such as {{BC: 350 mm}} or {{block: C}}")
+        raise FaultError(Words(
+            f"构件 {name} 应写成 {{BC: 350 mm}} 或 {{block: C}} 之类的映射",
+            f"link {name} needs a mapping such as {{BC: 350 mm}} or {{block: C}}"))
     draft = Draft(name)
     for key in data:
         _known(key)
@@ -87,14 +89,16 @@ def _within(key: str, act: Callable[[], None]) -> None:
     try:
         act()
     except FaultError as fault:
-        raise FaultError(fault.text, key, *fault.path) from None
+        raise fault.under(key) from None
 
 
 def _known(key: str) -> None:
     if not (key in LINK_KEYS or ONE.fullmatch(key) or TWO.fullmatch(key)):
         raise FaultError(
-            f"'{key}' is no key of a link (two letters with a length, a letter with its place, or "
-            f"{', '.join(LINK_KEYS)}){meant(key, LINK_KEYS) if len(key) > 2 else ''}",
+            Words(
+            f"“{key}”不是构件的键（应为两个字母及其长度、一个字母及其位置，或 {', '.join(LINK_KEYS)}）",
+            f"'{key}' is no key of a link (two letters with a length, a letter with its place, or {', '.join(LINK_KEYS)})") + (
+            meant(key, LINK_KEYS) if len(key) > 2 else Words.same("")),
             key,
         )
 
@@ -105,8 +109,9 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
     singles = [key for key in _SINGLE if isinstance(data.get(key), str)]
     if len(bases) > 1:
         raise FaultError(
-            f"{bases[1]}: link {draft.name} already has the length {bases[0]}; set further points out, e.g. "
-            f"E: {{BE: 60 mm, CE: 70 mm, side: left of BC}}",
+            Words(
+            f"{bases[1]}：构件 {draft.name} 已给长度 {bases[0]}；其他点请用位置给出，如 E: {{BE: 60 mm, CE: 70 mm, side: left of BC}}",
+            f"{bases[1]}: link {draft.name} already has the length {bases[0]}; set further points out, e.g. E: {{BE: 60 mm, CE: 70 mm, side: left of BC}}"),
             bases[1],
         )
     if bases:
@@ -115,11 +120,15 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
     for key in singles:
         letter = str(data[key])
         if not ONE.fullmatch(letter):
-            raise FaultError(f"'{letter}' is no letter of a point, such as C", key)
+            raise FaultError(Words(
+                f"“{letter}”不是点的字母；应写 C 之类的大写字母",
+                f"'{letter}' is no letter of a point, such as C"), key)
         if not bases and not draft.points:
             draft.shape, draft.points[letter] = _SINGLE[key], 0j
         elif letter not in draft.points and key not in _PLACED:
-            raise FaultError(f"point '{letter}' is not on link {draft.name}", key)
+            raise FaultError(Words(
+                f"点“{letter}”不在构件 {draft.name} 上",
+                f"point '{letter}' is not on link {draft.name}"), key)
         if key in _LINED:
             draft.line = Line(draft.points[letter], 0.0, letter)
     for key in (*_LINED, "face"):
@@ -127,15 +136,14 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
     if not draft.points:
-        raise FaultError(
-            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, "
-            "or the one pin of a block, slot, rod, gear, disc or face, e.g. {block: C}"
-        )
+        raise FaultError(Words(
+            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
+            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, gear, disc or face, e.g. {{block: C}}"))
 
 
 def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
     if first == second:
-        raise FaultError(f"a length from {first} to itself")
+        raise FaultError(Words(f"长度的两端都是 {first}", f"a length from {first} to itself"))
     length = positive(value)
     draft.points |= {first: 0j, second: complex(length.si)}
     draft.note(f"l_{first}{second}", length.si, length.text)
@@ -145,23 +153,25 @@ def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
     """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, of a rod or of a face."""
     for key in data:
         if key not in ("through", "angle", "left", "right"):
-            raise FaultError(
-                f"'{key}' is no key of a {what}{meant(key, ('through', 'angle', 'left', 'right'))}", key
-            )
+            raise FaultError(Words(
+                f"“{key}”不是 {what} 的键",
+                f"'{key}' is no key of a {what}") + meant(key, ('through', 'angle', 'left', 'right')), key)
     letter = str(data.get("through", ""))
     if not ONE.fullmatch(letter):
-        raise FaultError(
-            f"through which point does the {what} pass? write e.g. {what}: {{through: D, angle: 60 deg from CD}}"
-        )
+        raise FaultError(Words(
+            f"{what} 过哪一点？如写 {what}: {{through: D, angle: 60 deg from CD}}",
+            f"through which point does the {what} pass? write e.g. {what}: {{through: D, angle: 60 deg from CD}}"))
     if letter not in draft.points:
-        raise FaultError(
-            f"point '{letter}' is not on link {draft.name}{meant(letter, draft.points)}", "through"
-        )
+        raise FaultError(Words(
+            f"点“{letter}”不在构件 {draft.name} 上",
+            f"point '{letter}' is not on link {draft.name}") + meant(letter, draft.points), "through")
     turn = 0j + 1
     if "angle" in data:
         m = ANGLE_FROM.fullmatch(str(data["angle"]))
         if m is None:
-            raise FaultError("write the angle from a ray of the link, e.g. 60 deg from CD", "angle")
+            raise FaultError(Words(
+                "请由构件上的射线量角，如 60 deg from CD",
+                "write the angle from a ray of the link, e.g. 60 deg from CD"), "angle")
         turn = ray(draft, m[2])[2] * cmath.exp(1j * read(m[1], Dim.ANGLE).si)
     left = (
         read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
@@ -183,15 +193,23 @@ def _round(draft: Draft, data: Mapping[str, Value]) -> None:
     """A gear with its pitch circle, or a disc with its profile."""
     kinds = [key for key in ("gear", "disc") if key in data]
     if len(kinds) > 1:
-        raise FaultError(f"link {draft.name} is a gear and a disc at once; one of them, with its radius", "disc")
+        raise FaultError(Words(
+            f"构件 {draft.name} 既是齿轮又是圆盘；请只写其一及其半径",
+            f"link {draft.name} is a gear and a disc at once; one of them, with its radius"), "disc")
     if not kinds and "radius" in data:
-        raise FaultError("a radius belongs to a gear or a disc; write gear: C, radius: 60 mm or disc: O, radius: 40 mm", "radius")
+        raise FaultError(Words(
+            "半径属于齿轮或圆盘；请写 gear: C, radius: 60 mm 或 disc: O, radius: 40 mm",
+            "a radius belongs to a gear or a disc; write gear: C, radius: 60 mm or disc: O, radius: 40 mm"), "radius")
     for kind in kinds:
         centre = str(data[kind])
         if centre not in draft.points:
-            raise FaultError(f"the centre '{centre}' is not on link {draft.name}{meant(centre, draft.points)}", kind)
+            raise FaultError(Words(
+                f"中心“{centre}”不在构件 {draft.name} 上",
+                f"the centre '{centre}' is not on link {draft.name}") + meant(centre, draft.points), kind)
         if "radius" not in data:
-            raise FaultError(f"a {kind} needs its {'pitch ' if kind == 'gear' else ''}radius; write {kind}: {centre}, radius: 60 mm")
+            raise FaultError(Words(
+            f"{kind} 要有{'节圆' if kind == 'gear' else ''}半径；请写 {kind}: {centre}, radius: 60 mm",
+            f"a {kind} needs its {'pitch ' if kind == 'gear' else ''}radius; write {kind}: {centre}, radius: 60 mm"))
         edge = kind == "disc" and str(data["radius"]).split()[0] in ("0", "0.0")  # a knife edge
         radius = read(data["radius"], Dim.LENGTH) if edge else positive(data["radius"])
         circle = Circle(link=draft.name, centre=centre, radius=radius.si)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..errors import ProblemFileError, UnknownNameError
+from ..words import Words
 from .build import build
 from .faults import meant
 from .library import entries, find
@@ -35,16 +36,20 @@ def locate(where: str | Path, near: Path | None = None) -> Path:
             if path.is_file():
                 return path
             if path.is_dir():
-                raise ProblemFileError(f"{path}: is a folder, not a problem file")
+                raise ProblemFileError(Words(
+                    f"{path}：是文件夹，不是题目文件",
+                    f"{path}: is a folder, not a problem file"))
     if text.endswith((".yaml", ".yml")):
-        raise ProblemFileError(f"{text}: no such file")
+        raise ProblemFileError(Words(f"{text}：没有此文件", f"{text}: no such file"))
     found = find(text)
     if found is None:
         if text and Path(text).is_dir():
-            raise ProblemFileError(f"{text}: is a folder, not a problem file")
+            raise ProblemFileError(Words(
+                f"{text}：是文件夹，不是题目文件",
+                f"{text}: is a folder, not a problem file"))
         raise UnknownNameError(
-            f"no problem '{text}'{meant(text, (entry.id for entry in entries()))}; "
-            "'vecpoly list' shows all, and a path must end in .yaml"
+            Words(f"没有题目“{text}”", f"no problem '{text}'") + meant(text, (entry.id for entry in entries())) + Words(
+                "；用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾", "; 'vecpoly list' shows all, and a path must end in .yaml")
         )
     return found
 
@@ -60,14 +65,16 @@ def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:
         return tree
     line = tree.places[("extends",)].line
     if not isinstance(base, str):
-        raise ProblemFileError(
-            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here"
-        )
+        raise ProblemFileError(Words(
+            f"{tree.name} 第 {line} 行：extends：此处应写题号或题目文件的路径",
+            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here"))
     try:
         below = locate(base, path.parent if path else None)
     except (ProblemFileError, UnknownNameError) as error:
-        raise ProblemFileError(f"{tree.name}, line {line}: extends: {error}") from None
+        raise ProblemFileError(Words(f"{tree.name} 第 {line} 行：extends：", f"{tree.name}, line {line}: extends: ") + error.words) from None
     if below.resolve() in seen or (path and below.resolve() == path.resolve()):
-        raise ProblemFileError(f"{tree.name}, line {line}: extends: '{base}' extends itself in a circle")
+        raise ProblemFileError(Words(
+            f"{tree.name} 第 {line} 行：extends：“{base}”循环引用了自身",
+            f"{tree.name}, line {line}: extends: '{base}' extends itself in a circle"))
     here = (*seen, path.resolve()) if path else seen
     return overlay(tree_of(below, here), tree)

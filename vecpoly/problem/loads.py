@@ -46,7 +46,9 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
         return None
     if spec.masses and spec.inertia and sense_only(spec):
         with faults.at("input"):
-            raise FaultError("inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no")
+            raise FaultError(Words(
+                "计算惯性力需要角速度的数值，如 omega: 10 rad/s ccw；或写 inertia: no",
+                "inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no"))
     with faults.at(next(key for key in _ACTING if getattr(spec, key))):
         _one_unknown(found, bodies)
         loads = Loads(forces=tuple(x for x in found if isinstance(x, Force)), moments=tuple(x for x in found if isinstance(x, Moment)),
@@ -58,26 +60,42 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
 
 def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
     if not _NAME.fullmatch(name):
-        raise FaultError(f"'{name}' is no name of a load; write F, Q, F_r or M_1")
+        raise FaultError(Words(
+            f"“{name}”不是载荷名；请写 F、Q、F_r 或 M_1",
+            f"'{name}' is no name of a load; write F, Q, F_r or M_1"))
     if _TAKEN.fullmatch(name):
-        raise FaultError(f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the load F, Q, F_r or M_1")
+        raise FaultError(Words(
+            f"“{name}”是反力、惯性力或瞬心的符号；载荷请写 F、Q、F_r 或 M_1",
+            f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the load F, Q, F_r or M_1"))
     draft = bodies.drafts.get(spec.on)
     if spec.on in (FRAME, frame_number(bodies)):
-        raise FaultError(f"link {spec.on} is the frame: a load there moves nothing; put it on a moving link or leave it out", "on")
+        raise FaultError(Words(
+            f"构件 {spec.on} 是机架，其上的载荷不影响运动；请加在活动构件上，或去掉",
+            f"link {spec.on} is the frame: a load there moves nothing; put it on a moving link or leave it out"), "on")
     if draft is None:
-        raise FaultError(f"link '{spec.on}' does not exist{meant(spec.on, bodies.drafts)}", "on")
+        raise FaultError(Words(
+            f"构件“{spec.on}”不存在",
+            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.drafts), "on")
     if spec.size is None:
-        raise FaultError('the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances')
+        raise FaultError(Words(
+            '缺少大小 size；如写 size: 1000 N；待求的平衡载荷写 size: "?"',
+            'the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances'))
     role = spec.role or ""
     if not _is_force(spec):
         return Moment(name=name, link=spec.on, size=_size(spec.size, Dim.MOMENT), role=role)
     if spec.at is None:
-        raise FaultError(f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}")
+        raise FaultError(Words(
+            f"力作用于构件 {spec.on} 的哪一点？如写 at: {next(iter(draft.points))}",
+            f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}"))
     if spec.at not in draft.points:
-        raise FaultError(f"point '{spec.at}' is not on link {spec.on}{meant(spec.at, draft.points)}", "at")
+        raise FaultError(Words(
+            f"点“{spec.at}”不在构件 {spec.on} 上",
+            f"point '{spec.at}' is not on link {spec.on}") + meant(spec.at, draft.points), "at")
     size = _size(spec.size, Dim.FORCE)
     if size is not None and size < 0:
-        raise FaultError(f"'{spec.size}' is negative; turn the direction by 180 deg instead", "size")
+        raise FaultError(Words(
+            f"“{spec.size}”为负；请将方向转过 180 deg",
+            f"'{spec.size}' is negative; turn the direction by 180 deg instead"), "size")
     return Force(name=name, link=spec.on, point=spec.at, direction=_read("direction", spec.direction, Dim.ANGLE).si, size=size, role=role)
 
 
@@ -87,11 +105,17 @@ def _is_force(spec: LoadSpec) -> bool:
         return True
     turns = spec.size not in (None, UNKNOWN) and _dimension(str(spec.size)) == Dim.MOMENT.dimension
     if spec.at is not None and turns:
-        raise FaultError(f"a moment ({spec.size}) acts on the whole link; leave out 'at'", "at")
+        raise FaultError(Words(
+            f"力矩（{spec.size}）作用于整个构件；请去掉 at",
+            f"a moment ({spec.size}) acts on the whole link; leave out 'at'"), "at")
     if spec.at is not None:
-        raise FaultError(f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'")
+        raise FaultError(Words(
+            f"作用在 {spec.at} 的力要有方向，如 direction: 180 deg；力矩则不写 at",
+            f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'"))
     if spec.size != UNKNOWN and not turns and _dimension(str(spec.size)) == Dim.FORCE.dimension:
-        raise FaultError(f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw")
+        raise FaultError(Words(
+            f"力（{spec.size}）要有作用点和方向，如 at: C, direction: 180 deg；力矩写作 20 N*m ccw",
+            f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw"))
     return False
 
 
@@ -112,22 +136,28 @@ def _read(key: str, text: str | None, dim: Dim) -> Quantity:
     try:
         return read(text, dim)
     except FaultError as fault:
-        raise FaultError(fault.text, key) from None
+        raise fault.under(key) from None
 
 
 def _one_unknown(found: list[Load], bodies: Bodies) -> None:
     unknown = [load.name for load in found if load.size is None]
     if len(unknown) > 1:
-        raise FaultError(f"{len(unknown)} loads are unknown ({', '.join(unknown)}), but equilibrium finds one; give the size of the others")
+        raise FaultError(Words(
+            f"有 {len(unknown)} 个载荷待求（{', '.join(unknown)}），而平衡只能求出一个；请给出其余载荷的大小",
+            f"{len(unknown)} loads are unknown ({', '.join(unknown)}), but equilibrium finds one; give the size of the others"))
     if not unknown:
         link = next(iter(bodies.drafts))
-        raise FaultError(f'no load is unknown, so nothing could balance the others; add e.g. M_{link}: {{on: {link}, size: "?"}}')
+        raise FaultError(Words(
+            f'没有待求的载荷，其余载荷无从平衡；请添加，如 M_{link}: {{on: {link}, size: "?"}}',
+            f'no load is unknown, so nothing could balance the others; add e.g. M_{link}: {{on: {link}, size: "?"}}'))
 
 
 def _something_acts(loads: Loads) -> None:
     pushed = any(load.size for load in loads.all) or (loads.masses and (loads.weight or loads.inertia))
     if not pushed:
-        raise FaultError("nothing acts on the mechanism but the unknown load: it and all reactions are zero; give a force, a moment or masses")
+        raise FaultError(Words(
+            "除待求载荷外机构不受力，它与各反力均为零；请给出力、力矩或质量",
+            "nothing acts on the mechanism but the unknown load: it and all reactions are zero; give a force, a moment or masses"))
 
 
 def data_of_loads(spec: ProblemSpec, loads: Loads) -> tuple[Datum, ...]:

@@ -13,7 +13,7 @@ from ..units import Dim, Quantity, positive, read
 from ..words import Words
 from .bodies import Bodies
 from .draft import Draft, letters_of
-from .faults import Faults, meant
+from .faults import Faults, not_on_link
 from .loads import frame_number, written
 from .places import place
 from .problem import Datum
@@ -36,15 +36,21 @@ def read_masses(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[tupl
 
 def _mass(link: str, spec: MassSpec, bodies: Bodies) -> tuple[Mass, tuple[Datum, ...]]:
     if link in (FRAME, frame_number(bodies)):
-        raise FaultError(f"link {link} is the frame: its mass has no effect; leave it out")
+        raise FaultError(Words(
+            f"构件 {link} 是机架，其质量不起作用；请去掉",
+            f"link {link} is the frame: its mass has no effect; leave it out"))
     draft = bodies.draft(link)
     if spec.rod is not None:
         rivals = [key for key in ("mass", "inertia", "centre") if getattr(spec, key) is not None]
         if rivals:
-            raise FaultError(f"the mass, inertia and centre of a round bar follow from it; leave out {' and '.join(rivals)}, or rod")
+            raise FaultError(Words(
+                f"圆杆的质量、转动惯量和质心由尺寸算出；请去掉 {'、'.join(rivals)}，或去掉 rod",
+                f"the mass, inertia and centre of a round bar follow from it; leave out {' and '.join(rivals)}, or rod"))
         return _within("rod", partial(_rod, draft, spec.rod))
     if spec.mass is None:
-        raise FaultError("the mass is missing; write e.g. mass: 3 kg, or rod: {diameter: 40 mm, density: 7800 kg/m^3}")
+        raise FaultError(Words(
+            "缺少质量；如写 mass: 3 kg，或 rod: {diameter: 40 mm, density: 7800 kg/m^3}",
+            "the mass is missing; write e.g. mass: 3 kg, or rod: {diameter: 40 mm, density: 7800 kg/m^3}"))
     mass = _within("mass", lambda: positive(spec.mass, Dim.MASS))
     inertia = _within("inertia", lambda: _inertia(spec.inertia))
     centre = _within("centre", lambda: _centre(draft, spec.centre))
@@ -60,13 +66,15 @@ def _within(key: str, act: Callable[[], Found]) -> Found:
     try:
         return act()
     except FaultError as fault:
-        raise FaultError(fault.text, key, *fault.path) from None
+        raise fault.under(key) from None
 
 
 def _inertia(text: str | None) -> Quantity:
     quantity = read("0" if text is None else text, Dim.INERTIA)
     if quantity.si < 0:
-        raise FaultError(f"'{text}' must not be negative; write e.g. {Dim.INERTIA.example}")
+        raise FaultError(Words(
+            f"“{text}”不得为负；如写 {Dim.INERTIA.example}",
+            f"'{text}' must not be negative; write e.g. {Dim.INERTIA.example}"))
     return quantity
 
 
@@ -74,13 +82,15 @@ def _centre(draft: Draft, written_as: object) -> str:
     """The letter of the centre of mass: one of the link's, or S2, set out as any other point."""
     if isinstance(written_as, str):
         if written_as not in draft.points:
-            raise FaultError(f"point '{written_as}' is not on link {draft.name}{meant(written_as, draft.points)}")
+            raise not_on_link(written_as, draft.name, draft.points)
         return written_as
     if written_as is None and len(draft.points) == 1:
         return next(iter(draft.points))
     if written_as is None:
         first, second = list(draft.points)[:2]
-        raise FaultError(f"where is the centre of mass of link {draft.name}? write e.g. centre: {{along: {first}{second}, at: 100 mm}}")
+        raise FaultError(Words(
+            f"构件 {draft.name} 的质心在哪里？如写 centre: {{along: {first}{second}, at: 100 mm}}",
+            f"where is the centre of mass of link {draft.name}? write e.g. centre: {{along: {first}{second}, at: 100 mm}}"))
     letter = f"S{draft.name}"
     place(draft, letter, written_as)
     return letter
@@ -88,7 +98,9 @@ def _centre(draft: Draft, written_as: object) -> str:
 
 def _rod(draft: Draft, spec: RodSpec) -> tuple[Mass, tuple[Datum, ...]]:
     if len(draft.points) < 2:
-        raise FaultError(f"link {draft.name} has only the point {next(iter(draft.points))} and so no length; give mass, inertia and centre")
+        raise FaultError(Words(
+            f"构件 {draft.name} 只有点 {next(iter(draft.points))}，没有长度；请给出 mass、inertia 和 centre",
+            f"link {draft.name} has only the point {next(iter(draft.points))} and so no length; give mass, inertia and centre"))
     first, second = _within("along", lambda: _ends(draft, spec.along))
     diameter = _within("diameter", lambda: positive(spec.diameter))
     density = _within("density", lambda: positive(spec.density, Dim.DENSITY))
@@ -104,10 +116,10 @@ def _rod(draft: Draft, spec: RodSpec) -> tuple[Mass, tuple[Datum, ...]]:
 def _ends(draft: Draft, text: str | None) -> tuple[str, str]:
     first, second = letters_of(text) if text else tuple(draft.points)[:2]
     if first == second:
-        raise FaultError(f"a bar from {first} to itself")
+        raise FaultError(Words(f"圆杆的两端都是 {first}", f"a bar from {first} to itself"))
     for letter in (first, second):
         if letter not in draft.points:
-            raise FaultError(f"point '{letter}' is not on link {draft.name}{meant(letter, draft.points)}")
+            raise not_on_link(letter, draft.name, draft.points)
     return first, second
 
 

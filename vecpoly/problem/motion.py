@@ -28,14 +28,13 @@ def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tupl
     try:
         draft = bodies.draft(spec.link)
     except FaultError as fault:
-        raise FaultError(fault.text, "link") from None
+        raise fault.under("link") from None
     turning = [key for key in ("phi", "omega", "alpha") if getattr(spec, key) is not None]
     sliding = [key for key in ("s", "v", "a") if getattr(spec, key) is not None]
     if turning and sliding:
-        raise FaultError(
-            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: "
-            f"{', '.join(turning)} and {', '.join(sliding)} are given"
-        )
+        raise FaultError(Words(
+            f"原动件或转动（phi、omega、alpha）或移动（s、v、a），不能兼有；这里给了 {', '.join(turning)} 和 {', '.join(sliding)}",
+            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given"))
     return _sliding(spec, draft, joints) if sliding else _turning(spec, draft, bodies, joints)
 
 
@@ -50,7 +49,9 @@ def numbered(ask: Ask, spec: ProblemSpec) -> Ask:
     rate = (isinstance(ask, AskPoint | AskCoriolis) or (isinstance(ask, AskRel) and ask.rel.kind is not Kind.P)
             or (isinstance(ask, AskNamed) and ask.rel.unit == "m/s"))
     if rate and sense_only(spec):
-        raise FaultError(f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw")
+        raise FaultError(Words(
+            f"求 {ask.rel.key} 需要角速度的数值，而输入只给了转向；如写 omega: 10 rad/s ccw",
+            f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw"))
     return ask
 
 
@@ -69,12 +70,15 @@ def _turning(
     pivot = next((letter for letter in draft.points if letter in bodies.frame), None)  # other links may be pinned there too
     if pivot is None:
         raise FaultError(
-            f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on "
-            f"the frame ({', '.join(bodies.frame)})",
+            Words(
+            f"构件 {draft.name} 不绕固定铰链转动：其上的点 {', '.join(draft.points)} 都不在机架（{', '.join(bodies.frame)}）上",
+            f"link {draft.name} turns about no fixed pivot: its points {', '.join(draft.points)} are not on the frame ({', '.join(bodies.frame)})"),
             "link",
         )
     if spec.phi is None or spec.omega is None:
-        raise FaultError("a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw")
+        raise FaultError(Words(
+            "转动输入要有 phi 和 omega，如 phi: 60 deg, omega: 10 rad/s ccw",
+            "a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw"))
     phi, zero = _angle(spec.phi, bodies.frame)
     (rate, told), accel = _rate(draft.name, spec.omega), _read("alpha", spec.alpha, Dim.ALPHA)
     arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
@@ -98,9 +102,13 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
     first, second = letters_of(m[2])
     for letter in (first, second):
         if letter not in frame:
-            raise FaultError(f"point '{letter}' is not on the frame{meant(letter, frame)}", "phi")
+            raise FaultError(Words(
+                f"点“{letter}”不在机架上",
+                f"point '{letter}' is not on the frame") + meant(letter, frame), "phi")
     if frame[first] == frame[second]:
-        raise FaultError(f"'{text}': {first} and {second} are one place, from which no direction counts; name two points of the frame", "phi")
+        raise FaultError(Words(
+            f"“{text}”：{first} 与 {second} 位置相同，不能由此量角；请用机架上的另外两点",
+            f"'{text}': {first} and {second} are one place, from which no direction counts; name two points of the frame"), "phi")
     zero = cmath.phase(frame[second] - frame[first])
     return _read("phi", m[1], Dim.ANGLE), zero
 
@@ -108,11 +116,15 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     if not any(isinstance(j, Prismatic) and j.guide == FRAME and j.block == draft.name for j in joints):
         raise FaultError(
-            f"link {draft.name} slides on no fixed guide; write a joint '{draft.name} slides on y = 0 mm'",
+            Words(
+            f"构件 {draft.name} 不沿固定导路移动；请写运动副“{draft.name} slides on y = 0 mm”",
+            f"link {draft.name} slides on no fixed guide; write a joint '{draft.name} slides on y = 0 mm'"),
             "link",
         )
     if spec.s is None or spec.v is None:
-        raise FaultError("a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s")
+        raise FaultError(Words(
+            "移动输入要有 s 和 v，如 s: 120 mm, v: 0.5 m/s",
+            "a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s"))
     travel, rate, accel = (
         _read("s", spec.s, Dim.LENGTH),
         _read("v", spec.v, Dim.SPEED),
@@ -132,4 +144,4 @@ def _read(key: str, text: str | None, dim: Dim) -> Quantity:
     try:
         return read(text or "0", dim)
     except FaultError as fault:
-        raise FaultError(fault.text, key) from None
+        raise fault.under(key) from None

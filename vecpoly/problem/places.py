@@ -22,15 +22,17 @@ _KEYS = ("along", "at", "left", "right", "angle", "side")
 def place(draft: Draft, point: str, data: Value) -> None:
     """A further point of the link, by offsets, by an angle, or by two lengths."""
     if not isinstance(data, dict):
-        raise FaultError(
-            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}"
-        )
+        raise FaultError(Words(
+            f"缺少 {point} 的位置；如写 {{along: BC, at: 175 mm, left: 220 mm}}",
+            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}"))
     if point in draft.points:
-        raise FaultError(f"point {point} is already on link {draft.name}")
+        raise FaultError(Words(
+            f"点 {point} 已在构件 {draft.name} 上",
+            f"point {point} is already on link {draft.name}"))
     lengths = [key for key in data if TWO.fullmatch(key)]
     for key in data:
         if key not in (*_KEYS, *lengths):
-            raise FaultError(f"'{key}' is no key of a place{meant(key, _KEYS)}", key)
+            raise FaultError(Words(f"“{key}”不是位置的键", f"'{key}' is no key of a place") + meant(key, _KEYS), key)
     if "along" in data:
         placement = _by_offsets(draft, point, data)
     elif "angle" in data:
@@ -38,10 +40,9 @@ def place(draft: Draft, point: str, data: Value) -> None:
     elif len(lengths) == 2:
         placement = _by_lengths(draft, point, data, lengths)
     else:
-        raise FaultError(
-            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, "
-            "or two lengths and a side"
-        )
+        raise FaultError(Words(
+            f"{point} 的位置不完整；请写 along/at/left，或一个长度和一个角，或两个长度和一侧",
+            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, or two lengths and a side"))
     draft.placements.append(placement[0])
     draft.points[point] = placement[1]
 
@@ -49,7 +50,9 @@ def place(draft: Draft, point: str, data: Value) -> None:
 def _by_offsets(draft: Draft, point: str, data: Mapping[str, Value]) -> tuple[Placement, complex]:
     for key in data:
         if key not in ("along", "at", "left", "right"):
-            raise FaultError("does not go together with 'along'; write along, at and left or right", key)
+            raise FaultError(Words(
+                "不能与 along 同用；请写 along、at 和 left 或 right",
+                "does not go together with 'along'; write along, at and left or right"), key)
     base, start, unit = ray(draft, str(data["along"]))
     at = read(data.get("at"), Dim.LENGTH)
     left = (
@@ -85,13 +88,15 @@ def _by_angle(
 ) -> tuple[Placement, complex]:
     m = ANGLE_FROM.fullmatch(str(data["angle"]))
     if m is None or len(lengths) != 1:
-        raise FaultError(
-            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}", "angle"
-        )
+        raise FaultError(Words(
+            "请写长度和由射线量起的角，如 {BE: 200 mm, angle: 50 deg from BC}",
+            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle")
     ends = letters_of(lengths[0])
     base, start, unit = ray(draft, m[2])
     if set(ends) != {base[0], point}:
-        raise FaultError(f"the length must be {base[0]}{point}, from the start of the ray {m[2]}", lengths[0])
+        raise FaultError(Words(
+            f"长度应为 {base[0]}{point}，即由射线 {m[2]} 的起点量起",
+            f"the length must be {base[0]}{point}, from the start of the ray {m[2]}"), lengths[0])
     angle, distance = read(m[1], Dim.ANGLE).si, positive(data[lengths[0]])
     draft.note(f"l_{lengths[0]}", distance.si, distance.text)
     if len(base) == 2:
@@ -114,19 +119,25 @@ def _by_lengths(
 ) -> tuple[Placement, complex]:
     m = _SIDE.fullmatch(str(data.get("side", "")))
     if m is None:
-        raise FaultError(f"on which side is {point}? write e.g. side: left of BC")
+        raise FaultError(Words(
+            f"{point} 在哪一侧？如写 side: left of BC",
+            f"on which side is {point}? write e.g. side: left of BC"))
     base = (m[2], m[3])
     (_, start, unit) = ray(draft, m[2] + m[3])
     found: dict[str, float] = {}
     for key in lengths:
         other = [letter for letter in letters_of(key) if letter != point]
         if len(other) != 1 or other[0] not in base:
-            raise FaultError(f"the length must join {point} with {base[0]} or {base[1]}", key)
+            raise FaultError(Words(
+                f"长度应联接 {point} 与 {base[0]} 或 {base[1]}",
+                f"the length must join {point} with {base[0]} or {base[1]}"), key)
         length = positive(data[key])
         found[other[0]] = length.si
         draft.note(f"l_{key}", length.si, length.text)
     if set(found) != set(base):
-        raise FaultError(f"two lengths are needed: {base[0]}{point} and {base[1]}{point}")
+        raise FaultError(Words(
+            f"需要两个长度：{base[0]}{point} 和 {base[1]}{point}",
+            f"two lengths are needed: {base[0]}{point} and {base[1]}{point}"))
     apex = _apex(point, base, abs(draft.points[base[1]] - start), found[base[0]], found[base[1]])
     side = Side(m[1])
     local = apex if side is Side.LEFT else apex.conjugate()
@@ -141,9 +152,7 @@ def _apex(point: str, base: tuple[str, str], c: float, p: float, q: float) -> co
     square = p * p - x * x
     if square < -1e-12 * c * c:
         a, b = base
-        raise FaultError(
-            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; "
-            f"the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > "
-            f"{(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"
-        )
+        raise FaultError(Words(
+            f"不成三角形：{a}{point} = {p * 1e3:g}、{b}{point} = {q * 1e3:g}、{a}{b} = {c * 1e3:g} mm；最长边应小于另两边之和（{max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}），请检查长度",
+            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"))
     return complex(x, max(square, 0.0) ** 0.5)

@@ -13,7 +13,7 @@ from ..units import Dim, read
 from ..words import Words
 from .bodies import Bodies
 from .draft import LETTER, Draft, Line
-from .faults import meant
+from .faults import meant, not_on_link
 from .guides import GUIDE, LINK, guide_of, own_line
 from .problem import Shape
 
@@ -41,7 +41,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     _apart(guide, block.name)
     pin = m["off"] or m["pin"] or next(iter(block.points))
     if pin not in block.points:
-        raise FaultError(f"point '{pin}' is not on link {block.name}{meant(pin, block.points)}")
+        raise not_on_link(pin, block.name, block.points)
     _note_slide(m, block, pin)
     return Prismatic(
         guide=guide,
@@ -87,7 +87,7 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
         return replace(joint, origin=_beside(line, guide, beside, _left(m)))
     if beside not in block.points:
         known = (*guide.points, *block.points)
-        raise FaultError(Words(f"点 {beside} 不在构件 {rod}、{through} 上", f"point '{beside}' is on neither link {rod} nor link {through}{meant(beside, known)}"))
+        raise FaultError(Words(f"点 {beside} 不在构件 {rod}、{through} 上", f"point '{beside}' is on neither link {rod} nor link {through}") + meant(beside, known))
     return replace(joint, pin=beside, offset=_left(m))
 
 
@@ -118,7 +118,7 @@ def _apart(guide: str, block: str) -> None:
 def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     pin = m["pin"]
     if pin not in bodies.letters():
-        raise FaultError(Words(f"没有点 {pin}", f"point '{pin}' does not exist{meant(pin, bodies.letters())}"))
+        raise FaultError(Words(f"没有点 {pin}", f"point '{pin}' does not exist") + meant(pin, bodies.letters()))
     guide, line = guide_of(m["guide"], bodies, "")
     name = f"pin{pin}"
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})

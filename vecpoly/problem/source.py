@@ -7,8 +7,11 @@ from pathlib import Path as FilePath
 from pathlib import PurePath
 from typing import Any
 
-from ..errors import ProblemFileError
+from ..errors import Fault, ProblemFileError
+from ..words import Words
 from .faults import Path, Place
+from .text.misread import misread
+from .text.narrow import Narrowed, narrowed
 
 LIMIT = 1_000_000  # bytes; a problem file has about a thousand
 _DEEP = 40
@@ -31,72 +34,72 @@ def read_text(path: FilePath) -> str:
     try:
         size = path.stat().st_size
         if size > LIMIT:
-            raise ProblemFileError(
-                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB"
-            )
+            raise ProblemFileError(Words(
+                f"{path}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {LIMIT / 1e6:.0f} MB",
+                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB"))
         return path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        raise ProblemFileError(
-            f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; "
-            "save the file with the encoding UTF-8"
-        ) from None
+        raise ProblemFileError(Words(
+            f"{path} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）不是 UTF-8 编码；请将文件另存为 UTF-8",
+            f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; save the file with the encoding UTF-8")) from None
     except OSError as error:
-        raise ProblemFileError(f"{path}: cannot be read: {error.strerror}") from None
+        raise ProblemFileError(Words(
+            f"{path}：不能读取（{error.strerror}）",
+            f"{path}: cannot be read: {error.strerror}")) from None
 
 
 def parse(text: str, name: str) -> Tree:
     """Text to values with places. Raises ProblemFileError for anything that is no plain YAML mapping."""
-    node = _compose(text, name)
+    plain = narrowed(text, name)
+    node = _compose(plain, name)
     tree = Tree(name, {}, text=text)
-    data = None if node is None else _Reader(tree).value(node, ())
+    data = None if node is None else _Reader(tree, plain).value(node, ())
     if data is None:
-        raise ProblemFileError(f"{name}, line 1: the file is empty; 'vecpoly new' writes one to start from")
+        raise _refused(Place(name, 1), Words("文件是空的；用 vecpoly new 可写出一个样板", "the file is empty; 'vecpoly new' writes one to start from"))
     if not isinstance(data, dict):
-        raise ProblemFileError(f"{name}, line 1: the file must be a mapping (key: value), not {_kind(data)}")
+        kind = Words("一个列表", "a list") if isinstance(data, list) else Words("单个值", "a single value")
+        raise _refused(Place(name, 1), Words(f"文件应为映射（键: 值），而不是{kind.zh}", f"the file must be a mapping (key: value), not {kind.en}"))
     tree.data = data
     return tree
 
 
-def _compose(text: str, name: str) -> Any:
+def _refused(place: Place, words: Words, code: str = "yaml") -> ProblemFileError:
+    return ProblemFileError.of(Fault(said=words, code=code, place=place))
+
+
+def _compose(plain: Narrowed, name: str) -> Any:
     from ruamel.yaml import YAML
     from ruamel.yaml.error import MarkedYAMLError, YAMLError
 
     try:
-        return YAML(typ="rt", pure=True).compose(text)
+        return YAML(typ="rt", pure=True).compose(plain.text)
     except MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        at = f", line {mark.line + 1}, column {mark.column + 1}" if mark else ""
-        raise ProblemFileError(f"{name}{at}: no valid YAML: {_plainly(error)}") from None
+        found = misread(error, plain.text)
+        place = Place(name, found.line + 1, plain.column(found.line, found.column) + 1)
+        raise _refused(place, found.words) from None
     except RecursionError:
-        raise ProblemFileError(f"{name}: nested too deeply; a problem file has four levels") from None
+        raise _refused(Place(name), Words("嵌套过深；题目文件只有四层", "nested too deeply; a problem file has four levels")) from None
     except (YAMLError, ValueError) as error:
-        raise ProblemFileError(f"{name}: no valid YAML: {str(error).splitlines()[0]}") from None
-
-
-def _plainly(error: Any) -> str:
-    problem = str(error.problem or error.context)
-    if "\\t" in problem:
-        return "a tab; indent with spaces"
-    if "mapping values are not allowed" in problem:
-        return "a second ':' on this line; put the text between quotes"
-    return problem
+        said = str(error).splitlines()[0]
+        raise _refused(Place(name), Words(f"不是有效的 YAML（{said}）", f"no valid YAML: {said}")) from None
 
 
 class _Reader:
     """Walks the nodes once; refuses aliases, duplicate keys and depth."""
 
-    def __init__(self, tree: Tree) -> None:
-        self.tree, self.seen = tree, set[int]()
+    def __init__(self, tree: Tree, plain: Narrowed) -> None:
+        self.tree, self.plain, self.seen = tree, plain, set[int]()
+
+    def place(self, mark: Any) -> Place:
+        """The place of a mark in the text as written."""
+        return Place(self.tree.name, mark.line + 1, self.plain.column(mark.line, mark.column) + 1)
 
     def value(self, node: Any, path: Path) -> Value:
-        mark = node.start_mark
-        place = Place(self.tree.name, mark.line + 1, mark.column + 1)
+        place = self.place(node.start_mark)
         self.tree.places.setdefault(path, place)
         if id(node) in self.seen or len(path) > _DEEP:
-            raise ProblemFileError(
-                f"{place.file}, line {place.line}: no YAML aliases or deep nesting here; write the value out"
-            )
+            raise _refused(place, Words("不支持 YAML 别名，也不能嵌套过深；请直接写出值", "no YAML aliases or deep nesting here; write the value out"))
         self.seen.add(id(node))
         match node.id:
             case "mapping":
@@ -110,18 +113,21 @@ class _Reader:
     def mapping(self, node: Any, path: Path) -> dict[str, Value]:
         data: dict[str, Value] = {}
         for key, item in node.value:
-            place = Place(self.tree.name, key.start_mark.line + 1, key.start_mark.column + 1)
-            where = f"{place.file}, line {place.line}, column {place.column}"
-            if key.id != "scalar":
-                raise ProblemFileError(f"{where}: a key must be a plain word")
-            if ":" in key.value:
-                raise ProblemFileError(f"{where}: '{key.value}': write a space and a value after the ':'")
-            if key.value in data:
-                first = self.tree.places[(*path, key.value)].line
-                raise ProblemFileError(f"{where}: key '{key.value}' occurs twice (first in line {first})")
+            place = self.place(key.start_mark)
+            self._check_key(key, place, data, path)
             self.tree.places[(*path, key.value)] = place
             data[key.value] = self.value(item, (*path, key.value))
         return data
+
+    def _check_key(self, key: Any, place: Place, data: dict[str, Value], path: Path) -> None:
+        if key.id != "scalar":
+            raise _refused(place, Words("键应为一个词", "a key must be a plain word"))
+        if ":" in key.value:
+            raise _refused(place, Words(f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"))
+        if key.value in data:
+            first = self.tree.places[(*path, key.value)].line
+            raise _refused(place, Words(
+                f"键“{key.value}”重复（首次在第 {first} 行）", f"key '{key.value}' occurs twice (first in line {first})"), "duplicate-key")
 
 
 def overlay(base: Tree, over: Tree) -> Tree:
@@ -149,7 +155,3 @@ def _merge(
             merged[key] = value
             places.update({p: place for p, place in new.items() if p[: len(here)] == here})
     return merged
-
-
-def _kind(data: Value) -> str:
-    return "a list" if isinstance(data, list) else "a single value"

@@ -7,6 +7,8 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from ..errors import FaultError
+from ..words import Words
 from .faults import Faults, meant
 from .schema import (
     FindSpec,
@@ -32,14 +34,16 @@ _MODELS: dict[str, type[BaseModel]] = {
     "friction": FrictionSpec,
     "masses": MassSpec,
 }
+_PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
+_MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
 _SAID = {
-    "string_type": "a text is expected here",
-    "list_type": "a list is expected here, e.g. [v_C, a_C]",
-    "dict_type": "a mapping (key: value) is expected here",
-    "model_type": "a mapping (key: value) is expected here",
-    "tuple_type": "two values are expected here, e.g. [100 mm, 0 mm]",
-    "too_short": "at least one entry is needed here",
-    "too_long": "two values are expected here, e.g. [100 mm, 0 mm]",
+    "string_type": Words("此处应为文本", "a text is expected here"),
+    "list_type": Words("此处应为列表，如 [v_C, a_C]", "a list is expected here, e.g. [v_C, a_C]"),
+    "dict_type": _MAPPING,
+    "model_type": _MAPPING,
+    "tuple_type": _PAIR,
+    "too_short": Words("此处至少要有一项", "at least one entry is needed here"),
+    "too_long": _PAIR,
 }
 _UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "dict[str,any]"}
 
@@ -53,8 +57,7 @@ def validate(model: type[Model], data: Any, faults: Faults, *below: str) -> Mode
             path = tuple(
                 step for step in item["loc"] if step not in _UNION and not str(step).startswith("tuple[")
             )
-            faults.found.append(((*below, *path), _say(model, path, item)))
-    faults.found[:] = list(dict.fromkeys(faults.found))
+            faults.note(_fault(model, path, item).under(*below))
     faults.settle()
     raise AssertionError("validation failed without a fault")  # pragma: no cover
 
@@ -78,24 +81,29 @@ def _without_echo(items: list[Any]) -> list[Any]:
     return [item for item in items if item["type"] != "missing" or not echoed(item["loc"])]
 
 
-def _say(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> str:
-    kind = item["type"]
-    if kind == "extra_forbidden":
-        keys = _model_at(model, path[:-1]).model_fields
-        return f"unknown key '{path[-1]}'{meant(str(path[-1]), keys)}"
-    if kind == "missing":
-        if isinstance(path[-1], int):
-            return "two values are expected here, e.g. [100 mm, 0 mm]"
-        return f"'{path[-1]}' is missing"
-    if kind == "string_pattern_mismatch":
-        return f"'{item['input']}' may hold only letters, digits, '-', '_' and '.'"
-    if kind == "value_error":
-        return str(item["msg"]).removeprefix("Value error, ")
-    if kind == "literal_error":
-        return f"'{item['input']}' is not one of {item['ctx']['expected']}"
-    if kind == "list_type" and isinstance(item["input"], str):
-        return f"a list is expected here; write [{item['input']}]"
-    return _SAID.get(kind, str(item["msg"]))
+def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> FaultError:
+    written, reason = item["input"], (item.get("ctx") or {}).get("error")
+    match item["type"]:
+        case "value_error" if isinstance(reason, FaultError):
+            return reason.under(*path)
+        case "extra_forbidden":
+            known = meant(str(path[-1]), _model_at(model, path[:-1]).model_fields)
+            return FaultError(Words(f"未知的键“{path[-1]}”", f"unknown key '{path[-1]}'") + known, *path, code="unknown-key")
+        case "missing":
+            text = _PAIR if isinstance(path[-1], int) else Words(f"缺少“{path[-1]}”", f"'{path[-1]}' is missing")
+            return FaultError(text, *path, code="missing-key")
+        case "string_pattern_mismatch":
+            return FaultError(Words(
+                f"“{written}”只能含字母（汉字也可）、数字、'-'、'_' 和 '.'",
+                f"'{written}' may hold only letters, digits, '-', '_' and '.'"), *path)
+        case "literal_error":
+            expected = item["ctx"]["expected"]
+            return FaultError(Words(
+                f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一", f"'{written}' is not one of {expected}"), *path)
+        case "list_type" if isinstance(written, str):
+            return FaultError(Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]"), *path)
+        case kind:
+            return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
 
 
 def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:

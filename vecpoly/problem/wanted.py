@@ -11,12 +11,14 @@ from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.quantities import pairs
 from ..names import At, Key, Kind, Named, Rel, parse_rel
 from ..units import Dim, pure, read, unit_of
+from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .bodies import Bodies
 from .draft import letters_of
 from .faults import meant
 from .problem import Printed, Scales
 from .schema import FindSpec, PrintedSpec, ScalesSpec
+from .spelling import did_you_mean, intended
 
 _KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
@@ -41,15 +43,19 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
     """{point: M2, on: 2, velocity: 0}."""
     m = _POINT.fullmatch(spec.point or "")
     if m is None:
-        raise FaultError(
-            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"
-        )
+        raise FaultError(Words(
+            "请写 v_E 之类的符号，或 {point: M2, on: 2, velocity: 0}，或 {coriolis: B3B2}",
+            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"))
     link = spec.on or m[2]
     bodies.draft(link)
     if link != m[2]:
-        raise FaultError(f"point {spec.point} would be on link {m[2]}, but 'on' says {link}")
+        raise FaultError(Words(
+            f"点 {spec.point} 应在构件 {m[2]} 上，而 on 写的是 {link}",
+            f"point {spec.point} would be on link {m[2]}, but 'on' says {link}"))
     if [spec.velocity, spec.acceleration, spec.slowest].count(None) != 2:
-        raise FaultError("give either the velocity or the acceleration of the point, or the line of which it is the slowest point (slowest: BC)")
+        raise FaultError(Words(
+            "请给出该点的速度或加速度，或给出它在其上速度最小的直线（slowest: BC），三者取一",
+            "give either the velocity or the acceleration of the point, or the line of which it is the slowest point (slowest: BC)"))
     return AskPoint(
         name=m[0],
         link=link,
@@ -63,7 +69,9 @@ def _line(text: str, points: Iterable[str], link: str) -> tuple[str, str]:
     """Two letters of a link: BC."""
     first, second = letters_of(text)
     if first == second or not {first, second} <= set(points):
-        raise FaultError(f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC", "slowest")
+        raise FaultError(Words(
+            f"“{text}”不是过构件 {link} 上两点的直线（{', '.join(points)}）；如写 slowest: BC",
+            f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC"), "slowest")
     return first, second
 
 
@@ -72,7 +80,9 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
         return None
     if isinstance(value, str):
         if read(value, dim).si != 0:
-            raise FaultError(f"write both components, e.g. [{dim.example}, {dim.example}], or 0")
+            raise FaultError(Words(
+                f"请写出两个分量，如 [{dim.example}, {dim.example}]，或写 0",
+                f"write both components, e.g. [{dim.example}, {dim.example}], or 0"))
         return 0j
     return complex(read(value[0], dim).si, read(value[1], dim).si)
 
@@ -82,11 +92,13 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
     if text in forces:
         return forces[text]
     if CENTRAL.match(text) and text[0] != "v":
-        raise FaultError(f"'{text}' names no instant centre of two links by their numbers (the frame has the last){meant(text, [k for k in forces if k[0] == text[0]])}")
+        raise FaultError(Words(
+            f"“{text}”不是两构件的瞬心（用构件号表示，机架号最大）",
+            f"'{text}' names no instant centre of two links by their numbers (the frame has the last)") + meant(text, [k for k in forces if k[0] == text[0]]))
     loads = [key for key, named in forces.items() if not named.is_central]
-    if _FORCES.fullmatch(text):
-        raise FaultError(f"'{text}' is no quantity of these loads{meant(text, loads)}" if loads else
-                         f"'{text}' needs loads; say under 'loads' what acts on the mechanism")
+    if _FORCES.fullmatch(text) and (loads or intended(text) is None):
+        raise FaultError(Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads) if loads else Words(
+            f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"))
     return read_key(text, bodies, named)
 
 
@@ -103,7 +115,8 @@ def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
     try:
         rel = parse_rel(text.translate(_KEY_SPELLING))
     except UnknownNameError as error:
-        raise FaultError(str(error)) from None
+        no_symbol = Words(f"“{text}”不是可识别的符号", f"'{text}' is no symbol")
+        raise FaultError(no_symbol + did_you_mean(text) if intended(text) else error.words, code="unknown-symbol") from None
     rel = Rel(rel.kind, _lettered(rel.to, bodies), _lettered(rel.ref, bodies) if rel.ref else None)
     for at in (rel.to, *([rel.ref] if rel.ref else [])):
         if at not in named and rel.key not in {f"p_{at}" for at in named}:
@@ -118,10 +131,14 @@ def _lettered(at: At, bodies: Bodies) -> At:
 
 def _known(at: At, text: str, bodies: Bodies) -> None:
     if at.link and at.link != FRAME and at.link not in bodies.drafts:
-        raise FaultError(f"{text}: link '{at.link}' does not exist{meant(at.link, bodies.drafts)}")
+        raise FaultError(Words(
+            f"{text}：构件“{at.link}”不存在",
+            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.drafts))
     letters = (*bodies.letters(), *bodies.pitch)
     if at.point and at.point not in letters:
-        raise FaultError(f"{text}: point '{at.point}' does not exist{meant(at.point, letters)}")
+        raise FaultError(Words(
+            f"{text}：点“{at.point}”不存在",
+            f"{text}: point '{at.point}' does not exist") + meant(at.point, letters))
 
 
 def read_scales(spec: ScalesSpec) -> Scales:
@@ -133,9 +150,11 @@ def read_scales(spec: ScalesSpec) -> Scales:
         try:
             value = read(text, dim).si
         except FaultError as fault:
-            raise FaultError(fault.text, key) from None
+            raise fault.under(key) from None
         if value <= 0:
-            raise FaultError(f"'{text}' must be greater than zero; write e.g. {dim.example} or auto", key)
+            raise FaultError(Words(
+                f"“{text}”应大于零；如写 {dim.example} 或 auto",
+                f"'{text}' must be greater than zero; write e.g. {dim.example} or auto"), key)
         return value
 
     return Scales(
@@ -166,9 +185,9 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         paper, scale = None, None
     else:
         if not _is_length(spec.value):
-            raise FaultError(
-                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm", "value"
-            )
+            raise FaultError(Words(
+                f"“{spec.value}”不是图上长度，而又给了比例尺；如写 41.1 mm",
+                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value")
         paper = read(spec.value, Dim.LENGTH).si * 1e3
         scale = read(spec.scale, Dim.MU_F if isinstance(rel, Named) else _MU.get(kind, Dim.MU_A)).si
         value = paper * scale
@@ -192,7 +211,7 @@ def _named_value(text: str, named: Named) -> float:
         try:
             return pure(m[1], "85 %") / 100 if m else pure(text, "0.85 or 85 %")
         except FaultError as fault:
-            raise FaultError(fault.text, "value") from None
+            raise fault.under("value") from None
     factor, dimension = unit_of(named.unit.replace("·", "*").replace("^", "**"))
     dim = next(dim for dim in Dim if dim.dimension == dimension)
     return read(text, dim).si / factor

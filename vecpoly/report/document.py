@@ -67,7 +67,9 @@ def markup(
 ) -> tuple[str, Objects]:
     """The filled template, and the things it names."""
     if style == "course" and len(solutions) != 1:
-        raise NotAskedError(f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder")
+        raise NotAskedError(Words(
+            f"一份课程报告只写一道题，这里给了 {len(solutions)} 道；请只给一道，或输出到文件夹",
+            f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder"))
     objects = Objects()
     context = {
         "title": (title or subject(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
@@ -76,7 +78,9 @@ def markup(
     try:
         template = _environment(templates).get_template(f"{style}.{lang}.xml.j2")
     except TemplateNotFound:
-        raise UnknownNameError(f"no report style '{style}': there are {', '.join(STYLES)}") from None
+        raise UnknownNameError(Words(
+            f"没有报告样式“{style}”；已有：{', '.join(STYLES)}",
+            f"no report style '{style}': there are {', '.join(STYLES)}")) from None
     return template.render(context), objects
 
 

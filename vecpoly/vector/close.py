@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from ..board.board import Board
 from ..board.construction import Place
 from ..board.marks import Role, Vector
-from ..errors import DeadPointError, EquilibriumError
+from ..errors import DeadPointError, EquilibriumError, bilingual
 from ..names import Kind, Named, Rel
 from ..plane import Line, Points, nominal, unit
+from ..words import Words
 from .equation import Equation, Term
 
 RIGHT_ANGLE_FROM = 6.0  # mm: shorter sides carry no mark
@@ -146,8 +147,9 @@ def _meet(board: Board, g: Line, h: Line, term: Term, what: str) -> Points:
     except DeadPointError:
         if not isinstance(term.rel, Named):
             raise
-        raise EquilibriumError(f"{what}: the two forces of unknown size act along parallel lines, so the polygon cannot close; "
-                               "change a direction, or the friction") from None
+        raise EquilibriumError(bilingual(what) + Words(
+            "：大小未知的两力作用线平行，力多边形不能闭合；请改变方向或摩擦",
+            ": the two forces of unknown size act along parallel lines, so the polygon cannot close; change a direction, or the friction")) from None
 
 
 def _lettered(term: Term) -> str:

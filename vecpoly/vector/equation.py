@@ -65,10 +65,14 @@ class Equation:
         if not any(isinstance(term.rel, Named) for term in (*self.left, *self.right)):
             ends = {_end(self.left), _end(self.right)}
             if len(ends) != 1:
-                raise EquationError(f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}")
+                raise EquationError(Words(
+                    f"矢量方程两边的终点不同：{'、'.join(sorted(map(str, ends)))}",
+                    f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}"))
         count = sum(t.unknowns for t in (*self.left, *self.right))
         if count != 2:
-            raise EquationError(f"a plane vector equation is closed by exactly two unknown scalars; '{self}' has {count}")
+            raise EquationError(Words(
+                f"平面矢量方程恰可解两个未知量；“{self}”有 {count} 个",
+                f"a plane vector equation is closed by exactly two unknown scalars; '{self}' has {count}"))
 
     def __str__(self) -> str:
         sides = [" + ".join(t.symbol for t in side) or "0" for side in (self.left, self.right)]
@@ -102,8 +106,10 @@ def _end(chain: tuple[Term, ...]) -> At:
         if term.rel.kind in _PARTS and move == last:
             continue
         if term.rel.ref != here:
-            raise EquationError(f"{term.symbol} starts at {term.rel.ref or 'the pole'}, but the sum has arrived at {here or 'the pole'}")
+            raise EquationError(Words(
+                f"{term.symbol} 起于 {term.rel.ref or '极点'}，而前面各项之和终于 {here or '极点'}",
+                f"{term.symbol} starts at {term.rel.ref or 'the pole'}, but the sum has arrived at {here or 'the pole'}"))
         here, last = term.rel.to, move
     if here is None:
-        raise EquationError("an empty side of a vector equation")
+        raise EquationError(Words("矢量方程的一边是空的", "an empty side of a vector equation"))
     return here

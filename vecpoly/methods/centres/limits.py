@@ -38,7 +38,9 @@ def find_limit(desk: Desk, named: Named) -> None:
     sense = _sense(desk, led, rod, desk.at[led], desk.at[pin])
     fitting = [(c, b) for c, b in ends if _sense(desk, led, rod, c, b) == sense]
     if not fitting:
-        raise NoMethodError(f"{named.key}: crank and rod in one line do not belong to this assembly")
+        raise NoMethodError(Words(
+            f"{named.key}：曲柄与连杆共线的位置不属于此装配方式",
+            f"{named.key}: crank and rod in one line do not belong to this assembly"))
     c, b = fitting[0]
     angle = np.degrees(board.hand.gauge(np.angle(b - a)))
     degrees = float(nominal(angle)) % 360.0
@@ -65,7 +67,7 @@ def _path(desk: Desk, rod: str, led: str) -> tuple[Revolute | Prismatic, str]:
             joint, link, parent = (d.outer_k, d.link_k, d.parent_k) if d.link_j == rod else (d.outer_j, d.link_j, d.parent_j)
             if parent == FRAME and isinstance(joint, Revolute | Prismatic):
                 return joint, link
-    raise NoMethodError(f"{led} runs on no fixed circle or line")
+    raise NoMethodError(Words(f"{led} 的轨迹既不是定圆也不是定直线", f"{led} runs on no fixed circle or line"))
 
 
 def _sense(desk: Desk, led: str, rod: str, c: Points, b: Points) -> bool:

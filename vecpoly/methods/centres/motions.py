@@ -59,7 +59,9 @@ class Motions:
             if self._carries(via, link):
                 self._from(via, link)
                 return
-        raise NoMethodError(f"the centres of link {link} lie so that its velocity does not follow from them here; leave out 'method: centres'")
+        raise NoMethodError(Words(
+            f"在此位置由构件 {link} 的瞬心求不出其速度；请去掉 method: centres",
+            f"the centres of link {link} lie so that its velocity does not follow from them here; leave out 'method: centres'"))
 
     def _far(self, via: str, link: str) -> int:
         return sum(self.fig.far(*pair) for pair in ((via, link), (link, FRAME), (via, FRAME)))

@@ -29,10 +29,14 @@ def read_ratio(motions: Motions, pair: Pair) -> None:
         fig.board.step(Words(f"${fig.letters(i, j)}$ 在无穷远处，两构件角速度相等。", f"${fig.letters(i, j)}$ is at infinity: the links turn alike."), fig.pane)
     else:
         if fig.known.of(i, FRAME).endless or fig.known.of(j, FRAME).endless:
-            raise NoMethodError(f"{name.key}: one of the links {i} and {j} only translates here; ask for its velocity instead")
+            raise NoMethodError(Words(
+                f"{name.key}：此时构件 {i} 与 {j} 之一作平动；请改求其速度",
+                f"{name.key}: one of the links {i} and {j} only translates here; ask for its velocity instead"))
         common, one, two = spot_of(fig, i, j), spot_of(fig, i, FRAME), spot_of(fig, j, FRAME)
         if apart(common, one) < CLOSE:
-            raise NoMethodError(f"{name.key}: {common.letter} falls on {one.letter}, so ω_{j} = 0 here")
+            raise NoMethodError(Words(
+                f"{name.key}：{common.letter} 与 {one.letter} 重合，此时 ω_{j} = 0",
+                f"{name.key}: {common.letter} falls on {one.letter}, so ω_{j} = 0 here"))
         outside = float(nominal(dot(common.at - one.at, common.at - two.at))) > 0
         fig.board.step(_words(fig.mech.number(i), fig.mech.number(j), common.letter, one.letter, two.letter, outside), fig.pane)
         expr = measured(fig, two, common) / measured(fig, one, common)

@@ -44,7 +44,7 @@ def _read_turn(motions: Motions, rel: Rel) -> None:
     """ω of a link; that of the driver is given."""
     link, desk = rel.to.link, motions.fig.desk
     if link == FRAME:
-        raise NoMethodError("the frame does not turn")
+        raise NoMethodError(Words("机架不转动", "the frame does not turn"))
     motions.find(link)
     if rel.key not in desk.central:
         value = motions.turns[link]
@@ -91,7 +91,9 @@ def _far_place(fig: CentreFigure, pair: Pair) -> Points:
     ways = [way for way in fig.known.ways(pair) if way.via]
     near = [spot_of(fig, link, way.via) for way in ways for link in pair if not fig.known.of(link, way.via).endless and not fig.far(link, way.via)]
     if not near:
-        raise NoMethodError(f"no line on the paper leads to {far.letter}, which is off it; choose a larger μ_l")
+        raise NoMethodError(Words(
+            f"{far.letter} 在图纸之外，图上没有通向它的直线；请加大 μ_l",
+            f"no line on the paper leads to {far.letter}, which is off it; choose a larger μ_l"))
     start = max(near, key=lambda spot: abs(float(nominal(np.imag(np.conj(unit(far.at - spot.at)) * another_line(fig, spot, far).along)))))
     fig.board.step(Words(f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",
                          f"${far.letter}$ is off the paper: measure the direction of ${start.letter}{far.letter}$; its length follows from proportional segments:"), fig.pane)

@@ -10,6 +10,7 @@ from ...errors import NoMethodError
 from ...mechanism.centre_quantities import Pair, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line
+from ...words import Words
 from .geometry import SHORT, Centre, Through, meeting, parallel, same, sharpness, through
 
 FAR = 0.1  # what a line is worth that is drawn to a centre off the paper
@@ -107,8 +108,9 @@ def order(known: Known, accuracy: float, by_trial: Callable[[Known], Search | No
         chosen = _next(known, missing, accuracy) or by_trial(known)
         if chosen is None:
             names = ", ".join("P_" + "".join(known.mech.number(name) for name in pair) for pair in missing)
-            raise NoMethodError(f"the theorem of three centres leads to no further centre ({names} are missing): no two lines through known centres meet "
-                                f"in one of them; 'vecpoly exact' gives them from the velocities")
+            raise NoMethodError(Words(
+                f"用三心定理求不出其余瞬心（缺 {names}）：没有两条过已知瞬心的直线交于其中之一；可用 vecpoly exact 由速度求得",
+                f"the theorem of three centres leads to no further centre ({names} are missing): no two lines through known centres meet in one of them; 'vecpoly exact' gives them from the velocities"))
         known.centres[chosen.pair] = found(chosen)
         yield chosen
 

@@ -24,7 +24,9 @@ def find_slowest(motions: Motions, ask: AskPoint) -> None:
     """v_E = ω P E is least where P E is perpendicular to the line."""
     fig, (p, q) = motions.fig, ask.slowest or ("", "")
     if fig.known.of(ask.link, FRAME).endless:
-        raise NoMethodError(f"{ask.name}: link {ask.link} only translates here, all its points are equally fast")
+        raise NoMethodError(Words(
+            f"{ask.name}：构件 {ask.link} 此时作平动，各点速度相等",
+            f"{ask.name}: link {ask.link} only translates here, all its points are equally fast"))
     centre, name = spot_of(fig, ask.link, FRAME), subscripted(ask.name)
     ends = [fig.desk.at[letter] * fig.paper.factor for letter in (p, q)]
     fig.board.step(Words(f"构件 {ask.link} 上各点速度与到 ${centre.letter}$ 的距离成正比：过 ${centre.letter}$ 作 ${p}{q}$ 的垂线，垂足 ${name}$ 为直线 ${p}{q}$ 上速度最小的点。",

@@ -32,7 +32,9 @@ Drawn = tuple[str, Points, Points]  # symbol, place on the figure, velocity
 def read_speed(motions: Motions, rel: Rel) -> Drawn | None:
     """The velocity of a lettered point of a link."""
     if rel.ref is not None:
-        raise NoMethodError(f"{rel.key}: instant centres give velocities relative to the frame only; leave out 'method: centres' for it")
+        raise NoMethodError(Words(
+            f"{rel.key}：瞬心法只给出相对于机架的速度；求此量请去掉 method: centres",
+            f"{rel.key}: instant centres give velocities relative to the frame only; leave out 'method: centres' for it"))
     at = rel.to if rel.to.link in motions.fig.mech.links_at(rel.to.point) else motions.fig.desk.canonical(rel.to)
     link, place = _where(motions, at)
     return _speed(motions, link, point_spot(motions.fig, str(rel.to) if str(rel.to) in motions.places else at.point, place), rel.key, rel.symbol)
@@ -44,7 +46,9 @@ def read_centre_speed(motions: Motions, pair: Pair) -> Drawn | None:
     moving = [name for name in pair if name != FRAME]
     link = next((name for name in moving if name in motions.turns), moving[0])
     if fig.known.of(*pair).endless:
-        raise NoMethodError(f"{named.key}: this centre is at infinity, it has no velocity")
+        raise NoMethodError(Words(
+            f"{named.key}：此瞬心在无穷远处，没有速度",
+            f"{named.key}: this centre is at infinity, it has no velocity"))
     return _speed(motions, link, spot_of(fig, *pair), named.key, named.symbol)
 
 
@@ -93,7 +97,9 @@ def _where(motions: Motions, at: At) -> tuple[str, Points]:
         return at.link, place
     carriers = [name for name in fig.mech.links_at(at.point) if name in real_links(fig.mech) and name != FRAME]
     if not carriers:
-        raise NoMethodError(f"v_{at}: say of which link, e.g. v_{at.point}1")
+        raise NoMethodError(Words(
+            f"v_{at}：请指明是哪个构件上的点，如 v_{at.point}1",
+            f"v_{at}: say of which link, e.g. v_{at.point}1"))
     return min(carriers, key=lambda name: (name != fig.mech.drive.link, fig.far(name, FRAME), name not in motions.turns)), place
 
 

@@ -64,7 +64,9 @@ def given(fig: CentreFigure, p: Spot, q: Spot) -> Quantity | None:
 def measured(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
     """The length on the figure (mm), read off the rule; by proportion where one end is off the paper."""
     if p.off is not None and q.off is not None:
-        raise NoMethodError(f"the distance of {p.letter} and {q.letter}, both off the paper, cannot be measured")
+        raise NoMethodError(Words(
+            f"{p.letter} 与 {q.letter} 都在图纸之外，其间距离无法量取",
+            f"the distance of {p.letter} and {q.letter}, both off the paper, cannot be measured"))
     if p.off is not None:
         p, q = q, p
     if q.off is None:
@@ -106,5 +108,7 @@ def another_line(fig: CentreFigure, p: Spot, q: Spot) -> Line:
     way = complex(nominal(unit(q.at - p.at)))
     best = max(fig.known.on_paper(q.off), key=lambda line: abs(float(nominal(cross(line.along, way)))), default=None)
     if best is None or abs(float(nominal(cross(best.along, way)))) < 1e-9:
-        raise NoMethodError(f"no second line on the paper leads to {q.letter}, which is off it; choose a larger μ_l")
+        raise NoMethodError(Words(
+            f"{q.letter} 在图纸之外，图上没有第二条通向它的直线；请加大 μ_l",
+            f"no second line on the paper leads to {q.letter}, which is off it; choose a larger μ_l"))
     return best

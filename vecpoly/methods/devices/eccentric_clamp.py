@@ -107,17 +107,20 @@ def _three(bench: Bench, plan: Pane, clamp: Clamp, size: float, up: Points, rho:
     """The point where three forces meet, the direction of the pin's reaction through it, and the polygon."""
     board = bench.board
     try:
-        meet = board.meet(Line(clamp.k, up), Line(clamp.h, clamp.pull), "F and R_21")
+        meet = board.meet(Line(clamp.k, up), Line(clamp.h, clamp.pull), Words("F 与 R_21", "F and R_21"))
     except DeadPointError:
-        raise EquilibriumError("F and R_21 act along parallel lines, so the three forces meet in no point of any sheet; turn the direction of F a little") from None
+        raise EquilibriumError(Words(
+            "F 与 R_21 的作用线平行，三力在图上不能汇交；请略微改变 F 的方向",
+            "F and R_21 act along parallel lines, so the three forces meet in no point of any sheet; turn the direction of F a little")) from None
     along = board.tangent_from(meet, 0j, rho, moment, -(clamp.pull + up))
     press_on, push, hold = names
     force = sought(push, clamp.pull, Words("✓", "✓"))
     closed = balance(bench, plan, 0j, given(bench, plan, press_on, size, up), force,
                      sought(hold, along, Words("切于摩擦圆", "touches the circle") if float(nominal(rho)) else Words("过 $A$", "through $A$")))
     if not points_along(closed, force):
-        raise LockedError("the polygon closes only with F reversed: with this friction no force on the handle keeps the clamp closing; "
-                          "lengthen the handle, or lower f or rho")
+        raise LockedError(Words(
+            "力多边形只有在 F 反向时才闭合：在此摩擦下手柄上的力不能使夹具继续夹紧；请加长手柄，或减小 f 或 rho",
+            "the polygon closes only with F reversed: with this friction no force on the handle keeps the clamp closing; lengthen the handle, or lower f or rho"))
     return meet, along, closed
 
 
@@ -178,7 +181,7 @@ def _limit(bench: Bench, clamp: Clamp, line: Line, opening: Points, place: Pane)
                      "$R′_{21}$ touches the friction circle: draw the tangent parallel to $R′_{21}$, and on the side of $O$ the parallel at the distance $R sin φ$ from it; it meets the line $AO$ at $O′$, and $AO′$ is $e_{max}$."), place)
     touch = opening * clamp.rho
     beside = touch + clamp.o - foot(line, clamp.o)
-    largest = board.meet(Line(beside, line.along), Line(0j, unit(clamp.o)), "R_21 and AO")
+    largest = board.meet(Line(beside, line.along), Line(0j, unit(clamp.o)), Words("R_21 与 AO", "R_21 and AO"))
     at, t, b, along = (complex(nominal(z)) for z in (largest, touch, beside, line.along))
     board.mark(place, Segment(a=t - 12 * along, b=t + 12 * along, role=Role.HIDDEN), Segment(a=b, b=at + (at - b) / abs(at - b) * 5, role=Role.HIDDEN),
                Segment(a=0j, b=at, role=Role.CONSTRUCTION))

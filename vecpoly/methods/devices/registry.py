@@ -53,4 +53,6 @@ def find_device(device: Device) -> DeviceMethod:
     try:
         return _METHODS[type(device)]
     except KeyError:
-        raise NoMethodError(f"no construction on file solves the device {device.kind}") from None
+        raise NoMethodError(Words(
+            f"没有求解装置 {device.kind} 的图解法",
+            f"no construction on file solves the device {device.kind}")) from None

@@ -30,7 +30,7 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
     normal = outward if two.by == contact.disc.link else -outward
     i, j = st.mech.number(two.by), st.mech.number(two.on)
     slip = velocity_of(st, two.on, k) - velocity_of(st, two.by, k)
-    u = leaning(st, normal, slip, st.phi(contact), f"contact {contact.point}")
+    u = leaning(st, normal, slip, st.phi(contact), Words(f"接触点 {contact.point}", f"contact {contact.point}"))
     if st.phi(contact):
         _say(st, i, j, contact.point, slip, normal)
     else:

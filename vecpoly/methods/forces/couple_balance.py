@@ -44,9 +44,13 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     across = foot(Line(line.at, u), at)
     turning = (np.conj(across - at) * u).imag  # of the couple that u at `across` and −u at `at` form, per mm of force
     if abs(float(nominal(turning))) < NO_LENGTH:
-        raise EquilibriumError(f"link {number}: the line of {one.key} passes through {pin}, so it balances no couple; choose another input position")
+        raise EquilibriumError(Words(
+            f"构件 {number}：{one.key} 的作用线过 {pin}，不能平衡力偶；请另取原动件位置",
+            f"link {number}: the line of {one.key} passes through {pin}, so it balances no couple; choose another input position"))
     if float(nominal(turning * np.asarray(moment))) > 0:
-        raise LockedError(f"link {number}: with friction the line of {one.key} passes on the other side of {pin}; no force along it balances the couple; lower f or ρ")
+        raise LockedError(Words(
+            f"构件 {number}：考虑摩擦后 {one.key} 的作用线位于 {pin} 的另一侧，沿此线的力不能平衡该力偶；请减小 f 或 ρ",
+            f"link {number}: with friction the line of {one.key} passes on the other side of {pin}; no force along it balances the couple; lower f or ρ"))
     _close(st, (held, by), (Line(line.at, u), at, np.asarray(across)[()]), sense)
 
 

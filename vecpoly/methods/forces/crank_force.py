@@ -29,6 +29,6 @@ def force_on_crank(st: Statics, held: Held) -> None:
     number = st.mech.number(held.link)
     st.board.step(Words(f"取构件 {number} 为分离体：{load.symbols.zh}{'' if len(load.forces) == 1 else ' 的合力'}与 ${st.unknown_named.symbol}$ 的作用线交于一点，机架反力 ${st.named(FRAME, held.link).symbol}$ 过此点。",
                         f"Isolate link {number}: the lines of {load.symbols.en}{'' if len(load.forces) == 1 else ' (joined)'} and of ${st.unknown_named.symbol}$ meet in a point; the frame's reaction ${st.named(FRAME, held.link).symbol}$ passes through it."))
-    x: Points = st.board.meet(load.line, line, f"link {number}: load and balancing force")
+    x: Points = st.board.meet(load.line, line, Words(f"构件 {number}：载荷与平衡力", f"link {number}: load and balancing force"))
     u, sense = direction_through(st, held.joint, FRAME, held.link, x)
     close_polygon(st, held, load, line, (u, x, sense))

@@ -117,7 +117,9 @@ def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
     """Only couples act: the balancing moment is their sum turned round, the pin is unloaded."""
     number = st.mech.number(held.link)
     if abs(nominal(load.couple)) < 1e-12:
-        raise EquilibriumError(f"no load reaches link {number}: {st.unknown.name} balances nothing; give a load that does work")
+        raise EquilibriumError(Words(
+            f"没有载荷传到构件 {number}，{st.unknown.name} 无可平衡；请给出作功的载荷",
+            f"no load reaches link {number}: {st.unknown.name} balances nothing; give a load that does work"))
     st.board.step(Words(f"构件 {number} 上只有力偶，${st.unknown_named.symbol}$ 与之平衡，机架反力为零。", f"Only couples act on link {number}: ${st.unknown_named.symbol}$ balances them, the frame's reaction is zero."), View.MECHANISM)
     value: Reals = -load.couple
     st.settle(FRAME, held.link, 0j, st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j)

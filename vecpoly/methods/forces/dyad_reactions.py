@@ -40,8 +40,9 @@ def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tu
     point, turning = about
     vector, pin = drawn.end - drawn.start, st.desk.at[point]
     if abs(nominal(vector)) < NO_LENGTH and turning.way and FRAME not in (by, on):
-        raise NoMethodError(f"the slide of links {st.mech.number(by)} and {st.mech.number(on)} passes on a couple and no force: no line of action can be drawn; "
-                            f"'vecpoly exact' still gives the analytic answers")
+        raise NoMethodError(Words(
+            f"构件 {st.mech.number(by)} 与 {st.mech.number(on)} 间的移动副只传递力偶而不传递力，作用线无从画出；仍可用 vecpoly exact 求解析解",
+            f"the slide of links {st.mech.number(by)} and {st.mech.number(on)} passes on a couple and no force: no line of action can be drawn; 'vecpoly exact' still gives the analytic answers"))
     at = pin
     if turning.way and abs(nominal(vector)) > NO_LENGTH:
         at = _displaced(st, group_pane(st, d.link_j, d.link_k), by, on, point, drawn, turning)

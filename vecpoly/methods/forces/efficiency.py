@@ -69,4 +69,6 @@ def _keep(st: Statics, ratio: Quotient) -> None:
 
 def _refuse(eta: float, name: str) -> None:
     if not 0.0 < eta <= 1.0 + 1e-9:
-        raise LockedError(f"the efficiency would be {eta:.4g}, outside (0, 1]: with this friction the mechanism is self-locking for {name}; lower f or ρ")
+        raise LockedError(Words(
+            f"效率将为 {eta:.4g}，不在 (0, 1] 内：在此摩擦下机构对 {name} 自锁；请减小 f 或 ρ",
+            f"the efficiency would be {eta:.4g}, outside (0, 1]: with this friction the mechanism is self-locking for {name}; lower f or ρ"))

@@ -6,6 +6,7 @@ from ...errors import NoMethodError
 from ...mechanism.assur import Group, joint_letter
 from ...mechanism.model import Joint, Revolute
 from ...plane import Line, cross, nominal, unit
+from ...words import Words
 from ..registry import Stage, find
 from .parallel_forces import PARALLEL
 from .pieces import Held, TwoForce, pieces
@@ -17,7 +18,9 @@ from .three_forces import balance
 def solve_group(st: Statics, group: Group) -> None:
     """Find the reactions in the joints of a group; raises NoMethodError for groups above class II."""
     if group.dyad is None:
-        raise NoMethodError(f"no graphical method on file finds the forces in a {group.name}; 'vecpoly exact' still gives the analytic answers")
+        raise NoMethodError(Words(
+            f"没有对 {group.name.zh}作力分析的图解法；仍可用 vecpoly exact 求解析解",
+            f"no graphical method on file finds the forces in a {group.name.en}; 'vecpoly exact' still gives the analytic answers"))
     found = pieces(st, group.dyad)
     if found is not None and not st.loaded(found[1].link):
         _unloaded(st, *found)

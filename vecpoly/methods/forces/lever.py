@@ -141,8 +141,9 @@ def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]
     else:
         arm = _pair_arm(st, pane, tips, pair, 1, plain) if pair is not None else None
     if arm is None or not arm.way:
-        raise EquilibriumError(f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no work in this position; "
-                               f"choose another input position or another balancing load")
+        raise EquilibriumError(Words(
+            f"平衡载荷 {load.name} 对速度多边形极点的力臂为零，在此位置不作功；请另取原动件位置或另选平衡载荷",
+            f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no work in this position; choose another input position or another balancing load"))
     if pair is not None:
         _say_pair(st, pair, plain)
     st.board.remark(Words("量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得（逆时针为正）：", " Measure the arms about $p$; $Σ M_p$ = 0 gives (counter-clockwise positive):"))

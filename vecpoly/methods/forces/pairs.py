@@ -9,6 +9,7 @@ from ...errors import NoMethodError
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega
 from ...plane import nominal
+from ...words import Words
 from .state import Statics
 
 APART = 1e-6  # of the mechanism's size: nearer points are one
@@ -35,7 +36,9 @@ def pair_of(st: Statics, link: str) -> Pair | None:
         found = _two_points(st, name)
         if found is not None:
             return found
-    raise NoMethodError(f"link {link} carries a couple but only one lettered point: the lever needs two points of it, 'find: power' answers without them")
+    raise NoMethodError(Words(
+        f"构件 {link} 上有力偶，但只有一个标字母的点；速度杠杆法需要其上两点，写 find: power 则不需要",
+        f"link {link} carries a couple but only one lettered point: the lever needs two points of it, 'find: power' answers without them"))
 
 
 def _two_points(st: Statics, link: str) -> Pair | None:

@@ -29,7 +29,9 @@ def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: s
         st.settle(held.parent, held.link, 0j, st.desk.at[held.joint.pin])
         return
     if not isinstance(held.joint, Revolute):
-        raise NoMethodError(f"no graphical method on file finds the reactions of link {number}: it rolls on its neighbour; 'vecpoly exact' still answers")
+        raise NoMethodError(Words(
+            f"没有求构件 {number} 反力的图解法，因为它与相邻构件作纯滚动；仍可用 vecpoly exact 求解",
+            f"no graphical method on file finds the reactions of link {number}: it rolls on its neighbour; 'vecpoly exact' still answers"))
     pin = held.joint.point
     st.board.remark(Words(f"第三力亦与之平行；对 ${pin}$ 处的切点取矩：", f"so is the third; moments about the point where it touches the circle at ${pin}$ give:"))
     st.board.remark(pin_words(st, pin, held.parent, held.link))
@@ -44,8 +46,9 @@ def _about_pin(st: Statics, held: Held, load: Resultant, line: Line, by: str) ->
         touch = st.touch(pin, u * way, sense)
         arm = cross(line.at - touch, u)
         if abs(float(nominal(arm))) < 1e-9:
-            raise EquilibriumError(f"link {st.mech.number(held.link)}: the line of the force of link {st.mech.number(by)} passes through {pin}, "
-                                   "so it balances no load; choose another input position")
+            raise EquilibriumError(Words(
+                f"构件 {st.mech.number(held.link)}：构件 {st.mech.number(by)} 的作用力过 {pin}，不能平衡载荷；请另取原动件位置",
+                f"link {st.mech.number(held.link)}: the line of the force of link {st.mech.number(by)} passes through {pin}, so it balances no load; choose another input position"))
         size = -cross(load.at - touch, load.vector) / arm
         rest: Points = -(load.vector + size * u)
         if not sense or float(nominal((np.conj(u * way) * rest).real)) >= 0:

@@ -62,8 +62,9 @@ def _order(desk: Desk, loads: Loads) -> tuple[Held, tuple[Group, ...]]:
     mech, link = desk.mech, loads.unknown.link
     joint = next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
-        raise NoMethodError(f"{loads.unknown.name} acts on link {link}, which has no fixed {'pin' if isinstance(loads.unknown, Moment) else 'pin or guide'}: no graphical method "
-                            f"on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'")
+        raise NoMethodError(Words(
+            f"{loads.unknown.name} 作用于构件 {link}，而该构件没有{'固定铰链' if isinstance(loads.unknown, Moment) else '固定铰链或导路'}，没有在该处求平衡的图解法；请令其作用于与机架相连的构件，或用 vecpoly exact",
+            f"{loads.unknown.name} acts on link {link}, which has no fixed {'pin' if isinstance(loads.unknown, Moment) else 'pin or guide'}: no graphical method on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'"))
     driven = replace(mech, drives=(replace(mech.drive, link=link),))
     return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven)))
 
@@ -84,7 +85,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
     except (LockedError, NoSlipSenseError):
         raise
     except EquilibriumError as error:
-        raise LockedError(f"no equilibrium with friction: {error}") from None
+        raise LockedError(Words("考虑摩擦时不能平衡：", "no equilibrium with friction: ") + error.words) from None
     desk = ideal.desk
     desk.board.section(REAL)
     _circles(ideal)
@@ -100,8 +101,9 @@ def _refuse_locked(ideal: Statics, st: Statics) -> None:
     """Friction may only lower a resisting load, not through zero: it would have to help. Inertia forces may turn it round."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
     if not st.loads.dynamic and before * after <= 0 and abs(before) > NOTHING * abs(after):
-        raise LockedError(f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; "
-                          f"the mechanism is self-locking in this position, lower f or ρ")
+        raise LockedError(Words(
+            f"{st.unknown.name} 有摩擦时为 {after:.4g}，无摩擦时为 {before:.4g}：它反向后须帮助运动；机构在此位置自锁，请减小 f 或 ρ",
+            f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; the mechanism is self-locking in this position, lower f or ρ"))
 
 
 def _circles(st: Statics) -> None:

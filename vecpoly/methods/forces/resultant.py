@@ -35,8 +35,7 @@ class Resultant:
     @property
     def found(self) -> tuple[str, str]:
         """How its line was found, in both languages: by the meeting point of two lines, or by moments."""
-        first = self.forces[0].at
-        if all(abs(complex(nominal(f.at - first))) < NEARLY for f in self.forces) and _on(self.line, first):
+        if _concurrent(self.forces) and _on(self.line, self.forces[0].at):
             return "过各力的公共作用点", "through their common point"
         if len(self.forces) == 2 and all(_on(f.line, self.at) for f in self.forces):
             return "过两力作用线的交点", "through the crossing of their lines"
@@ -66,12 +65,17 @@ def resultant(st: Statics, link: str) -> Resultant:
 
 def _place(st: Statics, forces: tuple[Acting, ...], total: Points, moment: Reals) -> Points:
     """A point of the resultant's line."""
-    if len(forces) == 1 and not np.any(moment):
+    if not np.any(moment) and _concurrent(forces):
         return forces[0].at
     if len(forces) == 2 and not np.any(moment) and _cross(forces[0], forces[1]):
         return lines_meet(forces[0].line, forces[1].line)
     about = sum((cross(f.at, f.vector) for f in forces), 0.0) + st.paper_moment(moment)
     return -1j * total * about / np.square(np.abs(total))
+
+
+def _concurrent(forces: tuple[Acting, ...]) -> bool:
+    """Whether all forces act at one point."""
+    return all(abs(complex(nominal(f.at - forces[0].at))) < NEARLY for f in forces)
 
 
 def _on(line: Line, at: Points) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.construction import View
-from ...errors import NoSlipSenseError
+from ...errors import NoSlipSenseError, bilingual
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega
 from ...plane import Points, dot, nominal
@@ -51,7 +51,7 @@ def velocity_of(st: Statics, link: str, place: Points) -> Points:
     return desk.tip(View.VELOCITY, at) + 1j * np.asarray(turn.value) * (place - desk.where(at)) * per_mm
 
 
-def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: str) -> Points:
+def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words | str) -> Points:
     """Direction of a reaction with normal part along `normal`: turned by φ from it, against the sliding of the link it acts on.
 
     Raises NoSlipSenseError where nothing slides.
@@ -60,7 +60,7 @@ def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: str) ->
         return normal
     along = float(nominal((np.conj(1j * normal) * slip).real))
     if abs(along) * st.board.scales[View.VELOCITY].value <= STILL * st.speed:
-        raise NoSlipSenseError(f"{what}: nothing slides in this position, so friction has no sense; choose another input position, or leave out this friction")
+        raise NoSlipSenseError(bilingual(what) + Words("：在此位置无相对滑动，摩擦力方向不定；请另取原动件位置，或去掉此处摩擦", ": nothing slides in this position, so friction has no sense; choose another input position, or leave out this friction"))
     leant: Points = normal * complex(np.exp(-1j * phi * np.sign(along)))
     return leant
 
@@ -77,7 +77,7 @@ def inclined(st: Statics, joint: Prismatic, by: str, on: str) -> Points:
     at = desk.at[joint.pin]
     slip = velocity_of(st, on, at) - velocity_of(st, by, at)
     i, j = st.mech.number(by), st.mech.number(on)
-    return leaning(st, normal, slip, st.phi(joint), f"the slide of links {i} and {j}")
+    return leaning(st, normal, slip, st.phi(joint), Words(f"构件 {i} 与 {j} 间的移动副", f"the slide of links {i} and {j}"))
 
 
 def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:

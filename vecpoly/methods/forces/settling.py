@@ -58,8 +58,9 @@ def _fixed(start: Statics, groups: tuple[Group, ...], walk: Walk, couples: Coupl
             slope = _slope(start, st, groups, walk, couples) if couples else np.zeros((0, 0))
         guide, last = st, gap
         couples = _secant(couples, after, slope)
-    raise LockedError(f"with friction no equilibrium settles, the reactions keep changing sides: the mechanism is locked for {start.unknown.name} in this position, "
-                      f"lower f or ρ")
+    raise LockedError(Words(
+        f"考虑摩擦时各反力不断换侧，平衡不能确定：机构在此位置对 {start.unknown.name} 自锁；请减小 f 或 ρ",
+        f"with friction no equilibrium settles, the reactions keep changing sides: the mechanism is locked for {start.unknown.name} in this position, lower f or ρ"))
 
 
 def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:

@@ -215,8 +215,9 @@ class Statics:
         rate = self.turning(on, by)
         if abs(rate) <= STILL * self._rate():
             i, j = self.mech.number(by), self.mech.number(on)
-            raise NoSlipSenseError(f"pin {point}: links {i} and {j} do not turn relative to each other in this position, so their friction has no sense; "
-                                   f"choose another input position, or leave out the friction of {point}")
+            raise NoSlipSenseError(Words(
+                f"转动副 {point}：构件 {i} 与 {j} 在此位置无相对转动，摩擦力矩方向不定；请另取原动件位置，或去掉 {point} 处的摩擦",
+                f"pin {point}: links {i} and {j} do not turn relative to each other in this position, so their friction has no sense; choose another input position, or leave out the friction of {point}"))
         return -1 if rate > 0 else 1
 
     def touch(self, point: str, along: Points, sense: int) -> Points:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...errors import NoMethodError
@@ -23,26 +24,37 @@ from .state import Statics
 def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Find the reaction of `by` (on its line) and of the parent on the held link."""
     link = held.link
-    st.board.step(_taken(st, held, load, by), View.MECHANISM)
+    st.board.step(_taken(st, held, load, line, by), View.MECHANISM)
     if abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
         balance_parallel(st, held, load, line, by)
         return
-    x = st.board.meet(load.line, line, f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}")
+    x = st.board.meet(load.line, line, Words(
+        f"构件 {st.mech.number(link)}：载荷与 R_{st.mech.number(by)}{st.mech.number(link)} 的作用线",
+        f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}"))
     u, sense = direction_through(st, held.joint, held.parent, link, x)
     _draw(st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), st.named(held.parent, link).symbol)
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
 
 
-def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
-    """Three forces balance: they meet in one point; several known ones are joined first."""
+def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> Words:
+    """Three forces balance: they meet in one point, which may be a pin already; several known ones are joined first."""
     number, known = st.mech.number(held.link), load.symbols
     one, two = f"${st.named(by, held.link).symbol}$", f"${st.named(held.parent, held.link).symbol}$"
+    pin = _pin_at(st, held.link, load.at) if abs(complex(nominal(load.at - line.at))) < NO_LENGTH else ""
+    if pin:
+        return Words(f"取构件 {number} 为分离体：{known.zh}、{one}、{two} 平衡；{known.zh}、{one} 均过 ${pin}$，故 {two} 必过 ${pin}$。",
+                     f"Isolate link {number}: {known.en}, {one} and {two} are in equilibrium; {known.en} and {one} pass through ${pin}$, so {two} must pass through it too.")
     if len(load.forces) == 1 and not np.any(st.moment(held.link)):
         return Words(f"取构件 {number} 为分离体：受 {known.zh}、{one}、{two} 三力而平衡，三力必汇交于一点；先求 {known.zh} 与 {one} 作用线的交点，{two} 过此点。",
                      f"Isolate link {number}: three forces, {known.en}, {one} and {two}, balance, so they meet in one point: where the lines of {known.en} and {one} cross; {two} passes through it.")
     joined, joined_en = load.found
     return Words(f"取构件 {number} 为分离体：已知力 {known.zh} 合成为一合力，{joined}；合力、{one}、{two} 三力平衡，必汇交于一点，即合力与 {one} 作用线的交点，{two} 过此点。",
                  f"Isolate link {number}: {known.en} join into one force, {joined_en}. It, {one} and {two} balance, so they meet in one point: where its line crosses that of {one}; {two} passes through it.")
+
+
+def _pin_at(st: Statics, link: str, at: Points) -> str:
+    """The letter of the link's point here, if it has one."""
+    return next((p for p in st.mech.link(link).points if abs(complex(nominal(st.desk.at[p] - at))) < NO_LENGTH), "")
 
 
 def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) -> tuple[Points, int]:
@@ -52,7 +64,9 @@ def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) ->
         st.board.remark(slide_words(st, joint, by, on))
         return inclined(st, joint, by, on), 0
     if not isinstance(joint, Revolute):
-        raise NoMethodError(f"no graphical method on file finds the reaction of links {i} and {j}: they roll on each other; 'vecpoly exact' still answers")
+        raise NoMethodError(Words(
+            f"没有求构件 {i} 与 {j} 间反力的图解法，因为两者作纯滚动；仍可用 vecpoly exact 求解",
+            f"no graphical method on file finds the reaction of links {i} and {j}: they roll on each other; 'vecpoly exact' still answers"))
     st.board.remark(pin_words(st, joint.point, by, on))
     centre = st.desk.at[joint.point]
     sense = st.moment_sense(joint.point, by, on)

@@ -39,8 +39,9 @@ def balancing_by_power(st: Statics, load: Load | None = None) -> None:
     parts = [_written(st, work) for work in works(st)]
     rate = rate_of(st, load)
     if not rate.way:
-        raise EquilibriumError(f"the balancing load {load.name} does no work in this position: its point does not move along it; "
-                               f"choose another input position or another balancing load")
+        raise EquilibriumError(Words(
+            f"平衡载荷 {load.name} 的作用点不沿其方向运动，在此位置不作功；请另取原动件位置或另选平衡载荷",
+            f"the balancing load {load.name} does no work in this position: its point does not move along it; choose another input position or another balancing load"))
     draw_rate(st, rate)
     moving = [part for part in parts if nominal(part.value)]
     if not moving:

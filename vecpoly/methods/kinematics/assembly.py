@@ -24,8 +24,9 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     first, second = (complex(nominal(p)) for p in pair)
     hair = HAIR * desk.mm(desk.mech.scale)
     if abs(first - second) < hair:
-        raise DeadPointError(f"links {' and '.join(links)}: the two meeting points for {point} coincide; this is a dead point or "
-                             f"change point, choose another input position")
+        raise DeadPointError(Words(
+            f"构件 {'、'.join(links)}：{point} 的两个交点重合，此为死点或转折点位置；请另取原动件位置",
+            f"links {' and '.join(links)}: the two meeting points for {point} coincide; this is a dead point or change point, choose another input position"))
     drawn = {name: complex(nominal(p)) for name, p in desk.at.items()}
     trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
     new = set(trials[0]) - set(drawn)
@@ -68,11 +69,15 @@ def _with_point(
     return known
 
 
-def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[Statement]) -> str:
+def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[Statement]) -> Words:
     others = [p for name in links for p in desk.mech.link(name).points if p != point and p in desk.at][:2]
     line = "".join(others) if len(others) == 2 else (others[0] if others else "A")
-    problem = "contradict each other or name no side" if about else "say nothing of it"
-    return (
-        f"point {point} of links {', '.join(name for name in links if name in desk.mech.bodies)} can be assembled on two sides and the branch statements {problem}; "
-        f"write 'branch: [{point} left of {line}]' or 'branch: [{point} right of {line}]'"
+    problem = Words("相互矛盾或未指明一侧", "contradict each other or name no side") if about else Words("没有涉及它", "say nothing of it")
+    moving = [name for name in links if name in desk.mech.bodies]
+    return Words(
+        f"构件 {'、'.join(moving)} 上的点 {point} 可装配在两侧，而 branch 中的语句{problem.zh}",
+        f"point {point} of links {', '.join(moving)} can be assembled on two sides and the branch statements {problem.en}",
+    ) + Words(
+        f"；请写 branch: [{point} left of {line}] 或 branch: [{point} right of {line}]",
+        f"; write 'branch: [{point} left of {line}]' or 'branch: [{point} right of {line}]'",
     )

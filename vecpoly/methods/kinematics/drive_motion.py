@@ -11,7 +11,7 @@ from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Points, Reals
 from ...quantity import magnitude
 from ...words import Words
-from ..desk import POLE, Desk, Turn
+from ..desk import POLE, VECTOR, Desk, Turn
 from ..registry import Stage, method
 from .chains import never_turns
 from .image import images_of_link
@@ -34,7 +34,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     board.step(Words(f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 $v_{{{name}}}$：",
                      f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:"), View.VELOCITY)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
-    speed = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
+    speed = desk.sizes[Rel(Kind.V, At(b)).key] = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
     board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
@@ -58,7 +58,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     board.step(Words(f"原动件{even}的法向加速度由 ${b}$ 指向 ${pivot}$；取极点 $p′$：",
                      f"The normal acceleration of the driving link{'' if drive.accel else ' ($α$ = 0)'} points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
-    size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
+    size = desk.sizes[Rel(Kind.AN if drive.accel else Kind.A, At(b)).key] = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
     board.write_length(View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size)
     along = desk.towards(b, pivot)
     _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
@@ -68,7 +68,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
         desk.known_as[View.ACCELERATION, At(b)] = (Words.same(f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$")
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
-        size_t = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
+        size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))
         board.arrow(View.ACCELERATION, tip, end, Role.GIVEN)
         board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
@@ -97,7 +97,8 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
     pole, b = POLE[view], joint.pin
     desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${stem}_{b}$：",
                           f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${stem}_{b}$:"), view)
-    desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
+    size = desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
+    desk.sizes[Rel(VECTOR[view], At(b)).key] = size
     _first_vector(desk, view, b, along, abs(value))
     images_of_link(desk, view, drive.link)
 

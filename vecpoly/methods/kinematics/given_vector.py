@@ -24,11 +24,15 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     assert wanted is not None
     held = known_tips(desk, view, ask.link)
     if len(held) < 2:
-        raise NoMethodError(f"{ask.name}: fewer than two points of link {ask.link} are known on the polygon")
+        raise NoMethodError(Words(
+            f"{ask.name}：构件 {ask.link} 在多边形上的已知点不足两个",
+            f"{ask.name}: fewer than two points of link {ask.link} are known on the polygon"))
     (p, p_at), (q, q_at) = held[0], held[1]
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     if abs(complex(nominal(tips[1] - tips[0]))) < NO_LENGTH:
-        raise NoMethodError(f"{ask.name}: all points of link {ask.link} have the same vector at this instant")
+        raise NoMethodError(Words(
+            f"{ask.name}：构件 {ask.link} 上各点此时的矢量相同",
+            f"{ask.name}: all points of link {ask.link} have the same vector at this instant"))
     board = desk.board
     letter_at_pole(desk, view, p_at, q_at)
     tip = board.to_paper(view, 1.0) * wanted

@@ -139,8 +139,8 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    desk.board.write_length(view, f"{desk.start_label(view, rel.ref)} {desk.tip_label(view, rel.to)}",
-                            desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit))
+    laid = desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
+    desk.board.write_length(view, f"{desk.start_label(view, rel.ref)} {desk.tip_label(view, rel.to)}", laid)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
                 along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...board.construction import View
 from ...board.marks import Role
 from ...mechanism.assur import Dyad
+from ...mechanism.branch import margin
 from ...mechanism.four_bar import fourth_corner
 from ...mechanism.model import FRAME, Revolute, Shaped
 from ...mechanism.statements import Form
@@ -12,7 +13,6 @@ from ...names import At, Rel, alpha, omega
 from ...plane import nominal
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
-from .assembly import HAIR
 from .chains import never_turns
 from .image import imaged, images_of_link
 from .terms import symbol
@@ -23,9 +23,9 @@ def is_parallelogram(desk: Desk, d: Dyad) -> bool:
     corner = fourth_corner(desk.mech, d)
     if corner is None:
         return False
-    b, c, d_ = _pins(d)
-    off = abs(nominal(desk.at[b] - desk.at[corner] - desk.at[c] + desk.at[d_]))
-    return bool(off < 1e2 * HAIR * desk.mm(desk.mech.scale)) or _is_said(desk, d)
+    b, c, end = _pins(d)
+    drawn = {letter: complex(nominal(desk.at[letter])) for letter in (corner, b, c, end)}
+    return _is_said(desk, d) or margin(Shaped(corners=(corner, b, c, end), form=Form.PARALLELOGRAM), drawn) > 0
 
 
 def step_off(desk: Desk, d: Dyad) -> bool:

@@ -41,7 +41,9 @@ def position_class_iii(desk: Desk, group: Group) -> None:
     plate, three = _legs(group)
     starts = [(legs, *start) for legs in _orders(three) for start in _scan(desk, plate, legs)]
     if not starts:
-        raise AssemblyError(f"links {plate}, {', '.join(leg.link for leg in three)} cannot be joined: however one leg is turned, the plate does not reach the circles of both others")
+        raise AssemblyError(Words(
+            f"构件 {plate}、{'、'.join(leg.link for leg in three)} 不能装配：无论一支杆如何转动，三副构件都到不了另外两支杆的圆弧",
+            f"links {plate}, {', '.join(leg.link for leg in three)} cannot be joined: however one leg is turned, the plate does not reach the circles of both others"))
     legs, theta0, left = min(starts, key=lambda start: _off(desk, start[0], _trial(desk, plate, start[0], np.asarray(start[1]), start[2])))
     theta = _settled(desk, plate, legs, theta0, left)
     a, b, _ = legs
@@ -50,7 +52,7 @@ def position_class_iii(desk: Desk, group: Group) -> None:
     found = _trial(desk, plate, legs, theta, left)
     radius = desk.board.hand.carry(_reach(desk, a))
     desk.at[a.inner] = desk.at[a.outer] + radius * unit(found[0] - desk.at[a.outer])
-    pair = desk.board.arcs(desk.at[a.inner], _side(desk, plate, a, b), desk.at[b.outer], _reach(desk, b), f"links {plate} and {b.link} at {b.inner}")
+    pair = desk.board.arcs(desk.at[a.inner], _side(desk, plate, a, b), desk.at[b.outer], _reach(desk, b), Words(f"构件 {plate} 与 {b.link} 在 {b.inner} 处", f"links {plate} and {b.link} at {b.inner}"))
     desk.at[b.inner] = min(pair, key=lambda at: abs(complex(nominal(at)) - complex(nominal(found[1]))))
     desk.settle(plate, (a.inner, b.inner))
     for leg in legs:
@@ -68,8 +70,9 @@ def _legs(group: Group) -> tuple[str, Legs]:
         if isinstance(outer.joint, Revolute) and inner is not None:
             legs.append(Leg(outer.link, outer.joint.point, inner.point))
     if len(plates) != 1 or len(legs) != 3 or len(group.links) != 4 or not all(isinstance(j, Revolute) for j in joints):
-        raise NoMethodError(f"the {group.name} is not a plate on three legs with hinges alone, and no graphical method on file locates it; "
-                            f"'vecpoly exact' gives its analytic answers")
+        raise NoMethodError(Words(
+            f"{group.name.zh}不是仅以铰链联接三支杆的三副构件，没有确定其位置的图解法；可用 vecpoly exact 求解析解",
+            f"the {group.name.en} is not a plate on three legs with hinges alone, and no graphical method on file locates it; 'vecpoly exact' gives its analytic answers"))
     return plates[0], (legs[0], legs[1], legs[2])
 
 
@@ -118,7 +121,9 @@ def _scan(desk: Desk, plate: str, legs: Legs) -> list[tuple[float, bool]]:
     """
     if not any(leg.inner in desk.mech.guesses for leg in legs):
         pins = ", ".join(leg.inner for leg in legs)
-        raise AssemblyError(f"links {plate}, {', '.join(leg.link for leg in legs)}: say roughly where their points are: guesses for {pins}")
+        raise AssemblyError(Words(
+            f"构件 {plate}、{'、'.join(leg.link for leg in legs)}：请用 guesses 给出 {pins} 的大致位置",
+            f"links {plate}, {', '.join(leg.link for leg in legs)}: say roughly where their points are: guesses for {pins}"))
     plain = Desk(board=desk.board, mech=desk.mech, at={leg.outer: complex(nominal(desk.at[leg.outer])) for leg in legs})
     grid, found = np.linspace(-np.pi, np.pi, SCAN + 1), []
     for left in (True, False):
@@ -139,7 +144,9 @@ def _settled(desk: Desk, plate: str, legs: Legs, theta: float, left: bool) -> Re
         step = np.where((now == before) | (slope == 0), 0.0, gap / np.where(slope == 0, 1.0, slope))
         before, gap_before, now = now, gap, now - np.clip(step, -0.05, 0.05)
     if not abs(float(nominal(_open(desk, plate, legs, now, left)))) < CLOSE * _reach(desk, legs[2]):
-        raise AssemblyError(f"links {plate}, {', '.join(leg.link for leg in legs)}: the path of {legs[2].inner} only grazes the circle of link {legs[2].link}")
+        raise AssemblyError(Words(
+            f"构件 {plate}、{'、'.join(leg.link for leg in legs)}：{legs[2].inner} 的轨迹仅与构件 {legs[2].link} 的圆弧相切",
+            f"links {plate}, {', '.join(leg.link for leg in legs)}: the path of {legs[2].inner} only grazes the circle of link {legs[2].link}"))
     return now
 
 

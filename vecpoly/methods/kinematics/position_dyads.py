@@ -34,7 +34,7 @@ def position_rrr(desk: Desk, d: Dyad) -> None:
         View.MECHANISM,
     )
     radii = [desk.mm(length) for length in lengths]
-    pair = board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], f"links {d.link_j} and {d.link_k} at {c}")
+    pair = board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], Words(f"构件 {d.link_j} 与 {d.link_k} 在 {c} 处", f"links {d.link_j} and {d.link_k} at {c}"))
     desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), pair)
     board.remark(said(why) + Words("。", "."))
     board.swing(View.MECHANISM, desk.at[p], radii[0], desk.at[c])
@@ -56,7 +56,7 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
         View.MECHANISM,
     )
     line = desk.locus(d.outer_k, d.link_k, c)
-    pair = board.arc_on_line(line, desk.at[p], radius, f"link {d.link_j} at {c}")
+    pair = board.arc_on_line(line, desk.at[p], radius, Words(f"构件 {d.link_j} 在 {c} 处", f"link {d.link_j} at {c}"))
     desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), pair)
     board.remark(said(why) + Words("。", "."))
     board.swing(View.MECHANISM, desk.at[p], radius, desk.at[c])
@@ -72,7 +72,7 @@ def position_prp(desk: Desk, d: Dyad) -> None:
     b, board = d.inner.point, desk.board
     board.step(Words(f"两导路线的交点为 ${b}$。", f"The two guide lines cross at ${b}$."), View.MECHANISM)
     lines = [desk.locus(joint, link, b) for joint, link in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))]
-    desk.at[b] = board.meet(lines[0], lines[1], f"guides of links {d.link_j} and {d.link_k}")
+    desk.at[b] = board.meet(lines[0], lines[1], Words(f"构件 {d.link_j} 与 {d.link_k} 的导路", f"guides of links {d.link_j} and {d.link_k}"))
     for joint, link, line in zip((d.outer_j, d.outer_k), (d.link_j, d.link_k), lines, strict=True):
         desk.settle_turned(link, b, _slider_axis(desk, joint, link, line))
 
@@ -116,13 +116,13 @@ def position_rrg(desk: Desk, d: Dyad) -> None:
         along = desk.axis(joint.on.link) * np.exp(1j * joint.on.direction)
         left = 1 if joint.side == "left" else -1
         line = Line(desk.place(joint.on.link, joint.on.origin) + 1j * left * along * desk.mm(joint.gear.radius), along)
-        pair = board.arc_on_line(line, desk.at[p], radius, f"link {d.link_j} at {c}")
+        pair = board.arc_on_line(line, desk.at[p], radius, Words(f"构件 {d.link_j} 在 {c} 处", f"link {d.link_j} at {c}"))
     else:
         reach = desk.mm(joint.on.radius + (-1 if joint.internal else 1) * joint.gear.radius)
         o, sign = joint.on.centre, "−" if joint.internal else "+"
         board.step(Words(f"两轮中心距为 $r_{joint.on.link}$ {sign} $r_{d.link_k}$；分别以 ${o}$、${p}$ 为圆心画弧，交得轮心 ${c}$",
                          f"The centres stay $r_{joint.on.link}$ {sign} $r_{d.link_k}$ apart; arcs about ${o}$ and ${p}$ meet at the gear's centre ${c}$"), View.MECHANISM)
-        pair = board.arcs(desk.at[o], abs(reach), desk.at[p], radius, f"gear {d.link_k} and link {d.link_j} at {c}")
+        pair = board.arcs(desk.at[o], abs(reach), desk.at[p], radius, Words(f"齿轮 {d.link_k} 与构件 {d.link_j} 在 {c} 处", f"gear {d.link_k} and link {d.link_j} at {c}"))
         board.swing(View.MECHANISM, desk.at[o], abs(reach), pair[0])
     desk.at[c], why = choose(desk, c, (d.link_j,), pair)
     board.remark(said(why) + Words("。", "."))

@@ -31,8 +31,9 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     offset = desk.mm(desk.offset(joint, joint.block, p) - desk.offset(joint, joint.guide, q))
     span = distance(desk.at[q], desk.at[p])
     if float(nominal(span)) <= abs(offset) + 1e-9:
-        raise AssemblyError(f"links {joint.guide} and {joint.block}: {q}{p} is {nominal(span):.3f} mm on paper, not longer than the "
-                            f"guide's offset of {abs(offset):.3f} mm, so the guide has no direction here")
+        raise AssemblyError(Words(
+            f"构件 {joint.guide} 与 {joint.block}：图上 {q}{p} 长 {nominal(span):.3f} mm，不大于导路的偏距 {abs(offset):.3f} mm，导路方向不定",
+            f"links {joint.guide} and {joint.block}: {q}{p} is {nominal(span):.3f} mm on paper, not longer than the guide's offset of {abs(offset):.3f} mm, so the guide has no direction here"))
     if (cam := tangent_words(desk, joint)) is not None:
         words = cam + _tangent(q, p, offset)
     elif abs(offset) < 1e-9:

@@ -36,7 +36,9 @@ def acceleration_rrg(desk: Desk, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(joint, Rolling)
     c, p = d.inner.point, d.outer_j.point
     if isinstance(joint.on, Rack) and d.parent_k != FRAME:
-        raise NoMethodError(f"link {d.link_k} rolls on a moving rack: no graphical method on file draws its acceleration")
+        raise NoMethodError(Words(
+            f"构件 {d.link_k} 在运动的齿条上滚动，没有求其加速度的图解法",
+            f"link {d.link_k} rolls on a moving rack: no graphical method on file draws its acceleration"))
     desk.board.step(opening(_VIEW, c, d.link_j, d.link_k), _VIEW)
     centre = _along_rack(desk, joint, c) if isinstance(joint.on, Rack) else _about_gear(desk, joint, joint.on, c)
     swung = turning_chain(desk, _VIEW, At(c), p, d.link_j)
@@ -95,4 +97,6 @@ def _pitch_point(desk: Desk, joint: Rolling, other: Circle, c: str) -> None:
 
 def _alpha_known(desk: Desk, link: str) -> None:
     if alpha(link) not in desk.turns:
-        raise NoMethodError(f"the angular acceleration of gear {link} is not known on the drawing")
+        raise NoMethodError(Words(
+            f"图上没有求得齿轮 {link} 的角加速度",
+            f"the angular acceleration of gear {link} is not known on the drawing"))

@@ -74,7 +74,7 @@ def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     size = w.squared() * length
     if not at_rest:
         start = desk.start_label(View.ACCELERATION, about)
-        laid = desk.board.compute(sign, size, "m/s^2")
+        laid = desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
         desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
     return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about.point}$"),
                 magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about.point),
@@ -95,7 +95,7 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
     vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
-    size = board.compute(sign, expr, "m/s^2")
+    size = desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
     if not vanishes:
         start = desk.start_label(View.ACCELERATION, ref)

@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from ...devices.eccentric_clamp import EccentricClamp
 from ...errors import LockedError
+from ...words import Words
 from .registry import Values, answers
 from .sliding import boundary
 
@@ -58,8 +59,9 @@ def _equilibrium(device: EccentricClamp, f: float, rho: float) -> tuple[float, c
         if np.abs(step).max() < 1e-13 * device.Q.si:
             break
     if x[0] <= 0 or np.abs(excess(x)).max() > 1e-9 * device.Q.si:
-        raise LockedError(f"no force on the handle keeps this clamp moving against Q = {device.Q.text}: with f = {device.f.text} and "
-                          f"rho = {1e3 * rho:g} mm its arm about A is too short for the friction; lengthen the handle or lower f or rho")
+        raise LockedError(Words(
+            f"手柄上的力不能使夹具克服 Q = {device.Q.text} 继续运动：f = {device.f.text}、rho = {1e3 * rho:g} mm 时，力对 A 的力臂小于摩擦所需；请加长手柄，或减小 f 或 rho",
+            f"no force on the handle keeps this clamp moving against Q = {device.Q.text}: with f = {device.f.text} and rho = {1e3 * rho:g} mm its arm about A is too short for the friction; lengthen the handle or lower f or rho"))
     return float(x[0]), complex(x[1], x[2])
 
 

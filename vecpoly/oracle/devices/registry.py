@@ -8,6 +8,7 @@ from typing import Any
 from ...devices.base import Device
 from ...errors import NoMethodError
 from ...plugins import load_modules
+from ...words import Words
 
 Values = Mapping[str, complex | float]
 Exact = Callable[[Any], Values]
@@ -32,4 +33,4 @@ def device_answers(device: Device) -> Values:
     try:
         return _EXACT[type(device)](device)
     except KeyError:
-        raise NoMethodError(f"the oracle knows no device {device.kind}") from None
+        raise NoMethodError(Words(f"解析法不能求解装置 {device.kind}", f"the oracle knows no device {device.kind}")) from None

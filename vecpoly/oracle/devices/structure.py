@@ -23,6 +23,7 @@ from ...devices.structure import (
 )
 from ...devices.structure_pairs import FRAME, Chain, Form, Pair
 from ...errors import MobilityError
+from ...words import Words
 from .registry import Values, answers
 from .structure_match import assur, rank_of
 from .structure_rank import Ranks, dependent, determined, ranks
@@ -74,7 +75,9 @@ def _welded(chain: Chain, link: str) -> Chain:
     """A roller as one piece with the link on which it is pinned."""
     carrier = next((other for pair in chain.at(link) if pair.form is Form.R for other in pair.links if other != link), None)
     if carrier is None:
-        raise MobilityError(f"link {link} moves for itself, but is no roller pinned on another link: pin it with an R pair, or leave it out")
+        raise MobilityError(Words(
+            f"构件 {link} 能单独运动，却不是铰接在其他构件上的滚子；请用 R 副铰接，或去掉它",
+            f"link {link} moves for itself, but is no roller pinned on another link: pin it with an R pair, or leave it out"))
     pairs = []
     for pair in chain.pairs:
         links = tuple(carrier if one == link else one for one in pair.links) if not pair.form.is_lower else tuple(one for one in pair.links if one != link)

@@ -9,6 +9,7 @@ import numpy as np
 from ...errors import EquilibriumError, UnknownNameError
 from ...mechanism.loads import GRAVITY, Force, Load, Loads, Mass
 from ...mechanism.model import Mechanism
+from ...words import Words
 from ..state import NONE, STILL, Bodies, Points, Reals, dot
 
 
@@ -33,19 +34,27 @@ def checked(mech: Mechanism, loads: Loads) -> None:
     free = [load.name for load in loads.all if load.size is None]
     if len(free) != 1:
         named = f" ({', '.join(free)})" if free else ""
-        raise EquilibriumError(f"{len(free)} loads have no size{named}; exactly one must be left to balance the others")
+        raise EquilibriumError(Words(
+            f"有 {len(free)} 个载荷未给大小{named}；应恰有一个待求，以平衡其余载荷",
+            f"{len(free)} loads have no size{named}; exactly one must be left to balance the others"))
     for item in (*loads.all, *loads.masses):
         if item.link not in mech.bodies:
             name = f"the mass of {item.link}" if isinstance(item, Mass) else item.name
-            raise EquilibriumError(f"{name} acts on '{item.link}', which is no moving link; known: {', '.join(mech.bodies)}")
+            raise EquilibriumError(Words(
+                f"{f'构件 {item.link} 的质量' if isinstance(item, Mass) else item.name} 作用于“{item.link}”，它不是活动构件；已有：{', '.join(mech.bodies)}",
+                f"{name} acts on '{item.link}', which is no moving link; known: {', '.join(mech.bodies)}"))
         letter = item.centre if isinstance(item, Mass) else item.point if isinstance(item, Force) else None
         if letter is not None and letter not in mech.link(item.link).points:
             known = ", ".join(mech.link(item.link).points)
-            raise UnknownNameError(f"link {item.link} has no point {letter}; known: {known}")
+            raise UnknownNameError(Words(
+                f"构件 {item.link} 上没有点 {letter}；已有：{known}",
+                f"link {item.link} has no point {letter}; known: {known}"))
     friction = loads.friction
     for where, value in (*friction.pins.items(), *friction.slides.items(), *friction.contacts.items()):
         if not value >= 0:
-            raise EquilibriumError(f"friction at {where} is {value:g}; it must not be negative")
+            raise EquilibriumError(Words(
+                f"{where} 处的摩擦为 {value:g}；不得为负",
+                f"friction at {where} is {value:g}; it must not be negative"))
 
 
 def given(mech: Mechanism, loads: Loads, bodies: Bodies) -> tuple[Acting, ...]:

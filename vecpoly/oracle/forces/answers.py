@@ -10,6 +10,7 @@ from ...errors import UnknownNameError
 from ...mechanism.loads import Mass
 from ...mechanism.model import FRAME
 from ...mechanism.quantities import given_value
+from ...words import Words
 from ..state import Points, Reals, cross
 from .acting import Acting, inertia
 from .pairs import Wrench
@@ -22,7 +23,9 @@ if TYPE_CHECKING:
 def value(result: Forces, key: str) -> Points | Reals:
     """The quantity with this key; UnknownNameError where there is none."""
     if key not in result.named:
-        raise UnknownNameError(f"there is no quantity {key} here; known: {', '.join(result.named)}")
+        raise UnknownNameError(Words(
+            f"此处没有量 {key}；已有：{', '.join(result.named)}",
+            f"there is no quantity {key} here; known: {', '.join(result.named)}"))
     with np.errstate(invalid="ignore", divide="ignore"):
         found = _value(result, key)
     return result.shaped(found)  # type: ignore[type-var, return-value]
@@ -72,7 +75,9 @@ def _find(result: Forces, by: str, on: str) -> tuple[int | None, int]:
             return index, 1 if pair.b == names[1] else -1
     if f"R_{by}{on}" in result.named:
         return None, 1
-    raise UnknownNameError(f"links {by} and {on} do not touch each other: there is no R_{by}{on}")
+    raise UnknownNameError(Words(
+        f"构件 {by} 与 {on} 不直接接触，没有 R_{by}{on}",
+        f"links {by} and {on} do not touch each other: there is no R_{by}{on}"))
 
 
 def _reaction(result: Forces, by: str, on: str, balance: Balance) -> Points:

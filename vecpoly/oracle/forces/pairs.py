@@ -14,6 +14,7 @@ import numpy as np
 from ...mechanism.assur import is_held
 from ...mechanism.loads import Friction
 from ...mechanism.model import Contact, Mechanism, Prismatic, Revolute, Rolling
+from ...words import Words
 from ..contact import touching
 from ..pitch import pitch_point
 from ..state import NONE, STILL, Bodies, Points, Reals, dot
@@ -38,7 +39,7 @@ class Pair:
     along: the line on which a point of the line of action is given (None: square to the force, as on a friction circle).
     """
 
-    text: str  # for messages
+    text: Words  # for messages
     who: tuple[str, str]  # a and b by their printed numbers
     a: str
     b: str
@@ -99,7 +100,7 @@ def _pin(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Revolute, radius
     rate = rates[joint.b].omega - rates[joint.a].omega
     rub = Wrench(STILL, radius * _against(rate)) if radius else None
     at = bodies[joint.a].point(mech.link(joint.a).points[joint.point])
-    return Pair(text=f"pin {joint.point}", who=_who(mech, joint.a, joint.b), a=joint.a, b=joint.b, at=at, units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
+    return Pair(text=Words(f"转动副 {joint.point}", f"pin {joint.point}"), who=_who(mech, joint.a, joint.b), a=joint.a, b=joint.b, at=at, units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
                 pressed=2, rub=rub, grip=radius, rate=rate, turns=True)
 
 
@@ -114,7 +115,7 @@ def _slide(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, ang
     rub = Wrench(along * (grip * _against(rate)), NONE) if grip else None
     units = (Wrench(1j * along, NONE), Wrench(STILL, np.full(1, mech.scale)))
     who = _who(mech, joint.guide, joint.block)
-    return Pair(text=f"slide of {who[1]} on {who[0]}", who=who, a=joint.guide, b=joint.block, at=foot, units=units, pressed=1, rub=rub, grip=grip, rate=rate, along=along)
+    return Pair(text=Words(f"构件 {who[1]} 与 {who[0]} 的移动副", f"slide of {who[1]} on {who[0]}"), who=who, a=joint.guide, b=joint.block, at=foot, units=units, pressed=1, rub=rub, grip=grip, rate=rate, along=along)
 
 
 def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
@@ -124,7 +125,7 @@ def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
     if is_held(mech, joint):
         ray = bodies[b].point(mech.link(b).points[joint.gear.centre]) - at
         units = (Wrench(1j * ray / np.abs(ray), NONE),)
-    return Pair(text=f"pitch point {joint.point}", who=_who(mech, a, b), a=a, b=b, at=at, units=units, along=ONE)
+    return Pair(text=Words(f"节点 {joint.point}", f"pitch point {joint.point}"), who=_who(mech, a, b), a=a, b=b, at=at, units=units, along=ONE)
 
 
 def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, angle: float) -> Pair:
@@ -135,5 +136,5 @@ def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, a
     rate = dot(across, rates[disc].velocity_at(place) - rates[on].velocity_at(place))
     grip = float(np.tan(angle))
     rub = Wrench(across * (grip * _against(rate)), NONE) if grip else None
-    return Pair(text=f"contact {contact.point}", who=_who(mech, on, disc), a=on, b=disc, at=place, units=(Wrench(normal, NONE),),
+    return Pair(text=Words(f"接触点 {contact.point}", f"contact {contact.point}"), who=_who(mech, on, disc), a=on, b=disc, at=place, units=(Wrench(normal, NONE),),
                 pressed=1, rub=rub, grip=grip, rate=rate, along=across, pushes=True)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import EquilibriumError, LockedError, NoSlipSenseError
+from ...words import Words
 from ..run import Run
 from ..state import Bodies, Reals
 from .causes import Cause
@@ -42,9 +43,10 @@ class Judge:
         self.causes[new] = np.broadcast_to(cause, new.shape)[new]
         return None
 
-    def where(self, index: int) -> str:
+    def where(self, index: int) -> Words:
         """The drive's position as printed."""
-        return f"where the drive stands at {self.run.text(float(self.run.q[index]))}"
+        at = self.run.text(float(self.run.q[index]))
+        return Words(f"原动件位于 {at} 时", f"where the drive stands at {at}")
 
     def idle(self, system: System, rates: Bodies) -> None:
         """EquilibriumError where the balancing load does no work."""
@@ -53,12 +55,12 @@ class Judge:
         lever = free.power(rates)
         weak = np.abs(lever) <= STILL * (pace if free.force.any() else pace / system.scale)
         if (at := self.bad(np.broadcast_to(weak, self.run.q.shape), Cause.IDLE)) is not None:
-            rest = (f"its point of link {free.link} does not move in its direction" if free.force.any()
-                    else f"link {free.link} does not turn")
-            raise EquilibriumError(
-                f"{free.name} cannot balance the other loads {self.where(at)}: {rest} here, so it does no work; "
-                f"let another load balance, or choose another position"
-            )
+            here, rest = self.where(at), Words(f"构件 {free.link} 不转动", f"link {free.link} does not turn")
+            if free.force.any():
+                rest = Words(f"其在构件 {free.link} 上的作用点不沿其方向运动", f"its point of link {free.link} does not move in its direction")
+            raise EquilibriumError(Words(
+                f"{here.zh}，{free.name} 不能平衡其余载荷：{rest.zh}，它不作功；请另选平衡载荷，或另取位置",
+                f"{free.name} cannot balance the other loads {here.en}: {rest.en} here, so it does no work; let another load balance, or choose another position"))
 
     def senseless(self, system: System, rates: Bodies, moving: bool) -> None:
         """NoSlipSenseError where a pair with friction has no relative motion."""
@@ -68,16 +70,21 @@ class Judge:
                 continue
             still = np.abs(pair.rate) <= STILL * (pace / system.scale if pair.turns else pace) if moving else np.ones(1, bool)
             if (at := self.bad(np.broadcast_to(still, self.run.q.shape), Cause.SENSELESS)) is not None:
-                why = f"there is no relative motion {self.where(at)}" if moving else "the drive stands still"
+                here = self.where(at)
+                why = Words(f"{here.zh}无相对运动", f"there is no relative motion {here.en}") if moving else Words("原动件静止", "the drive stands still")
                 raise NoSlipSenseError(
-                    f"{pair.text}: friction between links {' and '.join(pair.who)} has no sense, for {why}; "
-                    f"{'choose another position' if moving else 'give the drive a rate'}, or leave out this friction"
+                    pair.text + Words(
+                    f"：{why.zh}，构件 {'、'.join(pair.who)} 间的摩擦方向不定；请{'另取位置' if moving else '给出原动件的速度'}，或去掉此处摩擦",
+                    f": friction between links {' and '.join(pair.who)} has no sense, for {why.en}; "
+                    f"{'choose another position' if moving else 'give the drive a rate'}, or leave out this friction")
                 )
 
     def unsolved(self, dry: Balance) -> None:
         """EquilibriumError where the equations have no single solution."""
         if (at := self.bad(~np.isfinite(dry.load), Cause.UNSOLVED)) is not None:
-            raise EquilibriumError(f"the reactions have no single value {self.where(at)}: a link is held twice, or at a dead point")
+            raise EquilibriumError(Words(
+                f"{self.where(at).zh}，各反力没有唯一解：有构件受重复约束，或处于死点位置",
+                f"the reactions have no single value {self.where(at).en}: a link is held twice, or at a dead point"))
 
     def locked(self, system: System, balances: tuple[Balance, Balance], reached: Reals, inertia: bool, rates: Bodies) -> None:
         """LockedError where the driving loads cannot move the mechanism against its friction."""
@@ -86,18 +93,24 @@ class Judge:
         driven = dry.load * lever < 0
         if (at := self.bad(reached < 1.0, np.where(driven, Cause.LOCKED, Cause.BOUND))) is not None:
             share = float(reached[at])
-            needs = f"no {free.name}, however large, moves the mechanism {self.where(at)}"
+            here = self.where(at)
+            needs = Words(f"{here.zh}，{free.name} 无论多大都不能驱动机构", f"no {free.name}, however large, moves the mechanism {here.en}")
             if driven[at]:
-                needs = f"the driving loads cannot move the mechanism {self.where(at)}, whatever {free.name}"
-            raise LockedError(f"locked: {needs}; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose another position")
+                needs = Words(f"{here.zh}，无论 {free.name} 为何值，驱动载荷都不能驱动机构", f"the driving loads cannot move the mechanism {here.en}, whatever {free.name}")
+            raise LockedError(Words("自锁：", "locked: ") + needs + Words(
+                f"；摩擦达到给定值的 {100 * share:.3g} % 时即卡死。请减小摩擦，或另取位置",
+                f"; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose another position"))
         before, after = dry.load * lever, wet.load * lever
         if not inertia and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
             drives = [(act.name, float(np.broadcast_to(act.power(rates), self.run.q.shape)[at])) for act in system.known]
             names = ", ".join(name for name, power in drives if power > 0)
             raise LockedError(
-                f"locked: {names} cannot move the mechanism {self.where(at)}: without friction {free.name} would take "
+                Words(
+                f"自锁：{self.where(at).zh}，{names} 不能驱动机构：无摩擦时 {free.name} 耗功 {-float(before[at]):.4g} W，而摩擦耗功 {float((after - before)[at]):.4g} W，"
+                f"效率将为 {-float(after[at] / abs(before[at])):.3g}；请减小摩擦，或改由 {free.name} 驱动",
+                f"locked: {names} cannot move the mechanism {self.where(at).en}: without friction {free.name} would take "
                 f"{-float(before[at]):.4g} W, the friction takes {float((after - before)[at]):.4g} W, so the efficiency would be "
-                f"{-float(after[at] / abs(before[at])):.3g}. Reduce the friction, or let {free.name} drive"
+                f"{-float(after[at] / abs(before[at])):.3g}. Reduce the friction, or let {free.name} drive")
             )
 
     def parting(self, system: System, wet: Balance) -> None:
@@ -106,8 +119,10 @@ class Judge:
         for pair, units in zip(system.pairs, wet.units, strict=True):
             if pair.pushes and (at := self.bad(units[0] < -STILL * largest, Cause.PARTING)) is not None:
                 raise EquilibriumError(
-                    f"links {' and '.join(pair.who)} part at their {pair.text} {self.where(at)}: equilibrium would need a pull of "
-                    f"{-float(units[0][at]):.4g} N there, and a contact only presses; change the sense of a load"
+                    Words(
+                    f"{self.where(at).zh}，构件 {'、'.join(pair.who)} 在{pair.text.zh}脱开：平衡需要该处有 {-float(units[0][at]):.4g} N 的拉力，而接触只能受压；请改变载荷的方向",
+                    f"links {' and '.join(pair.who)} part at their {pair.text.en} {self.where(at).en}: equilibrium would need a pull of "
+                    f"{-float(units[0][at]):.4g} N there, and a contact only presses; change the sense of a load")
                 )
 
 

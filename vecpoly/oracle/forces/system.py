@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import EquilibriumError
+from ...words import Words
 from ..state import Bodies, Points, Reals, cross
 from .acting import Acting
 from .elimination import Equation, Flags, add, solved
@@ -62,10 +63,9 @@ class System:
         rubbing = [pair for pair in self.pairs if pair.rub is not None]
         side = len(columns) + 1
         if side != 3 * len(self.names):
-            raise EquilibriumError(
-                f"{3 * len(self.names)} equations of equilibrium for {len(self.names)} links, but {side} unknowns: "
-                f"one balancing load holds a mechanism of one degree of freedom without idle links"
-            )
+            raise EquilibriumError(Words(
+                f"{len(self.names)} 个构件有 {3 * len(self.names)} 个平衡方程，而未知量有 {side} 个：一个平衡载荷只适用于单自由度、没有闲置构件的机构",
+                f"{3 * len(self.names)} equations of equilibrium for {len(self.names)} links, but {side} unknowns: one balancing load holds a mechanism of one degree of freedom without idle links"))
         left, right = ([Equation() for _ in range(side)] for _ in "lr")
         for k, (pair, unit) in enumerate(columns):
             self._enter_pair(left, k, pair, unit)

@@ -9,6 +9,7 @@ from ...cycle.pose import posed
 from ...errors import AssemblyError
 from ...mechanism.loads import Loads
 from ...problem.problem import Problem, Scales
+from ...words import Words
 from .study import Study
 
 
@@ -16,7 +17,9 @@ def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem
     """The problem with its drive at phi (rad, or m), the diagram to the given position's scale or to its own. Raises AssemblyError where no statement tells the assembly."""
     there = next(posed(study.problem, phi))
     if there is None:
-        raise AssemblyError("there is no assembly here that hangs together with the given one")
+        raise AssemblyError(Words(
+            "没有与给定位置连通的装配方式",
+            "there is no assembly here that hangs together with the given one"))
     figure = study.solution.construction.figure(View.MECHANISM)
     return replace(there, loads=_without_roles(there.loads), scales=Scales(mu_l=figure.scale.value if figure and same_scale else None), printed=())
 

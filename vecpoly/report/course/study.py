@@ -20,6 +20,7 @@ from ...problem.asks import AskPoint
 from ...problem.problem import Problem
 from ...quantity import number
 from ...solution import Solution
+from ...words import Words
 from .from_pivots import from_pivots
 from .model.build import model
 from .model.equations import Model, Values
@@ -242,6 +243,7 @@ def study(solution: Solution) -> Study:
     """The study of a solved problem. Raises NotAskedError for a device."""
     if not isinstance(solution.problem.subject, Mechanism):
         raise NotAskedError(
-            f"problem {solution.problem.id} is about a device, which has no cycle of positions: a course report needs a mechanism with a "
-            f"driving link; write its solution report (--style solution) instead")
+            Words(
+            f"题目 {solution.problem.id} 是机械装置题，没有运动循环；课程报告需要有原动件的机构，请改写解答报告（--style solution）",
+            f"problem {solution.problem.id} is about a device, which has no cycle of positions: a course report needs a mechanism with a driving link; write its solution report (--style solution) instead"))
     return Study(widened(solution), solution)

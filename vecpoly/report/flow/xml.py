@@ -12,7 +12,7 @@ from reportlab.platypus.flowables import PageBreak
 
 from ...board.construction import EquationTable
 from ...errors import VecpolyError
-from ...words import Lang
+from ...words import Lang, Words
 from .base import Block
 from .blocks import KINDS, Callout, Divider, Drawing, Heading, TitleBlock
 from .contents import Contents
@@ -54,7 +54,9 @@ def parse(xml: str) -> Element:
         stack[-1].text += data
 
     def doctype(*_: object) -> None:
-        raise MarkupError(f"line {parser.CurrentLineNumber}: a document type declaration is not allowed")
+        raise MarkupError(Words(
+            f"第 {parser.CurrentLineNumber} 行：不允许文档类型声明",
+            f"line {parser.CurrentLineNumber}: a document type declaration is not allowed"))
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda tag: stack.pop()
@@ -63,7 +65,9 @@ def parse(xml: str) -> Element:
     try:
         parser.Parse(xml, True)
     except expat.ExpatError as error:
-        raise MarkupError(f"line {error.lineno}: {expat.ErrorString(error.code)}") from None
+        raise MarkupError(Words(
+            f"第 {error.lineno} 行：XML 语法错误（{expat.ErrorString(error.code)}）",
+            f"line {error.lineno}: {expat.ErrorString(error.code)}")) from None
     return stack[0].children[0]
 
 
@@ -71,7 +75,7 @@ def to_flowables(xml: str, objects: Mapping[str, object], lang: Lang | None = No
     """The flowables of a ``<doc>``; ``ref`` attributes name things in `objects`."""
     root = parse(xml)
     if root.tag != "doc":
-        _fail(root, "the outermost element must be <doc>")
+        _fail(root, Words("最外层元素应为 <doc>", "the outermost element must be <doc>"))
     return _Reader(objects, lang or _lang(root)).read(root)
 
 
@@ -79,8 +83,8 @@ def _lang(root: Element) -> Lang:
     return "en" if root.attributes.get("lang") == "en" else "zh"
 
 
-def _fail(element: Element, cause: str) -> NoReturn:
-    raise MarkupError(f"line {element.line}: <{element.tag}>: {cause}")
+def _fail(element: Element, cause: Words) -> NoReturn:
+    raise MarkupError(Words(f"第 {element.line} 行：<{element.tag}>：", f"line {element.line}: <{element.tag}>: ") + cause)
 
 
 class _Reader:
@@ -104,11 +108,13 @@ class _Reader:
         """The flowables of all children."""
         out: list[Any] = []
         if parent.text.strip():
-            _fail(parent, "text must stand in <p>, a heading, <note>, <callout> or <step>")
+            _fail(parent, Words(
+                "文字应写在 <p>、标题、<note>、<callout> 或 <step> 中", "text must stand in <p>, a heading, <note>, <callout> or <step>"))
         for child in parent.children:
             reader = self._readers.get(child.tag)
             if reader is None:
-                _fail(child, f"unknown; known are {', '.join(sorted(self._readers))}")
+                _fail(child, Words(
+                    f"未知元素；已有 {', '.join(sorted(self._readers))}", f"unknown; known are {', '.join(sorted(self._readers))}"))
             out.extend(reader(child))
         return out
 
@@ -123,12 +129,12 @@ class _Reader:
     def _lookup(self, element: Element, kind: type | tuple[type, ...], what: str) -> Any:
         ref = element.attributes.get("ref")
         if ref is None:
-            _fail(element, "needs a ref")
+            _fail(element, Words("缺少 ref", "needs a ref"))
         if ref not in self._objects:
-            _fail(element, f"nothing is named '{ref}'")
+            _fail(element, Words(f"没有名为“{ref}”的对象", f"nothing is named '{ref}'"))
         found = self._objects[ref]
         if not isinstance(found, kind):
-            _fail(element, f"'{ref}' is a {type(found).__name__}, not {what}")
+            _fail(element, Words(f"“{ref}”是 {type(found).__name__}，不是 {what}", f"'{ref}' is a {type(found).__name__}, not {what}"))
         return found
 
     def _formula(self, element: Element) -> list[Any]:
@@ -152,7 +158,7 @@ class _Reader:
     def _titleblock(self, element: Element) -> list[Any]:
         for child in element.children:
             if child.tag != "field" or "label" not in child.attributes:
-                _fail(child, "a title block holds <field label= value=/>")
+                _fail(child, Words("标题栏由 <field label= value=/> 组成", "a title block holds <field label= value=/>"))
         fields = [(c.attributes["label"], c.attributes.get("value", "")) for c in element.children]
         return [TitleBlock(fields)]
 
@@ -166,7 +172,7 @@ class _Reader:
         out: list[Any] = []
         for i, child in enumerate(element.children, 1):
             if child.tag != "step":
-                _fail(child, "steps hold <step n=>")
+                _fail(child, Words("<steps> 由 <step n=> 组成", "steps hold <step n=>"))
             number = child.attributes.get("n", str(i))
             sentence = numbered(f"{number}.", _plain(child), self._lang)
             sentence.keepWithNext = int(bool(child.children))
@@ -177,13 +183,13 @@ class _Reader:
     def _callout(self, element: Element) -> list[Any]:
         kind = element.attributes.get("kind", "note")
         if kind not in KINDS:
-            _fail(element, f"kind '{kind}' is none of {', '.join(KINDS)}")
+            _fail(element, Words(f"kind“{kind}”不在 {', '.join(KINDS)} 之中", f"kind '{kind}' is none of {', '.join(KINDS)}"))
         return [Callout(_text(element), kind, self._lang)]
 
 
 def _text(element: Element) -> str:
     if element.children:
-        _fail(element.children[0], f"no element may stand inside <{element.tag}>")
+        _fail(element.children[0], Words(f"<{element.tag}> 之内不能再有元素", f"no element may stand inside <{element.tag}>"))
     return _plain(element)
 
 

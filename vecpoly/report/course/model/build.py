@@ -65,7 +65,9 @@ def _solved(scope: Scope, d: Dyad) -> Solved:
         case Revolute() as first, Prismatic() as inner, Prismatic() as outer:
             scope.anchors[d.link_j] = first.point
             return _crossed(scope, d, inner, outer)
-    raise NoMethodError(f"no closed form on file for a {d.kind} group {d.link_j}, {d.link_k}")
+    raise NoMethodError(Words(
+        f"没有 {d.kind} 组 {d.link_j}、{d.link_k} 的解析式",
+        f"no closed form on file for a {d.kind} group {d.link_j}, {d.link_k}"))
 
 
 def _pinned(scope: Scope, d: Dyad, c: str) -> Solved:

@@ -18,7 +18,9 @@ def held_gear(scope: Scope, group: Group) -> GroupModel:
     joint = next(out.joint for out in group.outer if isinstance(out.joint, Rolling))
     mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
     if not isinstance(mine, Circle) or not isinstance(other, Circle) or len(scope.mech.link(link).points) > 1:
-        raise NoMethodError(f"no closed form on file for gear {link}: it must roll on a gear, and carry no letter but its centre")
+        raise NoMethodError(Words(
+            f"没有齿轮 {link} 的解析式：它应在另一齿轮上滚动，且除中心外没有字母点",
+            f"no closed form on file for gear {link}: it must roll on a gear, and carry no letter but its centre"))
     holder = _holder(scope, mine, other)
     name, partner = scope.name(link), other.link
     ratio = Const(f"r_{{{scope.mech.number(partner)}}}", other.radius) / Const(f"r_{{{name}}}", mine.radius)
@@ -40,7 +42,9 @@ def _holder(scope: Scope, mine: Circle, other: Circle) -> str:
     carriers = [name for name in (*(li.name for li in scope.mech.links), FRAME)
                 if {mine.centre, other.centre} <= {*scope.mech.link(name).points} and name in pins.get(mine.centre, ())]
     if not carriers:
-        raise NoMethodError(f"no closed form on file for gear {mine.link}: no link holds both {mine.centre} and {other.centre}")
+        raise NoMethodError(Words(
+            f"没有齿轮 {mine.link} 的解析式：没有构件同时含有 {mine.centre} 和 {other.centre}",
+            f"no closed form on file for gear {mine.link}: no link holds both {mine.centre} and {other.centre}"))
     return carriers[0]
 
 

@@ -45,7 +45,9 @@ class _Chains:
             rest.remove(joint)
             self._reach(joint)
         if len(self.placed) < len(self.group.links) or not all(isinstance(joint, Revolute) for joint in rest):
-            raise NoMethodError(f"no mathematical model on file for a {self.group.name}: its loops must close in hinges")
+            raise NoMethodError(Words(
+                f"没有{self.group.name.zh}的数学模型：其封闭环应由转动副闭合",
+                f"no mathematical model on file for a {self.group.name.en}: its loops must close in hinges"))
         return rest
 
     def _open(self) -> set[str]:
@@ -62,7 +64,9 @@ class _Chains:
         elif isinstance(joint, Prismatic):
             self._slide(joint, link)
         else:
-            raise NoMethodError(f"no mathematical model on file for a {self.group.name}: gears roll in it")
+            raise NoMethodError(Words(
+                f"没有{self.group.name.zh}的数学模型：其中有齿轮滚动",
+                f"no mathematical model on file for a {self.group.name.en}: gears roll in it"))
         self.placed.append(link)
 
     def _unknown(self, what: Expr, rate: Expr, bend: Expr, start: float) -> None:

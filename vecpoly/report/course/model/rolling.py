@@ -6,6 +6,7 @@ import cmath
 
 from ....errors import NoMethodError
 from ....mechanism.model import Circle, Rack, Rolling, Side
+from ....words import Words
 from .equations import Equation
 from .expr import Const, Expr, Var
 from .scope import Scope
@@ -18,7 +19,9 @@ def rolling(scope: Scope, joint: Rolling, link: str, parent: str, c: str) -> tup
     mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
     body = scope.mech.link(link)
     if not isinstance(mine, Circle) or mine.centre != c or len(body.points) > 1:
-        raise NoMethodError(f"no closed form on file for gear {link}: the group's inner hinge must be its centre, and its only lettered point")
+        raise NoMethodError(Words(
+            f"没有齿轮 {link} 的解析式：杆组的内铰应为其中心，且为其唯一的字母点",
+            f"no closed form on file for gear {link}: the group's inner hinge must be its centre, and its only lettered point"))
     scope.anchors[link] = c
     name = scope.name(link)
     radius = Const(f"r_{{{name}}}", mine.radius)

@@ -1,0 +1,81 @@
+"""Every problem of the library drawn once by the exact hand, for claims about what stands on the paper and in the steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from functools import cache
+from typing import Any
+
+import pytest
+
+from vecpoly.board.construction import Construction, Figure, View
+from vecpoly.devices.base import Device
+from vecpoly.methods import plan
+from vecpoly.methods.desk import Desk
+from vecpoly.problem.library import library
+from vecpoly.problem.load import load
+from vecpoly.problem.problem import Problem
+from vecpoly.solution import solve
+from vecpoly.words import Words
+
+IDS = tuple(entry.id for entry in library())
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A problem, what was drawn, and the desk on which it lay (none for a device)."""
+
+    problem: Problem
+    construction: Construction
+    desk: Desk | None
+
+    def figures(self, view: View) -> tuple[Figure, ...]:
+        """All figures of a kind."""
+        return tuple(figure for figure in self.construction.figures if figure.view is view)
+
+
+@cache
+def drawn(name: str) -> Drawn:
+    """The problem of this id, drawn by the exact hand."""
+    desks: list[Desk] = []
+    draw = plan._draw
+
+    def watched(*args: Any) -> Desk:
+        desks.append(draw(*args))
+        return desks[-1]
+
+    problem = load(name)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(plan, "_draw", watched)
+        solution = solve(problem, by="exact", repeats=0)
+    return Drawn(problem, solution.construction, desks[-1] if desks else None)
+
+
+@cache
+def ids(*, mechanisms: bool = True, view: View | None = None) -> tuple[str, ...]:
+    """The problems about mechanisms (else about devices), those that draw a figure of this kind."""
+    of_kind = (name for name in IDS if isinstance(load(name).subject, Device) != mechanisms)
+    return tuple(name for name in of_kind if view is None or drawn(name).figures(view))
+
+
+def desk_of(name: str) -> Desk:
+    """The desk of a mechanism."""
+    desk = drawn(name).desk
+    assert desk is not None
+    return desk
+
+
+def sentences(value: object) -> Iterator[Words]:
+    """Every sentence in a value, wherever it hangs."""
+    if isinstance(value, Words):
+        yield value
+    elif isinstance(value, Mapping):
+        for part in value.values():
+            yield from sentences(part)
+    elif isinstance(value, tuple | list):
+        for part in value:
+            yield from sentences(part)
+    elif is_dataclass(value):
+        for field in fields(value):
+            yield from sentences(getattr(value, field.name))

@@ -1,0 +1,80 @@
+"""`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`: so many slips, and which of them no test noticed.
+
+The first run needs the map of tests and functions: all tests once, about twice their usual time. `--map` makes it anew, `--map tests/test_new.py`
+adds what a new file calls; `--count 0` stops after that.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import time
+from collections import Counter, defaultdict
+from collections.abc import Sequence
+from pathlib import Path
+
+from .slips import Mutant, mutants
+from .touched import MAP, ROOT, listen, touched
+from .trial import Fate, try_all
+
+_COUNTED = (Fate.KILLED, Fate.HUNG)
+
+
+def main() -> None:
+    """Read the command line, try the mutants, print the table."""
+    parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
+    parser.add_argument("--count", type=int, default=100, help="how many mutants")
+    parser.add_argument("--seed", type=int, default=0, help="which mutants")
+    parser.add_argument("--room", default="vecpoly", help="a folder or a file")
+    parser.add_argument("--kind", default="", help="only slips whose kind contains this")
+    parser.add_argument("--budget", type=float, default=20.0, help="seconds of tests chosen for a mutant")
+    parser.add_argument("--map", nargs="*", metavar="FILE", help="find out anew which test calls which function: in all tests, or in these files")
+    given = parser.parse_args()
+    if given.map is not None or not MAP.exists():
+        listen(*(given.map or ()))
+    if given.count:
+        _tried(_drawn(given.room, given.kind, given.count, given.seed), given.budget)
+
+
+def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
+    """Mutants by lot: first a file, then a slip in it, so that a long file has no more weight than a short one."""
+    start = ROOT / room
+    files = [start] if start.is_file() else sorted(start.rglob("*.py"))
+    found = {path: [one for one in mutants(path.relative_to(ROOT), path.read_text(encoding="utf-8")) if kind in one.kind and one.function.strip()] for path in files}
+    rng, drawn = random.Random(seed), list[Mutant]()
+    pools = [pool for pool in found.values() if pool]
+    while len(drawn) < count and pools:
+        pool = rng.choice(pools)
+        drawn.append(pool.pop(rng.randrange(len(pool))))
+        pools = [one for one in pools if one]
+    return drawn
+
+
+def _tried(drawn: Sequence[Mutant], budget: float) -> None:
+    """Try the mutants one after the other, tell of each, and of all."""
+    fates: dict[str, Counter[Fate]] = defaultdict(Counter)
+    start = time.monotonic()
+
+    def tell(mutant: Mutant, fate: Fate) -> None:
+        fates[_room(mutant.path)][fate] += 1
+        print(f"{fate.value:9s} {time.monotonic() - start:5.0f} s  {mutant}", flush=True)
+
+    known = touched()
+    try_all(drawn, lambda mutant: known.chosen(str(mutant.path), mutant.function, budget), int(10 * budget) + 30, tell)
+    print(_table(fates))
+
+
+def _room(path: Path) -> str:
+    parts = path.parts[1:-1]
+    return "/".join(parts[:2]) or path.name
+
+
+def _table(fates: dict[str, Counter[Fate]]) -> str:
+    whole = sum(fates.values(), Counter[Fate]())
+    rows = [*sorted(fates.items()), ("all rooms", whole)]
+    return "\n".join(f"{room:24s} {sum(count[fate] for fate in _COUNTED):4d} of {count.total():4d} noticed "
+                     f"({100 * sum(count[fate] for fate in _COUNTED) / count.total():3.0f} %)" for room, count in rows)
+
+
+if __name__ == "__main__":
+    main()

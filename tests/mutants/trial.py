@@ -1,0 +1,108 @@
+"""Mutants before the tests: everything is imported and collected once; each trial is a fork in which one function has the slip.
+
+The spoilt file is compiled, and the code of the function that holds the slip takes the place of the healthy one; results that were kept are
+forgotten. Slips outside of functions are not tried, and a test that starts another process does not see any.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from enum import StrEnum
+from types import CodeType, FunctionType
+from typing import Any
+
+import pytest
+from _pytest.runner import runtestprotocol
+
+from .slips import Mutant
+from .touched import ROOT, forget
+
+
+class Fate(StrEnum):
+    """What became of a mutant."""
+
+    KILLED = "killed"
+    SURVIVED = "survived"
+    HUNG = "hung"  # the tests did not end: noticed as well
+    UNTESTED = "untested"  # no test calls it
+
+
+class Trials:
+    """A plugin of pytest that, in place of running the tests once, runs some of them for each mutant."""
+
+    def __init__(self, mutants: Iterable[Mutant], chosen: Callable[[Mutant], Sequence[str]], limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
+        self.mutants, self.chosen, self.limit, self.tell = mutants, chosen, limit, tell
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """Try one mutant after the other."""
+        items = {item.nodeid: item for item in session.items}
+        functions = _functions()
+        for mutant in self.mutants:
+            tests = [items[name] for name in self.chosen(mutant) if name in items]
+            self.tell(mutant, _tried(mutant, functions, tests, self.limit))
+        return True
+
+
+def try_all(mutants: Iterable[Mutant], chosen: Callable[[Mutant], Sequence[str]], limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
+    """Collect all tests, then try every mutant on the tests chosen for it."""
+    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", str(ROOT / "tests")], plugins=[Trials(mutants, chosen, limit, tell)])
+
+
+def _functions() -> dict[tuple[str, str], list[FunctionType]]:
+    """Every living function of the program by file and qualified name."""
+    found: dict[tuple[str, str], list[FunctionType]] = {}
+    for thing in gc.get_objects():
+        if isinstance(thing, FunctionType) and thing.__code__.co_filename.startswith(str(ROOT / "vecpoly")):
+            found.setdefault((thing.__code__.co_filename, thing.__code__.co_qualname), []).append(thing)
+    return found
+
+
+def _tried(mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]], tests: Sequence[pytest.Item], limit: int) -> Fate:
+    path, outer = str(ROOT / mutant.path), mutant.function.split(".<locals>")[0]
+    targets = functions.get((path, outer), [])
+    if not tests or not targets:
+        return Fate.UNTESTED
+    sys.stdout.flush()
+    child = os.fork()
+    if child == 0:
+        _run(targets, _code(compile(mutant.text, path, "exec"), outer), tests, limit)
+    _, status = os.waitpid(child, 0)
+    if os.WIFSIGNALED(status):
+        return Fate.HUNG if os.WTERMSIG(status) == signal.SIGALRM else Fate.KILLED
+    return Fate.SURVIVED if os.WEXITSTATUS(status) == 0 else Fate.KILLED
+
+
+def _code(module: CodeType, name: str) -> CodeType:
+    """The code of a function by its qualified name."""
+    todo = [module]
+    while todo:
+        one = todo.pop()
+        if one.co_qualname == name:
+            return one
+        todo += [const for const in one.co_consts if isinstance(const, CodeType)]
+    raise LookupError(name)
+
+
+def _run(targets: Sequence[FunctionType], code: CodeType, tests: Sequence[pytest.Item], limit: int) -> None:
+    """The child: never returns."""
+    signal.alarm(limit)
+    silent = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(silent, 1)
+    os.dup2(silent, 2)
+    failed = True
+    try:
+        forget()
+        for function in targets:
+            function.__code__ = code
+        failed = any(_fails(test, following) for test, following in zip(tests, [*tests[1:], None], strict=True))
+    finally:
+        os._exit(int(failed))
+
+
+def _fails(test: Any, following: Any) -> bool:
+    return any(report.failed for report in runtestprotocol(test, nextitem=following, log=False))

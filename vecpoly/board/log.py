@@ -1,0 +1,90 @@
+"""The log of a drawing: its steps, the marks of its figures, their scales and titles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ..formula import Node
+from ..plane import Reals
+from ..quantity import Quantity, magnitude
+from ..words import Words
+from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
+from .marks import Mark
+
+
+class Log:
+    """What is written and drawn, in order; the board adds the acts."""
+
+    def __init__(self, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
+        self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
+        self.steps: list[Step] = []
+        self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
+        self._titles: dict[Pane, Words] = {}
+        self._section = Words.same("")
+
+    # -- the record -------------------------------------------------------------------------------------------
+
+    def section(self, title: Words) -> None:
+        """Open a part of the solution."""
+        self._section = title
+
+    def step(self, words: Words, view: Place | None = None) -> None:
+        """Open the next numbered step; marks and formulas that follow belong to it."""
+        self.steps.append(Step(number=len(self.steps) + 1, section=self._section, words=words, view=view))
+
+    def remark(self, words: Words) -> None:
+        """Add a sentence to the step."""
+        last = self.steps[-1]
+        self.steps[-1] = replace(last, words=last.words + words)
+
+    def equate(self, table: EquationTable) -> None:
+        """Write a vector equation with its two rows into the step."""
+        self.steps[-1] = replace(self.steps[-1], equation=table)
+
+    def write(self, *formulas: Node) -> None:
+        """Write formulas into the step."""
+        last = self.steps[-1]
+        self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
+
+    def mark(self, view: Place, *marks: Mark) -> None:
+        """Leave marks of the step on a figure."""
+        number = len(self.steps)
+        self._marks[view] += [replace(m, step=m.step or number) for m in marks]
+
+    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None) -> Pane:
+        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
+        pane = Pane(view, name)
+        if scale is not None:
+            self.scales[pane] = scale
+        self._titles.setdefault(pane, title)
+        self._marks.setdefault(pane, [])
+        return pane
+
+    def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
+        """The finished figures, those with marks: by kind, then as they were begun."""
+        order = list(View)
+        places = sorted((p for p in self._marks if self._marks[p]), key=lambda p: order.index(view_of(p)))
+        return tuple(
+            Figure(view=view_of(p), title=self._titles[p] if isinstance(p, Pane) else titles[p], name=p.name if isinstance(p, Pane) else "",
+                   scale=self.scale_of(p), marks=tuple(self._marks[p])) for p in places
+        )
+
+    def marks(self, view: Place) -> tuple[Mark, ...]:
+        """What stands on a figure so far."""
+        return tuple(self._marks[view])
+
+    # -- scales -----------------------------------------------------------------------------------------------
+
+    def scale_of(self, place: Place) -> Scale:
+        """The scale of a figure."""
+        return self.scales.get(place) or self.scales[view_of(place)]
+
+    def mu(self, view: Place) -> Quantity:
+        """The scale of a figure as a quantity: μ_v = 0.006 (m/s)/mm."""
+        scale = self.scale_of(view)
+        return magnitude(scale.symbol, scale.value, scale.per_mm)
+
+    def to_paper(self, view: Place, value: Reals) -> Reals:
+        """A quantity as a length on paper (mm)."""
+        return value / self.scale_of(view).value

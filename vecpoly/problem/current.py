@@ -1,0 +1,80 @@
+"""What is given as the mechanism has it now: a length, a radius or a rate that was replaced is printed as it is, not as it was written.
+
+A datum is bound to the mechanism where, as loaded, it says what the mechanism says; of a bound datum only the mechanism is believed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from math import degrees, isclose, remainder, tau
+
+from ..mechanism.model import Circle, Drive, Mechanism, Rolling
+from .given import Datum, Given
+
+_ENDS = re.compile(r"l_([A-Z][a-z']?\d*)([A-Z][a-z']?\d*)")
+_SAME = 1e-9  # relative
+Values = Mapping[str, float]  # symbol -> SI value
+
+
+def current(given: Given, mech: Mechanism) -> Given:
+    """The data with every bound one as the mechanism has it now."""
+    values = _values(given, mech)
+    if given.bound is None:
+        data = (*given.lengths, *given.motion)
+        return replace(given, bound=frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si)), lead=_lead(given, mech.drive))
+    stale = {symbol: values[symbol] for symbol in given.bound if symbol in values}
+    return replace(given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, lambda d, v: _motion(d, v, mech.drive)))
+
+
+def _renewed(data: tuple[Datum, ...], now: Values, written: Callable[[Datum, float], str]) -> tuple[Datum, ...]:
+    return tuple(replace(d, si=now[d.symbol], text=written(d, now[d.symbol])) if d.symbol in now and not _same(now[d.symbol], d.si) else d for d in data)
+
+
+def _values(given: Given, mech: Mechanism) -> dict[str, float]:
+    """Symbol → value of all that the mechanism itself knows."""
+    found = {f"r_{circle.link}": circle.radius for circle in _circles(mech)}
+    for datum in given.lengths:
+        ends = _ENDS.fullmatch(datum.symbol)
+        link = next((link for link in mech.links if ends and set(ends.groups()) <= link.points.keys()), None)
+        if ends and link:
+            found[datum.symbol] = abs(link.points[ends[1]] - link.points[ends[2]])
+    drive = mech.drive
+    place, rate, accel = ("s", "v", "a") if drive.slide else ("φ", "ω", "α")
+    lead = _lead(given, drive) if given.lead is None else given.lead
+    return found | {f"{place}_{drive.link}": drive.position - lead, f"{rate}_{drive.link}": drive.rate, f"{accel}_{drive.link}": drive.accel}
+
+
+def _circles(mech: Mechanism) -> list[Circle]:
+    rolling = [joint for joint in mech.joints if isinstance(joint, Rolling)]
+    pairs = [*((joint.gear, joint.on) for joint in rolling), *((contact.disc, contact.on) for contact in mech.contacts)]
+    return [circle for pair in pairs for circle in pair if isinstance(circle, Circle)]
+
+
+def _lead(given: Given, drive: Drive) -> float:
+    """How far the drive's own coordinate is ahead of the datum: the angle may count from a line of the frame, or to another point."""
+    datum = next((d for d in given.motion if d.symbol == f"{'s' if drive.slide else 'φ'}_{drive.link}"), None)
+    return 0.0 if datum is None else drive.position - datum.si
+
+
+def _same(now: float, before: float) -> bool:
+    return isclose(now, before, rel_tol=_SAME, abs_tol=1e-15)
+
+
+def _length(datum: Datum, value: float) -> str:
+    return f"{1e3 * value:.6g} mm"
+
+
+def _motion(datum: Datum, value: float, drive: Drive) -> str:
+    sense = " ccw" if value > 0 else " cw" if value < 0 else ""
+    match datum.symbol[0]:
+        case "φ":
+            return f"{degrees(remainder(value, tau)):.6g} deg"
+        case "ω":
+            return f"{abs(value):.6g} rad/s{sense}"
+        case "α":
+            return f"{abs(value):.6g} rad/s^2{sense}"
+        case "s":
+            return f"{1e3 * value:.6g} mm"
+    return f"{value:.6g} {'m/s' if datum.symbol[0] == 'v' else 'm/s^2'}"
