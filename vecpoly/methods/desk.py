@@ -92,10 +92,14 @@ class Desk:
         return POLE[view] if at is None or self.at_rest(view, at) else self.tip_label(view, at)
 
     def k_tip(self, rel: Rel) -> str:
-        """The letter at the tip of a Coriolis acceleration: k′; with the number of the point's link where the mechanism has several sliding pairs that turn."""
-        several = sum(isinstance(joint, Prismatic) and joint.guide != FRAME for joint in self.mech.joints) > 1
+        """The letter at the tip of a Coriolis acceleration: k′; where several sliding pairs turn with the number of the point's link, or both numbers."""
+        turning = [joint for joint in self.mech.joints if isinstance(joint, Prismatic) and joint.guide != FRAME]
         number = rel.to.link or self.coincident.get(rel.to.point, "")
-        return f"k_{number}^′" if several and number else "k′"
+        if len(turning) < 2 or not number:
+            return "k′"
+        alike = sum(number in (joint.guide, joint.block) for joint in turning) > 1
+        other = self.show(rel.ref).removeprefix(rel.ref.point) if alike and rel.ref is not None else ""
+        return f"k_{number}{other}^′"
 
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 
@@ -192,14 +196,6 @@ class Desk:
         """The flat face of a contact as drawn."""
         assert isinstance(contact.on, Rack)
         return Line(self.place(contact.on.link, contact.on.origin), self.axis(contact.on.link) * np.exp(1j * contact.on.direction))
-
-    def note_slide(self, joint: Prismatic, rel: Rel) -> None:
-        """Remember under which key the relative motion of a sliding pair was drawn, and of which link against which."""
-        links = joint.guide, joint.block
-        assert rel.ref is not None
-        upper = rel.to.link if rel.to.link in links else links[links.index(rel.ref.link) - 1] if rel.ref.link in links else ""
-        if upper:
-            self.slides[upper, links[links.index(upper) - 1]] = rel
 
     # -- what is known of the motion ------------------------------------------------------------------------------
 

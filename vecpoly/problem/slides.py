@@ -22,6 +22,7 @@ _SLIDE = re.compile(rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|
 _THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK}){_ASIDE}")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{GUIDE})")
 _SAME = 1e-9  # m
+_OWN = {Shape.SLOT: Words("的槽", "the slot of "), Shape.ROD: Words("的杆", "the rod of ")}  # what makes an angle with the guide
 
 
 def read_slide(text: str, bodies: Bodies) -> Prismatic | None:
@@ -155,9 +156,6 @@ def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
     if m["turn"]:
         turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
         acute = min(turn, 180 - turn)
-        block.say(
-            Words(
-                f"构件 {block.name} 的槽与导路成 {acute:g}°",
-                f"the slot of link {block.name} is at {acute:g}° to the guide",
-            )
-        )
+        own = _OWN.get(block.shape, Words("", ""))
+        on = Words(f"构件 {m['guide']} 的", f" on link {m['guide']}") if re.fullmatch(LINK, m["guide"]) else Words("", "")
+        block.say(Words(f"构件 {block.name} {own.zh}与{on.zh}导路成 {acute:g}°", f"{own.en}link {block.name} is at {acute:g}° to its guide{on.en}"))

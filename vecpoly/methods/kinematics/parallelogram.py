@@ -67,6 +67,8 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
     _reach(desk, view, coupler, c)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)
+    for further in [p for p in desk.body(coupler).points if fixed and p not in (b, c, end)]:
+        desk.board.plot(view, desk.tip(view, At(further)), desk.tip_label(view, At(further)))
 
 
 def _reach(desk: Desk, view: View, coupler: str, c: str) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from ...board.construction import View
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic, Rack, Revolute, Rolling
-from ...plane import Line, Points, lines_meet
+from ...plane import Line, Points
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
@@ -84,20 +84,16 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     inner, outer = d.inner, d.outer_k
     assert isinstance(d.outer_j, Revolute) and isinstance(inner, Prismatic) and isinstance(outer, Prismatic)
     b = d.outer_j.point
+    r = next(iter(desk.body(d.link_k).points))
     cam = tangent_words(desk, inner)
-    desk.board.step(
-        Words(f"构件 {d.link_k} 只能沿其导路移动：沿导路推移，使其导槽通过 ${b}$。",
-              f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$.") if cam is None else cam + Words("。", "."),
-        View.MECHANISM,
-    )
+    desk.board.step(_slid_words(d, inner, b, r) if cam is None else cam + Words("。", "."), View.MECHANISM)
     guide = desk.guide_line(outer)
     axis = _slider_axis(desk, outer, d.link_k, guide)
     own = inner.direction if inner.guide == d.link_k else -inner.turn
     slot = axis * np.exp(1j * own)
-    r = next(iter(desk.body(d.link_k).points))
     path = desk.locus(outer, d.link_k, r)
     side = desk.mm(desk.offset(inner, d.link_j, b) - desk.offset(inner, d.link_k, r))
-    desk.at[r] = lines_meet(path, Line(desk.at[b] - 1j * slot * side, slot))
+    desk.at[r] = desk.board.meet(path, Line(desk.at[b] - 1j * slot * side, slot), f"guides of links {d.link_j} and {d.link_k}")
     desk.settle_turned(d.link_k, r, axis)
     desk.settle_turned(d.link_j, b, _slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
 
@@ -130,6 +126,16 @@ def position_rrg(desk: Desk, d: Dyad) -> None:
     desk.settle(d.link_j, (p, c))
     desk.settle_turned(d.link_k, c, 1 + 0j)
     desk.at[joint.point] = desk.contact(joint)
+
+
+def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
+    """How the sliding link is found: its own slot brought over the pin, or the guide that is pinned there drawn in its direction."""
+    if inner.guide == d.link_k:
+        return Words(f"构件 {d.link_k} 只能沿其导路移动：沿导路推移，使其导槽通过 ${b}$。",
+                     f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$.")
+    return Words(f"构件 {d.link_j} 与 {d.link_k} 之间不能相对转动，其导路方向已定：过 ${b}$ 按此方向作构件 {d.link_j} 的导路，与构件 {d.link_k} 的另一导路相交，定出 ${r}$。",
+                 f"Links {d.link_j} and {d.link_k} cannot turn against each other, so the direction of the guide on link {d.link_j} is known: "
+                 f"drawn through ${b}$, it meets the other guide of link {d.link_k} and so gives ${r}$.")
 
 
 def _slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:

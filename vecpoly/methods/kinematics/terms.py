@@ -43,9 +43,17 @@ def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
     """A vector along the drawn guide, its magnitude unknown: v^r or a^r of a sliding pair."""
     name = guide_name(desk, joint)
     if rel.ref is not None:
-        desk.note_slide(joint, rel)
+        _note_slide(desk, joint, rel.to, rel.ref)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?",
                 along=desk.guide_line(joint).along)
+
+
+def _note_slide(desk: Desk, joint: Prismatic, to: At, ref: At) -> None:
+    """Remember under which key the relative motion of a sliding pair was drawn, and of which link against which."""
+    pair = joint.guide, joint.block
+    upper = to.link if to.link in pair else pair[pair.index(ref.link) - 1] if ref.link in pair else ""
+    if upper:
+        desk.slides[upper, pair[pair.index(upper) - 1]] = Rel(Kind.V, to, ref)
 
 
 def guide_name(desk: Desk, joint: Prismatic) -> Words:
