@@ -176,3 +176,17 @@ def test_a_value_that_is_not_finite_still_gives_a_report_that_says_so(spoilt: Ca
         run = CliRunner().invoke(app, [*command, "--lang", "en"])
         assert run.exit_code == SUSPECT, (command, run.output, run.exception)
         assert "not finite" in run.stderr
+
+
+def test_what_is_found_on_the_way_is_weighed_too_though_nobody_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    import vecpoly.methods.kinematics.turning as turning
+
+    problem = load("3-9")
+    only = replace(problem, asks=tuple(ask for ask in problem.asks if ask.rel.key == "v_E"))
+    assert not solve(only).suspect
+    honest = turning._rate
+    monkeypatch.setattr(turning, "_rate", lambda *given: 1.2 * honest(*given))
+    solution = solve(only)
+    assert [key for key, answer in solution.answers.items() if answer.suspect] == []
+    assert solution.suspect
+    assert solution.construction.warning is not None and "ω_{2}" in solution.construction.warning.en

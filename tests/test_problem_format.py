@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Rolling, Side
+from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Side
 from vecpoly.problem.assignment import is_assignment, load_assignment
 from vecpoly.problem.branches import read_branch
 from vecpoly.problem.draft import Draft
@@ -16,6 +16,7 @@ from vecpoly.problem.joints import Bodies, read_joint
 from vecpoly.problem.links import read_link
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem, Shape
+from vecpoly.problem.rolling import read_rolling
 from vecpoly.problem.schema import json_schema
 from vecpoly.units import _COMMON, Dim, read, unit_by_pint
 
@@ -118,12 +119,12 @@ def test_three_links_in_one_letter_are_a_compound_hinge() -> None:
 
 def test_rack_on_the_right_and_rack_on_a_link() -> None:
     wheels = bodies(_3={"gear": "C", "radius": "60 mm"}, _5={"rod": "G"})
-    below = read_joint("3 rolls below y = 200 mm at D", wheels)
-    moving = read_joint("3 rolls on 5 at D", wheels)
-    assert isinstance(below, Rolling) and below.side is Side.RIGHT
-    assert isinstance(moving, Rolling) and isinstance(moving.on, Rack) and moving.on.link == "5"
-    ring = read_joint("3 rolls inside circle about A of 90 mm at P", wheels)
-    assert isinstance(ring, Rolling) and ring.internal
+    below = read_rolling("3 rolls below y = 200 mm at D", wheels)
+    moving = read_rolling("3 rolls on 5 at E", wheels)
+    assert below.side is Side.RIGHT
+    assert isinstance(moving.on, Rack) and moving.on.link == "5"
+    ring = read_rolling("3 rolls inside circle about A of 90 mm at P", wheels)
+    assert ring.internal
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ import numpy as np
 from .answer import YES_NO, Answer, line_of
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
-from .check.alarm import Weighed, alarm_at, warning
+from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.exact import Exact
 from .check.precision import PLENTY, noise, sizes
 from .devices.base import Device
@@ -66,8 +66,8 @@ class Solution:
 
     @property
     def suspect(self) -> bool:
-        """Whether any answer must not be taken for one."""
-        return any(answer.suspect for answer in self.answers.values())
+        """Whether an answer, or what it was found by, must not be taken for right."""
+        return self.construction.warning is not None
 
     def as_json(self) -> dict[str, Any]:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""
@@ -112,7 +112,9 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
                for key, reading in readings.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(problem, by=by, seed=seed, repeats=repeats)
-    said = warning((one.reading.symbol, one.suspect) for one in answers.values() if one.suspect)
+    wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
+    wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
+    said = warning(wrong)
     return Solution(problem, replace(drawn.construction, readings=readings, warning=said), answers)
 
 

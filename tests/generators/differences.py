@@ -31,10 +31,11 @@ def against_differences(mech: Mechanism, solution: Solution) -> str:
         coarse, fine = (_positions(mech, step) for step in (STEP, STEP / 2))
     except VecpolyError:
         return ""  # too near the end of the range for five positions
-    asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None]
+    asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None and _stays(mech, rel)]
     found = {key: (_rate(mech, coarse, rel, STEP), _rate(mech, fine, rel, STEP / 2)) for key, rel in asked}
     floor = natural(mech)
     size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
+    size[Kind.ALPHA] = max(size[Kind.ALPHA], size[Kind.OMEGA] ** 2)  # where all turns evenly
     for key, rel in asked:
         answer = solution.answers[key]
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
@@ -57,6 +58,11 @@ def _absolute(key: str) -> Rel | None:
     except VecpolyError:
         return None
     return rel if rel.kind in (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA) and rel.ref is None else None
+
+
+def _stays(mech: Mechanism, rel: Rel) -> bool:
+    """Whether the quantity is of a link, or of a letter that stays with one: a pitch point wanders over its links."""
+    return not rel.to.point or bool(mech.links_at(rel.to.point) or mech.links_at(str(rel.to)))
 
 
 def _rate(mech: Mechanism, motion: Motion, rel: Rel, step: float) -> complex:

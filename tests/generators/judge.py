@@ -59,7 +59,8 @@ def _judged(text: str, also: Check) -> Verdict:
     wrong = _disagreeing(solution)
     if not wrong and isinstance(problem.subject, Mechanism):
         wrong = against_differences(problem.subject, solution)
-    wrong = wrong or also(solution)
+    warning = solution.construction.warning
+    wrong = wrong or ("" if warning is None else f"alarm: {warning.en}") or also(solution)
     return Verdict(kind=Kind.WRONG if wrong else Kind.RIGHT, why=wrong)
 
 
@@ -71,6 +72,8 @@ def _disagreeing(solution: Solution) -> str:
     for one in answers:
         unit = one.reading.unit
         size = max(floor.get(unit, 0.0), *(abs(other.exact) for other in answers if other.reading.unit == unit))
+        if unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
+            size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
         if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
             drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
             return f"{one.key} drawn {drawn}, exact {exact}"

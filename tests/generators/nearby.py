@@ -19,7 +19,8 @@ def slack(solution: Solution) -> dict[str, float]:
     if not isinstance(problem.subject, Mechanism):
         return {}
     drive = problem.subject.drive
-    moved = replace(problem.subject, drives=(replace(drive, position=drive.position + HAIR), *problem.subject.drives[1:]))
+    starts = tuple(replace(start, value=start.value + HAIR) for start in problem.subject.starts)
+    moved = replace(problem.subject, starts=starts, drives=(replace(drive, position=drive.position + HAIR), *problem.subject.drives[1:]))
     try:
         near = exact_values(replace(problem, subject=moved))
     except VecpolyError:

@@ -6,7 +6,7 @@ sheet, which may be off by its expected error, and an ideal one, which must agre
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from math import isfinite
@@ -14,8 +14,14 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import VecpolyError
+from ..names import Rel
+from ..problem.problem import Problem
 from ..words import Words
+from .exact import Exact
+from .precision import size_of
 
+NEAR = 1e-5  # of that size: beyond it what was found on the way is wrong, however much rounding was magnified there
 AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
 MOST = 6  # symbols in a warning
 Number = complex | float
@@ -67,6 +73,21 @@ class Weighed:
         if abs(self.drawn - self.exact) > self.reach + AGREE * self.size + self.noise:
             return Cause.BEYOND
         return None
+
+
+def contradicted(problem: Problem, truth: Exact, motion: Mapping[Rel, Number]) -> list[Rel]:
+    """Of what an ideal hand found on its way, asked for or not, all that the oracle contradicts."""
+    known = {rel: value for rel in motion if (value := _known(truth, rel)) is not None}
+    largest = {unit: max(abs(value) for rel, value in known.items() if rel.unit == unit) for unit in {rel.unit for rel in known}}
+    return [rel for rel, value in known.items() if not abs(motion[rel] - value) <= NEAR * max(largest[rel.unit], size_of(problem, rel))]
+
+
+def _known(truth: Exact, rel: Rel) -> Number | None:
+    try:
+        value = truth.motion.value(rel)
+    except VecpolyError:
+        return None  # a point that was only thought, for the construction's sake
+    return complex(value) if rel.is_vector else float(np.real(value))
 
 
 _SAID = {

@@ -16,6 +16,7 @@ from ..devices.base import Device
 from ..errors import DeadPointError, VecpolyError
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
+from ..names import Rel
 from ..problem.problem import Problem
 from ..words import Words
 from .exact import Exact, Values
@@ -34,6 +35,11 @@ def sizes(problem: Problem, values: Values) -> dict[str, float]:
     for key, value in values.items():
         largest[units[key]] = max(abs(value), largest.get(units[key], natural.get(units[key], 0.0)))
     return {key: largest[units[key]] or 1.0 for key in values}
+
+
+def size_of(problem: Problem, rel: Rel) -> float:
+    """How large a velocity, an acceleration, ω or α is likely to be here."""
+    return _natural(problem).get(rel.unit, 0.0) or 1.0
 
 
 def _natural(problem: Problem) -> dict[str, float]:
@@ -82,7 +88,8 @@ def nudged(mech: Mechanism, rng: np.random.Generator) -> Mechanism:
 
     links = tuple(replace(link, points={letter: at * _near_one(rng) for letter, at in link.points.items()}) for link in mech.links)
     drives = tuple(replace(drive, position=drive.position * _near_one(rng)) for drive in mech.drives)
-    return replace(mech, links=links, drives=drives, frame={letter: moved(at) for letter, at in mech.frame.items()})
+    starts = tuple(replace(start, value=start.value * _near_one(rng)) for start in mech.starts)
+    return replace(mech, links=links, drives=drives, starts=starts, frame={letter: moved(at) for letter, at in mech.frame.items()})
 
 
 def _near_one(rng: np.random.Generator) -> float:

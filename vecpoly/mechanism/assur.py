@@ -17,6 +17,7 @@ from itertools import combinations, pairwise
 from ..errors import MobilityError
 from ..words import Words
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
+from .pitch_lines import pitch_lines
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,7 +51,7 @@ class Dyad:
 class Group:
     """Links solved together.
 
-    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" (one link), "gear train", "class III", ...
+    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" and "rack" (one link), "gear train", "class III", ...
     """
 
     kind: str
@@ -118,18 +119,19 @@ def hinges(mech: Mechanism) -> dict[str, tuple[str, ...]]:
 
 
 def is_held(mech: Mechanism, rolling: Rolling) -> bool:
-    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint.
+    """Whether links hold the gear's centre at its distance already; then only no slip is a constraint."""
+    return bool(holders(mech, rolling))
 
-    So it is where one link is pinned at both centres, or is pinned at the gear's centre and guided along a rack.
+
+def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
+    """The links that hold the gear's centre at its distance from its partner.
+
+    They are pinned at both centres; or pinned at the gear's centre, with slides along the pitch line of the rack.
     """
     pins = hinges(mech)
-    holders = {*pins.get(rolling.gear.centre, ()), rolling.gear.link} - {rolling.on.link}
-    if rolling.on.link in pins.get(rolling.gear.centre, ()):
-        return True
-    if not isinstance(rolling.on, Rack):
-        return any(name in pins.get(rolling.on.centre, ()) for name in holders - {rolling.gear.link})
-    slides = [set(ends(joint)) for joint in mech.joints if isinstance(joint, Prismatic)]
-    return any({name, rolling.on.link} in slides for name in holders - {rolling.gear.link})
+    mine, on = {*pins.get(rolling.gear.centre, ()), rolling.gear.link}, rolling.on
+    both = mine & pitch_lines(mech, on).keys() - {rolling.gear.link} if isinstance(on, Rack) else mine & {*pins.get(on.centre, ()), on.link}
+    return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
 
 
 def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) -> Iterator[Group]:
@@ -148,14 +150,21 @@ def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> G
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
     if len(links) == 1:
-        kind = "gear" if any(isinstance(out.joint, Rolling) for out in outer) else "class I"
-        return Group(kind=kind, links=links, inner=inner, outer=outer)
+        return Group(kind=_alone(links[0], outer), links=links, inner=inner, outer=outer)
     if len(links) == 2 and len(inner) == 1 and {out.link for out in outer} == set(links) and len(outer) == 2:
         dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
         return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
     rolls = any(isinstance(joint, Rolling) for joint in (*inner, *(out.joint for out in outer)))
     kind = "gear train" if rolls else f"class {_class(links, inner)}"
     return Group(kind=kind, links=links, inner=inner, outer=outer)
+
+
+def _alone(link: str, outer: tuple[Outer, ...]) -> str:
+    """The kind of a group of one link: a gear or a rack that rolls on what is known, or class I."""
+    rolls = [out.joint for out in outer if isinstance(out.joint, Rolling)]
+    if not rolls:
+        return "class I"
+    return "rack" if isinstance(rolls[0].on, Rack) and rolls[0].on.link == link else "gear"
 
 
 def _constraints(mech: Mechanism, joint: Joint) -> int:

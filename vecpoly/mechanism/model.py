@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from .start import Start
 from .statements import Shaped as Shaped
 from .statements import Side as Side
 from .statements import SideOf as SideOf
@@ -178,6 +179,7 @@ class Mechanism:
     drives: tuple[Drive, ...]
     branches: tuple[Statement, ...] = ()
     contacts: tuple[Contact, ...] = ()
+    starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
 
     def __post_init__(self) -> None:

@@ -176,7 +176,7 @@ class Desk:
             line = Line(self.place(joint.on.link, joint.on.origin), self.axis(joint.on.link) * np.exp(1j * joint.on.direction))
             off = (np.conj(line.along) * (centre - line.at)).imag
             return centre - 1j * line.along * off
-        return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (-1 if joint.internal else 1)
+        return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (-1 if joint.internal and joint.gear.radius < joint.on.radius else 1)
 
     def normal_of(self, contact: Contact) -> Points:
         """Common normal of a contact as drawn: unit vector from the disc's centre through the point of contact, into the other link."""

@@ -24,7 +24,7 @@ from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
 from .desk import POLE, Desk
-from .drawn import Drawn
+from .drawn import Drawn, motion_of
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
@@ -64,10 +64,11 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
         scales, sketch = _choose_scales(problem, slots, fit)
         desk = _draw(problem, by, scales)
         readings, repeats = _answers(desk, problem)
-        ideal, _ = _answers(sketch or _draw(problem, hand("exact"), scales), problem)
+        plain = sketch or _draw(problem, hand("exact"), scales)
+        ideal, _ = _answers(plain, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
                                 steps=tuple(desk.board.steps), readings=readings, forces=desk.named)
-    return Drawn(construction, repeats, ideal)
+    return Drawn(construction, repeats, ideal, motion_of(plain))
 
 
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:

@@ -13,6 +13,7 @@ from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from ..mechanism.statements import Form, Shaped
 from ..words import Words
 from .dyads import Hinged, Swinging
+from .newton import Newton
 from .parallel import folded, parallel
 from .run import Run
 from .state import Bodies
@@ -53,7 +54,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
-    if isinstance(step, Hinged) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
+    if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
         raise DeadPointError(
             Words(
             f"原动件位于 {where} 时构件 {'、'.join(step.group.links)} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
@@ -75,6 +76,11 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         Words(
         f"构件 {'、'.join(step.group.links)} 在运动副 {step.joint} 处有两种装配方式",
         f"links {names} can be assembled in two ways at joint {step.joint}") + _advice(mech, step, before, after))
+
+
+def _hinged(step: Step) -> bool:
+    """Whether the two assemblies differ in the place of a hinge, whose letter is the step's joint."""
+    return isinstance(step, Hinged) or (isinstance(step, Newton) and step.two)
 
 
 def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
@@ -114,7 +120,7 @@ def _ahead(step: Swinging, bodies: Bodies, where: str) -> Swinging:
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> Words:
     """; say which: 'C left of BD' or 'C right of BD'."""
-    if len(after) < 2 or not isinstance(step, Hinged):
+    if len(after) < 2 or not _hinged(step):
         return Words.same("")
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..mechanism.model import Circle, Link, Prismatic, Rack, Rolling, Side
 from .run import Run
+from .standing import Turned
 from .state import Bodies, Body, Points, Reals
 
 
@@ -37,13 +38,15 @@ class Gearing:
 
     a: float
     b: float
+    start: Turned
 
-    def turn(self, parent: Body, coordinate: Reals, run: Run) -> Reals:
-        """The gear's angle (rad), zero at the problem's own position."""
+    def turn(self, bodies: Bodies, parent: Body, coordinate: Reals, run: Run, own: Body) -> Reals:
+        """The gear's angle (rad); at the problem's own position it is the start. own: the gear, its centre placed."""
         assert run.track is not None
         turned = run.track.follow(np.angle(parent.unit)) if parent.turn is None else parent.turn
         value = self.a * np.broadcast_to(turned, run.q.shape) + self.b * coordinate
-        return np.asarray(value - value[run.track.own])
+        zero = np.broadcast_to(self.start.zero({self.start.link: own, **bodies}), run.q.shape)[run.track.own]
+        return np.asarray(value - value[run.track.own] + zero)
 
     def moving(self, parent: Body, own: Body, v: Share, a: Share) -> Body:
         """The gear's rates: those of its centre, and ω and α by the same law."""
@@ -77,7 +80,7 @@ class Arc:
         if self.gearing is None:
             return Body(self.start, base, (at - base) * (1 / self.arm))
         assert run.track is not None
-        turn = self.gearing.turn(bodies[self.parent], run.track.follow(np.angle(at - base)), run)
+        turn = self.gearing.turn(bodies, bodies[self.parent], run.track.follow(np.angle(at - base)), run, Body(self.start, at, np.full(1, np.nan + 0j)))
         return Body(self.start, at, np.exp(1j * turn), turn)
 
     def velocity(self, bodies: Bodies, own: Body) -> tuple[Points, Points]:
@@ -128,7 +131,7 @@ class Line:
         if self.gearing is None:
             return Body(self.start, at, parent.unit * self.turn)
         travel = (self.direction(bodies).conj() * (at - base)).real
-        turn = self.gearing.turn(parent, travel, run)
+        turn = self.gearing.turn(bodies, parent, travel, run, Body(self.start, at, np.full(1, np.nan + 0j)))
         return Body(self.start, at, np.exp(1j * turn), turn)
 
     def velocity(self, bodies: Bodies, own: Body) -> tuple[Points, Points]:
@@ -166,7 +169,7 @@ def slide(joint: Prismatic, link: str, point: complex, pin: complex) -> Line:
     return Line(link, joint.block, base, -1 / turn, back, point)
 
 
-def roll(joint: Rolling, gear: Link, parent: Link) -> Locus | None:
+def roll(joint: Rolling, gear: Link, parent: Link, stands: Turned) -> Locus | None:
     """The path of the gear's centre against its partner; None where the rack rolls on the known gear."""
     mine, other = (joint.gear, joint.on) if joint.gear.link == gear.name else (joint.on, joint.gear)
     if not isinstance(mine, Circle):
@@ -175,10 +178,10 @@ def roll(joint: Rolling, gear: Link, parent: Link) -> Locus | None:
     if isinstance(other, Rack):
         along = complex(np.exp(1j * other.direction))
         side = 1.0 if joint.side is Side.LEFT else -1.0
-        law = Gearing(1.0, -side / mine.radius)
+        law = Gearing(1.0, -side / mine.radius, stands)
         base = other.origin + 1j * side * mine.radius * along
         return Line(gear.name, parent.name, base, along, 1, start, law)
     ratio = other.radius / mine.radius * (-1 if joint.internal else 1)
     reach = abs(other.radius - mine.radius) if joint.internal else other.radius + mine.radius
-    law = Gearing(-ratio, 1 + ratio)
+    law = Gearing(-ratio, 1 + ratio, stands)
     return Arc(gear.name, parent.name, parent.points[other.centre], start, complex(reach), law)

@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 from ..mechanism.assur import Group, is_held
 from ..mechanism.model import Mechanism, Rolling
 from .guess import first_guess
+from .off_centre import crossing, places
 from .rows import Row, row
 from .run import Run, Track
+from .standing import Standing, carriers, standings
 from .state import Bodies, Body, Points, Reals
 from .watch import PATIENCE, Watch
 
@@ -33,11 +35,12 @@ class Newton:
     mech: Mechanism
     group: Group
     rows: tuple[Row, ...]
+    stands: tuple[Standing, ...] = ()  # in the place of no slip at the own position
     sign: float = 1.0
     two: bool = False
     joint: str = field(default="", kw_only=True)
     size: float = field(init=False)  # the mechanism's (m)
-    walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, kw_only=True)  # strides from the own position → states found
+    walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, init=False)  # strides from the own position → states found
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", self.mech.scale)
@@ -49,7 +52,8 @@ class Newton:
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
-            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here), here)
+            about = places(self.mech, self.group, here, self.sign) if self.two else {}
+            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here, about), here)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -68,8 +72,7 @@ class Newton:
         rates = self._linear(jacobian, self._stack([r.rate(still[r.a], still[r.b]) for r in self.rows], len(run.q)))
         rates[lost] = np.nan
         moved = {**bodies, **self._moving(bodies, rates, np.zeros_like(rates))}
-        bends = self._linear(
-            jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
+        bends = self._linear(jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
         return self._moving(bodies, rates, bends)
 
     def miss(self, bodies: Bodies) -> Reals:
@@ -109,6 +112,7 @@ class Newton:
     def _known(self, bodies: Bodies, track: Track) -> dict[str, Body]:
         """The parents; under a rolling joint with their angles followed."""
         names = {name for r in self.rows for name in (r.a, r.b)} - set(self.group.links)
+        names |= {name for stand in self.stands for name in carriers(stand) if name in bodies}
         if not any(r.rolls for r in self.rows):
             return {name: bodies[name] for name in names}
         followed = {}
@@ -161,12 +165,12 @@ class Newton:
         states[asked] = found
 
     def _solve(self, seed: States, known: Bodies, ref: States | None, ago: Bodies, patience: int = PATIENCE) -> States:
-        """Newton's iteration; without reference (at the own position) no slip is left out. NaN where it fails."""
+        """Newton's iteration; without reference (at the own position) what is told of the links' places stands for no slip. NaN where it fails."""
         states, loose, left = seed.copy(), ref is None, np.arange(len(seed))
         past, here, watch = {**ago, **self._bodies(seed if ref is None else ref)}, {**known}, Watch(len(seed), self.size, patience)
         for _ in range(ITERATIONS):
             now = {**here, **self._bodies(states[left])}
-            gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(left), loose)
+            gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(left), now if loose else None)
             step = self._linear(self._jacobian(now, loose), gap, loose)
             reach = np.abs(step[..., 2]).max(axis=1)
             states[left] += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
@@ -179,12 +183,14 @@ class Newton:
         states[watch.lost] = np.nan
         return states
 
-    def _stack(self, gaps: list[Points], count: int, loose: bool = False) -> States:
-        """Complex gaps as real equations: positions × 3k."""
-        stacked, line = np.zeros((count, 3 * len(self.group.links))), 0
+    def _stack(self, gaps: list[Points], count: int, loose: Bodies | None = None) -> States:
+        """Complex gaps as real equations: positions × 3k. loose: the links, where starts stand for no slip."""
+        stacked, line, stands = np.zeros((count, 3 * len(self.group.links))), 0, iter(self.stands)
         for r, gap in zip(self.rows, gaps, strict=True):
-            if not (loose and r.rolls):
+            if loose is None or not r.rolls:
                 stacked[:, line] = gap.real
+            elif (stand := next(stands, None)) is not None:
+                stacked[:, line] = self.size * stand.gap(loose)
             if not r.held:
                 stacked[:, line + 1] = gap.imag
             line += 1 if r.held else 2
@@ -195,12 +201,15 @@ class Newton:
         links = self.group.links
         count = len(now[links[0]].unit)
         matrix = np.zeros((count, 3 * len(links), 3 * len(links)))
-        line = 0
+        line, stands = 0, iter(self.stands)
         for r in self.rows:
+            if loose and r.rolls and (stand := next(stands, None)) is not None:
+                matrix[:, line, :] = self.size * stand.jac(now, links).reshape(count, -1)
             for name, block in zip((r.a, r.b), r.jac(now[r.a], now[r.b]), strict=True):
                 if name in links:
                     column = slice(3 * links.index(name), 3 * links.index(name) + 3)
-                    matrix[:, line, column] = 0.0 if loose and r.rolls else block.real
+                    if not (loose and r.rolls):
+                        matrix[:, line, column] = block.real
                     if not r.held:
                         matrix[:, line + 1, column] = block.imag
             line += 1 if r.held else 2
@@ -228,13 +237,14 @@ class Newton:
     def _moving(self, bodies: Mapping[str, Body], rates: States, bends: States) -> dict[str, Body]:
         return {name: _rates(bodies[name], rates[:, i], bends[:, i]) for i, name in enumerate(self.group.links)}
 
-
 def _rates(body: Body, rate: States, bend: States) -> Body:
     return body.moving(rate[:, 0] + 1j * rate[:, 1], rate[:, 2], bend[:, 0] + 1j * bend[:, 1], bend[:, 2])
 
 
 def newton(mech: Mechanism, group: Group) -> Newton:
-    """The step for a group that has no closed form here."""
+    """The step for a group that has no closed form here; of a hinge off a gear's centre there are two assemblies."""
     joints = (*group.inner, *(out.joint for out in group.outer))
     rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
-    return Newton(mech, group, rows, joint=f"the loops of the {group.name}")
+    if (cross := crossing(mech, group)) is not None:
+        return Newton(mech, group, rows, standings(mech, group), two=True, joint=cross[0])
+    return Newton(mech, group, rows, standings(mech, group), joint=f"the loops of the {group.name.en}")

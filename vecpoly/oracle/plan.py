@@ -9,8 +9,9 @@ import numpy as np
 
 from ..errors import AssemblyError
 from ..mechanism.assur import decompose
+from ..mechanism.gearing import misfit
 from ..mechanism.mobility import check
-from ..mechanism.model import FRAME, Mechanism
+from ..mechanism.model import FRAME, Mechanism, Rolling
 from ..words import Words
 from .across import across
 from .branches import check_letters, choose
@@ -148,6 +149,7 @@ def build(mech: Mechanism) -> Plan:
     """
     check(mech)
     check_letters(mech)
+    _check_gears(mech)
     raw = tuple(step_for(mech, group) for group in decompose(mech))
     empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives), (), any(map(is_followed, raw)))
     chosen: list[Step] = []
@@ -180,6 +182,11 @@ def through(plan: Plan) -> Plan:
                 span *= 1 if drive.slide or len(places) % 2 == 0 else 2
         steps.append(step)
     return replace(plan, steps=(*steps, *plan.steps[len(steps):]))
+def _check_gears(mech: Mechanism) -> None:
+    """AssemblyError where links hold gears at a distance that their radii do not fit."""
+    for joint in mech.joints:
+        if isinstance(joint, Rolling) and (why := misfit(mech, joint)) is not None:
+            raise AssemblyError(why, code="gears-do-not-fit")
 
 
 class _Same:

@@ -33,7 +33,8 @@ class Track:
     near: NDArray[np.intp]
 
     def follow(self, angle: Reals) -> Reals:
-        """The angle (rad, known up to whole turns) without jumps, starting from its value at the own position."""
+        """The angle (rad, known up to whole turns) without jumps, starting from its value at the own position; one value for all where nothing moves."""
+        angle = np.broadcast_to(angle, (self.size + len(self.near),))
         ahead = np.unwrap(angle[self.own : self.size])
         behind = np.unwrap(angle[self.own :: -1])[:0:-1]
         path = np.concatenate([behind, ahead])

@@ -11,6 +11,7 @@ from .dyads import Hinged, Swinging
 from .loci import Arc, Locus, roll, slide
 from .newton import Newton, newton
 from .parallel import Parallel
+from .standing import start_of
 
 Step = Hinged | Swinging | Crossed | Parallel | Newton
 
@@ -47,7 +48,7 @@ def _locus(mech: Mechanism, joint: Joint, name: str, parent: str, point: str) ->
         case Prismatic():
             return slide(joint, name, inner, mech.link(joint.block).points[joint.pin])
         case Rolling():
-            locus = roll(joint, link, base)
+            locus = roll(joint, link, base, start_of(mech, name))
             return locus if locus is not None and locus.start == inner else None
 
 

@@ -29,8 +29,10 @@ from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses
 from .motion import numbered, read_input
 from .problem import Datum, Given, Printed, Problem, Scales
+from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
+from .standing import check_starts, geared
 from .validate import validate
 from .wanted import CENTRAL, default_asks, read_find, read_point, read_printed, read_scales
 
@@ -52,6 +54,8 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     tables = _tables(spec, tree, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
+    check_starts(mechanism, faults)
+    faults.settle()
     return Problem(
         id=spec.id,
         title=spec.title,
@@ -93,15 +97,17 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
     drives, motion = _inputs(spec, bodies, joints, faults)
     branches = _branches(spec, bodies, faults)
     guesses = _points("guesses", spec.guesses, faults, bodies.letters())
-    return Mechanism(
+    mech = Mechanism(
         frame=bodies.frame,
         links=tuple(draft.link() for draft in bodies.drafts.values()),
         joints=joints,
         drives=drives,
         branches=branches,
         contacts=tuple(bodies.contacts),
+        starts=tuple(draft.start for draft in bodies.drafts.values() if draft.start is not None),
         guesses=guesses,
-    ), motion
+    )
+    return geared(mech, spec, faults), motion
 
 
 def _points(
@@ -141,7 +147,7 @@ def _joints(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Joint, .
     written: list[Joint] = []
     for i, text in enumerate(spec.joints):
         with faults.at("joints", i):
-            written += read_contact(text, bodies) if is_contact(text) else (read_joint(text, bodies),)
+            written += read_contact(text, bodies) if is_contact(text) else (read_rolling(text, bodies) if is_rolling(text) else read_joint(text, bodies),)
     return (*revolutes(bodies), *written)
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from ..errors import FaultError
 from ..mechanism.model import Circle, Link, Placement
+from ..mechanism.start import Start
 from ..words import Words
 from .faults import not_on_link
 from .problem import Datum, Shape
@@ -40,6 +41,8 @@ class Draft:
     gear: Circle | None = None
     disc: Circle | None = None  # a round cam, eccentric or tip
     face: Line | None = None  # a flat face
+    rack: Line | None = None  # the pitch line of a rack
+    start: Start | None = None  # where it stands, told in the file
     lengths: list[Datum] = field(default_factory=list)
 
     def link(self) -> Link:

@@ -82,7 +82,7 @@ Link = Annotated[
     WithJsonSchema(
         {
             "type": "object",
-            "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "gear": _ONE, "disc": _ONE, "face": _SLOT, "radius": _QUANTITY},
+            "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "gear": _ONE, "rack": _SLOT, "disc": _ONE, "face": _SLOT, "radius": _QUANTITY, "phi": _QUANTITY, "s": _QUANTITY},
             "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY, f"^{_LETTER}$": _PLACE},
             "additionalProperties": False,
         }

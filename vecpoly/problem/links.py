@@ -15,11 +15,12 @@ from .faults import meant
 from .places import place
 from .problem import Shape
 from .source import Value
+from .starts import read_start
 
-_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "disc": Shape.BAR, "face": Shape.BAR}
+_SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "gear": Shape.GEAR, "rack": Shape.ROD, "disc": Shape.BAR, "face": Shape.BAR}
 _LINED = ("slot", "rod")  # what has a line of its own
-_PLACED = ("gear", "disc", "face")  # what may name a point that is set out further on
-LINK_KEYS = (*_SINGLE, "radius")
+_PLACED = ("gear", "rack", "disc", "face")  # what may name a point that is set out further on
+LINK_KEYS = (*_SINGLE, "radius", "phi", "s")
 
 
 def read_link(name: str, data: Value) -> Draft:
@@ -36,9 +37,12 @@ def read_link(name: str, data: Value) -> Draft:
     if early:
         _within("face", lambda: _face(draft, data["face"]))
     _set_out(draft, data)
+    if "rack" in data:
+        _within("rack", lambda: _rack(draft, data["rack"]))
     if "face" in data and not early:
         _within("face", lambda: _face(draft, data["face"]))
     _round(draft, data)
+    read_start(draft, data)
     return draft
 
 
@@ -74,6 +78,13 @@ def _succeeds(act: Callable[[], None]) -> bool:
 def _own_line(draft: Draft, key: str, data: Mapping[str, Value]) -> None:
     """The line of a slot or a rod that passes at an angle, or beside a point."""
     draft.line = _line(draft, data, key)
+
+
+def _rack(draft: Draft, data: Value) -> None:
+    """The pitch line; a rack that has but this one point is directed along it."""
+    draft.rack = _line(draft, data if isinstance(data, dict) else {"through": str(data)}, "rack")
+    if len(draft.points) == 1 and draft.line is None and draft.shape is not Shape.BLOCK:
+        draft.line = Line(draft.rack.origin, draft.rack.direction, draft.rack.through)
 
 
 def _face(draft: Draft, data: Value) -> None:
@@ -131,14 +142,14 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
                 f"point '{letter}' is not on link {draft.name}"), key)
         if key in _LINED:
             draft.line = Line(draft.points[letter], 0.0, letter)
-    for key in (*_LINED, "face"):
+    for key in (*_LINED, "rack", "face"):
         led = data.get(key)
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
     if not draft.points:
         raise FaultError(Words(
-            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
-            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, gear, disc or face, e.g. {{block: C}}"))
+            f"构件 {draft.name} 没有长度；请写两个字母及其长度，如 {{BC: 350 mm}}，或写滑块、导杆、穿杆、齿条、齿轮、圆盘、平面的一个铰链，如 {{block: C}}",
+            f"link {draft.name} has no length: write two letters and a length, e.g. {{BC: 350 mm}}, or the one pin of a block, slot, rod, rack, gear, disc or face, e.g. {{block: C}}"))
 
 
 def _bar(draft: Draft, first: str, second: str, value: Value) -> None:

@@ -14,6 +14,7 @@ from ..words import Words
 from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
 from .faults import meant
 from .source import Value
+from .starts import is_phased, phased
 
 _SIDE = re.compile(rf"(left|right) of ({LETTER})({LETTER})")
 _KEYS = ("along", "at", "left", "right", "angle", "side")
@@ -86,6 +87,9 @@ def _note_offsets(
 def _by_angle(
     draft: Draft, point: str, data: Mapping[str, Value], lengths: list[str]
 ) -> tuple[Placement, complex]:
+    if len(lengths) == 1 and is_phased(draft, str(data["angle"])):
+        local = phased(draft, point, lengths[0], data[lengths[0]], str(data["angle"]))
+        return ByAngle(point=point, base=(next(iter(draft.points)),), distance=abs(local), angle=cmath.phase(local)), local
     m = ANGLE_FROM.fullmatch(str(data["angle"]))
     if m is None or len(lengths) != 1:
         raise FaultError(Words(

@@ -139,6 +139,10 @@ def _known(at: At, text: str, bodies: Bodies) -> None:
         raise FaultError(Words(
             f"{text}：点“{at.point}”不存在",
             f"{text}: point '{at.point}' does not exist") + meant(at.point, letters))
+    if at.point in bodies.pitch and not at.link and text.startswith("a"):
+        raise FaultError(Words(
+            f"{text}：{at.point} 处两构件的加速度不同；请写明构件号，如 {text}{next(iter(bodies.drafts))}",
+            f"{text}: at {at.point} the two links have different accelerations; write whose, e.g. {text}{next(iter(bodies.drafts))}"))
 
 
 def read_scales(spec: ScalesSpec) -> Scales:

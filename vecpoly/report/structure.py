@@ -40,7 +40,7 @@ def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Wor
     higher = f" − {count.higher}" if count.higher else ""
     sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
     driver = mech.drive.link
-    if any("G" in g.kind or "gear" in g.kind for g in groups):
+    if any("G" in g.kind or g.kind in ("gear", "rack", "gear train") for g in groups):
         rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
         if count.higher > len(mech.contacts):
             rolls = Words("（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a high pair)")

@@ -9,19 +9,18 @@ from ...vector.close import Closed, close
 from ...vector.equation import Equation, Term
 from ..desk import VECTOR, Desk, Turn
 from .image import imaged
-from .terms import across, coriolis, known, normal, sliding, tangential
+from .terms import across, coriolis, known, normal, ref_at, sliding, tangential
 
 _STILL = Turn(0.0, never=True)
 
 
 def turning_chain(desk: Desk, view: View, at: At, about: str, link: str) -> tuple[Term, ...]:
     """Over a turning link: v_P + v_CP, or a_P + a^n_CP + a^t_CP; P falls away where it is fixed."""
-    rest = desk.at_rest(view, At(about))
-    front = () if rest else (known(desk, view, At(about)),)
+    ref = ref_at(desk, view, At(about), link)
+    front = () if ref is None else (known(desk, view, ref),)
     if view is View.VELOCITY:
-        rel = Rel(Kind.V, desk.canonical(at), None if rest else At(about))
-        return (*front, across(desk, rel, about, at.point))
-    return (*front, normal(desk, at, At(about), link), tangential(desk, at, At(about)))
+        return (*front, across(desk, Rel(Kind.V, desk.canonical(at), ref), about, at.point))
+    return (*front, normal(desk, at, At(about), link), tangential(desk, at, At(about), link))
 
 
 def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, parent: str) -> tuple[Term, ...]:

@@ -8,7 +8,7 @@ from ...mechanism.model import FRAME
 from ...names import At, Kind, Rel, omega
 from ...words import Words
 from ..desk import Desk
-from .terms import normal, reference, symbol
+from .terms import normal, ref_at, symbol
 
 _VIEW = View.ACCELERATION
 
@@ -18,7 +18,7 @@ def draw_components(desk: Desk, rel: Rel) -> None:
     link, about = _link(desk, rel)
     to = desk.canonical(rel.to)
     known = link and about is not None and omega(link) in desk.turns and desk.has_tip(_VIEW, to) and desk.has_tip(_VIEW, about)
-    ref = None if about is None else reference(desk, _VIEW, about)
+    ref = None if about is None else ref_at(desk, _VIEW, about, link)
     keys = [Rel(kind, to, ref).key for kind in (Kind.AN, Kind.AT)]
     if not known or about is None or set(keys) <= set(desk.ends) or to.point == about.point:
         return

@@ -11,17 +11,15 @@ from ...board.marks import (
     Block,
     Dot,
     FixedGuide,
-    GearMark,
     Ground,
     LinkNumber,
     Mark,
     Point,
-    RackMark,
     Role,
     Segment,
     Slot,
 )
-from ...mechanism.model import FRAME, Circle, Link, Prismatic, Rack, Revolute, Rolling
+from ...mechanism.model import FRAME, Link, Prismatic, Rack, Revolute, Rolling
 from ...names import subscripted
 from ...plane import nominal
 from ...problem.problem import Shape
@@ -30,6 +28,7 @@ from .bars import bar, weld
 from .cam import contact_replaced, contacts_of
 from .cam_diagram import cam_body, draw_contacts, fixed_guide, guided_follower
 from .follower import face_marks, stem_marks
+from .gear_diagram import draw_gears, guided_rack
 
 HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
 BEYOND = 12.0  # mm a rod sticks out behind its block
@@ -59,10 +58,9 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
             drawn = {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN
-            if drawn and not guided_follower(desk, joint):
+            if drawn and not guided_follower(desk, joint) and (joint.guide != FRAME or guided_rack(desk, joint.block) is None):
                 desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes))
-        elif isinstance(joint, Rolling) and joint.gear.link in links:
-            desk.board.mark(View.MECHANISM, *_rolling_pair(desk, joint))
+    draw_gears(desk, links, shapes)
     draw_contacts(desk)
     _letters(desk, links)
 
@@ -216,29 +214,6 @@ def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> 
 
 def _other_side(desk: Desk, joint: Prismatic, middle: complex, along: complex) -> bool:
     """Whether the sliding link lies to the right of the guide, where its hatching would be."""
-    spots = [_spot(desk, p) for p in desk.letters(joint.block)]
+    spots = [_spot(desk, p) for p in desk.letters(joint.block) if p in desk.at]
     spots += [_spot(desk, j.pin) for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == joint.block and j.pin in desk.at]
     return min(((np.conj(along) * (s - middle)).imag for s in spots), default=0.0) < -HALF_BLOCK
-
-
-def _rolling_pair(desk: Desk, joint: Rolling) -> Iterator[Mark]:
-    centre = _spot(desk, joint.gear.centre)
-    yield GearMark(centre=centre, radius=desk.mm(joint.gear.radius))
-    yield LinkNumber(a=centre, b=centre, number=joint.gear.link)
-    if isinstance(joint.on, Rack):
-        along = complex(nominal(desk.axis(joint.on.link))) * complex(np.exp(1j * joint.on.direction))
-        foot = complex(nominal(desk.contact(joint)))
-        half = desk.mm(joint.gear.radius) * 1.3
-        way = along if joint.side == "left" else -along
-        yield RackMark(a=foot - way * half, b=foot + way * half, fixed=joint.on.link == FRAME)
-    elif not any(isinstance(j, Rolling) and j.gear.link == joint.on.link for j in desk.mech.joints):
-        yield from _partner(desk, joint, joint.on)
-
-
-def _partner(desk: Desk, joint: Rolling, on: Circle) -> Iterator[Mark]:
-    """The gear on which another rolls, where it rolls on none itself: fixed to a crank, or to the frame."""
-    centre, radius = _spot(desk, on.centre), desk.mm(on.radius)
-    yield GearMark(centre=centre, radius=radius)
-    if on.link == FRAME:
-        foot, along = centre - 1j * radius, 1.0 if joint.internal else -1.0
-        yield FixedGuide(a=foot + along * -HALF_SLOT, b=foot + along * HALF_SLOT)

@@ -14,7 +14,7 @@ from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
-from .terms import known, normal, reference, symbol
+from .terms import known, normal, ref_at, symbol
 
 
 def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
@@ -103,7 +103,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
     board, label = desk.board, desk.tip_label(view, at)
     board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
-    rests = desk.at_rest(view, held)
+    rests = ref_at(desk, view, held, link) is None
     terms = (*(() if rests else (known(desk, view, held),)), *_turning_terms(desk, view, link, at, held))
     rel = Rel(VECTOR[view], desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
@@ -117,8 +117,8 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
 
 
 def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple[Term, ...]:
-    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides."""
-    p, x, ref = held.point, at.point, reference(desk, view, held)
+    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides or rolls."""
+    p, x, ref = held.point, at.point, ref_at(desk, view, held, link)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
         return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)

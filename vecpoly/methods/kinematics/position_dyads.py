@@ -1,4 +1,4 @@
-"""Class II groups located with compass and ruler: RRR, RRP, RPR, PRP, RPP, and gears rolling on a rack or a gear."""
+"""Class II groups located with compass and ruler: RRR, RRP, RPR, PRP and RPP."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from ...board.construction import View
 from ...mechanism.assur import Dyad
-from ...mechanism.model import Prismatic, Rack, Revolute, Rolling
+from ...mechanism.model import Prismatic, Revolute
 from ...plane import Line, Points
 from ...words import Words
 from ..desk import Desk
@@ -96,36 +96,6 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     desk.at[r] = desk.board.meet(path, Line(desk.at[b] - 1j * slot * side, slot), f"guides of links {d.link_j} and {d.link_k}")
     desk.settle_turned(d.link_k, r, axis)
     desk.settle_turned(d.link_j, b, _slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
-
-
-@method(stage=Stage.POSITION, group="RRG", source=_SOURCE, example="3-13",
-        title=Words("齿轮（纯滚动）杆组的位置", "Position of a group with a rolling gear"))
-def position_rrg(desk: Desk, d: Dyad) -> None:
-    """The gear's centre keeps its distance from the rack or from the other gear's centre."""
-    joint = d.outer_k
-    assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(joint, Rolling)
-    c, p, board = d.inner.point, d.outer_j.point, desk.board
-    radius = desk.mm(abs(desk.body(d.link_j).points[c] - desk.body(d.link_j).points[p]))
-    if isinstance(joint.on, Rack):
-        board.step(Words(f"齿轮 {d.link_k} 在齿条上纯滚动，轮心 ${c}$ 在距节线 $r_{d.link_k}/μ_l$ 的平行线上；以 ${p}$ 为圆心、$l_{desk.bar(d.link_j, p, c)}/μ_l$ 为半径画弧，交得 ${c}$",
-                         f"Gear {d.link_k} rolls on the rack: its centre ${c}$ keeps to the parallel at $r_{d.link_k}/μ_l$; the arc about ${p}$ with radius $l_{desk.bar(d.link_j, p, c)}/μ_l$ cuts it at ${c}$"), View.MECHANISM)
-        along = desk.axis(joint.on.link) * np.exp(1j * joint.on.direction)
-        left = 1 if joint.side == "left" else -1
-        line = Line(desk.place(joint.on.link, joint.on.origin) + 1j * left * along * desk.mm(joint.gear.radius), along)
-        pair = board.arc_on_line(line, desk.at[p], radius, Words(f"构件 {d.link_j} 在 {c} 处", f"link {d.link_j} at {c}"))
-    else:
-        reach = desk.mm(joint.on.radius + (-1 if joint.internal else 1) * joint.gear.radius)
-        o, sign = joint.on.centre, "−" if joint.internal else "+"
-        board.step(Words(f"两轮中心距为 $r_{joint.on.link}$ {sign} $r_{d.link_k}$；分别以 ${o}$、${p}$ 为圆心画弧，交得轮心 ${c}$",
-                         f"The centres stay $r_{joint.on.link}$ {sign} $r_{d.link_k}$ apart; arcs about ${o}$ and ${p}$ meet at the gear's centre ${c}$"), View.MECHANISM)
-        pair = board.arcs(desk.at[o], abs(reach), desk.at[p], radius, Words(f"齿轮 {d.link_k} 与构件 {d.link_j} 在 {c} 处", f"gear {d.link_k} and link {d.link_j} at {c}"))
-        board.swing(View.MECHANISM, desk.at[o], abs(reach), pair[0])
-    desk.at[c], why = choose(desk, c, (d.link_j,), pair)
-    board.remark(said(why) + Words("。", "."))
-    board.swing(View.MECHANISM, desk.at[p], radius, desk.at[c])
-    desk.settle(d.link_j, (p, c))
-    desk.settle_turned(d.link_k, c, 1 + 0j)
-    desk.at[joint.point] = desk.contact(joint)
 
 
 def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:

@@ -34,19 +34,24 @@ def acceleration_rrp(desk: Desk, d: Dyad) -> None:
 
 def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Prismatic)
-    c, p = d.inner.point, d.outer_j.point
-    base = coincident_tip(desk, view, c, d.parent_k)
-    desk.board.step(opening(view, c, d.link_j, d.link_k), view)
-    led = sliding_chain(desk, view, At(c), base, d.outer_k, d.parent_k)
-    swung = turning_chain(desk, view, At(c), p, d.link_j)
+    slider_polygon(desk, view, d.inner.point, (d.outer_k, d.link_k, d.parent_k), (d.outer_j.point, d.link_j))
+
+
+def slider_polygon(desk: Desk, view: View, c: str, slide: tuple[Prismatic, str, str], arm: tuple[str, str]) -> None:
+    """The vector of C of a slider (joint, link, what it slides along) and of a link that turns about a known point (point, link)."""
+    (joint, slider, parent), (p, link) = slide, arm
+    base = coincident_tip(desk, view, c, parent)
+    desk.board.step(opening(view, c, link, slider), view)
+    led = sliding_chain(desk, view, At(c), base, joint, parent)
+    swung = turning_chain(desk, view, At(c), p, link)
     own = len(led) == 1 or (view is View.VELOCITY and len(swung) == 1)
     left, right = (led, swung) if len(led) <= len(swung) else (swung, led)
     eq = Equation(left=left, right=right, total="" if own else total(desk, view, At(c), 2))
     closed = solve(desk, view, eq, At(c))
-    turn_of_link(desk, view, closed.ends, At(c), p, d.link_j)
-    if d.parent_k == FRAME:
-        never_turns(desk, d.link_k)
+    turn_of_link(desk, view, closed.ends, At(c), p, link)
+    if parent == FRAME:
+        never_turns(desk, slider)
     else:
-        same_turn(desk, d.link_k, d.parent_k, view, said=not d.outer_k.pin_in_slot)
-    for link in (d.link_j, d.link_k):
-        images_of_link(desk, view, link)
+        same_turn(desk, slider, parent, view, said=not joint.pin_in_slot)
+    for name in (link, slider):
+        images_of_link(desk, view, name)

@@ -14,7 +14,7 @@ from ..registry import Stage, method
 from .chains import letters, solve, turning_chain
 from .image import images_of_link
 from .parallelogram import is_parallelogram, move_parallelogram
-from .terms import symbol
+from .terms import ref_at, symbol
 from .turning import angular_acceleration, angular_velocity
 
 _SOURCE = "机械原理, relative motion of two points of one link"
@@ -62,7 +62,7 @@ def total(desk: Desk, view: View, to: At, terms: int) -> str:
 
 def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: str) -> None:
     """ω (from v) or α (from a^t) of a link that turns about one of its hinges."""
-    ref = None if desk.at_rest(view, At(about)) else At(about)
+    ref = ref_at(desk, view, At(about), link)
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, desk.canonical(to), ref)
     if view is View.VELOCITY:
         angular_velocity(desk, link, about, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))

@@ -74,14 +74,14 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
 def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
     turn, q = desk.turns[omega(link)], at.point
-    rel = Rel(Kind.AN, desk.canonical(at), reference(desk, View.ACCELERATION, about))
+    rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
     sign = symbol(desk, rel)
     length = desk.length(about.point, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
     if not at_rest:
-        start = desk.start_label(View.ACCELERATION, about)
+        start = desk.start_label(View.ACCELERATION, rel.ref)
         laid = desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
         desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
     return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about.point}$"),
@@ -89,9 +89,9 @@ def normal(desk: Desk, at: At, about: At, link: str) -> Term:
                 mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else _n_tip(desk, link))
 
 
-def tangential(desk: Desk, at: At, about: At) -> Term:
+def tangential(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^t = α l: perpendicular to the line, magnitude unknown."""
-    return across(desk, Rel(Kind.AT, desk.canonical(at), reference(desk, View.ACCELERATION, about)), about.point, at.point)
+    return across(desk, Rel(Kind.AT, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link)), about.point, at.point)
 
 
 def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
@@ -140,8 +140,14 @@ def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Word
                  f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the Coriolis term ${sign}$.")
 
 
-def reference(desk: Desk, view: View, about: At) -> At | None:
-    """The reference point of a relative vector; none where it is a fixed pivot. D2, a point of a link that slides over the pivot D, is no pivot."""
+def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
+    """The reference point of a turning link, none where it is a fixed pivot.
+
+    Of a pitch point, whose accelerations differ, it is the link's own; D2, a point of a link that slides over the pivot D, is no pivot.
+    """
+    own = At(about.point, link)
+    if view is View.ACCELERATION and (view, own) in desk.tips:
+        return own
     return None if desk.at_rest(view, about) else desk.canonical(about)
 
 

@@ -12,6 +12,7 @@ from ...mechanism.model import Circle, Mechanism, Prismatic, Revolute, Rolling
 from ...names import subscripted
 from ...problem.problem import Problem, Shape
 from ...words import Words
+from .kinds import ROLLING
 from .study import Study
 
 _WIDE, _HIGH = 70.0, 52.0  # mm that a group may take
@@ -24,7 +25,7 @@ def apart(study: Study) -> list[Figure]:
     figures = [_figure(study, (drive,), _pins(study, (drive,)), Words(f"原动件 {drive}", f"Driving link {drive}"), "0")]
     for i, group in enumerate(decompose(study.mech), 1):
         names = [study.name(link) for link in group.links]
-        kind = {"gear": Words("齿轮", "gear")}.get(group.kind, Words(f"{group.kind} 杆组", f"{group.kind} group") if group.dyad else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
+        kind = ROLLING.get(group.kind, Words(f"{group.kind} 杆组", f"{group.kind} group") if group.dyad else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
         many = "links" if len(names) > 1 else "link"
         title = Words(f"{kind.zh}（构件 {'、'.join(names)}）", f"{kind.en} ({many} {', '.join(names)})")
         figures.append(_figure(study, group.links, _outer(group) + _inner(group), title, str(i)))

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...mechanism.assur import decompose, hinges
 from ...mechanism.model import Prismatic, Rolling
 from ...words import Words
+from .kinds import ROLLING
 from .study import Study
 
 _ROMAN = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
@@ -42,7 +43,7 @@ def concluded(study: Study) -> Words:
     zh, en = [], []
     for group in groups:
         names = [study.name(link) for link in group.links]
-        kind = group.kind if group.dyad else {"gear": "齿轮"}.get(group.kind, f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级")
+        kind = group.kind if group.dyad else ROLLING[group.kind].zh if group.kind in ROLLING else f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级"
         zh.append(f"{kind}（构件 {'、'.join(names)}）")
         en.append(f"{group.kind} ({', '.join(names)})")
     if any(group.dyad is None and not group.kind.startswith("class") for group in groups):

@@ -14,6 +14,7 @@ from ...typeset import layout_words
 from ...words import Lang, Words
 from ..flow.style import CAPTION
 from .apart import apart
+from .kinds import ROLLING
 from .numbering import Press
 from .other_drives import others
 from .special_joints import concluded, special
@@ -73,7 +74,7 @@ def _groups(study: Study, press: Press) -> str:
     for i, group in enumerate(decompose(study.mech), 1):
         outer = comma.join(_joint(out.joint) for out in group.outer)
         inner = comma.join(_joint(joint) for joint in group.inner)
-        kind = group.kind if group.dyad else Words("齿轮", "gear").of(press.lang) if group.kind == "gear" else "—"
+        kind = group.kind if group.dyad else ROLLING[group.kind].of(press.lang) if group.kind in ROLLING else "—"
         rows.append((str(i), comma.join(study.name(name) for name in group.links), kind, _class(group, press.lang), outer, inner))
     return press.table(Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc")
 

@@ -1,0 +1,66 @@
+"""A gear whose centre other links hold: at the pitch point it has the velocity, and the tangential acceleration, of what it rolls on."""
+
+from __future__ import annotations
+
+from ...board.construction import View
+from ...mechanism.assur import Group
+from ...mechanism.model import Circle, Rolling
+from ...names import At, Kind, Rel
+from ...vector.equation import Equation, Term
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, method
+from .chains import letters, solve
+from .image import found_tip, images_of_link
+from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, wheel
+from .rolled import image_circle
+from .terms import known, normal, symbol
+from .turning import angular_acceleration, angular_velocity
+
+_SOURCE = "机械原理, pure rolling: the pitch point is the relative instant centre"
+
+
+@method(stage=Stage.VELOCITY, group="gear", source=_SOURCE, example="planet-drive",
+        title=Words("齿轮（行星轮）的速度", "Velocity of a gear on a held centre"))
+def velocity_gear(desk: Desk, group: Group) -> None:
+    """ω = v_CH / r: the velocities of the centre C and of the pitch point H are known both."""
+    view, gear = View.VELOCITY, group.links[0]
+    joint, c = _pair(group)
+    h = joint.point
+    found_tip(desk, view, At(c))
+    pitch_velocity(desk, joint, gear)
+    ref = None if desk.at_rest(view, At(h)) else At(h)
+    rel = Rel(Kind.V, At(c), ref)
+    ends = desk.tip(view, At(h)), desk.tip(view, At(c))
+    desk.ends[rel.key] = (view, *ends)
+    desk.board.arrow_once(view, *ends)
+    angular_velocity(desk, gear, h, c, ends, letters(desk, view, ref, At(c)), symbol(desk, rel))
+    image_circle(desk, gear, c, h)
+    images_of_link(desk, view, gear)
+
+
+@method(stage=Stage.ACCELERATION, group="gear", source=_SOURCE, example="planet-drive",
+        title=Words("齿轮（行星轮）的加速度", "Acceleration of a gear on a held centre"))
+def acceleration_gear(desk: Desk, group: Group) -> None:
+    """a_C + a^n_HC + a^t_HC = a_Hm + a_HkHm (along the line of centres): the tangential accelerations agree, which gives α."""
+    view, gear = View.ACCELERATION, group.links[0]
+    joint, c = _pair(group)
+    h = joint.point
+    own, rest = At(h, gear), desk.at_rest(view, At(c))
+    base = partner_acceleration(desk, joint, gear)
+    desk.board.step(Words(f"啮合点 ${h}$：两构件在 ${h}$ 处的切向加速度相等，加速度只差沿公法线的分量，列方程求 $α_{gear}$：",
+                          f"Pitch point ${h}$: both bodies have one tangential acceleration there, their accelerations differ along the common normal alone; for $α_{gear}$:"), view)
+    rel = Rel(Kind.AT, own, None if rest else At(c))
+    tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
+    left = (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)
+    closed = solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, gear))), own)
+    angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", symbol(desk, rel))
+    images_of_link(desk, view, gear)
+
+
+def _pair(group: Group) -> tuple[Rolling, str]:
+    """The rolling pair, and the letter of the gear's centre."""
+    joint = rolling_in(outer.joint for outer in group.outer)[0]
+    mine = wheel(joint, group.links[0])
+    assert isinstance(mine, Circle)
+    return joint, mine.centre
