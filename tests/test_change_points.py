@@ -97,3 +97,20 @@ def test_a_pose_beyond_a_change_point_keeps_the_figure() -> None:
         (there,) = posed(problem, np.radians([250.0]))
         assert there is not None
         assert solve(there, by="exact", repeats=0).answers["omega_3"].drawn * side > 5.9
+
+
+def test_an_isosceles_slider_crank_runs_through_the_crank_pivot() -> None:
+    """BC is as long as AB: C runs from 160 mm to -160 mm, and the rod turns backwards as fast as the crank."""
+    problem = loads("""
+id: isosceles
+title: isosceles
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 80 mm}, 2: {BC: 80 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+input: {link: 1, phi: 40 deg, omega: 10 rad/s ccw}
+branch: [C right of B]
+find: [v_C]
+""")
+    motion = oracle.solve(problem.mechanism, ROUND)
+    assert motion.position("C") == pytest.approx(0.16 * np.cos(ROUND), abs=1e-12) and motion.omega("2") == pytest.approx(-10.0)
+    assert facts(cycle(problem)).turns == {"1": 1, "2": -1, "3": 0}

@@ -84,6 +84,11 @@ class Cycle:
         """Where the drive can stand, as text: 0..360 deg."""
         return oracle.feasible(self.mech)
 
+    @cached_property
+    def noise(self) -> float:
+        """How far rounding may move a value, of the natural size of its kind: further beside change points."""
+        return 1e-7 if oracle.changes(self.mech) else 1e-10
+
     @property
     def drive(self) -> Column:
         """The drive's position: φ_1, or s_1 of a sliding input."""

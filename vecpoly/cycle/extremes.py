@@ -60,7 +60,7 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
     known = f[np.isfinite(f)]
     if not known.size:
         return Extremes(key, (), (), (), None, None)
-    if known.max() - known.min() <= 1e-10 * max(float(np.abs(known).max()), curve.size):
+    if known.max() - known.min() <= cycle.noise * max(float(np.abs(known).max()), curve.size):
         flat = Spot(cycle.low, float(known.mean()))
         return Extremes(key, (), (), (), flat, flat)
     parts = pieces(curve, phi, f)

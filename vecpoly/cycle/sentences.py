@@ -135,8 +135,8 @@ def _arm(cycle: Cycle, arm: Extremes) -> Words:
     info = cycle.info(arm.key)
     low, high = shown(cycle, arm.key, arm.lowest.value), shown(cycle, arm.key, arm.highest.value)
     if arm.lowest.value < 1e-6 * cycle.mech.scale:
-        return Words(f"{info.words.zh} ${info.symbol}$ 在 {where(cycle, arm.lowest)} 处为零：两销重合，导杆方向不定，其转角和速度在此突变。",
-                     f"The {info.words.en}, ${info.symbol}$, is zero at {where(cycle, arm.lowest)}: the pins meet, the direction of the guide is not determined, and its angle and rates jump there.")
+        return Words(f"{info.words.zh} ${info.symbol}$ 在 {where(cycle, arm.lowest)} 处为零：两销重合（变点），该位置本身不能确定导杆方向；以下按机构靠惯性平稳通过计算。",
+                     f"The {info.words.en}, ${info.symbol}$, is zero at {where(cycle, arm.lowest)}: the pins meet (a change point), and the position alone does not determine the direction of the guide. What follows goes smoothly through, as inertia carries a real linkage.")
     return Words(f"{info.words.zh} ${info.symbol}$ 在 {low}（{where(cycle, arm.lowest)}）至 {high}（{where(cycle, arm.highest)}）之间。",
                  f"The {info.words.en}, ${info.symbol}$, is between {low} ({where(cycle, arm.lowest)}) and {high} ({where(cycle, arm.highest)}).")
 

@@ -39,4 +39,9 @@ def spans(mech: Mechanism) -> tuple[tuple[float, float], ...]:
     return plan_for(mech).spans()
 
 
-__all__ = ["SEARCHED", "Motion", "feasible", "solve", "spans"]
+def changes(mech: Mechanism) -> bool:
+    """Whether a dyad has change points, beside which rates keep fewer digits (about 1e-8 of their size)."""
+    return plan_for(mech).has_changes
+
+
+__all__ = ["SEARCHED", "Motion", "changes", "feasible", "solve", "spans"]

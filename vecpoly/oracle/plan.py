@@ -123,6 +123,11 @@ class Plan:
         return any(isinstance(step, Hinged | Swinging) and step.two and bool(self._before(i).fold(step, own)[-1] < TIGHT)
                    for i, step in enumerate(self.steps) if not any(map(is_followed, self.steps[: i + 1])))
 
+    @property
+    def has_changes(self) -> bool:
+        """Whether a dyad has change points (known of a plan for all positions alone)."""
+        return any(isinstance(step, Hinged | Swinging) and step.changes is not None for step in self.steps)
+
     def _before(self, i: int) -> Plan:
         """The steps before the i-th, none of which needs a path."""
         return replace(self, steps=self.steps[:i], followed=False)

@@ -8,6 +8,7 @@ from copy import deepcopy
 import numpy as np
 
 from ..family import family
+from . import changing as changing
 from .asks import motion_asks
 from .groups import Group, prp, rpp, rpr, rrp, rrr
 from .rails import rail
