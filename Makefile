@@ -10,7 +10,7 @@ demo: $(VENV)/installed
 test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
 	$(BIN)/mypy
-	$(BIN)/pytest -n 2
+	$(BIN)/pytest -n 2 --dist loadfile  # a file on one worker: what its tests keep is made once
 
 bench: $(VENV)/installed-dev
 	$(BIN)/python -m benchmarks

@@ -1,8 +1,11 @@
-"""Laws are checked without a clock: a busy machine is no counterexample. Where CI is set, nothing is skipped in silence."""
+"""Laws are checked without a clock: a busy machine is no counterexample. Nothing is skipped in silence in CI, and no test passes that asserted nothing."""
 
 from __future__ import annotations
 
+import ast
+import inspect
 import os
+import textwrap
 from collections.abc import Generator
 from typing import TypeVar
 
@@ -14,10 +17,43 @@ settings.register_profile("house", deadline=None)
 settings.load_profile("house")
 
 
+ASSERTED: set[str] = set()  # test functions that reached an assertion, for one of their parameters at least
+LAST = pytest.StashKey[bool]()
+
+
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """A test that was skipped in CI has failed: what it needs was to be installed."""
-    return _no_skip((yield))
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """A test that was skipped in CI has failed: what it needs was to be installed. So has one that asserted nothing for any of its parameters."""
+    report = _no_skip((yield))
+    if report.passed and call.when == "call" and item.stash.get(LAST, False) and _function(item) not in ASSERTED and _asserts(item):
+        report.outcome, report.longrepr = "failed", "passed without an assertion: all of them stand in loops or branches that were never entered"
+    return report
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    """The last test of a function is where all its parameters have had their turn."""
+    item.stash[LAST] = item.config.getini("enable_assertion_pass_hook") and (nextitem is None or _function(nextitem) != _function(item))
+
+
+def pytest_assertion_pass(item: pytest.Item) -> None:
+    """An assertion was reached, and held."""
+    ASSERTED.add(_function(item))
+
+
+def _function(item: pytest.Item) -> str:
+    return item.nodeid.split("[")[0]
+
+
+def _asserts(item: pytest.Item) -> bool:
+    """Whether there is an assertion in the test itself, not only in what it calls."""
+    function = getattr(item, "function", None)
+    law = getattr(function, "hypothesis", None)
+    try:
+        text = textwrap.dedent(inspect.getsource(law.inner_test if law else function))
+    except (OSError, TypeError):
+        return False
+    return any(isinstance(node, ast.Assert) for node in ast.walk(ast.parse(text)))
 
 
 @pytest.hookimpl(wrapper=True)

@@ -197,3 +197,22 @@ def test_a_reaction_at_a_pin_with_friction_touches_its_circle_on_the_side_that_w
                     assert ("ccw" if moment > 0 else "cw") == tangent, (figure.name, mark.label)
                     touched += 1
     assert touched >= 2
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_reaction_named_on_the_diagram_stands_on_a_line_that_is_its_line_of_action(name: str) -> None:
+    read = by_symbol(name)
+    (diagram,) = (f for f in drawn(name).figures(View.MECHANISM) if not f.name)
+    opposite = {symbol: f"R_{{{symbol[4]}{symbol[3]}{symbol[5:]}" for symbol in read if re.match(r"R_\{\d\d", symbol)}
+    lines = [(m.a, m.b) for m in diagram.marks if isinstance(m, Segment) and m.role is Role.DIRECTION]
+    for mark in (m for m in diagram.marks if isinstance(m, Point) and m.label in opposite):
+        force = read[mark.label]
+        assert force.vector and force.acts is not None
+        along = force.vector / abs(force.vector)
+        assert abs(((mark.at - force.acts.point / diagram.scale.value) * along.conjugate()).imag) < 1e-6, mark.label
+        assert any(min(abs(mark.at - a), abs(mark.at - b)) < 1e-6 and abs(((b - a) * along.conjugate()).imag) < 1e-6 for a, b in lines), mark.label
+
+
+def test_reactions_are_named_on_the_diagrams() -> None:
+    named = [m.label for name in IDS for f in drawn(name).figures(View.MECHANISM) for m in f.marks if isinstance(m, Point) and m.label.startswith("R_")]
+    assert len(named) >= 20

@@ -13,6 +13,7 @@ from drawn_library import desk_of, drawn, ids
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.marks import (
+    AngleMark,
     Block,
     Dot,
     FixedGuide,
@@ -168,3 +169,23 @@ def test_angles_of_the_drive_are_marked_from_where_they_are_counted() -> None:
     desk = desk_of("3-9")
     (mark,) = [m for m in diagram("3-9").marks if getattr(m, "label", "") == "φ_1"]
     assert abs(mark.start) < 1e-12 and abs((mark.sweep - desk.mech.drive.position + pi) % (2 * pi) - pi) < 1e-9
+
+
+CAMS = tuple(name for name in IDS if drawn(name).problem.mechanism.contacts and drawn(name).problem.loads is None)
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_the_pressure_angle_lies_between_the_common_normal_and_the_way_of_the_follower(name: str) -> None:
+    mech = drawn(name).problem.mechanism
+    for mark in (m for m in marks(name, AngleMark) if m.label == "α"):
+        (contact,) = mech.contacts
+        tip = next(point for link in mech.links for point in link.points if abs(place(name, point) - mark.at) < NEAR) if abs(mark.at - place(name, contact.point)) > NEAR else ""
+        way = complex(motion(name).velocity(tip)) if tip else complex(motion(name).velocity(At(contact.point, contact.links[1])))
+        normal = cmath.rect(1, mark.start)
+        touch, centre = place(name, contact.point), place(name, contact.disc.centre)
+        assert abs(((touch - centre).conjugate() * normal).imag) < 1e-6 * abs(touch - centre)
+        assert abs((cmath.rect(1, mark.start + mark.sweep).conjugate() * way).imag) < 1e-6 * abs(way) and 0 < abs(mark.sweep) < pi / 2
+
+
+def test_pressure_angles_are_marked() -> None:
+    assert [name for name in CAMS if any(m.label == "α" for m in marks(name, AngleMark))] == ["D-3-knife"]

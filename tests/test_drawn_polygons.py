@@ -65,6 +65,14 @@ def test_a_table_has_as_many_columns_in_each_row_and_two_unknowns(name: str) -> 
         assert unknown in (2, 4), step.number  # 4 where the sum itself is written in front
 
 
+@pytest.mark.parametrize("name", IDS)
+def test_every_table_opens_with_the_whole_vector_that_is_sought_and_says_nothing_twice(name: str) -> None:
+    opened = [table.symbols for view in POLYGONS.values() for _, table in tables(name, view)]
+    assert opened
+    for symbols in opened:
+        assert re.fullmatch(r"[va]_\{?[A-Z]\d*\}?", symbols[0]) and len(set(symbols)) == len(symbols), symbols
+
+
 # -- what a table says is what is drawn ------------------------------------------------------------------------------
 
 

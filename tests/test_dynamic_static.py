@@ -334,7 +334,8 @@ def test_an_unsteady_hand_scatters_about_the_exact_answer() -> None:
     loads = both_loaded(mech, 120.0, -90.0, 8.0)
     data = tuple(AskNamed(rel=named) for key, named in quantities(mech, loads).items() if key.startswith(("M_1", "R_", "F_I", "h_")) and not key.endswith("_0"))
     problem = Problem(id="random", title=Words("", ""), subject=mech, asks=data, loads=loads)
-    construction, repeats, _ = construct(problem, hand("pencil", repeats=200), {})
+    sheet = construct(problem, hand("pencil", repeats=200), {})
+    construction, repeats = sheet.construction, sheet.repeats
     exact = drawn(mech, loads).readings
     for key in ("M_1", "M_1_lever", "M_1_power", "R_12", "R_43", "F_I2"):
         assert np.isfinite(repeats[key]).all()

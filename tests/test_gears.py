@@ -18,7 +18,7 @@ from vecpoly.mechanism.model import Circle, Rolling, Side
 from vecpoly.problem.problem import Problem
 
 MACHINES = ("planet-drive", "geared-five-bar", "hypocycloid-drive", "rack-drives-pinion", "pinion-drives-rack", "crank-rack-pinion",
-            "rack-on-a-rocker", "planetary-sun-drives", "ring-output", "travel-doubler")
+            "rack-on-a-rocker", "planetary-sun-drives", "ring-output", "travel-doubler", "stepped-planet")
 
 FIVE_BAR = """
 id: five
@@ -120,6 +120,11 @@ def test_the_input_gear_s_own_angle_must_agree_with_the_input() -> None:
     assert "link 1 is the input" in refusal(text.replace("ANGLE", "60"))
 
 
+def test_a_fixed_sun_may_have_a_letter_of_its_own_at_the_arm_s_pivot() -> None:
+    text = planet().replace("{A: [0 mm, 0 mm]}", "{A: [0 mm, 0 mm], O: [0 mm, 0 mm]}").replace("about A", "about O")
+    assert exact(loads(text), "omega_2") == pytest.approx(30)
+
+
 @pytest.mark.parametrize(("arm", "radius", "fixed", "how", "ratio"), [(60, 20, 40, "on", 3), (58, 32, 90, "inside", 1 - 90 / 32), (50, 50, 100, "inside", -1)])
 def test_a_planet_obeys_willis(arm: float, radius: float, fixed: float, how: str, ratio: float) -> None:
     """(ω_2 - ω_1) / (0 - ω_1) = ∓ r_fixed / r_2."""
@@ -133,6 +138,14 @@ def test_a_driven_arm_obeys_willis() -> None:
     problem = load("planetary-sun-drives")
     assert exact(problem, "omega_3") == pytest.approx(20 * 40 / (40 + 90))
     assert exact(problem, "alpha_3") == pytest.approx(60 * 40 / (40 + 90))
+
+
+def test_a_stepped_planet_obeys_willis() -> None:
+    """i^H = -(r_2 r_ring) / (r_1 r_2'), ω_arm = ω_1 / (1 - i^H)."""
+    problem = load("stepped-planet")
+    assert exact(problem, "omega_3") == pytest.approx(20 / (1 + 25 * 80 / (40 * 15)))
+    assert [datum.text for datum in problem.given.lengths if datum.symbol.startswith("r_2")] == ["25 mm", "15 mm"]
+    assert "two pitch circles at most" in refusal(problem.text.replace("2 rolls on 1 at H", "2 of 25 mm rolls on 1 at H"))
 
 
 def test_the_cardan_point_runs_along_a_diameter() -> None:

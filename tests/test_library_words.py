@@ -13,6 +13,7 @@ from vecpoly.cycle.facts import facts
 from vecpoly.cycle.sentences import sentences as facts_told
 from vecpoly.problem.load import load
 from vecpoly.report.document import markup
+from vecpoly.report.flow.table import DataTable
 from vecpoly.solution import Solution, solve
 from vecpoly.words import Lang, Words
 
@@ -64,11 +65,13 @@ def solved(name: str) -> Solution:
 
 def printed(name: str, lang: Lang, style: str) -> str:
     """The running text of a report, without symbols, formulas and drawings."""
-    text = markup([solved(name)], lang, style, {}, None, None)[0]
-    return re.sub(r"<[^>]*>", " ", text)
+    text, objects = markup([solved(name)], lang, style, {}, None, None)
+    tables = [table for table in objects.named.values() if isinstance(table, DataTable)]
+    cells = [cell for table in tables for row in (table.header, *table.rows) for cell in row if isinstance(cell, str)]
+    return " ".join([re.sub(r"<[^>]*>", " ", text), *cells, *(table.caption for table in tables)])
 
 
-@pytest.mark.parametrize(("name", "style"), [*((name, "solution") for name in IDS[1::5]), ("4-3a", "course")])
+@pytest.mark.parametrize(("name", "style"), [*((name, "solution") for name in IDS[1::5]), ("4-3a", "course"), ("3-9", "course")])
 def test_no_page_has_a_word_of_the_other_language(name: str, style: str) -> None:
     zh, en = printed(name, "zh", style), printed(name, "en", style)
     assert len(CHINESE.findall(zh)) > 100 and len(ENGLISH.findall(en)) > 50

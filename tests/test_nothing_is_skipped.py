@@ -1,4 +1,4 @@
-"""Where CI is set a skipped test is a failed one, and what the tests need is installed there."""
+"""Where CI is set a skipped test is a failed one, and what the tests need is installed there; a test that asserts nothing fails anywhere."""
 
 from __future__ import annotations
 
@@ -37,6 +37,17 @@ def test_a_skipped_test_is_a_failure_in_ci(kind: str, tmp_path: Path) -> None:
 def test_elsewhere_a_skipped_test_is_only_skipped(tmp_path: Path) -> None:
     done = ran(tmp_path, SAMPLES["marked"])
     assert done.returncode == 0 and "1 skipped" in done.stdout
+
+
+EMPTY = "def test_it():\n    for one in []:\n        assert one\n"
+HALF = "import pytest\n@pytest.mark.parametrize('many', [[], [1]])\ndef test_it(many):\n    for one in many:\n        assert one\n"
+
+
+@pytest.mark.parametrize(("sample", "fails"), [(EMPTY, True), (HALF, False), (HALF.replace("[1]", "()"), True), ("def test_it(): assert True\n", False)])
+def test_a_test_whose_assertions_are_never_reached_fails(sample: str, fails: bool, tmp_path: Path) -> None:
+    (tmp_path / "pytest.ini").write_text("[pytest]\nenable_assertion_pass_hook = true\n", encoding="utf-8")
+    done = ran(tmp_path, sample)
+    assert (done.returncode == 1) == fails == ("passed without an assertion" in done.stdout), done.stdout
 
 
 def test_a_test_that_passes_passes_in_ci(tmp_path: Path) -> None:

@@ -8,9 +8,8 @@ from math import radians
 from pathlib import Path
 
 import pytest
-from texts import CLASS_III
 
-from vecpoly.errors import AssemblyError, DeadPointError, NoMethodError
+from vecpoly.errors import AssemblyError, DeadPointError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
@@ -114,11 +113,6 @@ def test_a_drag_link_turns_through_every_position() -> None:
         text = four_bar(ab=280, bc=350, cd=320, ad=160, phi=phi, branch="branch: [C right of BD]")
         answers = solve(loads(text), by="exact", repeats=0).answers
         assert answers["alpha_3"].drawn == pytest.approx(answers["alpha_3"].exact, rel=1e-8, abs=1e-8)
-
-
-def test_a_class_iii_group_is_refused_by_name_and_not_drawn_wrongly() -> None:
-    with pytest.raises(NoMethodError, match="class III"):
-        solve(loads(CLASS_III))
 
 
 def test_the_conveyor_at_120_degrees_agrees_with_the_report_s_whole_cycle_table() -> None:

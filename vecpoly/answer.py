@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 from dataclasses import dataclass
-from math import degrees, isfinite, nan
+from math import degrees, isfinite, isnan, nan
 from typing import Any
 
 from .board.construction import LineOfAction, Reading
@@ -59,7 +59,12 @@ class Answer:
     def computed(self) -> bool:
         """Whether the value was found by formula alone: no repeated hand gives another, and it is the exact one."""
         size = abs(self.exact)
-        return self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size
+        return self.undefined or (self.expected_error <= 1e-9 * size and abs(self.deviation) <= 1e-9 * size)
+
+    @property
+    def undefined(self) -> bool:
+        """Whether the quantity has no value here, by the drawing and by the oracle alike: an efficiency of 0/0."""
+        return isnan(self.drawn) and isnan(self.exact)
 
     @property
     def deviation(self) -> float:
@@ -88,6 +93,8 @@ class Answer:
     def as_json(self) -> dict[str, Any]:
         """The answer as plain data, in the shape that `vecpoly solve --json` prints."""
         data: dict[str, Any] = {"unit": self.reading.unit, "drawn": self.drawn, "exact": self.exact}
+        if self.undefined:
+            return data | {"drawn": None, "exact": None, "undefined": True, "suspect": self.suspect is not None}
         if self.reading.unit == YES_NO:
             return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
         if self.is_place and self.drawn_vector is not None and self.exact_vector is not None:
@@ -112,5 +119,8 @@ def place_of(at: complex) -> list[float]:
 
 
 def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:
-    """A point (m) of the line of action, and the sense of its moment about the pin where it touches a friction circle."""
-    return {} if acts is None else {f"{which}point": place_of(acts.point), f"{which}tangent": acts.tangent or None}
+    """A point (m) of the line of action, the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
+    if acts is None:
+        return {}
+    couple = {} if acts.couple is None else {f"{which}couple": acts.couple}
+    return {f"{which}point": place_of(acts.point), f"{which}tangent": acts.tangent or None} | couple

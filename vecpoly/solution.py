@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import degrees, inf, isfinite, nan
+from math import degrees, inf, isfinite, isnan, nan
 from pathlib import Path
 from typing import Any, cast
 
@@ -15,7 +15,7 @@ from .answer import YES_NO, Answer, line_of
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
-from .check.exact import Exact
+from .check.exact import ActsAt, Exact
 from .check.precision import PLENTY, noise, sizes
 from .devices.base import Device
 from .drawing.packing import fits_sheet
@@ -50,7 +50,7 @@ def plain(data: Any) -> Any:
 
 def _drawn(reading: Reading) -> dict[str, Any]:
     """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
-    data: dict[str, Any] = {"unit": reading.unit, "drawn": reading.scalar}
+    data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
     if reading.vector is not None:
         data["direction_deg"] = degrees(cmath.phase(reading.vector)) if reading.vector else None
     return data | line_of("", reading.acts)
@@ -145,11 +145,11 @@ def _expected(scalars: Any) -> float:
     return 3.0 * float(np.std(found)) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
 
 
-def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, line: tuple[complex, str] | None, turns: bool, weighed: Weighed) -> Answer:
+def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed) -> Answer:
     return Answer(
         rel=rel, reading=reading, drawn=reading.scalar, exact=_size(exact), expected_error=error, drawn_vector=reading.vector,
         exact_vector=exact if isinstance(exact, complex) else None,
-        exact_acts=None if line is None else LineOfAction(point=line[0], tangent=line[1]), turns=turns, weighed=weighed,
+        exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple), turns=turns, weighed=weighed,
     )
 
 

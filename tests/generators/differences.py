@@ -20,6 +20,7 @@ from .nearby import natural
 
 STEP = 2e-3  # of the drive: rad, or metres over the size of the mechanism
 AGREE = 1e-6  # of the largest rate of the kind
+ROUNDED = 1e-14  # of a position: fifty times its last digit
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
 _FIRST = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12
 _SECOND = np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
@@ -40,7 +41,7 @@ def against_differences(mech: Mechanism, solution: Solution) -> str:
         answer = solution.answers[key]
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
         rough, good = found[key]
-        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough):
+        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough) + _rounding(mech, fine, rel):
             return f"{key} exact {exact}, by central differences {good}"
     return ""
 
@@ -73,6 +74,13 @@ def _rate(mech: Mechanism, motion: Motion, rel: Rel, step: float) -> complex:
     if rel.kind in (Kind.V, Kind.OMEGA):
         return first * drive.rate
     return complex(path @ _SECOND) / step**2 * drive.rate**2 + first * drive.accel
+
+
+def _rounding(mech: Mechanism, motion: Motion, rel: Rel) -> float:
+    """What the last digits of the five positions make of the differences."""
+    order = 1 if rel.kind in (Kind.V, Kind.OMEGA) else 2
+    step = STEP / 2 * (mech.scale if mech.drive.slide else 1.0)
+    return float(ROUNDED * np.abs(_path(mech, motion, rel)).max() * abs(mech.drive.rate / step) ** order)
 
 
 def _path(mech: Mechanism, motion: Motion, rel: Rel) -> NDArray[np.complex128]:

@@ -66,7 +66,7 @@ def _judged(text: str, also: Check) -> Verdict:
 
 def _disagreeing(solution: Solution) -> str:
     """The first quantity of which the exact hand draws something else than the oracle finds."""
-    answers = solution.answers.values()
+    answers = [one for one in solution.answers.values() if not one.undefined]
     near = slack(solution)
     floor = natural(solution.problem.subject) if isinstance(solution.problem.subject, Mechanism) else {}
     for one in answers:

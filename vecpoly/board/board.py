@@ -21,6 +21,7 @@ from .construction import Place, Scale, View
 from .hand import Hand
 from .log import Log
 from .marks import Arc, Dot, ImageOf, Point, RightAngle, Role, Segment, Vector
+from .ruler import Ruler
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
 NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direction to each other
@@ -34,7 +35,7 @@ class Board(Log):
     def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
         super().__init__(scales)
         self.hand = hand
-        self._read: dict[frozenset[tuple[complex, ...]], Reals] = {}  # length of every segment that was measured
+        self._ruler = Ruler(hand)
 
     # -- acts -------------------------------------------------------------------------------------------------
 
@@ -155,11 +156,12 @@ class Board(Log):
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens. One segment is read once, whoever asks."""
-        ends = frozenset(tuple(np.atleast_1d(at)[:3].tolist()) for at in (a, b))  # what is one place for the first hands is one point
-        if ends not in self._read:
-            self._read[ends] = self.hand.read(np.abs(b - a))
-        return paper(letters_node(letters), self._read[ends])
+        """Read a length off the rule (mm): here, and only here, rounding happens. A segment is read once, from either end."""
+        return paper(letters_node(letters), self._ruler.length(a, b))
+
+    def bearing(self, a: Points, b: Points) -> Points:
+        """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
+        return self._ruler.bearing(a, b)
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""

@@ -93,12 +93,14 @@ class LineOfAction:
     """Where a reaction acts: a point of its line (m, on the diagram's axes), and the side on which it touches a friction circle.
 
     tangent: sense of its moment about the pin, "ccw" or "cw"; "" where it passes through the centre, or there is no pin.
-    told: how the line lies, where the method itself says so.
+    told: how the line lies, where the method itself says so. couple: N·m (counter-clockwise) that a slide passes on beside a force of
+    zero, whose line lies at infinity.
     """
 
     point: complex
     tangent: str = ""
     told: Words | None = None
+    couple: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from math import isfinite
+from math import isfinite, isnan
 from typing import Any
 
 import numpy as np
@@ -65,7 +65,9 @@ class Weighed:
 
     @property
     def cause(self) -> Cause | None:
-        """Why the value is suspect; None where it is not."""
+        """Why the value is suspect; None where it is not, nor where both hands and the oracle find that it has none: 0/0."""
+        if isnan(self.drawn) and isnan(self.exact) and isnan(abs(self.ideal)):
+            return None
         if not (isfinite(self.drawn) and isfinite(self.exact) and isfinite(abs(self.ideal))):
             return Cause.NOT_FINITE
         if abs(self.ideal - self.true) > AGREE * self.size + self.noise:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ..devices.base import Device
 from ..errors import NotAskedError
 from ..mechanism.assur import hinges
 from ..mechanism.loads import Loads
-from ..mechanism.model import Mechanism
+from ..mechanism.model import Mechanism, Prismatic
 from ..mechanism.quantities import given_value, pairs
 from ..names import Kind, Rel, reaction
 from ..problem.asks import AskNamed, AskPoint
@@ -25,6 +25,14 @@ if TYPE_CHECKING:
     from ..oracle.forces import Forces
 
 Values = dict[str, complex | float]
+
+
+class ActsAt(NamedTuple):
+    """Where a reaction acts: a point of its line (m), the sense of its moment about the pin ("": none), a slide's couple (N·m; None where there is a force)."""
+
+    point: complex
+    tangent: str = ""
+    couple: float | None = None
 
 
 def exact_values(problem: Problem) -> Values:
@@ -55,10 +63,10 @@ class Exact:
 
     @cached_property
     def values(self) -> Values:
-        """Key → exact value, of all that is asked; raises NotAskedError for what has none with these data, such as 0/0."""
+        """Key → exact value, of all that is asked; an efficiency of 0/0 is NaN. Raises NotAskedError for what else has no value with these data."""
         found = self._values()
         for key, value in found.items():
-            if not np.isfinite(value):
+            if not np.isfinite(value) and not (np.isnan(value) and key == "eta"):
                 raise NotAskedError(Words(
                     f"由所给数据 {key} 无值；请从 find 中去掉，或检查数据",
                     f"{key} has no value with these data; leave it out of `find`, or check the data"))
@@ -93,26 +101,34 @@ class Exact:
                        for named in asked if named.key not in data for value in [self.balance.value(named.key)]}
 
     @cached_property
-    def lines(self) -> dict[str, tuple[complex, str]]:
-        """Key of every reaction asked for → a point of its line (m), and the sense of its moment about the pin, "" where it has none."""
+    def lines(self) -> dict[str, ActsAt]:
+        """Key of every reaction asked for → where it acts; nothing of one that is zero and passes on no couple."""
         asked = {ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed)}
         if self.problem.loads is None or isinstance(self.problem.subject, Device) or not any(key.startswith("R_") for key in asked):
             return {}
         mech = self.problem.subject
-        found: dict[str, tuple[complex, str]] = {}
+        found: dict[str, ActsAt] = {}
         for by, on in ((by, on) for a, b in pairs(mech) for by, on in ((a, b), (b, a))):
             numbers = mech.number(by), mech.number(on)
             key = reaction(*numbers).key
             if key in asked:
                 point, pin = complex(self.balance.line(*numbers)), pin_of(mech, by, on)
                 force = complex(self.balance.value(key))
-                found[key] = (point, _tangent(point - complex(self.motion.position(pin)), force) if pin else "")
+                if force:
+                    found[key] = ActsAt(point, _tangent(point - complex(self.motion.position(pin)), force) if pin else "")
+                elif not pin and (couple := float(self.balance.couple(*numbers))):
+                    found[key] = ActsAt(complex(self.motion.position(_slid(mech, by, on))), couple=couple)
         return found
 
 
 def pin_of(mech: Mechanism, a: str, b: str) -> str:
     """The letter of the hinge between two links; "" where they slide or touch."""
     return next((point for point, names in hinges(mech).items() if a in names and b in names), "")
+
+
+def _slid(mech: Mechanism, a: str, b: str) -> str:
+    """The letter of the pin of a sliding pair's block."""
+    return next(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and {joint.guide, joint.block} == {a, b})
 
 
 def _tangent(arm: complex, force: complex) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import floor, log10
+from math import floor, isnan, log10
 
 import numpy as np
 
@@ -33,8 +33,10 @@ def sizes(problem: Problem, values: Values) -> dict[str, float]:
     natural = {} if isinstance(problem.subject, Device) else _natural(problem)
     largest: dict[str, float] = {}
     for key, value in values.items():
+        if isnan(abs(value)):
+            continue  # 0/0
         largest[units[key]] = max(abs(value), largest.get(units[key], natural.get(units[key], 0.0)))
-    return {key: largest[units[key]] or 1.0 for key in values}
+    return {key: largest.get(units[key]) or 1.0 for key in values}
 
 
 def size_of(problem: Problem, rel: Rel) -> float:
@@ -78,7 +80,8 @@ def digits(noise: float, size: float) -> int:
 def _noise(problem: Problem, truth: Exact) -> dict[str, float]:
     rng = np.random.default_rng(0)
     near = [values for _ in range(TRIALS) if (values := _values(replace(problem, subject=nudged(problem.mechanism, rng)))) is not None]
-    return {key: max((abs(values[key] - value) for values in near if key in values), default=0.0) for key, value in truth.values.items()}
+    return {key: max((abs(values[key] - value) for values in near if key in values), default=0.0) for key, value in truth.values.items() if not isnan(abs(value))} | {
+        key: 0.0 for key, value in truth.values.items() if isnan(abs(value))}
 
 
 def nudged(mech: Mechanism, rng: np.random.Generator) -> Mechanism:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from math import degrees
+from math import degrees, isnan
 from typing import TYPE_CHECKING, Any
 
 from ..names import is_centre, is_place
@@ -15,6 +15,7 @@ from .terminal import add, progress, say, show, table
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
+    from ..check.exact import ActsAt
     from ..names import Key
     from ..problem.problem import Problem
 
@@ -46,15 +47,20 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
     si = rel.unit
     if not isinstance(value, complex):
         endless = is_centre(rel)  # an instant centre at infinity: its direction
+        if isnan(value):
+            return {"unit": si, "exact": None, "undefined": True}
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
     if is_place(rel):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
-    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value))}
+    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value)) if value else None}
 
 
-def _line(line: tuple[complex, str] | None) -> dict[str, Any]:
-    """A point (m) of a reaction's line, and the sense of its moment about the pin where it touches a friction circle."""
-    return {} if line is None else {"point": [line[0].real, line[0].imag], "tangent": line[1] or None}
+def _line(line: ActsAt | None) -> dict[str, Any]:
+    """A point (m) of a reaction's line, the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
+    if line is None:
+        return {}
+    couple = {} if line.couple is None else {"couple": line.couple}
+    return {"point": [line.point.real, line.point.imag], "tangent": line.tangent or None} | couple
 
 
 def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> None:
@@ -69,7 +75,7 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
         elif is_place(ask.rel):
             size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
         else:
-            size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−")
+            size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−") if value else "—"
         add(made, (symbol(ask.rel.key), size, unit(ask.rel.unit), way))
     show(made)
     if not problem.asks:

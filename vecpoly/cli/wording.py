@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isnan
 from typing import TYPE_CHECKING
 
 from .options import Lang
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
 _SENSE = {"ccw": {"zh": "逆时针", "en": "↺ ccw"}, "cw": {"zh": "顺时针", "en": "↻ cw"}}
 _GREEK = {"omega": "ω", "alpha": "α", "eta": "η", "phi": "φ", "rho": "ρ"}
 _YES_NO = {True: {"zh": "是", "en": "yes"}, False: {"zh": "否", "en": "no"}}
+_UNDEFINED = {"zh": "无意义", "en": "undefined"}
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 _NOISE = 1e-9  # a value below this is rounding of a zero
 _HUGE = 1e9  # a value below this is written without a power of ten
@@ -65,7 +67,9 @@ def beside(text: str, name: str) -> str:
 
 
 def scalar(size: float, unit_text: str, lang: Lang, digits: int = 5) -> str:
-    """A number, or yes and no."""
+    """A number, or yes and no; 0/0 is undefined."""
+    if isnan(size):
+        return _UNDEFINED[lang]
     return _YES_NO[bool(size)][lang] if unit_text == YES_NO else number(size, digits)
 
 

@@ -86,7 +86,8 @@ def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
     elif group[0].key.startswith("gamma_"):
         low, high = min(low, LEAST_GAMMA), high
     margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
-    return low - (margin if low else 0.0), high + (margin if high else 0.0)
+    flat = low == high
+    return low - (margin if low or flat else 0.0), high + (margin if high or flat else 0.0)
 
 
 def _clipped(values: Any) -> tuple[float, float]:

@@ -47,6 +47,9 @@ class Dyad:
     parent_k: str
 
 
+_CLASS = {"I": "Ⅰ", "II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Group:
     """Links solved together.
@@ -63,11 +66,15 @@ class Group:
     @property
     def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        return Words(f"{self.kind} 组（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
+        number = self.kind.removeprefix("class ")
+        zh = f"{self.kind} 组" if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
+        return Words(f"{zh}（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
-def decompose(mech: Mechanism) -> tuple[Group, ...]:
+def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     """The Assur groups for the mechanism's own drives, in order of solution.
+
+    pressing: at a compound hinge only those links are joined that press on each other, as the mechanism's joints say.
 
     Raises MobilityError where links remain that no known link determines.
     """
@@ -75,7 +82,7 @@ def decompose(mech: Mechanism) -> tuple[Group, ...]:
     rest = [link.name for link in mech.links if link.name not in known]
     groups: list[Group] = []
     while rest:
-        group = next(_candidates(mech, tuple(rest), tuple(known)), None)
+        group = next(_candidates(mech, tuple(rest), tuple(known), pressing), None)
         if group is None:
             raise MobilityError(Words(
                 f"构件 {', '.join(rest)} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
@@ -134,18 +141,18 @@ def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
     return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
 
 
-def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...]) -> Iterator[Group]:
+def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Iterator[Group]:
     """Groups that the known links determine, the smallest first, in the order of the links."""
     for size in range(1, len(rest) + 1):
         for links in combinations(rest, size):
-            group = _group(mech, links, known)
+            group = _group(mech, links, known, pressing)
             if group is not None:
                 yield group
 
 
-def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]) -> Group | None:
+def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Group | None:
     """The group of just these links, or None where they are not one."""
-    inner, outer = _joints(mech, links, known)
+    inner, outer = _joints(mech, links, known, pressing)
     constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer)))
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
@@ -172,12 +179,12 @@ def _constraints(mech: Mechanism, joint: Joint) -> int:
 
 
 def _joints(
-    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...]
+    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool
 ) -> tuple[tuple[Joint, ...], tuple[Outer, ...]]:
     """Joints within the links, and joints from them to known links."""
     inner: list[Joint] = []
     outer: list[Outer] = []
-    for point, names in hinges(mech).items():
+    for point, names in () if pressing else hinges(mech).items():
         mine = [name for name in links if name in names]
         parent = next((name for name in known if name in names), None)
         if parent is not None:
@@ -186,7 +193,7 @@ def _joints(
         else:
             inner += [Revolute(point=point, a=a, b=b) for a, b in pairwise(mine)]
     for joint in mech.joints:
-        if isinstance(joint, Revolute):
+        if isinstance(joint, Revolute) and not pressing:
             continue
         a, b = ends(joint)
         if a in links and b in links:

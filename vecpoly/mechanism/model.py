@@ -99,11 +99,12 @@ class Prismatic:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Circle:
-    """Pitch circle of a gear: a link, the letter of its centre, its radius."""
+    """Pitch circle of a gear: a link, the letter of its centre, its radius; the second one of a stepped gear is marked ′."""
 
     link: str
     centre: str
     radius: float
+    mark: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,6 +9,8 @@ about the centre of mass, which are data (`given_value`).
 
 from __future__ import annotations
 
+from itertools import combinations
+
 from ..names import Named, reaction
 from .assur import ends, hinges
 from .loads import Force, Load, Loads
@@ -34,11 +36,21 @@ def without_friction(named: Named) -> Named:
 
 
 def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
-    """Links that press on each other in a joint or a contact, as names; each pair once."""
-    found = [(a, b) for names in hinges(mech).values() for i, a in enumerate(names) for b in names[i + 1:]]
+    """Links that press on each other in a joint or a contact, as names; each pair once.
+
+    At a compound hinge these are the link that carries the pin and each of the others (`seats`).
+    """
+    found = [ends(joint) for joint in mech.joints if isinstance(joint, Revolute)]
     found += [ends(joint) for joint in mech.joints if not isinstance(joint, Revolute)]
     found += [contact.links for contact in mech.contacts]
     return tuple(dict.fromkeys(pair for pair in found if not mech.substitutes & set(pair)))
+
+
+def apart(mech: Mechanism) -> tuple[tuple[str, str], ...]:
+    """Links that share a compound hinge without pressing on each other, since a third one carries the pin: R_ij = 0."""
+    press = {frozenset(pair) for pair in pairs(mech)}
+    found = [pair for names in hinges(mech).values() for pair in combinations(names, 2)]
+    return tuple(dict.fromkeys(pair for pair in found if frozenset(pair) not in press and not mech.substitutes & set(pair)))
 
 
 def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
@@ -49,7 +61,7 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
     found += [Named(f"{unknown.key}_{way}", ideal.symbol, unknown.unit) for way in ("lever", "power")]
     if unknown.unit == "N·m":
         found.append(Named("h", "h", "m"))
-    for a, b in pairs(mech):
+    for a, b in (*pairs(mech), *apart(mech)):
         for by, on in ((a, b), (b, a)):
             named = reaction(mech.number(by), mech.number(on))
             found += [named, without_friction(named)]

@@ -14,17 +14,18 @@ from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
-from ..board.marks import Dot, Mark
+from ..board.marks import Dot, Mark, Vector
 from ..board.scales import Sketched, enlarged, round_scale
 from ..mechanism.assur import Group, decompose
-from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
 from ..names import subscripted
 from ..problem.asks import AskNamed
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
+from .coincident import coincident_letters
 from .desk import POLE, Desk
 from .drawn import Drawn, motion_of
+from .higher import refuse_higher
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
@@ -48,6 +49,7 @@ SECTIONS = {
 }
 _UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
+SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 Fit = Callable[[list[tuple[float, float]]], bool]
 WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
@@ -107,7 +109,7 @@ def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: 
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
     sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
     given = _given_scales(problem)
-    figures = sketch.board.figures(TITLES)
+    figures = [f for f in sketch.board.figures(TITLES) if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
     chosen = {}
     for view, value in guess.items():
         fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith(("lever", "centre"))), default=value)
@@ -135,7 +137,8 @@ def _scale(view: View, value: float) -> Scale:
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=_coincident(mech, groups), loaded=problem.loads is not None)
+    refuse_higher(mech, groups)
+    desk = Desk(board=Board(by, scales), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None)
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
@@ -193,24 +196,6 @@ def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] =
         desk.board.remark(Words(f"按已知尺寸定出{zh}。", f" Set out {en} from the given lengths."))
 
 
-def _coincident(mech: Mechanism, groups: Iterable[Group]) -> dict[str, str]:
-    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first.
-
-    P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
-    """
-    letters = {"P": next(li.name for li in mech.links if "P" in li.points)} if any("P" in li.points for li in mech.links) else {}
-    for d in (group.dyad for group in groups if group.dyad is not None):
-        if isinstance(d.inner, Prismatic):
-            pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
-            pin = d.outer_j if d.kind == "RPP" else pins[d.inner.block]
-            letters |= {pin.point: d.link_j if d.kind == "RPP" else d.inner.block} if isinstance(pin, Revolute) else {}
-        elif isinstance(d.inner, Revolute):
-            moving = [link for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
-                      if isinstance(joint, Prismatic) and parent != FRAME]
-            if moving:
-                letters[d.inner.point] = moving[0]
-    unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
-    return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

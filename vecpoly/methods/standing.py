@@ -54,6 +54,12 @@ def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:
     if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
         start = 0j if own.ref is None else desk.tip(view, own.ref)
         return view, start, desk.tip(view, own.to), _letters(desk, view, own)
+    whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
+    if rel.kind is Kind.AR and whole.key in desk.ends:
+        view, start, end = desk.ends[whole.key]
+        return view, start, end, _letters(desk, view, whole)
+    if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
+        return View.ACCELERATION, 0j, 0j, "—"
     return None
 
 
@@ -75,18 +81,12 @@ def _sliding(desk: Desk, rel: Rel) -> Standing | None:
         return None
     ahead, back = (rel.to.link, rel.ref.link), (rel.ref.link, rel.to.link)
     if ahead in desk.slides:
-        return _of_pair(desk, rel.kind, desk.slides[ahead])
-    return _turned(_of_pair(desk, rel.kind, desk.slides[back])) if back in desk.slides else None
-
-
-def _of_pair(desk: Desk, kind: Kind, slide: Rel) -> Standing | None:
-    """The vector of the pair where it was drawn; where the guide only translates there is no Coriolis term, and a^r is all."""
-    found = _drawn(desk, Rel(kind, slide.to, slide.ref))
-    if found is not None:
-        return found
-    if kind is Kind.AK and _drawn(desk, Rel(Kind.V, slide.to, slide.ref)):
-        return View.ACCELERATION, 0j, 0j, "—"
-    return _drawn(desk, Rel(Kind.A, slide.to, slide.ref)) if kind is Kind.AR else None
+        slide = desk.slides[ahead]
+        return _drawn(desk, Rel(rel.kind, slide.to, slide.ref))
+    if back in desk.slides:
+        slide = desk.slides[back]
+        return _turned(_drawn(desk, Rel(rel.kind, slide.to, slide.ref)))
+    return None
 
 
 def _letters(desk: Desk, view: View, rel: Rel) -> str:

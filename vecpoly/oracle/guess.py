@@ -111,11 +111,12 @@ def _tangent(joint: Rolling, rack: Rack, pin: complex, ray: complex) -> complex 
 
 
 def _pose(mech: Mechanism, group: Group, name: str, places: dict[str, complex], unit: complex) -> list[float]:
+    """The link laid through its known points; without rolling, a link that has none starts in the middle of all that are known."""
     link = mech.link(name)
     seen = [p for p in link.points if p in places]
-    if not seen:
+    if not seen and any(isinstance(joint, Rolling) for joint in (*group.inner, *(out.joint for out in group.outer))):
         raise AssemblyError(Words(
             f"{group.name.zh}须迭代求解，需要大致位置；请用 guesses 给出构件 {name} 上 {', '.join(link.points)} 的位置",
             f"the {group.name.en} is solved by iteration and needs rough positions: give `guesses` for {', '.join(link.points)} of link {name}"))
-    origin = complex(np.mean([places[p] - unit * link.points[p] for p in seen]))
+    origin = complex(np.mean([places[p] - unit * link.points[p] for p in seen] or list(places.values()) or [0j]))
     return [origin.real, origin.imag, float(np.angle(unit))]

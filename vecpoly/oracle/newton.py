@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..mechanism.assur import Group, is_held
 from ..mechanism.model import Mechanism, Rolling
+from .assemblies import chosen, distances, is_guessed
 from .guess import first_guess
 from .off_centre import crossing, places
 from .rows import Row, row
@@ -52,8 +53,9 @@ class Newton:
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
+            own = {name: body.take(np.array([track.own])) for name, body in bodies.items()}
             about = places(self.mech, self.group, here, self.sign) if self.two else {}
-            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here, about), here)
+            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here, about), here, own)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -79,35 +81,27 @@ class Newton:
         """No gap to tell: the loops do not close at all."""
         return np.full(1, np.nan)
 
-    def _nearest(self, guess: States, here: Bodies) -> NDArray[np.float64]:
-        """Of the assemblies that Newton reaches from about the guess, the one whose points lie nearest to those guessed (sum of distances)."""
+    def _nearest(self, guess: States, here: Bodies, known: Bodies) -> NDArray[np.float64]:
+        """Of the assemblies that Newton reaches from about the guess, the one that is meant."""
         if any(r.rolls for r in self.rows):
             return np.asarray(self._solve(guess, here, None, here, ITERATIONS)[0])
-        seeds = guess if self._exact(guess, here) else np.concatenate([guess, self._scattered(guess)])
-        found = self._solve(seeds, here, seeds, here, ITERATIONS)
-        off = self._off(found)
-        return np.asarray(found[int(np.nanargmin(off))] if np.isfinite(off).any() else found[0])
+        exact = is_guessed(self.mech, self.group) and self._exact(guess, here)
+        seeds = guess if exact else np.concatenate([guess, self._scattered(guess)])
+        return chosen(self.mech, self.group, self._solve(seeds, here, seeds, here, ITERATIONS), known)
 
     def _exact(self, guess: States, here: Bodies) -> bool:
         """Whether the guesses are an assembly: then none lies nearer to them."""
         told = {*self.mech.guesses, *(p for name in here for p in self.mech.link(name).points)}
         whole = all(len(told & set(self.mech.link(name).points)) > 1 for name in self.group.links)
-        return whole and bool(self._off(self._solve(guess, here, guess, here))[0] < EXACT * self.size)
+        return whole and bool(distances(self.mech, self.group, self._solve(guess, here, guess, here))[0] < EXACT * self.size)
 
     def _scattered(self, guess: States) -> States:
         """Further starts about the first guess: half of them near it, the others turned at will."""
         random = np.random.default_rng(0)
-        scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (0.15 * self.size, 0.15 * self.size, 0.7)
+        wide = 0.15 if is_guessed(self.mech, self.group) else 0.5
+        scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (wide * self.size, wide * self.size, 0.7)
         scatter[SEEDS // 2:, :, 2] = random.uniform(-np.pi, np.pi, scatter[SEEDS // 2:, :, 2].shape)
         return np.asarray(guess + scatter)
-
-    def _off(self, found: States) -> Reals:
-        """How far the points lie from those guessed (sum of distances, m)."""
-        bodies, off = self._bodies(found), np.zeros(len(found))
-        points = {p: (name, local) for name in self.group.links for p, local in self.mech.link(name).points.items() if p in self.mech.guesses}
-        for p, (name, local) in points.items():
-            off += np.abs(bodies[name].point(local) - self.mech.guesses[p])
-        return off
 
     def _known(self, bodies: Bodies, track: Track) -> dict[str, Body]:
         """The parents; under a rolling joint with their angles followed."""

@@ -12,6 +12,7 @@ from ..mechanism.centre_quantities import centre_quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism, Shaped, Statement
 from ..mechanism.quantities import quantities
+from ..mechanism.seats import seated
 from ..names import At, Named, is_centre
 from ..units import Dim, read
 from ..words import Words
@@ -28,6 +29,7 @@ from .links import read_link
 from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses
 from .motion import numbered, read_input
+from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
 from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
@@ -107,7 +109,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         starts=tuple(draft.start for draft in bodies.drafts.values() if draft.start is not None),
         guesses=guesses,
     )
-    return geared(mech, spec, faults), motion
+    return geared(seated(mech, read_pins(spec.pins, mech, faults)), spec, faults), motion
 
 
 def _points(

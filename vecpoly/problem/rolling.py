@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 
 from ..errors import FaultError
 from ..mechanism.model import FRAME, Circle, Rack, Rolling, Side
@@ -14,9 +15,10 @@ from .draft import LETTER
 from .faults import not_on_frame
 from .guides import LINK, fixed_line
 
+_SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
 _ROLLS = re.compile(
-    rf"(?P<gear>{LINK}) rolls (?P<how>on|inside|above|below|left of|right of) "
-    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK})"
+    rf"(?P<gear>{LINK}(?: of {_SIZE})?) rolls (?P<how>on|inside|above|below|left of|right of) "
+    rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}(?: of {_SIZE})?)"
     rf"(?:,? (?P<mid>above|below|left|right))? at (?P<point>{LETTER})(?:,? (?P<last>above|below|left|right))?"
 )
 EXAMPLES = "'3 rolls on y = 0 mm at D', '3 rolls below y = 200 mm at D', '4 rolls on 3 at H', '2 rolls inside circle about A of 90 mm at P'"
@@ -109,19 +111,35 @@ def _partner(on: str, bodies: Bodies) -> Circle | Rack:
     if m := re.fullmatch(rf"circle about ({LETTER}) of (.+)", on):
         if m[1] not in bodies.frame:
             raise not_on_frame(m[1], bodies.frame)
-        return Circle(link=FRAME, centre=m[1], radius=positive(m[2]).si)
+        return Circle(link=FRAME, centre=_pinned_there(m[1], bodies), radius=positive(m[2]).si)
     if (fixed := fixed_line(on, bodies)) is not None:
         return Rack(link=FRAME, origin=fixed.origin, direction=fixed.direction)
-    draft = bodies.draft(on)
+    draft = bodies.draft(on.split(" of ")[0])
     line = draft.rack or (draft.line if draft.gear is None else None)
     if line is not None:
         return Rack(link=on, origin=line.origin, direction=line.direction)
     return _circle(on, bodies)
 
 
-def _circle(name: str, bodies: Bodies) -> Circle:
+def _pinned_there(letter: str, bodies: Bodies) -> str:
+    """Of several letters of one fixed place that of the pin: an arm pinned there holds the gear about it."""
+    same = [p for p, at in bodies.frame.items() if at == bodies.frame[letter]]
+    return next((p for p in (letter, *same) if any(p in draft.points for draft in bodies.drafts.values())), letter)
+
+
+def _circle(text: str, bodies: Bodies) -> Circle:
+    """'2', or '2 of 35 mm': the second pitch circle of the stepped gear 2."""
+    name, _, size = text.partition(" of ")
     draft = bodies.draft(name)
     if draft.gear is None:
         centre = next(iter(draft.points))
         raise FaultError(Words(f"构件 {name} 不是齿轮；请在构件 {name} 中写 gear: {centre}, radius: 60 mm", f"link {name} is no gear; write gear: {centre}, radius: 60 mm in link {name}"))
-    return draft.gear
+    if not size:
+        return draft.gear
+    second = positive(size)
+    symbol = f"r_{name}^′"
+    if all(datum.symbol != symbol for datum in draft.lengths):
+        draft.note(symbol, second.si, second.text)
+    elif next(datum.si for datum in draft.lengths if datum.symbol == symbol) != second.si:
+        raise FaultError(Words(f"齿轮 {name} 最多有两个节圆（双联齿轮）", f"gear {name} has two pitch circles at most: the one of its link, and one second"))
+    return replace(draft.gear, radius=second.si, mark="^′")

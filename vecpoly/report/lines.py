@@ -21,19 +21,22 @@ _HEADER = {
     "en": ("Force", "Through ($x$, $y$) /mm", "How the line lies", "Off the exact line, mm"),
 }
 NOTHING = 1e-9  # m: smaller coordinates are zero
+_WAY = {True: Words("（逆时针）", ", ccw"), False: Words("（顺时针）", ", cw")}
 _SENSE = {"ccw": Words("逆时针", "ccw"), "cw": Words("顺时针", "cw")}
 
 
 def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     """One line a reaction whose line of action was drawn; none where there is no such reaction."""
-    acting = [(answer, answer.reading.acts) for answer in solution.answers.values() if answer.reading.acts is not None]
+    acting = [(answer, acts) for answer in solution.answers.values() if (acts := answer.reading.acts) is not None and (answer.drawn or acts.couple)]
     if not acting:
         return None
-    rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting if acts is not None]
+    rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
     return trimmed(_HEADER[lang], rows, (), "lclr")
 
 
 def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[str, ...]:
+    if acts.couple is not None:
+        return called(answer.reading.symbol, answer.key, lang), "∞", how.of(lang), "—"
     x, y = (0.0 if abs(z) < NOTHING else 1e3 * z for z in (acts.point.real, acts.point.imag))
     point = f"({number(x)}, {number(y)})"
     return called(answer.reading.symbol, answer.key, lang), point, how.of(lang), _off(answer, acts)
@@ -43,6 +46,8 @@ def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
     """On which side the line touches a friction circle, that it passes through a pin, or how it leans from the normal of a slide."""
     if acts.told is not None:
         return acts.told
+    if acts.couple is not None:
+        return Words(f"在无穷远处：力偶 {number(abs(acts.couple))} N·m", f"at infinity: a couple of {number(abs(acts.couple))} N·m") + _WAY[acts.couple > 0]
     mech, loads = solution.problem.subject, solution.problem.loads
     links = _links(mech, key) if isinstance(mech, Mechanism) else None
     if not isinstance(mech, Mechanism) or links is None:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from ..mechanism.assur import Group, decompose
+from ..mechanism.assur import Group, decompose, hinges
 from ..mechanism.mobility import Mobility, mobility
-from ..mechanism.model import Mechanism
+from ..mechanism.model import FRAME, Mechanism
+from ..mechanism.seats import seat
 from ..problem.problem import Problem
 from ..words import Words
 
@@ -25,7 +26,22 @@ def numbering(problem: Problem) -> Words:
         return Words.same("")
     number = problem.mechanism.frame_number
     return Words(f"机架为构件 {number}；$R_{{ij}}$ 表示构件 $i$ 对构件 $j$ 的作用力。",
-                 f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.") + _any_speed(problem)
+                 f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.") + carried_pins(problem.mechanism) + _any_speed(problem)
+
+
+def carried_pins(mech: Mechanism) -> Words:
+    """At each compound hinge: which link carries the pin, so that the others press on it alone; nothing where there is none."""
+    found = {point: carrier for point in hinges(mech) if (carrier := seat(mech, point)) is not None}
+    if not found:
+        return Words.same("")
+    zh = "；".join(f"${point}$ 处的销轴属于{_carrier(mech, link).zh}" for point, link in found.items())
+    en = "; ".join(f"the pin at ${point}$ belongs to {_carrier(mech, link).en}" for point, link in found.items())
+    return Words(f"复合铰链{zh}，铰接于该处的其他构件只与它相互作用，彼此间无反力。",
+                 f" At compound hinges one link carries the pin, the others press on it and not on each other: {en}.")
+
+
+def _carrier(mech: Mechanism, link: str) -> Words:
+    return Words("机架", "the frame") if link == FRAME else Words(f"构件 {link}", f"link {link}")
 
 
 def _any_speed(problem: Problem) -> Words:

@@ -58,7 +58,7 @@ def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
         return (f"${r.symbol}$", mm, "—", "∞", _angle(answer.drawn), _angle(answer.exact), gap, _NONE if answer.computed else rough(answer.expected_error) + "°")
     factor = printed_unit(r.unit)[0]
     clean = _clean(answer.exact, answer.expected_error)
-    exact = value(clean, YES_NO, lang) if r.unit == YES_NO else number(factor * clean, 5)
+    exact = value(clean, YES_NO, lang) if r.unit == YES_NO or answer.undefined else number(factor * clean, 5)
     return (
         called(r.symbol, r.key, lang), mm, f"${r.scale}$" if r.scale else "—", value(answer.drawn, r.unit, lang, r.key), way(answer, problem, lang),
         exact, _deviation(answer, factor), _NONE if answer.computed else rough(factor * answer.expected_error),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isnan
+
 from ..mechanism.loads import Force
 from ..mechanism.quantities import load_named
 from ..problem.problem import Problem
@@ -9,6 +11,7 @@ from ..quantity import number
 from ..solution import YES_NO
 from ..words import Lang, Words
 
+_UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
 _PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
 _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
@@ -24,7 +27,9 @@ def printed_unit(unit: str) -> tuple[float, str]:
 
 
 def value(size: float, unit: str, lang: Lang, key: str = "", digits: int = 4) -> str:
-    """A value with its unit: 52.45 mm, 38.2°, yes, 0.7952 (79.52 %)."""
+    """A value with its unit: 52.45 mm, 38.2°, yes, 0.7952 (79.52 %); 0/0 is undefined."""
+    if isnan(size):
+        return _UNDEFINED.of(lang)
     if unit == YES_NO:
         return (_YES if size else _NO).of(lang)
     factor, name = printed_unit(unit)

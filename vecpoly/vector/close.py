@@ -67,7 +67,9 @@ def _right_angle(board: Board, view: Place, term: Term, ends: Ends) -> None:
     normal = ends.get(Rel(Kind.AN, term.rel.to, term.rel.ref).key)
     if normal is None:
         return
-    (foot, corner), (tail, _) = ends[term.rel.key], normal
+    (foot, corner), (tail, head) = ends[term.rel.key], normal
+    if abs(nominal(head - foot)) > NO_ARROW:
+        return  # another term stands between the two
     if min(abs(nominal(corner - foot)), abs(nominal(tail - foot))) > RIGHT_ANGLE_FROM:
         board.right_angle(view, foot, unit(tail - foot), unit(corner - foot))
 

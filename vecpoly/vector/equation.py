@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from ..board.construction import EquationTable
 from ..errors import EquationError
-from ..names import At, Key, Kind, Named
+from ..names import At, Key, Kind, Named, Rel
 from ..plane import Points, Reals
 from ..words import Words
 
@@ -31,6 +31,7 @@ class Term:
 
     along: unit vector on paper of its line (with its sense where the length is known); mm: its length on paper;
     vector: the whole vector where it is already drawn; tip: letter of its end on the polygon; drawn: no new line needed.
+    summed: the vectors whose sum this term is, parallel ones of unknown sizes: v_BO + v_SB counts as one unknown.
     """
 
     rel: Key
@@ -42,6 +43,7 @@ class Term:
     vector: Points | None = None
     tip: str = ""
     drawn: bool = False
+    summed: tuple[Rel, ...] = ()
 
     @property
     def unknowns(self) -> int:
@@ -97,19 +99,27 @@ class Equation:
 
 
 def _end(chain: tuple[Term, ...]) -> At:
-    """The point a chain arrives at; raises where a term does not start where the sum has arrived."""
+    """The point a chain arrives at; raises where a term does not start where the sum has arrived.
+
+    The moves of a summed term stand at the end of the equation, but anywhere on the way.
+    """
     here: At | None = None
     last: tuple[At, At | None] | None = None
+    summed = {rel.ref: rel.to for term in chain for rel in term.summed}
     for term in chain:
         assert not isinstance(term.rel, Named)
         move = (term.rel.to, term.rel.ref)
-        if term.rel.kind in _PARTS and move == last:
+        if term.summed or (term.rel.kind in _PARTS and move == last):
             continue
+        while here != term.rel.ref and here in summed:
+            here = summed.pop(here)
         if term.rel.ref != here:
             raise EquationError(Words(
                 f"{term.symbol} 起于 {term.rel.ref or '极点'}，而前面各项之和终于 {here or '极点'}",
                 f"{term.symbol} starts at {term.rel.ref or 'the pole'}, but the sum has arrived at {here or 'the pole'}"))
         here, last = term.rel.to, move
+    while here in summed:
+        here = summed.pop(here)
     if here is None:
         raise EquationError(Words("矢量方程的一边是空的", "an empty side of a vector equation"))
     return here

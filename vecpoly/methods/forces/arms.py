@@ -8,15 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...board.board import NO_LENGTH
-from ...board.construction import Pane, View
-from ...mechanism.loads import Moment
-from ...mechanism.quantities import load_named
+from ...board.construction import Pane, Place, View
 from ...plane import Line, Points, Reals, cross, foot, nominal
 from ...quantity import Expr, Quantity, Sum, magnitude
+from .acting import Acting, summed
+from .couples import couples_on
 from .group_body import draw_arm
 from .letters import arm_about_point
 from .readings import measured
-from .state import Acting, Statics
+from .state import Statics
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,9 +40,14 @@ class Turning:
 
 def moments_about(st: Statics, pane: Pane, links: Iterable[str], point: str) -> Turning:
     """Moments of all known forces and couples on these links about a lettered point; the arms are drawn on the pane."""
-    found = [part for link in links for part in (*_of_forces(st, pane, link, st.desk.at[point]), *_of_couples(st, link))]
+    return moments_at(st, pane, links, st.desk.at[point])
+
+
+def moments_at(st: Statics, pane: Place | None, links: Iterable[str], about: Points) -> Turning:
+    """The same about any point; without a figure no arms are drawn."""
+    found = [part for link in links for part in (*_of_forces(st, pane, link, about), *_of_couples(st, link))]
     return Turning(terms=tuple(expr for expr, _ in found), signs=tuple(int(nominal(sign)) for _, sign in found),
-                   value=sum((sign * expr.value for expr, sign in found), 0.0))
+                   value=summed(sign * expr.value for expr, sign in found))
 
 
 def acting_on(st: Statics, link: str) -> list[Acting]:
@@ -57,14 +62,15 @@ def size_of(st: Statics, force: Acting) -> Quantity:
     return magnitude(force.named.symbol, measured(st, force.drawn).value, "N")
 
 
-def _of_forces(st: Statics, pane: Pane, link: str, about: Points) -> Iterator[tuple[Expr, Reals]]:
+def _of_forces(st: Statics, pane: Place | None, link: str, about: Points) -> Iterator[tuple[Expr, Reals]]:
     """F μ_l h of every force that does not pass through the point."""
     for force in acting_on(st, link):
         end = foot(Line(force.at, force.line.along), about)
         arm = st.board.measure(about, end, arm_about_point(force.named.symbol))
         if abs(nominal(end - about)) < NO_LENGTH:
             continue
-        draw_arm(st, pane, about, end, force, arm_about_point(force.named.symbol))
+        if pane is not None:
+            draw_arm(st, pane, about, end, force, arm_about_point(force.named.symbol))
         yield size_of(st, force) * st.board.mu(View.MECHANISM) * arm, np.sign(cross(end - about, force.vector))
 
 
@@ -76,11 +82,7 @@ def _of_couples(st: Statics, link: str) -> Iterator[tuple[Expr, Reals]]:
 
 
 def _couples(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
-    for load in st.loads.on(link):
-        if isinstance(load, Moment) and load.size is not None:
-            yield load_named(load).symbol, load.size
-    if link in st.inertia_couples:
-        yield f"M_{{I{link}}}", st.inertia_couples[link]
+    yield from couples_on(st, link)
     for (by, on), couple in st.couples.items():
         if on == link:
             yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple

@@ -10,7 +10,8 @@ import numpy as np
 
 from ...plane import nominal
 from ...words import Words
-from .state import Acting, Statics
+from .acting import Acting
+from .state import Statics
 
 LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
 CLEAR = 6.0  # mm between arrows: more is not better

@@ -13,6 +13,7 @@ from ...plane import Line, Points, foot, nominal
 from ...quantity import magnitude
 from ...words import Words
 from ..registry import Stage, method
+from .letters import arm_about_point
 from .pieces import Held
 from .senses import pin_words
 from .state import Statics
@@ -32,8 +33,8 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     assert isinstance(held.joint, Revolute)
     link, number, pin = held.link, st.mech.number(held.link), held.joint.point
     one, two = st.named(by, link), st.named(held.parent, link)
-    st.board.step(Words(f"构件 {number} 上只有力偶，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；量得力臂 $h$。",
-                        f"Link {number} carries only a couple: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, and balance it; their arm $h$ is measured."), View.MECHANISM)
+    st.board.step(Words(f"构件 {number} 上只有力偶，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；量得力臂 ${arm_about_point(one.symbol)}$。",
+                        f"Link {number} carries only a couple: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, and balance it; their arm ${arm_about_point(one.symbol)}$ is measured."), View.MECHANISM)
     st.board.remark(pin_words(st, pin, held.parent, link))
     moment, centre = st.moment(link), st.desk.at[pin]
     sense = st.moment_sense(pin, held.parent, link)
@@ -58,11 +59,12 @@ def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points
     """The arm measured, R computed, both reactions kept; no polygon: two equal and opposite forces."""
     (held, by), (line, at, across) = who, where
     board, link, named = st.board, held.link, st.named(by, held.link)
-    arm = board.compute("h", board.mu(View.MECHANISM) * board.measure(at, across, "h"), "m")
+    letter = arm_about_point(named.symbol)
+    arm = board.compute(letter, board.mu(View.MECHANISM) * board.measure(at, across, letter), "m")
     size = board.compute(named.symbol, magnitude("M", np.abs(st.moment(link)), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
     if not st.preliminary:
         board.join(View.MECHANISM, at, across, Role.CONSTRUCTION)
         board.join(View.MECHANISM, at - line.along * 16.0, at + line.along * 16.0, Role.DIRECTION)
-    st.settle(by, link, vector, line.at)
-    st.settle(held.parent, link, -vector, at, None, sense)
+    st.settle(by, link, vector, line.at, computed=size.value)
+    st.settle(held.parent, link, -vector, at, None, sense, computed=size.value)

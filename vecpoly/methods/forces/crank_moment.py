@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
-from ...errors import EquilibriumError
 from ...formula import sym
 from ...mechanism.loads import Moment
 from ...mechanism.model import FRAME, Revolute
@@ -16,12 +16,15 @@ from ...quantity import Quantity, magnitude, worked
 from ...vector.equation import Term
 from ...words import Words
 from ..registry import Stage, method
+from .acting import Drawn
+from .arms import moments_at
+from .balancing_force import nothing_acts
 from .link_polygon import draw_polygon
 from .pieces import Held
-from .readings import keep_value, measured
+from .readings import keep_nothing, keep_value, measured
 from .resultant import Resultant, resultant
 from .senses import TURN, pin_words
-from .state import Drawn, Statics
+from .state import OFF_SHEET, Statics
 
 _SOURCE = "机械原理, equilibrium of the crank"
 ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
@@ -30,10 +33,7 @@ ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
 @method(stage=Stage.FORCE, group="crank, balancing moment", source=_SOURCE, example="4-3a",
         title=Words("曲柄：平衡力矩 M = R h", "Crank: balancing moment M = R h"))
 def moment_on_crank(st: Statics, held: Held) -> None:
-    """R_frame = −P (P: resultant of the forces on the link), tangent to the friction circle; M_b = P h against their couple.
-
-    Raises EquilibriumError where no force acts on the link.
-    """
+    """R_frame = −P (P: resultant of the forces on the link), tangent to the friction circle; M_b = P h against their couple."""
     assert isinstance(held.joint, Revolute) and isinstance(st.unknown, Moment)
     load, number, pin = resultant(st, held.link), st.mech.number(held.link), held.joint.point
     if load.is_couple:
@@ -67,12 +67,18 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     line = load.line
     across = foot(line, at)  # from the frame's line square across to the other
     couple = np.asarray((np.conj(across - at) * load.vector).imag)
+    if abs(nominal(across - at)) < NO_LENGTH:
+        _through_pin(st, load.symbols.zh)
+        return
+    if abs(nominal(across - at)) > OFF_SHEET:
+        _by_sum(st, held, at)
+        return
     named = st.unknown_named
     arm = _arm(st, at, across)
     size = _size(st, load, held, drawn)
     turn, way = TURN[1 if nominal(couple) > 0 else -1], TURN[-1 if nominal(couple) > 0 else 1]
-    st.board.remark(Words(f"两力构成{turn.zh}力偶，量得力臂 $h$；${named.symbol}$ 与之平衡，为{way.zh}：",
-                          f" The two form a {turn.en} couple, its arm $h$ is measured; ${named.symbol}$ balances it and is {way.en}:"))
+    st.board.remark(Words(f"两力构成{turn.zh}力偶，量得力臂 ${_letter(st)}$；${named.symbol}$ 与之平衡，为{way.zh}：",
+                          f" The two form a {turn.en} couple, its arm ${_letter(st)}$ is measured; ${named.symbol}$ balances it and is {way.en}:"))
     value = st.board.compute(named.symbol, size * arm, "N·m")
     _leave(st, line, at, across, st.named(FRAME, held.link).symbol)
     signed = -np.sign(couple) * value.value
@@ -83,8 +89,13 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
 
 
 def _arm(st: Statics, at: Points, across: Points) -> Quantity:
-    on_paper = st.board.measure(at, across, "h")
-    return st.board.compute("h", st.board.mu(View.MECHANISM) * on_paper, "m")
+    letter = _letter(st)
+    return st.board.compute(letter, st.board.mu(View.MECHANISM) * st.board.measure(at, across, letter), "m")
+
+
+def _letter(st: Statics) -> str:
+    """The arm: h, or h_0 in the pass without friction."""
+    return "h_0" if st.preliminary else "h"
 
 
 def _size(st: Statics, load: Resultant, held: Held, drawn: Drawn | None) -> Quantity:
@@ -114,15 +125,38 @@ def _leave(st: Statics, line: Line, at: Points, across: Points, symbol: str) -> 
 
 
 def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
-    """Only couples act: the balancing moment is their sum turned round, the pin is unloaded."""
+    """Only couples act: the balancing moment is their sum turned round, the pin is unloaded. Nothing acts: both are zero."""
+    if not nominal(load.couple):
+        nothing_acts(st, held)
+        return
     number = st.mech.number(held.link)
-    if abs(nominal(load.couple)) < 1e-12:
-        raise EquilibriumError(Words(
-            f"没有载荷传到构件 {number}，{st.unknown.name} 无可平衡；请给出作功的载荷",
-            f"no load reaches link {number}: {st.unknown.name} balances nothing; give a load that does work"))
     st.board.step(Words(f"构件 {number} 上只有力偶，${st.unknown_named.symbol}$ 与之平衡，机架反力为零。", f"Only couples act on link {number}: ${st.unknown_named.symbol}$ balances them, the frame's reaction is zero."), View.MECHANISM)
     value: Reals = -load.couple
     st.settle(FRAME, held.link, 0j, st.desk.at[held.joint.point] if isinstance(held.joint, Revolute) else 0j)
     keep_value(st, st.unknown_named, value, magnitude(st.unknown_named.symbol, np.abs(value), "N·m"))
     st.balance = value
 
+
+def _by_sum(st: Statics, held: Held, at: Points) -> None:
+    """The couples outweigh the forces so far that their one line is off the sheet: ΣM about the frame's reaction instead."""
+    named = st.unknown_named
+    st.board.remark(Words("各力与力偶合成后的作用线在图纸之外，改对机架反力的作用点列力矩平衡：", " The line of the joined forces and couples is off the sheet; the moments about the point of the frame's reaction give:"))
+    turning = moments_at(st, None if st.preliminary else View.MECHANISM, (held.link,), at)
+    size = st.board.compute(named.symbol, turning.size, "N·m")
+    keep_value(st, named, -turning.way * size.value, turning.size)
+    if not st.preliminary:
+        frame = st.push(FRAME, held.link)
+        assert frame is not None
+        ratio = size / magnitude(frame.named.symbol, np.abs(frame.vector) * st.scale.value, "N")
+        keep_value(st, Named("h", "h", "m"), ratio.value, ratio)
+    st.balance = -turning.way * size.value
+
+
+def _through_pin(st: Statics, symbol: str) -> None:
+    """The force on the link passes through its pin, as the frame's reaction does: no arm, no moment."""
+    named = st.unknown_named
+    st.board.remark(Words(f"{symbol} 与机架反力共线，力臂 ${_letter(st)}$ = 0，故 ${named.symbol}$ = 0。", f" It and the frame's reaction lie in one line, the arm ${_letter(st)}$ = 0, so ${named.symbol}$ = 0."))
+    keep_nothing(st, named)
+    if not st.preliminary:
+        keep_nothing(st, Named("h", "h", "m"))
+    st.balance = 0.0

@@ -18,11 +18,12 @@ from ...quantity import worked
 from ...vector.close import close
 from ...vector.equation import Equation, Term
 from ...words import Words
+from .acting import Acting, Drawn
 from .arms import Turning, acting_on
 from .group_body import polygon_title
 from .link_polygon import LETTERS
 from .readings import measured
-from .state import Acting, Drawn, Statics
+from .state import Statics
 
 SAME = 1e-6  # mm: shorter vectors are not drawn
 
@@ -98,6 +99,8 @@ def tangential(st: Statics, by: str, on: str, arm: tuple[str, str], turning: Tur
 
 def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners:
     """ΣF = 0 of the whole group, closed by the two outer reactions; keeps nothing yet."""
+    if _free(st, d, first, last):
+        return _nothing(st, d)
     pane = _begin(st, d, d.link_j, d.link_k)
     lead = first.found(st, LETTERS[1])
     terms = [*lead, *_forces(st, d.link_j, len(lead))]
@@ -113,6 +116,8 @@ def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners
 
 def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corners:
     """ΣF = 0 of link j alone, closed by R_kj and R_pj; then the forces of link k from J."""
+    if _free(st, d, first):
+        return _nothing(st, d)
     pane = _begin(st, d, d.link_j)
     lead = first.found(st, LETTERS[1])
     terms = [*lead, *_forces(st, d.link_j, len(lead))]
@@ -125,6 +130,8 @@ def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corne
 
 def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corners:
     """ΣF = 0 of link k alone, from J over its forces to K, closed by R_qk and R_jk; then the forces of link j, which end in J."""
+    if _free(st, d):
+        return _nothing(st, d)
     pane = _begin(st, d, d.link_k)
     terms = _forces(st, d.link_k, 0)
     vertices, x = _closed(st, pane, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
@@ -135,10 +142,25 @@ def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corner
     return Corners(pane=pane, p=(end, (LETTERS[0], 0j)), j=(LETTERS[0], 0j), k=(LETTERS[n], vertices[n]), x=(LETTERS[n + 1], x))
 
 
+def _free(st: Statics, d: Dyad, *outer: Reaction) -> bool:
+    """Whether no known force acts on the group, but couples at most."""
+    return not acting_on(st, d.link_j) and not acting_on(st, d.link_k) and not any(one.part for one in outer)
+
+
+def _nothing(st: Statics, d: Dyad) -> Corners:
+    """No polygon: two unknown forces of different directions sum to zero only where both are zero."""
+    numbers = "、".join(map(st.mech.number, (d.link_j, d.link_k)))
+    st.board.step(Words(f"构件 {numbers} 上无已知力作用（至多有力偶）；两个方向不同的未知反力之和为零，故二者皆为零。",
+                        f"No known force acts on links {numbers.replace('、', ' and ')}, but couples at most; two unknown forces of different directions sum to zero only if both are zero."))
+    pane, none = st.polygon(f"{st.mech.number(d.link_j)}-{st.mech.number(d.link_k)}", polygon_title(st, d.link_j, d.link_k)), ("—", 0j)
+    return Corners(pane=pane, p=(none, none), j=none, k=none, x=none)
+
+
 def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Drawn]:
     """R_pj, R_kj and R_qk as sides and diagonals of the polygon, named in the step."""
     names = [st.named(by, on).symbol for by, on in ((d.parent_j, d.link_j), (d.link_k, d.link_j), (d.parent_k, d.link_k))]
-    st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
+    if corners.x[0] != "—":
+        st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
     found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
     for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
         _name(st, drawn, by, on)
@@ -149,6 +171,8 @@ def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
     """Draw a reaction on the polygon and write what is measured between its letters."""
     named = st.named(by, on)
     start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))
+    if start == end:
+        return
     there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
     if abs(end - start) > SAME and not there:
         st.board.mark(drawn.place, Vector(a=start, b=end, role=Role.RESULT, label=named.symbol))

@@ -7,19 +7,19 @@ import numpy as np
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, View
 from ...board.marks import Dot, Role, Segment, Vector
-from ...errors import NoMethodError
 from ...mechanism.assur import Dyad
-from ...mechanism.model import FRAME, Prismatic
-from ...plane import Points, nominal
-from ...quantity import magnitude
+from ...mechanism.model import Prismatic
+from ...plane import Points, Reals, nominal
+from ...quantity import magnitude, number
 from ...words import Words
+from .acting import Acting, Drawn
 from .arms import Turning
 from .arrows import REACH
 from .dyad_polygon import Reaction
 from .group_body import SHORT, draw_forces, group_pane
 from .readings import measured
-from .senses import inclined, pin_words, slide_words
-from .state import Drawn, Statics
+from .senses import TURN, inclined, pin_words, slide_words
+from .state import Statics
 
 INSIDE = 14.0  # mm: drawn length of a force between the group's own links
 
@@ -27,6 +27,9 @@ INSIDE = 14.0  # mm: drawn length of a force between the group's own links
 def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
     """A pin's reaction through the centre, or touching the friction circle on the side against the relative turning."""
     vector = drawn.end - drawn.start
+    if abs(nominal(vector)) < NO_LENGTH:
+        st.settle(by, on, 0j, st.desk.at[point])
+        return
     sense = st.moment_sense(point, by, on)
     st.board.remark(pin_words(st, point, by, on))
     st.settle(by, on, vector, st.touch(point, _along(vector), sense), drawn, sense)
@@ -35,22 +38,41 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
 def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tuple[str, Turning]) -> None:
     """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it: h = Σ M / R from the point of moments.
 
-    Raises NoMethodError where a couple alone passes through the slide to a moving link.
+    Where no force is left the slide still passes on the couple −Σ M: the line has gone to infinity.
     """
     point, turning = about
     vector, pin = drawn.end - drawn.start, st.desk.at[point]
-    if abs(nominal(vector)) < NO_LENGTH and turning.way and FRAME not in (by, on):
-        raise NoMethodError(Words(
-            f"构件 {st.mech.number(by)} 与 {st.mech.number(on)} 间的移动副只传递力偶而不传递力，作用线无从画出；仍可用 vecpoly exact 求解析解",
-            f"the slide of links {st.mech.number(by)} and {st.mech.number(on)} passes on a couple and no force: no line of action can be drawn; 'vecpoly exact' still gives the analytic answers"))
+    if no_force(st, drawn):
+        couple = -np.asarray(turning.value)[()] if turning.way else 0.0
+        _say_couple(st, by, on, couple)
+        st.keep_reaction(by, on, Acting(named=st.named(by, on), vector=vector, at=pin, drawn=drawn, couple=couple))
+        return
     at = pin
-    if turning.way and abs(nominal(vector)) > NO_LENGTH:
+    if turning.way:
         at = _displaced(st, group_pane(st, d.link_j, d.link_k), by, on, point, drawn, turning)
-    elif abs(nominal(vector)) > NO_LENGTH:
+    else:
         i, j = st.mech.number(by), st.mech.number(on)
         st.board.remark(Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" $R_{{{i}{j}}}$ passes through ${point}$."))
     st.settle(by, on, vector, at, drawn)
     _leave(st, d, by, on, pin, at, vector)
+
+
+def no_force(st: Statics, drawn: Drawn) -> bool:
+    """Whether a side of the polygon is too short to be read."""
+    return abs(nominal(drawn.end - drawn.start)) < NO_LENGTH or not nominal(measured(st, drawn).value)
+
+
+def _say_couple(st: Statics, by: str, on: str, couple: Reals) -> None:
+    """The forces on both sides of the guide are equal and opposite: R = 0, at infinity, and M_R."""
+    i, j = st.mech.number(by), st.mech.number(on)
+    size = float(nominal(couple))
+    if not size:
+        st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0。", f" $R_{{{i}{j}}}$ = 0."))
+        return
+    way = TURN[1 if size > 0 else -1]
+    st.board.remark(Words(f"$R_{{{i}{j}}}$ = 0，而 $ΣM$ ≠ 0：导路两侧的压力等值、反向，合成为一力偶（作用线在无穷远处），构件 {i} 对构件 {j} 的力偶矩为 {number(abs(size))} N·m，{way.zh}。",
+                          f" $R_{{{i}{j}}}$ = 0 while $ΣM$ ≠ 0: the pressures on the two sides of the guide are equal and opposite and form a couple (a force of zero at infinity); "
+                          f"link {i} turns link {j} with {number(abs(size))} N·m, {way.en}."))
 
 
 def lean(st: Statics, d: Dyad, joint: Prismatic, by: str, on: str) -> Reaction:

@@ -29,9 +29,11 @@ from ...plane import nominal
 from ...problem.problem import Problem
 from ...words import Words
 from ..kinematics.diagram import link_alone
+from .acting import Acting
 from .arrows import REACH, Arrow, place_arrows, say_far
+from .couples import couples_on
 from .inertia import SHORT, draw_arm
-from .state import Acting, Statics
+from .state import Statics
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
@@ -119,7 +121,7 @@ def _circles(st: Statics, link: str) -> Iterator[Mark]:
 def _balance(st: Statics, link: str) -> list[Acting]:
     """The balancing force, where this link carries it."""
     load = st.unknown
-    if isinstance(load, Moment) or load.link != link:
+    if isinstance(load, Moment) or load.link != link or st.balanced or not nominal(st.balance):
         return []
     vector = st.mm(np.abs(st.balance)) * complex(np.exp(1j * load.direction)) * np.sign(nominal(st.balance))
     return [Acting(named=st.unknown_named, vector=vector, at=st.desk.at[load.point])]
@@ -154,12 +156,10 @@ def _leaning(st: Statics, joint: Prismatic | Contact, force: Acting, arrow: comp
 
 
 def _couple(st: Statics, pane: Pane, link: str) -> None:
-    """Given couples and the balancing moment as curved arrows at the link's pin."""
+    """All couples and the balancing moment as curved arrows at the link's pin."""
     pivot = next((p for p in st.mech.link(link).points if p in st.mech.frame), next(iter(st.mech.link(link).points)))
-    at = complex(nominal(st.desk.at[pivot]))
-    for i, load in enumerate(load for load in st.loads.on(link) if isinstance(load, Moment)):
-        size = load.size if load.size is not None else float(nominal(st.balance))
-        if size:
-            st.board.mark(pane, TurnArrow(at=at, radius=COUPLE + 3 * i, start=2.2, ccw=size > 0, label=load_symbol(load.name)))
-
-
+    at, free = complex(nominal(st.desk.at[pivot])), st.unknown
+    own = [(load_symbol(free.name), st.balance)] if isinstance(free, Moment) and free.link == link and not st.balanced else []
+    turning = [(symbol, size) for symbol, size in (*couples_on(st, link), *own) if nominal(size)]
+    for i, (symbol, size) in enumerate(turning):
+        st.board.mark(pane, TurnArrow(at=at, radius=COUPLE + 3 * i, start=2.2, ccw=bool(nominal(size) > 0), label=symbol))

@@ -47,8 +47,8 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     if not two.contact:
         passed = st.push(two.link, two.on)
         assert passed is not None
-        st.settle(two.link, two.on, passed.vector, st.at_joint(two.inner, line), passed.drawn, _sense(st, two.inner, two.link, two.on))
-        st.settle(two.by, two.link, passed.vector, st.at_joint(two.outer, line), passed.drawn, _sense(st, two.outer, two.by, two.link))
+        st.settle(two.link, two.on, passed.vector, st.at_joint(two.inner, line), passed.drawn, _sense(st, two.inner, two.link, two.on), computed=passed.computed)
+        st.settle(two.by, two.link, passed.vector, st.at_joint(two.outer, line), passed.drawn, _sense(st, two.outer, two.by, two.link), computed=passed.computed)
     return True
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from ...board.construction import Pane, View
+from ...board.construction import Pane, Place, View
 from ...board.marks import Block, Dot, LinkNumber, Plate, Point, Role, Segment, TurnArrow, Vector
 from ...mechanism.assur import hinges
-from ...mechanism.loads import Moment
 from ...mechanism.model import Prismatic
-from ...mechanism.quantities import load_symbol
 from ...names import At
 from ...plane import Points, cross, nominal, unit
 from ...words import Words
+from .acting import Acting
 from .arrows import REACH, place_arrows, say_far
-from .state import Acting, Statics
+from .couples import couples_on
+from .state import Statics
 
 COUPLE = 8.0  # mm, radius of a couple's arrow
 SHORT = 2.0  # mm: shorter arms carry no letter
@@ -36,7 +36,7 @@ def polygon_title(st: Statics, *links: str) -> Words:
     return Words(f"杆组 {numbers} 的力多边形", f"Force polygon of group {numbers}")
 
 
-def draw_arm(st: Statics, pane: Pane, about: Points, end: Points, force: Acting, letter: str) -> None:
+def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting, letter: str) -> None:
     """The arm from the point to the line of action, with its letter."""
     board, at = st.board, force.at
     if max(abs(nominal(end - about)), abs(nominal(end - at))) > REACH:
@@ -59,9 +59,8 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
     say_far(st, forces, spots)
     for link in links:
         pivot = complex(nominal(st.desk.at[next(iter(st.mech.link(link).points))]))
-        for load in st.loads.on(link):
-            if isinstance(load, Moment) and load.size:
-                st.board.mark(pane, TurnArrow(at=pivot, radius=COUPLE, start=2.2, ccw=load.size > 0, label=load_symbol(load.name)))
+        for turn, (symbol, size) in enumerate((symbol, size) for symbol, size in couples_on(st, link) if nominal(size)):
+            st.board.mark(pane, TurnArrow(at=pivot, radius=COUPLE + 3 * turn, start=2.2, ccw=bool(nominal(size) > 0), label=symbol))
 
 
 def _draw_link(st: Statics, pane: Pane, link: str) -> None:

@@ -18,9 +18,10 @@ from ...quantity import Quantity, magnitude, worked
 from ...words import Words
 from ..desk import POLE
 from ..kinematics.image import found_tip
+from .acting import Acting
 from .masses import masses
 from .senses import TURN
-from .state import Acting, Statics
+from .state import Statics
 
 ARROW = 16.0  # mm: half the drawn line of a displaced inertia force
 SHORT = 1.5  # mm: a shorter arm is not lettered

@@ -34,6 +34,11 @@ def power_symbol(symbol: str) -> str:
     return f"P_{{{bare(symbol)}}}"
 
 
+def slide_couple(symbol: str) -> str:
+    """M_{R23}: the couple that a slide passes on, beside a force R_{23} of zero."""
+    return f"M_{{{bare(symbol)}}}"
+
+
 def foot_letter(tip: str, symbol: str) -> str:
     """The letter of a tip's foot on the direction of a force: b_{F}, s_{2,I2}."""
     letter, _, digits = tip.partition("_")

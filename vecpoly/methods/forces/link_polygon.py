@@ -10,8 +10,9 @@ from ...plane import nominal
 from ...vector.close import close
 from ...vector.equation import Equation, Term
 from ...words import Words
+from .acting import Drawn
 from .resultant import Resultant
-from .state import Drawn, Statics
+from .state import Statics
 
 LETTERS = "abcdefghklmnqrstuvw"
 

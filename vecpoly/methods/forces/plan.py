@@ -14,7 +14,8 @@ from ...board.marks import FrictionCircle
 from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
 from ...mechanism.assur import Group, decompose, ends
 from ...mechanism.loads import Loads, Moment
-from ...mechanism.model import FRAME, Prismatic, Revolute
+from ...mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute
+from ...mechanism.quantities import load_named
 from ...plane import nominal
 from ...problem.problem import Problem
 from ...words import Words
@@ -47,6 +48,8 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     draw_given_loads(st)
     if st.loads.friction:
         desk.board.section(IDEAL)
+    if held is None:
+        held = _power_first(st)
     _walk(st, groups, held)
     read_reactions(st, desk.mech)
     check_methods(st, problem)
@@ -57,25 +60,53 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     return st
 
 
-def _order(desk: Desk, loads: Loads) -> tuple[Held, tuple[Group, ...]]:
-    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end."""
+def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:
+    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end.
+
+    No link where that one has no fixed pin (or guide, for a force), or where from it the mechanism comes apart into groups above class II
+    though from the driving link it does not: then the groups end at the driving link.
+    """
     mech, link = desk.mech, loads.unknown.link
-    joint = next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
+    joint = fixed_joint(mech, link)
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
-        raise NoMethodError(Words(
-            f"{loads.unknown.name} 作用于构件 {link}，而该构件没有{'固定铰链' if isinstance(loads.unknown, Moment) else '固定铰链或导路'}，没有在该处求平衡的图解法；请令其作用于与机架相连的构件，或用 vecpoly exact",
-            f"{loads.unknown.name} acts on link {link}, which has no fixed {'pin' if isinstance(loads.unknown, Moment) else 'pin or guide'}: no graphical method on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'"))
-    driven = replace(mech, drives=(replace(mech.drive, link=link),))
-    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(decompose(driven)))
+        return None, tuple(reversed(decompose(mech, pressing=True)))
+    own = decompose(replace(mech, drives=(replace(mech.drive, link=link),)), pressing=True)
+    by_drive = decompose(mech, pressing=True)
+    if not loads.friction and any(group.dyad is None for group in own) and all(group.dyad for group in by_drive):
+        return None, tuple(reversed(by_drive))
+    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(own))
+
+
+def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
+    """The joint of a link to the frame."""
+    return next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
+
+
+def _power_first(st: Statics) -> Held:
+    """The balancing load acts on a link that hangs on no fixed joint: by virtual power it is known before any reaction; the driving link closes.
+
+    Raises NoMethodError with friction, of which virtual power knows nothing.
+    """
+    name, link, driver = st.unknown.name, st.mech.number(st.unknown.link), st.mech.drive.link
+    joint = fixed_joint(st.mech, driver)
+    if st.loads.friction or joint is None:
+        raise NoMethodError(Words(f"{name} 作用于构件 {link}，该构件不与机架相连；计入摩擦时没有可用的图解法。请令平衡力（矩）作用于与机架相连的构件，或去掉 friction，或用 vecpoly exact",
+                                  f"{name} acts on link {link}, which is not joined to the frame: with friction no graphical method on file balances it there; let it act on a "
+                                  f"link joined to the frame, leave out the friction, or use 'vecpoly exact'"), code="no-method", numbers={"link": link})
+    find(Stage.FORCE, "virtual power").draw(st, None)
+    found, key = st.readings[f"{name}_power"], load_named(st.unknown).key
+    st.keep(replace(found, key=key, symbol=load_named(st.unknown).symbol), st.repeats[f"{name}_power"])
+    st.balance, st.balanced = st.repeats[f"{name}_power"], True
+    return Held(link=driver, parent=FRAME, joint=joint)
 
 
 def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
-    """One pass: groups, then the balancing link."""
+    """One pass: groups, then the balancing link, or the driving link where the balancing load is known already."""
     for group in groups:
         solve_group(st, group)
     kind = "crank" if isinstance(held.joint, Revolute) else "slide"
     load = "moment" if isinstance(st.unknown, Moment) else "force"
-    find(Stage.FORCE, f"{kind}, balancing {load}").draw(st, held)
+    find(Stage.FORCE, f"{kind}, balanced" if st.balanced else f"{kind}, balancing {load}").draw(st, held)
 
 
 def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Statics:

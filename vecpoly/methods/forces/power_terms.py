@@ -18,7 +18,7 @@ from ...quantity import Expr, magnitude
 from ..desk import POLE
 from ..kinematics.image import found_tip
 from .letters import foot_letter
-from .state import Statics
+from .state import STILL, Statics
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +45,7 @@ class Work:
     expr: Expr
     sign: Reals
     rate: Rate
+    inertia: bool = False  # of an inertia force or couple
 
     @property
     def value(self) -> Reals:
@@ -63,6 +64,15 @@ def works(st: Statics) -> Iterator[Work]:
         yield from _mass_works(st, mass.link, mass.centre)
 
 
+def powers(st: Statics) -> dict[str, Reals]:
+    """Power (W) of each load of given size, of the inertia of each link (force and couple together), of each weight; nothing is drawn or written."""
+    found: dict[str, Reals] = {}
+    for work in works(st):
+        key = work.named.key.replace("M_I", "F_I", 1) if work.inertia else work.named.key
+        found[key] = found.get(key, 0.0) + work.value
+    return found
+
+
 def rate_of(st: Statics, load: Load) -> Rate:
     """v of a force's point along the force, or ω of a moment's link."""
     if isinstance(load, Moment):
@@ -74,7 +84,8 @@ def rate_of(st: Statics, load: Load) -> Rate:
 def turning(st: Statics, link: str) -> Rate:
     """ω of a link."""
     value = np.asarray(st.desk.turns[omega(link)].value, dtype=float)[()]
-    return Rate(expr=magnitude(f"ω_{link}", np.abs(value), "rad/s"), sign=np.sign(value))
+    still = abs(nominal(value)) <= STILL * st.speed / st.mech.scale
+    return Rate(expr=magnitude(f"ω_{link}", np.abs(value), "rad/s"), sign=0.0 if still else np.sign(value))
 
 
 def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:
@@ -107,8 +118,8 @@ def _mass_works(st: Statics, link: str, centre: str) -> Iterator[Work]:
             continue  # a_S = 0 in this position
         rate = along_force(st, At(centre, link), unit(acting.vector), acting.named.symbol)
         size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
-        yield Work(named=acting.named, expr=size * rate.expr, sign=rate.sign, rate=rate)
+        yield Work(named=acting.named, expr=size * rate.expr, sign=rate.sign, rate=rate, inertia=acting.named.key == f"F_I{link}")
     couple = np.asarray(st.repeats.get(f"M_I{link}", 0.0), dtype=float)[()]
     if nominal(couple):
         rate, named = turning(st, link), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m")
-        yield Work(named=named, expr=magnitude(named.symbol, np.abs(couple), "N·m") * rate.expr, sign=np.sign(couple) * rate.sign, rate=rate)
+        yield Work(named=named, expr=magnitude(named.symbol, np.abs(couple), "N·m") * rate.expr, sign=np.sign(couple) * rate.sign, rate=rate, inertia=True)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Reading, View
 from ...formula import sym
+from ...mechanism.assur import hinges
 from ...mechanism.loads import GRAVITY, Force
 from ...mechanism.model import Mechanism
-from ...mechanism.quantities import pairs
+from ...mechanism.quantities import apart, pairs
+from ...mechanism.seats import seat
 from ...names import Named
-from ...plane import Reals, nominal
+from ...plane import Points, Reals, nominal
 from ...problem.problem import Problem
-from ...quantity import Expr, Product, worked
-from .state import Acting, Drawn, Statics
+from ...quantity import Expr, Product, number, worked
+from ...words import Words
+from .acting import Acting, Drawn
+from .state import Statics
 
 _SIDE = {1: "ccw", -1: "cw", 0: ""}
 
@@ -54,27 +56,53 @@ def write_sizes(st: Statics, *forces: Acting) -> None:
 
 
 def read_reactions(st: Statics, mech: Mechanism) -> None:
-    """Every reaction both ways: size off its polygon, direction by protractor, a point of its line, its tangent side."""
+    """Every reaction both ways: size off its polygon, direction by protractor, a point of its line, its tangent side.
+
+    Links at a compound hinge that only meet in the pin of a third have none.
+    """
     for a, b in pairs(mech):
-        for by, on in ((a, b), (b, a)):
-            found = st.push(by, on)
-            if found is not None:
-                _reaction(st, found)
+        action, reaction = st.push(a, b), st.push(b, a)
+        if action is not None and reaction is not None:
+            start, end, letters = _side(action)
+            _reaction(st, action, (start, end, letters))
+            _reaction(st, reaction, (end, start, " ".join(reversed(letters.split()))))
+    for a, b in apart(mech):
+        _no_reaction(st, a, b)
 
 
-def _reaction(st: Statics, force: Acting) -> None:
-    board, named, scale = st.board, force.named, st.scale
-    drawn = force.drawn
-    ends = (drawn.start, drawn.end, drawn.letters) if drawn else (0j, force.vector, "—")
-    on_paper = board.measure(*ends)
-    size = on_paper.value * scale.value
+def _side(force: Acting) -> tuple[Points, Points, str]:
+    """Start, end and letters of a force on its polygon; one that stands on none is laid off from a point."""
+    return (force.drawn.start, force.drawn.end, force.drawn.letters) if force.drawn else (0j, force.vector, "—")
+
+
+def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> None:
+    board, named, scale, (start, end, letters) = st.board, force.named, st.scale, side
+    on_paper = board.measure(start, end, letters)
+    size = on_paper.value * scale.value if force.computed is None else force.computed
     zero = abs(complex(nominal(force.vector))) < NO_LENGTH
-    vector = size * np.exp(1j * board.hand.gauge(np.angle(ends[1] - ends[0])))
+    vector = size * board.bearing(start, end)
     metres = complex(nominal(force.at)) * board.scales[View.MECHANISM].value
+    couple = float(nominal(force.couple))
     st.keep(Reading(
         key=named.key, symbol=named.symbol, unit="N", scalar=0.0 if zero else float(nominal(size)), vector=0j if zero else complex(nominal(vector)),
-        mm=float(nominal(on_paper.value)), line=ends[2], scale=scale.symbol, formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
-        acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent])), size)
+        mm=None if zero else float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
+        remark=_couple_words(named, couple) if couple else None, acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None)), size)
+
+
+def _couple_words(named: Named, couple: float) -> Words:
+    way = Words("逆时针", "counter-clockwise") if couple > 0 else Words("顺时针", "clockwise")
+    return Words(f"${named.symbol}$ = 0，移动副只传递力偶 {number(abs(couple))} N·m（{way.zh}）", f"${named.symbol}$ = 0, the slide passes on a couple alone: {number(abs(couple))} N·m, {way.en}")
+
+
+def _no_reaction(st: Statics, a: str, b: str) -> None:
+    """R_ij = 0 between links that turn on the pin of a third."""
+    point = next(point for point, names in hinges(st.mech).items() if a in names and b in names)
+    carrier = st.mech.number(seat(st.mech, point) or "")
+    for by, on in ((a, b), (b, a)):
+        named = st.named(by, on)
+        remark = Words(f"铰链 ${point}$ 的销轴属于构件 {carrier}，构件 {st.mech.number(by)}、{st.mech.number(on)} 互不接触，${named.symbol}$ = 0",
+                       f"the pin at ${point}$ belongs to link {carrier}, links {st.mech.number(by)} and {st.mech.number(on)} do not touch each other: ${named.symbol}$ = 0")
+        st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j, remark=remark), 0.0)
 
 
 def largest_load(problem: Problem) -> float:

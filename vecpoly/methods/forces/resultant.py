@@ -6,11 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...board.board import NO_LENGTH
 from ...plane import Line, Points, Reals, cross, lines_meet, nominal
 from ...words import Words
-from .state import Acting, Statics
+from .acting import Acting, summed
+from .state import Statics
 
-NEARLY = 1e-9  # sine below which two lines of action are parallel
+NEARLY = 1e-2  # sine below which the meeting point of two lines of action is of no use
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,8 +60,7 @@ def resultant(st: Statics, link: str) -> Resultant:
     moment = st.moment(link)
     total: Points = sum((f.vector for f in forces), 0j)
     if not forces or abs(nominal(total)) < 1e-9:
-        about = sum((cross(f.at, f.vector) for f in forces), 0.0)
-        return Resultant(forces=forces, vector=0j, at=0j, couple=moment + st.newton_metres(about))
+        return Resultant(forces=forces, vector=0j, at=0j, couple=summed([moment, *(st.newton_metres(cross(f.at, f.vector)) for f in forces)]))
     return Resultant(forces=forces, vector=total, at=_place(st, forces, total, moment))
 
 
@@ -75,7 +76,7 @@ def _place(st: Statics, forces: tuple[Acting, ...], total: Points, moment: Reals
 
 def _concurrent(forces: tuple[Acting, ...]) -> bool:
     """Whether all forces act at one point."""
-    return all(abs(complex(nominal(f.at - forces[0].at))) < NEARLY for f in forces)
+    return all(abs(complex(nominal(f.at - forces[0].at))) < NO_LENGTH for f in forces)
 
 
 def _on(line: Line, at: Points) -> bool:

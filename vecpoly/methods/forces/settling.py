@@ -12,13 +12,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...board.board import Board
+from ...board.board import NO_LENGTH, Board
 from ...board.hand import hand
 from ...errors import LockedError
 from ...mechanism.assur import Group
 from ...mechanism.model import Revolute
 from ...plane import Reals, dot, nominal
 from ...words import Words
+from .acting import Acting
 from .state import Statics
 
 Couples = Mapping[tuple[str, str], Reals]
@@ -86,7 +87,14 @@ def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str],
 
 
 def _same_senses(st: Statics, guide: Statics) -> bool:
-    return all(float(nominal(dot(st.acting[key].vector, guide.acting[key].vector))) >= 0 for key in st.acting if key in guide.acting)
+    """Whether every reaction has the sense that the guide foretold; of one that was zero there it foretold none."""
+    return all(_kept(guide.push(*key), found) for key, found in st.acting.items())
+
+
+def _kept(before: Acting | None, found: Acting) -> bool:
+    if before is None or abs(nominal(before.vector)) < NO_LENGTH:
+        return abs(float(nominal(np.abs(found.vector)))) < NO_LENGTH
+    return float(nominal(dot(found.vector, before.vector))) >= 0
 
 
 def _gap(before: Couples, after: Couples) -> float:

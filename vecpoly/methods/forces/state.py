@@ -6,56 +6,24 @@ under that pair and, reversed, under the opposite one: R_21 = −R_12.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ...board.board import Board
-from ...board.construction import Pane, Place, Reading, Scale, View
+from ...board.construction import Pane, Reading, Scale, View
 from ...errors import NoSlipSenseError
 from ...mechanism.loads import Force, Load, Loads, Moment
 from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
 from ...mechanism.quantities import load_named, without_friction
 from ...names import Named, omega, reaction
 from ...plane import Line, Points, Reals, foot, nominal
-from ...vector.equation import KNOWN
 from ...words import Words
 from ..desk import Desk
+from .acting import Acting, Drawn, summed
 
+OFF_SHEET = 300.0  # mm from a joint: a meeting point farther away is on no drawing board
 STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this past each other have no friction sense
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Drawn:
-    """Where a force stands on a polygon: figure, start, end, letters."""
-
-    place: Place
-    start: Points
-    end: Points
-    letters: str
-
-    def reversed(self) -> Drawn:
-        """The opposite force."""
-        first, last = self.letters.split()
-        return Drawn(place=self.place, start=self.end, end=self.start, letters=f"{last} {first}")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Acting:
-    """A force on a link: its name, its vector on the polygon, a point of its line of action; its two table entries."""
-
-    named: Named
-    vector: Points
-    at: Points
-    direction: Words = KNOWN
-    size: str = "✓"
-    drawn: Drawn | None = None
-    tangent: int = 0  # sense of its moment about a pin whose friction circle it touches
-
-    @property
-    def line(self) -> Line:
-        """The line of action, along the force."""
-        return Line(self.at, self.vector / np.abs(self.vector))
 
 
 @dataclass(slots=True)
@@ -73,6 +41,7 @@ class Statics:
     by_moments: set[tuple[str, ...]] = field(default_factory=set)  # links of groups that were solved by moments
     share: float = 1.0  # of the friction, while it is raised
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
+    balanced: bool = False  # whether it was found before the reactions
     readings: dict[str, Reading] = field(default_factory=dict)
     repeats: dict[str, Reals] = field(default_factory=dict)
 
@@ -145,17 +114,22 @@ class Statics:
             return self.acting[by, on]
         other = self.acting.get((on, by))
         drawn = other.drawn.reversed() if other is not None and other.drawn is not None else None
-        return None if other is None else Acting(named=self.named(by, on), vector=-other.vector, at=other.at, drawn=drawn, tangent=-other.tangent)
+        return None if other is None else replace(other, named=self.named(by, on), vector=-other.vector, drawn=drawn, tangent=-other.tangent, couple=-other.couple)
 
     def pushed_before(self, by: str, on: str) -> Points | None:
         """The reaction's vector in the pass that went before, if there was one."""
         found = None if self.ideal is None else self.ideal.push(by, on)
         return None if found is None else found.vector
 
-    def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0) -> Acting:
+    def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0, *,
+               computed: Reals | None = None) -> Acting:
         """Keep a reaction as found."""
-        self.acting[by, on] = Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent)
-        return self.acting[by, on]
+        return self.keep_reaction(by, on, Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent, computed=computed))
+
+    def keep_reaction(self, by: str, on: str, found: Acting) -> Acting:
+        """Keep a reaction with all that is known of it."""
+        self.acting[by, on] = found
+        return found
 
     def keep(self, reading: Reading, value: Reals) -> None:
         """Keep an answer, as it is read and by every hand."""
@@ -163,27 +137,34 @@ class Statics:
 
     def known(self, link: str) -> list[Acting]:
         """All known forces on a link: loads, inertia force, weight, reactions already found."""
-        forces = [self._load(load) for load in self.loads.on(link) if isinstance(load, Force) and load.size is not None]
-        forces += self.inertia.get(link, [])
-        for by, on in self.acting:
-            other = by if on == link else on if by == link else None
-            found = self.push(other, link) if other is not None else None
-            forces += [found] if found is not None else []
-        return forces
+        forces = [self._load(load) for load in self.sized(link) if isinstance(load, Force)]
+        return [*forces, *self.inertia.get(link, []), *self.reactions(link)]
+
+    def sized(self, link: str) -> list[Load]:
+        """The loads on a link whose size is known: given, or found already."""
+        return [load for load in self.loads.on(link) if load.size is not None or self.balanced]
+
+    def size_of(self, load: Load) -> Reals:
+        """N along the load's direction, or N·m."""
+        return self.balance if load.size is None else load.size
+
+    def reactions(self, link: str) -> list[Acting]:
+        """The reactions on a link found so far."""
+        others = [by if on == link else on for by, on in self.acting if link in (by, on)]
+        return [found for other in others if (found := self.push(other, link)) is not None]
 
     def moment(self, link: str) -> Reals:
-        """Sum of the given couples on a link and of the friction couples of its pins (N·m)."""
-        given: Reals = sum(load.size for load in self.loads.on(link) if isinstance(load, Moment) and load.size is not None)
-        given = given + self.inertia_couples.get(link, 0.0)
-        return given + sum((c for (_, on), c in self.couples.items() if on == link), 0.0)
+        """Sum of the given couples on a link, of those that slides pass on, and of the friction couples of its pins (N·m)."""
+        parts: list[Reals] = [self.size_of(load) for load in self.sized(link) if isinstance(load, Moment)]
+        parts += [self.inertia_couples.get(link, 0.0), *(f.couple for f in self.reactions(link)), *(c for (_, on), c in self.couples.items() if on == link)]
+        return summed(parts)
 
     def loaded(self, link: str) -> bool:
         """Whether anything but the two joints of a group acts on the link: then it is no two-force link."""
         return any(abs(nominal(f.vector)) > 1e-9 for f in self.known(link)) or bool(self.loads.on(link)) or bool(np.any(self.moment(link)))
 
     def _load(self, load: Force) -> Acting:
-        assert load.size is not None
-        vector = self.mm(load.size) * complex(np.exp(1j * load.direction))
+        vector = self.mm(self.size_of(load)) * complex(np.exp(1j * load.direction))
         return Acting(named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$")
 
     # -- friction ---------------------------------------------------------------------------------------------
@@ -225,8 +206,11 @@ class Statics:
         return self.desk.at[point] - 1j * along * sense * self.rho(point)
 
     def at_joint(self, joint: Joint, line: Line) -> Points:
-        """Where a line of action passes a joint: nearest to the pin, or the point that the line was laid through."""
-        return foot(line, self.desk.at[joint.point]) if isinstance(joint, Revolute) else line.at
+        """Where a line of action passes a joint: nearest to the pin, or, if that is on the sheet, the point that the line was laid through."""
+        if isinstance(joint, Revolute):
+            return foot(line, self.desk.at[joint.point])
+        away = isinstance(joint, Prismatic) and abs(complex(nominal(line.at - self.desk.at[joint.pin]))) > OFF_SHEET
+        return foot(line, self.desk.at[joint.pin]) if isinstance(joint, Prismatic) and away else line.at
 
     @property
     def speed(self) -> float:

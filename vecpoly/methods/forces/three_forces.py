@@ -13,21 +13,22 @@ from ...plane import Line, Points, cross, dot, nominal, unit
 from ...vector.equation import Term
 from ...words import Words
 from .link_polygon import draw_polygon, pane_of
-from .parallel_forces import PARALLEL, balance_parallel
+from .parallel_forces import PARALLEL, balance_parallel, off_sheet
 from .pieces import Held
 from .readings import write_sizes
 from .resultant import Resultant
 from .senses import inclined, pin_words, slide_words
-from .state import Statics
+from .state import OFF_SHEET, Statics
 
 
 def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
     """Find the reaction of `by` (on its line) and of the parent on the held link."""
     link = held.link
-    st.board.step(_taken(st, held, load, line, by), View.MECHANISM)
-    if abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL:
+    parallel = abs(float(nominal(cross(load.line.along, line.along)))) < PARALLEL
+    if parallel or (isinstance(held.joint, Revolute) and off_sheet(load, line, st.desk.at[held.joint.point])):
         balance_parallel(st, held, load, line, by)
         return
+    st.board.step(_taken(st, held, load, line, by), View.MECHANISM)
     x = st.board.meet(load.line, line, Words(
         f"构件 {st.mech.number(link)}：载荷与 R_{st.mech.number(by)}{st.mech.number(link)} 的作用线",
         f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}"))
@@ -101,7 +102,7 @@ def _lies(st: Statics, held: Held) -> Words:
 
 def _draw(st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], symbol: str) -> None:
     """The meeting point, and the lines that pass through it, on the diagram: the reaction's from the meeting point to its pin."""
-    if st.preliminary:
+    if st.preliminary or abs(complex(nominal(x - third[1]))) > OFF_SHEET:
         return
     board, (u, touch) = st.board, third
     reach = float(nominal(dot(u, touch - x)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...mechanism.model import Revolute
@@ -32,7 +33,7 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
         board.step(Words(f"构件 {number} 不受外力，为二力杆，两端反力等值、反向，沿 ${st.desk.bar(two.link, p, q)}$。",
                          f"No load acts on link {number}: it is a two-force link, and the equal and opposite forces at its pins act along ${st.desk.bar(two.link, p, q)}$."), View.MECHANISM)
         return Line(at_p, unit(at_p - at_q))
-    on = st.ideal.acting[two.link, two.on].vector  # the force it exerts: pushing away from q where compressed
+    on = _exerted(st.ideal, two)
     compressed = float(nominal(dot(on, at_p - at_q))) > 0
     board.step(_pressed(st, two, compressed, (p, q)), View.MECHANISM)
     board.remark(pin_words(st, q, two.by, two.link))
@@ -44,14 +45,20 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     return Line(line.at, -line.along)
 
 
+def _exerted(st: Statics, two: TwoForce) -> Points:
+    """The force of the link on the loaded one in a finished pass: it pushes away from the far pin where the link is compressed."""
+    found = st.push(two.link, two.on)
+    return 0j if found is None else found.vector
+
+
 def _pressed(st: Statics, two: TwoForce, compressed: bool, pins: tuple[str, str]) -> Words:
     """Whether the link is pressed or pulled, and how one knows."""
     number, bar, (p, q) = st.mech.number(two.link), st.desk.bar(two.link, *pins), pins
     first = st.without_friction
-    symbol, before = first.named(two.link, two.on).symbol, first.acting[two.link, two.on].vector
+    symbol, before = first.named(two.link, two.on).symbol, _exerted(first, two)
     state, state_en = ("压", "compression") if compressed else ("拉", "tension")
     start, end = (q, p) if compressed else (p, q)
-    if (float(nominal(dot(before, st.desk.at[p] - st.desk.at[q]))) > 0) == compressed:
+    if abs(nominal(before)) > NO_LENGTH and (float(nominal(dot(before, st.desk.at[p] - st.desk.at[q]))) > 0) == compressed:
         return Words(f"构件 {number} 不受外力，为二力杆；由不计摩擦的力多边形，${symbol}$ 由 ${start}$ 指向 ${end}$，知杆 ${bar}$ 受{state}。",
                      f"No load acts on link {number}: it is a two-force link. Without friction ${symbol}$ points from ${start}$ to ${end}$, so ${bar}$ is in {state_en}.")
     return Words(f"构件 {number} 不受外力，为二力杆；计入摩擦后试作知杆 ${bar}$ 受{state}。",

@@ -8,7 +8,7 @@ from ...formula import sym
 from ...mechanism.loads import Load
 from ...mechanism.quantities import quantities
 from ...names import Named
-from ...plane import Reals, nominal
+from ...plane import nominal
 from ...quantity import Quantity, Sum, magnitude, worked
 from ...words import Words
 from ..registry import Stage, method
@@ -18,11 +18,6 @@ from .readings import keep_nothing, keep_value
 from .state import Statics
 
 _SOURCE = "机械原理, principle of virtual power: the powers of all given forces, inertia included, sum to zero"
-
-
-def powers(st: Statics) -> dict[str, Reals]:
-    """Power (W) of each load of given size, inertia force, inertia couple and weight, by name; nothing is drawn or written."""
-    return {work.named.key: work.value for work in works(st)}
 
 
 @method(stage=Stage.FORCE, group="virtual power", source=_SOURCE, example="slider-crank-dynamic",

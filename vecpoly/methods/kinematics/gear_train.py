@@ -17,7 +17,8 @@ from ...mechanism.assur import Group, ends
 from ...mechanism.model import Revolute, Rolling
 from ...names import At, Kind, Rel
 from ...plane import cross, nominal
-from ...vector.equation import Equation
+from ...vector.close import close
+from ...vector.equation import Equation, Term
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
@@ -26,7 +27,7 @@ from .image import images_of_link, known_tips
 from .pitch import rolling_in, rolling_term
 from .rrg import imaged_wheel, seat
 from .rrr import hinge_polygon, opening, total, turn_of_link
-from .terms import symbol
+from .terms import across, known, symbol
 from .turning import angular_acceleration, angular_velocity
 
 _SOURCE = "机械原理, planetary gear trains; pure rolling: the pitch point is the relative instant centre"
@@ -98,18 +99,18 @@ def _from_two(desk: Desk, view: View, link: str) -> None:
 
 
 def _alpha_from_two(desk: Desk, link: str, one: tuple[str, At], two: tuple[str, At]) -> None:
-    """a_QP = a^n + a^t: the part of the difference across PQ is α PQ."""
+    """a_Q = a_P + a^n_QP + a^t_QP: what is across PQ in the difference of the two accelerations is α PQ."""
     (p, p_at), (q, q_at) = one, two
-    start, end = desk.tip(View.ACCELERATION, p_at), desk.tip(View.ACCELERATION, q_at)
-    along = desk.towards(p, q)
-    corner = start + along * (along.conjugate() * (end - start)).real
-    rel = Rel(Kind.AT, q_at, None if desk.at_rest(View.ACCELERATION, p_at) else p_at)
-    desk.ends[rel.key] = (View.ACCELERATION, corner, end)
-    desk.board.step(Words(f"将 ${p}$、${q}$ 两点加速度之差分解为沿 ${p}{q}$ 和垂直于 ${p}{q}$ 的分量。", f"Resolve the difference of the accelerations of ${p}$ and ${q}$ along ${p}{q}$ and across it."), View.ACCELERATION)
-    desk.board.arrow_once(View.ACCELERATION, start, corner)
-    desk.board.arrow_once(View.ACCELERATION, corner, end)
-    desk.board.plot(View.ACCELERATION, corner, f"n_{link}^′")
-    angular_acceleration(desk, link, p, q, (corner, end), f"n_{link}^′ {desk.tip_label(View.ACCELERATION, q_at)}", symbol(desk, rel))
+    view, board, rest = View.ACCELERATION, desk.board, desk.at_rest(View.ACCELERATION, p_at)
+    normal, tangential = (Rel(kind, q_at, None if rest else p_at) for kind in (Kind.AN, Kind.AT))
+    board.step(Words(f"将 ${p}$、${q}$ 两点加速度之差分解为沿 ${p}{q}$ 和垂直于 ${p}{q}$ 的分量。", f"Resolve the difference of the accelerations of ${p}$ and ${q}$ along ${p}{q}$ and across it."), view)
+    parts = (Term(rel=normal, symbol=symbol(desk, normal), direction=Words.same(f"∥$ {p}{q}$"), magnitude="?", along=desk.towards(p, q)), across(desk, tangential, p, q))
+    eq = Equation(left=(known(desk, view, q_at),), right=parts if rest else (known(desk, view, p_at), *parts))
+    board.equate(eq.table())
+    closed = close(board, view, 0j, eq)
+    desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
+    board.plot(view, closed.ends[tangential.key][0], f"n_{link}^′")
+    angular_acceleration(desk, link, p, q, closed.ends[tangential.key], f"n_{link}^′ {desk.tip_label(view, q_at)}", symbol(desk, tangential))
 
 
 Pair = tuple[str, str, str, Rolling | None, str, str]  # two links, their common point, the rolling pair there if it is one, a known point of each

@@ -126,8 +126,7 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)
-    rel = Rel(Kind.AT, desk.canonical(at), ref)
-    return (n, _laid(desk, view, rel, link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
+    return (n, _laid(desk, view, Rel(Kind.AT, desk.canonical(at), ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
 
 
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:

@@ -151,7 +151,7 @@ def _normal(joint: Rolling, link: str) -> tuple[str, str]:
 
 
 def _radius(circle: Circle) -> Quantity:
-    return magnitude("r" if circle.link == FRAME else f"r_{circle.link}", circle.radius, "m")
+    return magnitude("r" if circle.link == FRAME else f"r_{circle.link}{circle.mark}", circle.radius, "m")
 
 
 def _called(link: str) -> Words:

@@ -73,20 +73,23 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
 
 def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
-    turn, q = desk.turns[omega(link)], at.point
     rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
-    sign = symbol(desk, rel)
-    length = desk.length(about.point, q)
+    return normal_of(desk, rel, about.point, link, (desk.start_label(View.ACCELERATION, rel.ref), _n_tip(desk, link)))
+
+
+def normal_of(desk: Desk, rel: Rel, about: str, link: str, ends: tuple[str, str]) -> Term:
+    """The normal acceleration of two points of a link; ends: the letters at its tail and tip on the polygon."""
+    turn, q, sign = desk.turns[omega(link)], rel.to.point, symbol(desk, rel)
+    length = desk.length(about, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
     if not at_rest:
-        start = desk.start_label(View.ACCELERATION, rel.ref)
         laid = desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
-        desk.board.write_length(View.ACCELERATION, f"{start} {_n_tip(desk, link)}", laid)
-    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about.point}$"),
-                magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about.point),
-                mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else _n_tip(desk, link))
+        desk.board.write_length(View.ACCELERATION, " ".join(ends), laid)
+    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
+                magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
+                mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else ends[1])
 
 
 def tangential(desk: Desk, at: At, about: At, link: str) -> Term:

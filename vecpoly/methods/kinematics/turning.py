@@ -40,7 +40,7 @@ def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, 
     none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
     first, last = letters.split()
     words = (Words(f"${last}$ 与 ${first}$ 重合，故", f"${last}$ coincides with ${first}$, so") if none
-             else Words(f"量取图上长度 ${first}{last}$，求 ${name}$。", f"Measure ${first}{last}$ and find ${name}$."))
+             else Words(f"量取图上长度 ${_braced(first)}{last}$，求 ${name}$。", f"Measure ${_braced(first)}{last}$ and find ${name}$."))
     board.step(words, view)
     on_paper = board.measure(*ends, letters)
     length = desk.length(about, point)
@@ -56,3 +56,9 @@ def _sense(name: str, symbol: str, point: str, value: float) -> Words:
         return Words(f" ${name}$ = 0。", f" ${name}$ = 0.")
     way, way_en = ("逆时针 ↺", "counter-clockwise ↺") if value > 0 else ("顺时针 ↻", "clockwise ↻")
     return Words(f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。", f" Transferred to ${point}$, ${symbol}$ shows that ${name}$ is {way_en}.")
+
+
+def _braced(letter: str) -> str:
+    """A letter with its index, so that another may follow: s_{3}."""
+    base, _, index = letter.partition("_")
+    return f"{base}_{{{index}}}" if index and not index.startswith("{") and "^" not in index else letter

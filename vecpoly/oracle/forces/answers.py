@@ -14,7 +14,7 @@ from ...words import Words
 from ..state import Points, Reals, cross
 from .acting import Acting, inertia
 from .pairs import Wrench
-from .system import Balance
+from .system import ROUNDING, Balance
 
 if TYPE_CHECKING:
     from .equilibrium import Forces
@@ -43,12 +43,20 @@ def line(result: Forces, by: str, on: str) -> Points:
         return result.shaped(np.where(wrench.force == 0, complex(np.nan, np.nan), pair.at + away))
 
 
+def couple(result: Forces, by: str, on: str) -> Reals:
+    """The couple (N·m) of link `by` on link `on` where a slide passes on a couple and no force; 0 elsewhere."""
+    index, sign = _find(result, by, on)
+    wrench = Wrench(np.zeros(1, np.complex128), np.zeros(1)) if index is None else result.wet.wrench(result.system.pairs, index)
+    passed = sign * np.where(wrench.force == 0, wrench.couple, 0.0)
+    return result.shaped(np.where(np.abs(passed) <= ROUNDING * result.wet.largest * result.system.scale, 0.0, passed))
+
+
 def _value(result: Forces, key: str) -> Points | Reals:
     free = result.loads.unknown.name
     if key == free:
-        return result.wet.load
+        return _balancing(result, result.wet.load)
     if key in (f"{free}_0", f"{free}_lever"):
-        return result.dry.load
+        return _balancing(result, result.dry.load)
     if key == f"{free}_power":
         return _virtual(result)
     if key == "eta":
@@ -61,6 +69,12 @@ def _value(result: Forces, key: str) -> Points | Reals:
     if (data := given_value(result.loads, key)) is not None:
         return np.full(1, data)
     return _inertia(result, key)
+
+
+def _balancing(result: Forces, load: Reals) -> Reals:
+    """The balancing load; a moment or force that is nothing but rounding is zero."""
+    unit = 1.0 if result.system.free.force.any() else result.system.scale
+    return np.where(np.abs(load) <= ROUNDING * result.wet.largest * unit, 0.0, load)
 
 
 def _numbers(result: Forces) -> tuple[str, ...]:

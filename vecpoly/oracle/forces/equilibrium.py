@@ -19,7 +19,7 @@ from ..state import Bodies, Points, Reals
 from .acting import checked, given, sought, unit_drive
 from .pairs import pairs_of
 from .refusal import Judge
-from .system import Balance, System
+from .system import ROUNDING, Balance, System
 
 _Number = TypeVar("_Number", np.complex128, np.float64)
 
@@ -54,6 +54,11 @@ class Forces:
         from .answers import line
         return line(self, by, on)
 
+    def couple(self, by: str, on: str) -> Reals:
+        """The couple (N·m, counter-clockwise) of `by` on `on` where they slide and pass on no force; 0 elsewhere."""
+        from .answers import couple
+        return couple(self, by, on)
+
     @cached_property
     def named(self) -> dict[str, Named]:
         """The quantities that `value` knows."""
@@ -69,12 +74,19 @@ class Forces:
     @property
     def power_in(self) -> Reals:
         """Sum of the powers that drive (W)."""
-        return self.shaped(np.sum([np.maximum(power, 0.0) for power in self.powers], axis=0))
+        return self.shaped(np.sum([np.maximum(power, 0.0) for power in self._working], axis=0))
 
     @property
     def power_out(self) -> Reals:
         """Sum of the powers that resist (W), positive."""
-        return self.shaped(np.sum([np.maximum(-power, 0.0) for power in self.powers], axis=0))
+        return self.shaped(np.sum([np.maximum(-power, 0.0) for power in self._working], axis=0))
+
+    @property
+    def _working(self) -> list[Reals]:
+        """The powers, 0 where one is nothing but rounding."""
+        speeds = [np.abs(body.velocity) + np.abs(body.omega) * self.system.scale for body in self.motion.bodies.values()]
+        least = ROUNDING * self.wet.largest * np.max(np.broadcast_arrays(*speeds), axis=0)
+        return [np.where(np.abs(power) <= least, 0.0, power) for power in self.powers]
 
     @property
     def loss(self) -> Reals:

@@ -12,7 +12,7 @@ from ...words import Words
 from ..run import Run
 from ..state import Bodies, Reals
 from .causes import Cause
-from .system import Balance, System
+from .system import ROUNDING, Balance, System
 
 Flags = NDArray[np.bool_]
 STILL = 1e-9  # of the mechanism's scale of rates: below it nothing moves
@@ -90,7 +90,9 @@ class Judge:
         """LockedError where the driving loads cannot move the mechanism against its friction."""
         dry, wet = balances
         free, lever = system.free, system.free.power(rates)
-        driven = dry.load * lever < 0
+        before, after = dry.load * lever, wet.load * lever
+        before = np.where(np.abs(before) <= ROUNDING * dry.largest * _pace(system, rates), 0.0, before)
+        driven = before < 0
         if (at := self.bad(reached < 1.0, np.where(driven, Cause.LOCKED, Cause.BOUND))) is not None:
             share = float(reached[at])
             here = self.where(at)
@@ -100,7 +102,6 @@ class Judge:
             raise LockedError(Words("自锁：", "locked: ") + needs + Words(
                 f"；摩擦达到给定值的 {100 * share:.3g} % 时即卡死。请减小摩擦，或另取位置",
                 f"; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose another position"))
-        before, after = dry.load * lever, wet.load * lever
         if not inertia and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
             drives = [(act.name, float(np.broadcast_to(act.power(rates), self.run.q.shape)[at])) for act in system.known]
             names = ", ".join(name for name, power in drives if power > 0)

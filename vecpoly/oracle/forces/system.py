@@ -15,6 +15,8 @@ from .elimination import Equation, Flags, add, solved
 from .friction import sizes
 from .pairs import Pair, Wrench
 
+ROUNDING = 1e-12  # of the largest force: a smaller one, or its moment at an arm of the mechanism's size, is rounding
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Balance:
@@ -23,6 +25,7 @@ class Balance:
     units: tuple[tuple[Reals, ...], ...]  # by pair, by unit
     rubs: tuple[Reals, ...]  # pressing force that friction counts by, 0 where there is none
     load: Reals
+    largest: Reals  # the largest force at each position (N), couples over the mechanism's scale
 
     def without(self, lost: Flags) -> Balance:
         """The same, NaN at these positions."""
@@ -30,16 +33,16 @@ class Balance:
             return self
         blank = np.where(lost, np.nan, 0.0)
         return Balance(tuple(tuple(size + blank for size in units) for units in self.units),
-                       tuple(size + blank for size in self.rubs), self.load + blank)
+                       tuple(size + blank for size in self.rubs), self.load + blank, self.largest)
 
     def wrench(self, pairs: Sequence[Pair], index: int) -> Wrench:
-        """Force and couple (about the pair's point) of link a on link b."""
+        """Force and couple (about the pair's point) of link a on link b; a force that is only rounding is zero."""
         pair = pairs[index]
         parts = [(size, unit) for size, unit in zip(self.units[index], pair.units, strict=True)]
         if pair.rub is not None:
             parts.append((self.rubs[index], pair.rub))
-        return Wrench(sum((size * unit.force for size, unit in parts), np.zeros_like(self.load, np.complex128)),
-                      sum((size * unit.couple for size, unit in parts), np.zeros_like(self.load)))
+        force = sum((size * unit.force for size, unit in parts), np.zeros_like(self.load, np.complex128))
+        return Wrench(np.where(np.abs(force) <= ROUNDING * self.largest, 0.0, force), sum((size * unit.couple for size, unit in parts), np.zeros_like(self.load)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,5 +115,10 @@ class System:
         rows, rubs = iter(x[:-1]), iter(pressed)
         units = tuple(tuple(next(rows) for _ in pair.units) for pair in self.pairs)
         none = np.zeros(self.count)
-        return Balance(units, tuple(next(rubs) if pair.rubs else none for pair in self.pairs), x[-1])
+        return Balance(units, tuple(next(rubs) if pair.rubs else none for pair in self.pairs), x[-1], self._largest(x))
+
+    def _largest(self, x: Reals) -> Reals:
+        given = [size for act in self.known for size in (np.abs(act.force), np.abs(act.couple) / self.scale)]
+        largest: Reals = np.max(np.broadcast_arrays(np.zeros(self.count), *given, *np.abs(x[:-1])), axis=0)
+        return largest
 

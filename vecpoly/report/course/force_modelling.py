@@ -9,6 +9,7 @@ from ...mechanism.loads import GRAVITY, Force, Loads
 from ...mechanism.quantities import load_symbol
 from ...quantity import number
 from ...words import Words
+from ..structure import carried_pins
 from .model.equations import GroupModel, Part, Stage
 from .model.force_balance import ForceModel, LinkBalance, force_model
 from .study import Study
@@ -42,6 +43,8 @@ def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
         angles = "、".join(f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted)
         zh, en = f"{zh}{angles} 为力的方向角。", f"{en}{angles.replace('、', ', ')}: direction of the force. "
     known = ("已知 " + "，".join(given) + "；", "Given are " + ", ".join(given).replace("，", ", ") + "; ") if given else ("", "")
+    pins = carried_pins(study.mech)
+    zh, en = zh + pins.zh, en + (f"{pins.en.strip()} " if pins.en else "")
     return Words(f"{zh}{known[0]}{free} 为待求的平衡载荷。", f"{en}{known[1]}{free} is the balancing load that is sought. ")
 
 

@@ -17,7 +17,7 @@ def held_gear(scope: Scope, group: Group) -> GroupModel:
     link = group.links[0]
     joint = next(out.joint for out in group.outer if isinstance(out.joint, Rolling))
     mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
-    if not isinstance(mine, Circle) or not isinstance(other, Circle) or len(scope.mech.link(link).points) > 1:
+    if not isinstance(mine, Circle) or not isinstance(other, Circle) or len(scope.mech.link(link).points) > 1 or mine.mark or other.mark:
         raise NoMethodError(Words(
             f"没有齿轮 {link} 的解析式：它应在另一齿轮上滚动，且除中心外没有字母点",
             f"no closed form on file for gear {link}: it must roll on a gear, and carry no letter but its centre"))

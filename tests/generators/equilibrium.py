@@ -1,0 +1,225 @@
+"""A third party for forces: Newton and Euler for every free body, from the exported reactions and from positions alone.
+
+The reactions are those that `solve --json` writes under `forces`; velocities and accelerations are central differences of the
+oracle's positions. It knows neither the oracle's equations of equilibrium nor the construction. For each body ΣF − m a = 0 and
+ΣM − J α = 0; at a pin with friction the reaction touches the friction circle on the side that opposes the turning, in a slide or at a
+contact it leans by φ against the sliding; without friction the powers of all loads and inertia forces sum to zero.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import radians
+from typing import Any
+
+import numpy as np
+
+from vecpoly import oracle
+from vecpoly.errors import VecpolyError
+from vecpoly.mechanism.loads import GRAVITY, Force, Load, Loads
+from vecpoly.mechanism.model import FRAME, Mechanism, Prismatic, Revolute
+from vecpoly.solution import Solution
+
+STEP = 2e-3
+AGREE = 1e-7  # of the largest force, and of that times the mechanism's size
+STILL = 1e-6  # of the largest rate: slower pairs tell no sense
+_OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
+_FIRST, _SECOND = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / 12, np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Push:
+    """A force (N) at a point (m), with a couple (N·m)."""
+
+    force: complex = 0j
+    at: complex = 0j
+    couple: float = 0.0
+
+    def moment(self) -> float:
+        """About the origin."""
+        return (self.at.conjugate() * self.force).imag + self.couple
+
+
+@dataclass(frozen=True, slots=True)
+class Moving:
+    """Places, velocities and accelerations by central differences of five positions."""
+
+    mech: Mechanism
+    motion: Any
+    step: float
+
+    @classmethod
+    def of(cls, mech: Mechanism, step: float = STEP) -> Moving:
+        """Raises a VecpolyError near the ends of the range."""
+        step *= mech.scale if mech.drive.slide else 1.0
+        return cls(mech, oracle.solve(mech, mech.drive.position + _OFFSETS * step, order=0), step)
+
+    def path(self, link: str, local: complex) -> np.ndarray:
+        """The five places of a point of a link."""
+        if link == FRAME:
+            return np.full(5, local)
+        return np.asarray(self.motion.origin(link) + np.exp(1j * self.motion.angle(link)) * local)
+
+    def place(self, link: str, local: complex) -> complex:
+        """Now."""
+        return complex(self.path(link, local)[2])
+
+    def velocity(self, link: str, local: complex) -> complex:
+        """m/s."""
+        return self._first(self.path(link, local)) * self.mech.drive.rate
+
+    def acceleration(self, link: str, local: complex) -> complex:
+        """m/s²."""
+        path, drive = self.path(link, local), self.mech.drive
+        return complex(path @ _SECOND) / self.step**2 * drive.rate**2 + self._first(path) * drive.accel
+
+    def omega(self, link: str) -> float:
+        """rad/s."""
+        return 0.0 if link == FRAME else self._first(self._angles(link)).real * self.mech.drive.rate
+
+    def alpha(self, link: str) -> float:
+        """rad/s²."""
+        angles, drive = self._angles(link), self.mech.drive
+        return (complex(angles @ _SECOND) / self.step**2).real * drive.rate**2 + self._first(angles).real * drive.accel
+
+    def local(self, link: str, place: complex) -> complex:
+        """The point of a link that is here now."""
+        if link == FRAME:
+            return place
+        return complex((place - self.motion.origin(link)[2]) * np.exp(-1j * self.motion.angle(link)[2]))
+
+    def _angles(self, link: str) -> np.ndarray:
+        return np.unwrap(self.motion.angle(link))
+
+    def _first(self, path: np.ndarray) -> complex:
+        return complex(path @ _FIRST) / self.step
+
+
+def in_equilibrium(solution: Solution) -> str:
+    """What is wrong with the exported forces, "" where nothing is."""
+    problem = solution.problem
+    mech, loads = problem.mechanism, problem.loads
+    assert loads is not None
+    try:
+        moving, coarse = Moving.of(mech), Moving.of(mech, 2 * STEP)
+    except VecpolyError:
+        return ""  # too near the end of the range for five positions
+    forces = solution.as_json()["forces"]
+    ways = ["", "_0"] if loads.friction else [""]
+    slack = _slack(moving, coarse, loads)
+    found = (wrong for way in ways for wrong in (*_bodies(moving, loads, forces, way, slack), *_laws(moving, loads, forces, way)))
+    return next(found, "") or ("" if loads.friction else _power((moving, coarse), loads, forces, slack))
+
+
+def _slack(fine: Moving, coarse: Moving, loads: Loads) -> float:
+    """How far inertia forces (N) may be off, since differences are differences."""
+    off = 0.0
+    for mass in loads.masses if loads.inertia else ():
+        at = fine.mech.link(mass.link).points[mass.centre]
+        off += mass.mass * abs(fine.acceleration(mass.link, at) - coarse.acceleration(mass.link, at))
+        off += mass.inertia * abs(fine.alpha(mass.link) - coarse.alpha(mass.link)) / fine.mech.scale
+    return 4 * off
+
+
+def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slack: float) -> Iterator[str]:
+    """Bodies that are in no equilibrium."""
+    mech = moving.mech
+    pushes = {name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)] for name in mech.bodies}
+    largest = max((abs(p.force) for ps in pushes.values() for p in ps), default=0.0)
+    largest = max([largest, *(abs(p.couple) / mech.scale for ps in pushes.values() for p in ps)])
+    for name, ps in pushes.items():
+        force, moment = sum(p.force for p in ps), sum(p.moment() for p in ps)
+        far = max([mech.scale, *(abs(p.at) for p in ps if p.force)])
+        if not abs(force) <= AGREE * largest + slack:
+            yield f"link {name}{way}: the forces sum to {force:.6g} N"
+        if not abs(moment) <= (AGREE * largest + slack) * far:
+            yield f"link {name}{way}: the moments sum to {moment:.6g} N·m"
+
+
+def _reactions(mech: Mechanism, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
+    for other in (*mech.bodies, FRAME):
+        found = forces.get(f"R_{mech.number(other)}{mech.number(name)}{way}")
+        if found is not None and "point" in found:
+            yield Push(force=_vector(found), at=complex(*found["point"]), couple=found.get("couple") or 0.0)
+
+
+def _vector(found: dict[str, Any]) -> complex:
+    return 0j if found["direction_deg"] is None else cmath.rect(found["drawn"], radians(found["direction_deg"]))
+
+
+def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
+    """Loads, weight, inertia of one body."""
+    points = moving.mech.link(name).points
+    for load in loads.on(name):
+        yield _load(moving, load, forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size)
+    mass = loads.mass(name)
+    if mass is not None:
+        at = moving.place(name, points[mass.centre])
+        pull = -moving.acceleration(name, points[mass.centre]) if loads.inertia else 0j
+        yield Push(force=mass.mass * (pull - (1j * GRAVITY if loads.weight else 0j)), at=at,
+                   couple=-mass.inertia * moving.alpha(name) if loads.inertia and mass.inertia else 0.0)
+
+
+def _load(moving: Moving, load: Load, size: float) -> Push:
+    if isinstance(load, Force):
+        return Push(force=cmath.rect(size, load.direction), at=moving.place(load.link, moving.mech.link(load.link).points[load.point]))
+    return Push(couple=size)
+
+
+def _laws(moving: Moving, loads: Loads, forces: dict[str, Any], way: str) -> Iterator[str]:
+    """Pins whose reaction does not touch its friction circle as it should, slides in which it does not lean as it should."""
+    mech = moving.mech
+    for joint in mech.joints:
+        if isinstance(joint, Revolute) and not {joint.a, joint.b} & mech.substitutes:
+            rho = 0.0 if way else loads.friction.pins.get(joint.point, 0.0)
+            yield from _pin(moving, forces, joint, rho, way)
+        elif isinstance(joint, Prismatic) and not {joint.guide, joint.block} & mech.substitutes:
+            phi = 0.0 if way else loads.friction.slides.get((joint.block, joint.guide), 0.0)
+            yield from _slide(moving, forces, joint, phi, way)
+
+
+def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, way: str) -> Iterator[str]:
+    mech = moving.mech
+    key = f"R_{mech.number(joint.a)}{mech.number(joint.b)}{way}"
+    found = forces.get(key)
+    if found is None or not found["drawn"]:
+        return
+    centre = moving.place(joint.a, mech.link(joint.a).points[joint.point])
+    arm = ((complex(*found["point"]) - centre).conjugate() * _vector(found)).imag / found["drawn"]
+    rate = moving.omega(joint.b) - moving.omega(joint.a)
+    if not abs(arm + rho * np.sign(rate)) <= 1e-6 * mech.scale:
+        yield f"{key} passes {1e3 * arm:.6g} mm from {joint.point}, ρ = {1e3 * rho:g} mm, ω = {rate:.3g} rad/s"
+
+
+def _slide(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
+    mech = moving.mech
+    key = f"R_{mech.number(joint.guide)}{mech.number(joint.block)}{way}"
+    found = forces.get(key)
+    if found is None or found["direction_deg"] is None or found["drawn"] < 1e-9 * max(abs(one["drawn"]) for one in forces.values() if one["unit"] == "N"):
+        return
+    turn = 1.0 if joint.guide == FRAME else cmath.rect(1.0, float(moving.motion.angle(joint.guide)[2]))
+    along = turn * cmath.rect(1.0, joint.direction)
+    pin = mech.link(joint.block).points[joint.pin]
+    place = moving.place(joint.block, pin)
+    slip = ((moving.velocity(joint.block, pin) - moving.velocity(joint.guide, moving.local(joint.guide, place))) / along).real
+    force = _vector(found) / along
+    if not abs(force.real + np.tan(phi) * abs(force.imag) * np.sign(slip)) <= 1e-6 * abs(force):
+        yield f"{key} leans by {np.degrees(np.arctan2(force.real, abs(force.imag))):.6g}°, φ = {np.degrees(phi):g}°, slip {slip:.3g} m/s"
+
+
+def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], slack: float) -> str:
+    """Σ P = 0 of all that acts from outside."""
+    (moving, coarse), parts, largest = both, [], 0.0
+    mech = moving.mech
+    for name in mech.bodies:
+        for push in _given(moving, loads, forces, name, ""):
+            largest = max(largest, abs(push.force), abs(push.couple) / mech.scale)
+            parts.append((push.force.conjugate() * moving.velocity(name, moving.local(name, push.at))).real if push.force else 0.0)
+            parts.append(push.couple * moving.omega(name))
+    points = [(name, at) for name in mech.bodies for at in mech.link(name).points.values()]
+    speed, off = max(abs(moving.velocity(*one)) for one in points), max(abs(moving.velocity(*one) - coarse.velocity(*one)) for one in points)
+    if not abs(sum(parts)) <= ((AGREE * largest + slack) * speed + 4 * largest * off) * len(parts):
+        return f"the powers sum to {sum(parts):.6g} W"
+    return ""

@@ -1,0 +1,39 @@
+"""Ruler and protractor: a segment is read once, from whichever end, and that reading is used wherever the segment is meant again."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..plane import Points, Reals
+from ..plane.geometry import dot
+from .hand import Hand
+
+Ends = frozenset[bytes]  # the two ends of a segment, by every hand
+
+
+class Ruler:
+    """The readings of one sheet."""
+
+    def __init__(self, hand: Hand) -> None:
+        self._hand = hand
+        self._lengths: dict[Ends, Reals] = {}
+        self._bearings: dict[Ends, Points] = {}
+
+    def length(self, a: Points, b: Points) -> Reals:
+        """|b − a| as read (mm)."""
+        segment = _ends(a, b)
+        if segment not in self._lengths:
+            self._lengths[segment] = self._hand.read(np.abs(b - a))
+        return self._lengths[segment]
+
+    def bearing(self, a: Points, b: Points) -> Points:
+        """The direction from a to b as read, a unit vector."""
+        segment = _ends(a, b)
+        if segment not in self._bearings:
+            self._bearings[segment] = np.exp(1j * self._hand.gauge(np.angle(b - a)))
+        read: Points = self._bearings[segment] * np.where(dot(self._bearings[segment], b - a) < 0, -1, 1)
+        return read
+
+
+def _ends(a: Points, b: Points) -> Ends:
+    return frozenset(np.asarray(end + 0j, dtype=np.complex128).tobytes() for end in (a, b))

@@ -1,0 +1,29 @@
+"""Letters under which points of several links lie on each other: they are told apart by the numbers of the links."""
+
+from __future__ import annotations
+
+from ..mechanism.assur import Group
+from ..mechanism.model import FRAME, Mechanism, Prismatic, Revolute
+from .kinematics.class_iii.star import letters_on_legs
+
+
+def coincident_letters(mech: Mechanism, groups: tuple[Group, ...]) -> dict[str, str]:
+    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant first.
+
+    P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
+    """
+    letters = {"P": next(li.name for li in mech.links if "P" in li.points)} if any("P" in li.points for li in mech.links) else {}
+    for d in (group.dyad for group in groups if group.dyad is not None):
+        if isinstance(d.inner, Prismatic):
+            pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
+            pin = d.outer_j if d.kind == "RPP" else pins[d.inner.block]
+            letters |= {pin.point: d.link_j if d.kind == "RPP" else d.inner.block} if isinstance(pin, Revolute) else {}
+        elif isinstance(d.inner, Revolute):
+            moving = [link for joint, link, parent in ((d.outer_j, d.link_j, d.parent_j), (d.outer_k, d.link_k, d.parent_k))
+                      if isinstance(joint, Prismatic) and parent != FRAME]
+            if moving:
+                letters[d.inner.point] = moving[0]
+    for group in groups:
+        letters |= letters_on_legs(group)
+    unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
+    return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}

@@ -1,0 +1,22 @@
+"""The couples that act on a link, by their symbols: given ones, inertia couples, those that slides pass on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...mechanism.loads import Moment
+from ...mechanism.quantities import load_named
+from ...plane import Reals
+from .letters import slide_couple
+from .state import Statics
+
+
+def couples_on(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
+    """Symbol and size (N·m, counter-clockwise positive) of the known couples; friction couples of pins are no couples of their own."""
+    for load in st.sized(link):
+        if isinstance(load, Moment):
+            yield load_named(load).symbol, st.size_of(load)
+    if link in st.inertia_couples:
+        yield f"M_{{I{link}}}", st.inertia_couples[link]
+    for force in st.reactions(link):
+        yield slide_couple(force.named.symbol), force.couple

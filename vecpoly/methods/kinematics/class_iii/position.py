@@ -1,0 +1,129 @@
+"""A class III group located by trial (试凑法): the central link is turned, held by two legs, until the third fits too."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from ....board.construction import View
+from ....board.marks import Role, Segment
+from ....errors import AssemblyError
+from ....mechanism.assur import Group
+from ....mechanism.branch import margin
+from ....mechanism.model import Statement
+from ....plane import Points
+from ....words import Words
+from ...desk import Desk
+from ...registry import Stage, method
+from ..assembly import HAIR, said
+from .assemblies import Assembly, assemblies, bare, places, settled, trial
+from .loci import Ring, locus_of, meet, orientation, put
+from .star import Axial, Hinged, Slotted, Star, star_of
+from .words import led_words, trial_words
+
+SHOWN = np.linspace(-0.2, 0.2, 9)  # rad from the orientation found: trials that are drawn
+NAMED = 6  # assemblies told in a refusal
+
+
+@method(
+    stage=Stage.POSITION,
+    group="class III",
+    source="机械原理, class III groups by trial",
+    example="class-iii",
+    title=Words("Ⅲ级杆组的位置（试凑法）", "Position of a class III group, by trial"),
+)
+def position_class_iii(desk: Desk, group: Group) -> None:
+    """The central link is turned, held by two legs, until it fits the third as well."""
+    star = star_of(group)
+    found, deciding = _chosen(desk, star, assemblies(desk, star))
+    desk.board.step(led_words(star, found.legs) if star.parallel else trial_words(star, found.legs), View.MECHANISM)
+    desk.board.remark(said(deciding))
+    u = orientation(desk, star, star.parallel) if star.parallel else np.exp(1j * settled(desk, star, found))
+    if not star.parallel:
+        _draw_trials(desk, star, found)
+    u = desk.board.hand.tilt(u if np.ndim(u) else complex(u))
+    put(desk, star, _laid(desk, star, found, u), u)
+    for leg in found.legs:
+        _draw_locus(desk, star, leg)
+
+
+def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, Statement | None]:
+    """The assembly that branch statements and guesses mean; raises AssemblyError where they mean none, or several."""
+    if not options:
+        raise AssemblyError(
+            Words(
+                f"构件 {star.links} 不能装配：无论中心构件 {star.plate} 取什么方位，三个支链都不能同时满足（或恰在死点位置）；"
+                "请检查各杆长和导路，或改换原动件的位置。",
+                f"links {star.links} cannot be joined: in no orientation does link {star.plate} fit all three legs, or they "
+                "stand just at a dead point; check the lengths and guides, or move the input",
+            ),
+            code="no-assembly",
+        )
+    after = [places(desk, star, option) for option in options]
+    new = set(after[0]) - set(desk.at)
+    told = [s for s in desk.mech.branches if set(s.letters) <= set(after[0]) and set(s.letters) & new]
+    hair = HAIR * desk.mm(desk.mech.scale)
+    fits = [k for k, at in enumerate(after) if all(margin(s, at) > hair for s in told)]
+    guessed = {p: at * desk.mm(1.0) for p, at in desk.mech.guesses.items() if p in new}
+    if not fits or (len(fits) > 1 and not guessed):
+        raise AssemblyError(
+            _which(desk, star, [after[k] for k in fits] or after, bool(fits)),
+            code="which-assembly",
+            numbers={"assemblies": len(fits) or len(options)},
+        )
+    best = min(fits, key=lambda k: sum(abs(after[k][p] - at) for p, at in guessed.items()))
+    deciding = next((s for s in told if any(margin(s, at) <= hair for at in after)), None)
+    return options[best], deciding
+
+
+def _which(desk: Desk, star: Star, after: list[dict[str, complex]], fits: bool) -> Words:
+    """The assemblies there are, by the places of the central link's points."""
+    letters = list(desk.body(star.plate).points)[:2]
+    mm = 1e3 / desk.mm(1.0)
+    told = "; ".join(
+        "{" + ", ".join(f"{p}: [{at[p].real * mm:.4g} mm, {at[p].imag * mm:.4g} mm]" for p in letters) + "}"
+        for at in after[:NAMED]
+    )
+    if not fits:
+        return Words(
+            f"构件 {star.links} 的 {len(after)} 种装配都不符合 branch 的要求；可能的装配（guesses）：{told}",
+            f"links {star.links}: none of their {len(after)} assemblies fulfils the branch statements; "
+            f"the assemblies are, as guesses: {told}",
+        )
+    return Words(
+        f"构件 {star.links} 有 {len(after)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
+        f"links {star.links} can be joined in {len(after)} ways; say which by `branch`, or by `guesses:`, "
+        f"one of these (roughly): {told}",
+    )
+
+
+def _laid(desk: Desk, star: Star, found: Assembly, u: Points) -> Points:
+    """The origin of the central link: two loci drawn by hand, met on the side that was found."""
+    loci = [locus_of(desk, star, leg, u) for leg in found.legs[:2]]
+    one, two = (
+        Ring(locus.centre, desk.board.hand.carry(locus.radius)) if isinstance(locus, Ring) else locus
+        for locus in loci
+    )
+    return meet(one, two)[0 if found.first else 1]
+
+
+def _draw_locus(desk: Desk, star: Star, leg: Axial) -> None:
+    """The arc of a bar about its pin; a guide is drawn with its slider."""
+    if isinstance(leg, Hinged):
+        held = desk.body(leg.link).points
+        desk.board.swing(
+            View.MECHANISM, desk.at[leg.outer], desk.mm(abs(held[leg.inner] - held[leg.outer])), desk.at[leg.inner]
+        )
+
+
+def _draw_trials(desk: Desk, star: Star, found: Assembly) -> None:
+    """The path of the point by which the third leg is tried, through some trials."""
+    leg = found.legs[2]
+    if isinstance(leg, Slotted):
+        return
+    theta = found.theta + SHOWN
+    local = desk.body(star.plate).points[leg.inner]
+    path = trial(bare(desk), star, found.legs, found.first, theta) + np.exp(1j * theta) * desk.mm(1.0) * local
+    seen = [complex(at) for at in np.asarray(path) if np.isfinite(at)]
+    desk.board.mark(View.MECHANISM, *(Segment(a=p, b=q, role=Role.CONSTRUCTION) for p, q in pairwise(seen)))
