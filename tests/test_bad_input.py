@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from vecpoly.errors import MobilityError, NotAskedError, ProblemFileError, UnknownNameError, VecpolyError
+from vecpoly.limits import FILE as LIMIT
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load, loads
-from vecpoly.problem.source import LIMIT
 
 GOOD = """\
 id: t

@@ -226,7 +226,7 @@ def test_a_refusal_to_solve_names_the_problem(run: Run, tmp_path: Path) -> None:
     for words in (("solve",), ("draw",), ("report", "-o", "x.pdf")):
         result = run(words[0], "loose.yaml", *words[1:])
         assert result.exit_code == 2 and re.fullmatch(r"vecpoly: loose: .*\n", result.stderr)
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["loose.yaml"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["loose.yaml", "vecpoly.schema.json"]
 
 
 def test_one_problem_that_fails_does_not_stop_the_others(run: Run, tmp_path: Path) -> None:

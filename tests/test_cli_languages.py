@@ -115,3 +115,27 @@ def test_the_shell_is_given_completions() -> None:
     done = subprocess.run([sys.executable, "-m", "vecpoly"], capture_output=True, text=True, check=False, timeout=60, env={
         **os.environ, "_VECPOLY_COMPLETE": "complete_bash", "COMP_WORDS": "vecpoly play 3-1", "COMP_CWORD": "2"})
     assert "3-12" in done.stdout.split() and "3-9" not in done.stdout.split()
+
+
+def test_json_has_no_rounding_noise_and_one_west(run: Run) -> None:
+    for command in ("solve", "exact"):
+        data = json.loads(run(command, "3-5", "3-12", "--json", "-").stdout)
+        floats = re.findall(r"-?\d+\.\d+(?:e-?\d+)?", json.dumps(data))
+        assert len(floats) > 20 and max(len(one.partition("e")[0].strip("-0.").replace(".", "")) for one in floats) <= 12
+        assert "-180.0" not in floats
+
+
+def test_west_is_180_degrees_however_it_was_rounded() -> None:
+    from vecpoly.answer import bearing
+
+    assert bearing(complex(-1, -1e-17)) == bearing(complex(-1, 1e-17)) == bearing(-1 + 0j) == 180.0
+    assert bearing(complex(-1, -1e-3)) < -179
+
+
+def test_characters_that_no_face_has_are_named_before_they_are_printed(run: Run) -> None:
+    from vecpoly import load
+
+    Path("rare.yaml").write_text(load("3-12").text.replace("id: 3-12", "id: rare").replace("曲柄滑块机构", "曲柄㛃块机构"), encoding="utf-8")
+    result = run("report", "rare.yaml", "3-12", "--style", "question", "--lang", "zh")
+    assert result.exit_code == 0 and "rare：字体中没有“㛃”，将印作 [U+36C3]" in result.stderr and result.stderr.count("字体") == 1
+    assert "no face has '㛃'" in run("draw", "rare.yaml", "--figure", "velocity", "-o", "v.svg").stderr

@@ -76,3 +76,18 @@ def test_a_refusal_led_by_the_name_of_a_problem_keeps_its_code_and_numbers() -> 
 def test_an_error_without_a_code_is_called_after_its_class() -> None:
     assert vecpoly.errors.DeadPointError(Words("死点", "dead")).code == "dead-point"
     assert vecpoly.errors.NoSlipSenseError(Words("无", "none")).code == "no-slip-sense"
+
+
+@pytest.mark.parametrize(("old", "new", "code"), [
+    ("AB: 40 mm", "AB: 40", "no-unit"), ("AB: 40 mm", "AB: 40 kg", "wrong-unit"), ("AB: 40 mm", "AB: 40 mmm", "unknown-unit"), ("AB: 40 mm", "AB: -40 mm", "out-of-range"),
+    ("frame:", "fram:", "unknown-key"), ("title: t\n", "", "missing"), ("[v_C]", "[v_X]", "unknown-name"), ("[v_C]", "[ω²]", "unknown-symbol"),
+    ("title: t\n", "title: t\ntitle: u\n", "duplicate-key"), ("[v_C]", "[v_C", "yaml"), ("[v_C]", "[v_C；a_C]", "full-width"), ("C above AD", "C upon AD", "spelling"),
+    ("omega: 1 rad/s ccw", "omega: 1 rad/s ccw, s: 3 mm", "contradiction"), ("3: {CD: 80 mm}", "3: {CD: 80 mm}\n  4: {AD: 120 mm}", "frame-as-link"),
+])
+def test_each_kind_of_fault_has_its_code(old: str, new: str, code: str) -> None:
+    text = ("id: a\ntitle: t\nframe: {A: [0 mm, 0 mm], D: [120 mm, 0 mm]}\nlinks:\n  1: {AB: 40 mm}\n  2: {BC: 100 mm}\n  3: {CD: 80 mm}\n"
+            "input: {link: 1, phi: 60 deg, omega: 1 rad/s ccw}\nbranch: [C above AD]\nfind: [v_C]\n")
+    assert old in text and loads(text).id == "a"
+    with pytest.raises(ProblemFileError) as caught:
+        loads(text.replace(old, new))
+    assert caught.value.code == code and code in {fault.code for fault in caught.value.faults}

@@ -81,7 +81,7 @@ class Answer:
         """Direction of the drawn vector in degrees from +x; None for ω, α and for a vector that vanishes."""
         if self.drawn_vector is None or self.drawn_vector == 0:
             return None
-        return degrees(cmath.phase(self.drawn_vector))
+        return bearing(self.drawn_vector)
 
     @property
     def sense(self) -> str | None:
@@ -103,7 +103,7 @@ class Answer:
             data["at_infinity"] = True
         elif self.drawn_vector is not None:
             exact = self.exact_vector or 0j
-            towards = degrees(cmath.phase(exact)) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
+            towards = bearing(exact) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
             data |= {"direction_deg": self.direction, "exact_direction_deg": towards} | line_of("", self.reading.acts) | line_of("exact_", self.exact_acts)
         elif self.turns:
             data["sense"] = self.sense
@@ -112,6 +112,12 @@ class Answer:
         if self.digits < PLENTY:
             data["exact_digits"] = self.digits
         return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None, "suspect": self.suspect is not None}
+
+
+def bearing(vector: complex) -> float:
+    """The direction of a vector in degrees, above −180 and up to 180: west is 180 however it was rounded."""
+    turn = degrees(cmath.phase(vector))
+    return 180.0 if turn < -180 + 1e-9 else turn
 
 
 def place_of(at: complex) -> list[float]:

@@ -6,6 +6,7 @@ English. `str(error)` is the English text; `error.words.of("zh")` the Chinese on
 
 from __future__ import annotations
 
+import errno
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -75,6 +76,19 @@ class Fault:
         }  # fmt: skip
 
 
+_SYSTEM = {
+    errno.ENOENT: "没有此文件或文件夹", errno.EACCES: "没有权限", errno.EPERM: "没有权限", errno.EEXIST: "已存在，不会覆盖；请换一个名称",
+    errno.EISDIR: "是文件夹；请给出其中的文件名", errno.ENOTDIR: "是文件而不是文件夹；请另选位置", errno.ENOSPC: "磁盘已满",
+    errno.EROFS: "是只读的", errno.ENAMETOOLONG: "名称过长", errno.EIO: "读写错误", errno.EMFILE: "打开的文件过多",
+}  # fmt: skip
+
+
+def of_system(error: OSError) -> Words:
+    """What the operating system refuses, in both languages."""
+    en = error.strerror or str(error) or type(error).__name__
+    return Words(_SYSTEM.get(error.errno or 0, en), en)
+
+
 def dotted(path: Path) -> str:
     """A path as people write it: links.2.F, joints[0]."""
     text = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
@@ -102,6 +116,11 @@ class VecpolyError(Exception):
         """The same refusal with these words in front: the problem, or the file, that it is about."""
         faults = tuple(fault if fault.place else replace(fault, said=words + fault.said) for fault in self.faults)
         return type(self)(words + self.words, code=self.code, numbers=self.numbers, faults=faults)
+
+    def at(self, place: Place, *path: str | int) -> Self:
+        """The same refusal, at a place of a file."""
+        fault = Fault(said=self.words, code=self.code, place=place, path=path, numbers=self.numbers)
+        return type(self)(fault.words, code=self.code, numbers=self.numbers, faults=(fault,))
 
     @classmethod
     def of(cls, *faults: Fault) -> Self:
@@ -149,6 +168,14 @@ class NotAskedError(VecpolyError, LookupError):
 
 class TableError(VecpolyError, ValueError):
     """A printed table that cannot be read: file, line, column, cause, remedy."""
+
+
+class ArgumentError(VecpolyError, ValueError):
+    """An argument that no function of ours takes: what it is, and what it may be."""
+
+
+class ReportTemplateError(VecpolyError, ValueError):
+    """A report template that cannot be filled: file, line, cause."""
 
 
 class FaultError(ValueError):

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import degrees, inf, isfinite, isnan, nan
+from functools import partial
+from math import inf, isfinite, isnan, nan
 from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
 
-from .answer import YES_NO, Answer, line_of
+from .answer import YES_NO, Answer, bearing, line_of
+from .arguments import of_kind
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
+from .board.sizes import unfit
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.exact import ActsAt, Exact
+from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .devices.base import Device
 from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
+from .frozen import FrozenMap
 from .methods.centres.compare import comparable
 from .methods.devices.plan import construct_device
 from .methods.drawn import Drawn
@@ -37,14 +41,14 @@ _TURNING = ("rad/s", "rad/s^2", "N·m")  # units whose sign is a sense of turnin
 
 
 def plain(data: Any) -> Any:
-    """The data with null for what is not finite: JSON knows neither NaN nor infinity."""
+    """The data for JSON: null for what is not finite, and twelve digits, behind which a float holds only its own rounding."""
     match data:
         case dict():
             return {key: plain(value) for key, value in data.items()}
         case list():
             return [plain(value) for value in data]
-        case float() if not isfinite(data):
-            return None
+        case float():
+            return float(f"{data:.12g}") + 0.0 if isfinite(data) else None  # + 0.0: no −0
     return data
 
 
@@ -52,7 +56,7 @@ def _drawn(reading: Reading) -> dict[str, Any]:
     """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
     data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
     if reading.vector is not None:
-        data["direction_deg"] = degrees(cmath.phase(reading.vector)) if reading.vector else None
+        data["direction_deg"] = bearing(reading.vector) if reading.vector else None
     return data | line_of("", reading.acts)
 
 
@@ -63,6 +67,10 @@ class Solution:
     problem: Problem
     construction: Construction
     answers: Mapping[str, Answer]
+    warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant, in the file and of the scales
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "answers", FrozenMap(self.answers))
 
     @property
     def suspect(self) -> bool:
@@ -73,6 +81,8 @@ class Solution:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""
         data: dict[str, Any] = {"id": self.problem.id, "hand": self.construction.hand,
                                 "suspect": self.suspect, "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+        if self.warnings:
+            data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
         forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
@@ -87,7 +97,7 @@ class Solution:
         from .drawing.sheet import sheets
         from .drawing.svg import to_svg
 
-        return to_svg(sheets(self.construction)[0].scene, self.problem.title.zh)
+        return to_svg(sheets(self.construction, way=self.problem.orientation)[0].scene, self.problem.title.zh)
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True) -> Solution:
@@ -96,6 +106,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     precise: also find how many digits the exact values keep; else that is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
+    of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     truth = Exact(problem)
     values = truth.values  # first: its refusals know the range of the input that does assemble
     size = sizes(problem, values)
@@ -114,8 +125,15 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
         return solve(problem, by=by, seed=seed, repeats=repeats)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
-    said = warning(wrong)
-    return Solution(problem, replace(drawn.construction, readings=readings, warning=said), answers)
+    told = (*problem.warnings, *idle(problem), *unfit(drawn.construction.figures, _given(problem)))
+    return Solution(problem, replace(drawn.construction, readings=readings, warning=warning(wrong)), answers, told)
+
+
+def _given(problem: Problem) -> tuple[View, ...]:
+    """The kinds of figure whose scale the problem gives."""
+    scales = problem.scales
+    values = {View.MECHANISM: scales.mu_l, View.VELOCITY: scales.mu_v, View.ACCELERATION: scales.mu_a, View.FORCE: scales.mu_f}
+    return tuple(view for view, value in values.items() if value is not None)
 
 
 def fewer_digits(solution: Solution) -> Words | None:
@@ -135,7 +153,7 @@ def _constructed(problem: Problem, by: Hand) -> Drawn:
     if problem.loads is not None:
         return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View})
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), fits_sheet)
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"))
 
 
 def _expected(scalars: Any) -> float:

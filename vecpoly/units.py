@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import Any
 
 from .errors import FaultError
+from .limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH, POWER
 from .words import Words
 
 _DEFINITIONS = (
@@ -103,15 +104,10 @@ class Quantity:
     text: str
 
 
-MOST, LEAST = 1e20, 1e-20  # of any number; of any quantity in SI
-MOST_ANGLE = 1e6  # rad
-_NUMBER = re.compile(
-    r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
-)
+_GREATEST = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
+_NUMBER = re.compile(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
 _SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
-_SPELLING = str.maketrans(
-    {"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"}
-)
+_SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
 
 
 def read(text: object, dim: Dim) -> Quantity:
@@ -121,7 +117,7 @@ def read(text: object, dim: Dim) -> Quantity:
     bare, sign = _split_sense(text, dim)
     m = _NUMBER.fullmatch(bare)
     if m is None:
-        raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim)
+        raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim, "spelling")
     number, unit = float(m[1].replace("−", "-")), m[2].translate(_SPELLING).replace("^", "**")
     if not math.isfinite(number):
         raise _refused(Words(f"“{text}”不是有限的数", f"'{text}' is not a finite number"), dim)
@@ -144,7 +140,7 @@ def read(text: object, dim: Dim) -> Quantity:
 
 def _sensible(si: float, text: str, dim: Dim) -> float:
     """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
-    if abs(si) > (MOST_ANGLE if dim is Dim.ANGLE else MOST):
+    if abs(si) > _GREATEST.get(dim, MOST):
         raise FaultError(Words(
             f"“{text}”作为{dim.label.zh}过大；请检查数值和单位，如写 {dim.example}",
             f"'{text}' is too large for {dim.label.en}; check number and unit, and write e.g. {dim.example}"), code="out-of-range")
@@ -154,9 +150,7 @@ def _sensible(si: float, text: str, dim: Dim) -> float:
 def _times(number: float, factor: float) -> float:
     """The product; a division where that is exact, so that 350 mm is 0.35 m to the last digit."""
     inverse = 1 / factor
-    return (
-        number / round(inverse) if inverse > 1 and abs(inverse - round(inverse)) < 1e-9 else number * factor
-    )
+    return number / round(inverse) if inverse > 1 and abs(inverse - round(inverse)) < 1e-9 else number * factor
 
 
 def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
@@ -165,7 +159,7 @@ def positive(text: object, dim: Dim = Dim.LENGTH) -> Quantity:
     if quantity.si <= 0:
         raise FaultError(Words(
             f"“{quantity.text}”应大于零；如写 {dim.example}",
-            f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}"))
+            f"'{quantity.text}' must be greater than zero; write e.g. {dim.example}"), code="out-of-range")
     return quantity
 
 
@@ -176,11 +170,11 @@ def pure(text: object, example: str) -> float:
     except ValueError:
         raise FaultError(Words(
             f"“{text}”不是纯数；如写 {example}",
-            f"'{text}' is no pure number; write e.g. {example}")) from None
+            f"'{text}' is no pure number; write e.g. {example}"), code="spelling") from None
     if not abs(number) <= MOST:
         raise FaultError(Words(
             f"“{text}”不是有限的数；如写 {example}",
-            f"'{text}' is not a finite number; write e.g. {example}"))
+            f"'{text}' is not a finite number; write e.g. {example}"), code="out-of-range")
     return number
 
 
@@ -192,12 +186,22 @@ def unit_of(unit: str) -> tuple[float, str]:
 
 def unit_by_pint(unit: str) -> tuple[float, str]:
     """The same from pint, for spellings not known by heart."""
+    _no_great_power(unit)
     try:
         quantity = _registry().Quantity(1.0, unit).to_base_units()
+        if not 1 / MOST <= quantity.magnitude <= MOST:
+            raise OverflowError(unit)
     except Exception:  # pint raises many kinds, all of them meaning that the unit cannot be read
         raise FaultError(Words(f"单位“{unit}”不可识别", f"unit '{unit}' is unknown") + _near(unit), code="unknown-unit") from None
     powers = sorted((name.strip("[]"), power) for name, power in quantity.dimensionality.items())
     return float(quantity.magnitude), " ".join(f"{name} {power:g}" for name, power in powers)
+
+
+def _no_great_power(unit: str) -> None:
+    """Raise FaultError for m^999: no unit of mechanics has such a power, and reckoning with it takes for ever."""
+    for power in re.findall(r"\d+", unit):
+        if len(power) > 4 or (int(power) > POWER and "**" in unit):
+            raise FaultError(Words(f"单位“{unit}”的幂次过高", f"unit '{unit}' has too great a power"), code="unknown-unit")
 
 
 def _near(unit: str) -> Words:
@@ -230,7 +234,7 @@ def _split_sense(text: str, dim: Dim) -> tuple[str, float]:
     if bare.lstrip().startswith(("-", "−")):
         raise FaultError(Words(
             f"“{text}”既有负号又有转向；请去掉其一",
-            f"'{text}' has both a minus sign and a sense of rotation; leave out one of them"))
+            f"'{text}' has both a minus sign and a sense of rotation; leave out one of them"), code="contradiction")
     return bare, -1.0 if (m[1] or m[2]).lower() in ("cw", "clockwise", "顺时针") else 1.0
 
 

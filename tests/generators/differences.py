@@ -18,7 +18,7 @@ from vecpoly.solution import Solution
 
 from .nearby import natural
 
-STEP = 2e-3  # of the drive: rad, or metres over the size of the mechanism
+STEPS = (2e-3, 2e-4, 2e-5)  # of the drive: rad, or metres over the size of the mechanism; the finer ones near the ends of its range
 AGREE = 1e-6  # of the largest rate of the kind
 ROUNDED = 1e-14  # of a position: fifty times its last digit
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
@@ -27,13 +27,22 @@ _SECOND = np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
 
 def against_differences(mech: Mechanism, solution: Solution) -> str:
-    """The first velocity, acceleration, ω or α of the answers that the differences contradict; "" where none does."""
+    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step; "" where none does."""
+    wrong = ""
+    for step in STEPS:
+        wrong = _contradicted(mech, solution, step)
+        if not wrong:
+            return ""
+    return wrong
+
+
+def _contradicted(mech: Mechanism, solution: Solution, step: float) -> str:
     try:
-        coarse, fine = (_positions(mech, step) for step in (STEP, STEP / 2))
+        coarse, fine = (_positions(mech, one) for one in (step, step / 2))
     except VecpolyError:
         return ""  # too near the end of the range for five positions
     asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None and _stays(mech, rel)]
-    found = {key: (_rate(mech, coarse, rel, STEP), _rate(mech, fine, rel, STEP / 2)) for key, rel in asked}
+    found = {key: (_rate(mech, coarse, rel, step), _rate(mech, fine, rel, step / 2)) for key, rel in asked}
     floor = natural(mech)
     size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
     size[Kind.ALPHA] = max(size[Kind.ALPHA], size[Kind.OMEGA] ** 2)  # where all turns evenly
@@ -41,7 +50,7 @@ def against_differences(mech: Mechanism, solution: Solution) -> str:
         answer = solution.answers[key]
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
         rough, good = found[key]
-        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough) + _rounding(mech, fine, rel):
+        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough) + _rounding(mech, fine, rel, step / 2):
             return f"{key} exact {exact}, by central differences {good}"
     return ""
 
@@ -76,10 +85,10 @@ def _rate(mech: Mechanism, motion: Motion, rel: Rel, step: float) -> complex:
     return complex(path @ _SECOND) / step**2 * drive.rate**2 + first * drive.accel
 
 
-def _rounding(mech: Mechanism, motion: Motion, rel: Rel) -> float:
+def _rounding(mech: Mechanism, motion: Motion, rel: Rel, step: float) -> float:
     """What the last digits of the five positions make of the differences."""
     order = 1 if rel.kind in (Kind.V, Kind.OMEGA) else 2
-    step = STEP / 2 * (mech.scale if mech.drive.slide else 1.0)
+    step *= mech.scale if mech.drive.slide else 1.0
     return float(ROUNDED * np.abs(_path(mech, motion, rel)).max() * abs(mech.drive.rate / step) ** order)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from ..formula import Node
+from ..frozen import FrozenMap
 from ..words import Words
 from .marks import Mark
 
@@ -136,6 +137,10 @@ class Construction:
     readings: Mapping[str, Reading]
     forces: Mapping[str, Reading] = field(default_factory=dict)  # everything that a force analysis found, asked for or not
     warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
+
+    def __post_init__(self) -> None:
+        for name in ("readings", "forces"):
+            object.__setattr__(self, name, FrozenMap(getattr(self, name)))
 
     def figure(self, place: Place) -> Figure | None:
         """The figure at this place (the first of a view), if drawn."""

@@ -14,7 +14,9 @@ from typing import Literal
 
 import numpy as np
 
+from ..arguments import whole_number
 from ..errors import UnknownNameError
+from ..limits import REPEATS, SEED
 from ..plane import Points, Reals
 from ..words import Words
 
@@ -107,5 +109,7 @@ def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
         raise UnknownNameError(Words(
             f"没有名为“{name}”的作图手法；可用 exact、drafting、pencil",
             f"no hand is called '{name}'; there are exact, drafting and pencil"))
+    whole_number("repeats", repeats, 0, REPEATS)
+    whole_number("seed", seed, 0, SEED)
     first, others = _SKILLS[name]
     return Hand(name, first, others, repeats, np.random.Generator(np.random.PCG64(seed)))

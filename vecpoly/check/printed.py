@@ -8,6 +8,7 @@ from functools import cache
 from statistics import median
 
 from .. import oracle
+from ..arguments import of_kind
 from ..devices.base import Device
 from ..errors import UnknownNameError
 from ..mechanism.loads import Loads
@@ -18,6 +19,7 @@ from ..oracle.forces import Forces, forces
 from ..problem.problem import Printed, Problem
 from ..words import Words
 from .centres import CentralTruth
+from .direction import with_directions
 from .follow import follow
 from .possible import BestFit, best_fit
 from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
@@ -37,6 +39,7 @@ class PrintedCheck:
 
 def check_problem(problem: Problem) -> PrintedCheck:
     """Check every printed answer of the problem against the oracle."""
+    of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     checked: list[Checked] = []
     skipped: list[Printed] = []
     truth = _truth(problem)
@@ -48,6 +51,7 @@ def check_problem(problem: Problem) -> PrintedCheck:
             checked.append(check_printed(printed, exact))
     if problem.loads:
         checked = follow(checked, problem.loads, _by_key(problem, truth))
+    checked = with_directions(problem, checked)
     whole, fit = _together(problem, checked)
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
 

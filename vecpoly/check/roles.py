@@ -42,5 +42,8 @@ def _rate(load: Load, motion: Motion) -> float:
     """What one newton, or one newton metre, of the load gives (m/s, rad/s)."""
     if isinstance(load, Force):
         speed = complex(motion.velocity(At(load.point, load.link)))
+        if load.against:
+            ray = complex(motion.position(load.point)) - complex(motion.position(load.foot))
+            return ((speed - complex(motion.velocity(At(load.foot, load.against)))) * (ray / abs(ray)).conjugate()).real
         return (speed * rect(1.0, -load.direction)).real
     return float(motion.omega(load.link))

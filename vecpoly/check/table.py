@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arguments import of_kind
 from ..devices.base import Device
 from ..errors import TableError
 from ..problem.problem import Problem
@@ -76,6 +77,8 @@ def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] |
 
     Raises TableError where the table cannot be read or has nothing to do with the mechanism.
     """
+    of_kind(path, (str, Path), Words("文件名", "the name of a file"))
+    of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     if isinstance(problem.subject, Device):
         raise TableError(Words(
             f"{problem.id} 是机械装置题，不是作运动的机构，没有整周数据表",

@@ -11,6 +11,7 @@ from typing import Any
 
 from ..errors import Place, TableError
 from ..words import Words
+from .table_file import counted, read_table, rows_of_workbook
 
 FEWEST = 5  # rows below which nothing can be told
 _NUMBER = re.compile(r"[+\-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?")
@@ -76,7 +77,7 @@ def read_sheet(path: Path) -> Sheet:
 
     Raises TableError where the file cannot be read, is ragged, has no header or too few rows.
     """
-    lines = [(n, cells) for n, cells in _lines(path) if any(cells)]
+    lines = [(n, cells) for n, cells in counted(_lines(path), path) if any(cells)]
     while len(lines) > 1 and sum(map(bool, lines[0][1])) == 1 < sum(map(bool, lines[1][1])):
         lines.pop(0)  # a title
     if not lines:
@@ -106,7 +107,7 @@ def read_sheet(path: Path) -> Sheet:
 
 def _title(path: Path) -> Words:
     """A first line '# 表 1-A / Table 1-A' of a text file; else the file's name."""
-    first = b"" if path.suffix.lower() in (".xlsx", ".xlsm") else path.read_bytes().partition(b"\n")[0]
+    first = b"" if path.suffix.lower() in (".xlsx", ".xlsm") else read_table(path).partition(b"\n")[0]
     if not first.startswith((b"#", b"\xef\xbb\xbf#")):
         return Words.same(path.name)
     zh, _, en = _decoded(first, path.name).lstrip("#").strip().partition(" / ")
@@ -115,16 +116,12 @@ def _title(path: Path) -> Words:
 
 def _lines(path: Path) -> Lines:
     if path.suffix.lower() in (".xlsx", ".xlsm"):
-        return _of_workbook(path)
+        return ((n, [_cell(cell) for cell in row]) for n, row in rows_of_workbook(path))
     return _of_text(path)
 
 
 def _of_text(path: Path) -> Lines:
-    try:
-        raw = path.read_bytes()
-    except OSError as error:
-        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
-    text = _decoded(raw, path.name)
+    text = _decoded(read_table(path), path.name)
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
     first = max((line for _, line in rows[:3]), key=lambda line: max(map(line.count, _MARKS)), default="")
     mark = max(_MARKS, key=first.count)
@@ -133,8 +130,19 @@ def _of_text(path: Path) -> Lines:
         return ((n, [_cell(cell) for cell in apart.split(line.strip())]) for n, line in rows)
     if mark == "，":
         rows, mark = [(n, line.replace("，", ",")) for n, line in rows], ","
+    return _separated(rows, mark, path)
+
+
+def _separated(rows: list[tuple[int, str]], mark: str, path: Path) -> Lines:
+    """The cells between these marks; quotes may hold marks and new lines."""
     cells = csv.reader((line for _, line in rows), delimiter=mark)
-    return ((rows[min(cells.line_num, len(rows)) - 1][0], [_cell(cell) for cell in row]) for row in cells)
+    try:
+        for row in cells:
+            yield rows[min(cells.line_num, len(rows)) - 1][0], [_cell(cell) for cell in row]
+    except csv.Error as error:
+        line = rows[min(cells.line_num, len(rows)) - 1][0]
+        raise TableError(Words(f"{path.name}，第 {line} 行：无法读取（{error}）；是否有未闭合的引号？",
+                               f"{path.name}, line {line}: it cannot be read ({error}); is there a quote that nothing closes?")) from None
 
 
 def _decoded(raw: bytes, name: str) -> str:
@@ -158,25 +166,6 @@ def _pointed(lines: list[tuple[int, list[str]]]) -> list[tuple[int, list[str]]]:
     if any("." in cell and is_number(cell) for cell in cells) or not any(_COMMA.fullmatch(cell) for cell in cells):
         return lines
     return [(n, [cell.replace(",", ".") if _COMMA.fullmatch(cell) else cell for cell in row]) for n, row in lines]
-
-
-def _of_workbook(path: Path) -> Lines:
-    try:
-        from openpyxl import load_workbook
-    except ImportError:
-        raise TableError(Words(
-            f"{path.name}：读取 XLSX 文件需要 openpyxl（pip install openpyxl）；或将工作表另存为 CSV",
-            f"{path.name}: to read XLSX files install openpyxl (pip install openpyxl), or save the sheet as CSV")) from None
-    try:
-        book = load_workbook(path, read_only=True, data_only=True)
-    except OSError as error:
-        raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
-    except Exception as error:  # a broken archive fails in many ways
-        raise TableError(Words(
-            f"{path.name} 不是可读的 XLSX 文件（{error}）",
-            f"{path.name} is no readable XLSX file ({error})")) from None
-    rows = book.worksheets[0].iter_rows(values_only=True)
-    return ((n, [_cell(cell) for cell in row]) for n, row in enumerate(rows, 1))
 
 
 def _cell(value: Any) -> str:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
 from .. import oracle
 from ..errors import VecpolyError
+from ..frozen import FrozenMap
 from ..mechanism.model import Mechanism
 from ..oracle import Motion
 from ..oracle.run import wrapped
@@ -58,4 +58,4 @@ def truth_of(mech: Mechanism, positions: Reals, targets: Sequence[Target]) -> Tr
             if target.is_angle:
                 change = wrapped(change)
             sums[target.key] += np.nan_to_num(np.abs(change)) / STEP
-    return Truth(mech, positions, motion, known, MappingProxyType(sums))
+    return Truth(mech, positions, motion, known, FrozenMap(sums))

@@ -13,9 +13,9 @@ from ..words import Words
 from .check_table import check_table_of, columns_said
 from .completion import ids
 from .errors import DISAGREES, Tally, about
-from .files import write_json
+from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import ColumnsOption, JsonOption, Lang, LangOption, TableOption
+from .options import JSON, ColumnsOption, JsonOption, Lang, LangOption, OutsideOption, TableOption
 from .terminal import add, progress, show, table
 from .wording import bare, beside, number, percent, symbol, unit
 
@@ -37,7 +37,7 @@ Claimed = Annotated[
 ]
 
 
-def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en") -> None:
+def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption = None, json: JsonOption = None, lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Check printed answers, or a printed table, against exact values.
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies
@@ -48,7 +48,8 @@ def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption
     """
     said = columns_said(columns)
     tally = Tally()
-    found = _found(names, tally)
+    found = _found(names, tally, allow_outside)
+    spared(json, JSON, found, [table_file] if table_file else [])
     if table_file is not None:
         tally.settle()
         check_table_of(found, table_file, said, json, lang)
@@ -57,10 +58,10 @@ def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption
     from ..check.verdict import Verdict
 
     checked: list[tuple[Problem, PrintedCheck]] = []
-    for problem in progress(found, "checking"):
+    for problem in progress(found, Words("核对", "checking")):
         with tally.job(), about(problem.id):
             checked.append((problem, check_problem(problem)))
-    if json != "-":
+    if json != STDOUT:
         for problem, result in checked:
             _print(problem, result, lang)
     if json is not None and checked:
@@ -71,11 +72,11 @@ def check(names: Claimed, table_file: TableOption = None, columns: ColumnsOption
         raise typer.Exit(DISAGREES)
 
 
-def _found(names: list[str], tally: Tally) -> list[Problem]:
+def _found(names: list[str], tally: Tally, outside: bool) -> list[Problem]:
     """The problems named; printed answers beside one of them stand in place of its own."""
     claims = [name for name in names if "=" in name and not Path(name).exists()]
     if not claims:
-        return problems(names, tally)
+        return problems(names, tally, outside)
     from ..problem.claimed import load_claimed
 
     rest = [name for name in names if name not in claims]
@@ -84,7 +85,7 @@ def _found(names: list[str], tally: Tally) -> list[Problem]:
             f"{'、'.join(claims)} 是哪道题的答案？题目与答案同写时只写一道题，这里有 {len(rest)} 道",
             f"of which problem is {', '.join(claims)} the answer? name one problem beside answers; here are {len(rest)}"))
     with tally.job():
-        return [load_claimed(rest[0], claims)]
+        return [load_claimed(rest[0], claims, allow_outside=outside)]
     tally.settle()
     return []
 

@@ -5,6 +5,7 @@ Exit code 0: every column agrees; 1: one is wrong, or wrong in certain rows; 2: 
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from math import isfinite
 from pathlib import Path
@@ -13,11 +14,12 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from ..errors import TableError
+from ..limits import LONG_READ
 from ..words import Words
 from .errors import DISAGREES, about
-from .files import write_json
+from .files import STDOUT, write_json
 from .options import Lang
-from .terminal import add, show, table
+from .terminal import add, say, show, table
 from .wording import bare
 
 if TYPE_CHECKING:
@@ -44,7 +46,7 @@ def columns_said(texts: Sequence[str] | None) -> dict[str, str]:
     return said
 
 
-def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, str], json: str | None, lang: Lang) -> None:
+def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, str], json: Path | None, lang: Lang) -> None:
     """Compare the table with one problem; exit code 1 where a column is wrong."""
     from ..check.table import check_table
 
@@ -52,9 +54,11 @@ def check_table_of(problems: Sequence[Problem], path: Path, said: Mapping[str, s
         raise TableError(Words(
             f"一张表只与一道题比较；这里给出 {len(problems)} 道：{', '.join(one.id for one in problems)}",
             f"a table is compared with one problem; {len(problems)} are named: {', '.join(one.id for one in problems)}"))
+    if path.is_file() and path.stat().st_size > LONG_READ and sys.stderr.isatty():
+        say(Words(f"正在读取并核对 {path.name}（{path.stat().st_size / 1e6:.1f} MB）……", f"reading and checking {path.name} ({path.stat().st_size / 1e6:.1f} MB) ...").of(lang))
     with about(problems[0].id):
         checked = check_table(problems[0], path, said)
-    if json != "-":
+    if json != STDOUT:
         _print(problems[0], checked, lang)
     if json is not None:
         write_json(as_json(checked), json)

@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import NotAskedError, UnknownNameError, VecpolyError
+from ..errors import NotAskedError, VecpolyError
+from ..limits import POSITIONS
 from ..words import Words
 from .completion import ids
 from .errors import Tally, about
-from .files import write_bytes
+from .files import STDOUT, put, spared
 from .jobs import each, problems
-from .options import Lang, LangOption
-from .terminal import add, show, table, wrote
+from .options import Lang, LangOption, OutsideOption, place
+from .terminal import add, show, table, warn
 from .wording import bare, number, unit
 
 if TYPE_CHECKING:
@@ -27,27 +28,23 @@ if TYPE_CHECKING:
     from ..words import Words
 
 TABLES, PLOTS = (".csv", ".xlsx"), (".svg", ".pdf", ".png")
-STDOUT = Path("-")
-MOST = 2_000_001  # positions
 _COLUMNS = {
     "zh": ("量", "单位", "最大", "位置", "最小", "位置"), "en": ("symbol", "unit", "greatest", "at", "least", "at"),
 }
 
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as A-27, or a file.", show_default=False, autocompletion=ids)]
-Count = Annotated[int, typer.Option("-n", min=2, max=MOST, help="Number of positions, both ends included.")]
+Count = Annotated[int, typer.Option("-n", min=2, max=POSITIONS, help="Number of positions, both ends included.")]
 Step = Annotated[float | None, typer.Option("--step", min=1e-6, max=1e6, help="Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).", show_default=False)]
-Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
-PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", help="Draw curves: .svg, .pdf or .png.", show_default=False)]
+Out = Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", parser=place, help="Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.", show_default=False)]
+PlotOption = Annotated[Path | None, typer.Option("--plot", metavar="FILE", parser=place, help="Draw curves: .svg, .pdf or .png.", show_default=False)]
 Of = Annotated[str, typer.Option("--of", metavar="KEYS", help="Quantities, such as omega_5,alpha_5,a_F,M_1; phi_5, s_45, gamma_23, v_F.x too.", show_default=False)]
 Path_ = Annotated[str, typer.Option("--path", metavar="LETTERS", help="With --plot: the paths of these points, F or E,F.", show_default=False)]
 Hodograph = Annotated[str, typer.Option("--hodograph", metavar="KEY", help="With --plot: the hodograph of a vector, a_F.", show_default=False)]
 
 
 def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot: PlotOption = None, of: Of = "",
-          path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en") -> None:
+          path: Path_ = "", hodograph: Hodograph = "", lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
-    _checked(output, TABLES)
-    _checked(plot, PLOTS)
     if path and hodograph:
         raise NotAskedError(Words(
             "--path 与 --hodograph 是两种图；请只取其一",
@@ -57,12 +54,15 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
             "--path 与 --hodograph 用于绘图；请用 --plot 文件 指明输出",
             "--path and --hodograph are drawings: say where to with --plot FILE"))
     tally = Tally()
-    found = problems([name], tally)
+    found = problems([name], tally, allow_outside)
+    spared(output, TABLES, found)
+    spared(plot, PLOTS, found)
     from ..cycle import cycle as whole
 
     keys = tuple(part.strip() for part in of.split(",") if part.strip())
     for problem in found:
         with tally.job(), about(problem.id):
+            warn(problem.id, problem.warnings, lang)
             turn = whole(problem, n) if step is None else whole(problem, over=_multiples(whole(problem, 2), step))
             for key in keys:
                 turn.info(key)
@@ -77,8 +77,8 @@ def cycle(name: Id, n: Count = 361, step: Step = None, output: Out = None, plot:
 
 
 def _plot(drawn: Plot, path: Path) -> None:
-    data = {".svg": lambda: drawn.svg().encode(), ".pdf": drawn.pdf, ".png": drawn.png}[path.suffix.lower()]()
-    wrote(write_bytes(path, data))
+    kinds = {".pdf": drawn.pdf, ".png": drawn.png}
+    put(path, kinds.get(path.suffix.lower(), lambda: drawn.svg().encode())())
 
 
 def _weigh(problem: Problem, lang: Lang, tally: Tally) -> None:
@@ -89,22 +89,15 @@ def _weigh(problem: Problem, lang: Lang, tally: Tally) -> None:
         tally.weigh(problem.id, solve(problem, by="exact", repeats=0).construction.warning, lang)
 
 
-def _checked(path: Path | None, endings: tuple[str, ...]) -> None:
-    if path is not None and path.suffix.lower() not in endings and not (path == STDOUT and endings is TABLES):
-        raise UnknownNameError(Words(
-            f"{path}：可写的格式为 {', '.join(endings)}；请使用其中一种扩展名",
-            f"{path}: can be {', '.join(endings)}; end the file's name with one of these"))
-
-
 def _multiples(turn: Cycle, step: float) -> list[float]:
     """The drive's positions (rad or m) at the whole multiples of a step within its range: 0°, 7°, 14° ... 357°."""
     factor = turn.drive.factor
     first, last = ceil(turn.low * factor / step - 1e-9), floor(turn.high * factor / step + 1e-9)
     count = last - first + 1
-    if count > MOST:
+    if count > POSITIONS:
         raise NotAskedError(Words(
-            f"步长 {step:g} 产生 {count} 个位置；至多 {MOST} 个",
-            f"a step of {step:g} makes {count} positions; at most {MOST} are possible"))
+            f"步长 {step:g} 产生 {count} 个位置；至多 {POSITIONS} 个",
+            f"a step of {step:g} makes {count} positions; at most {POSITIONS} are possible"))
     if count < 2:
         low, high = turn.low * factor, turn.high * factor
         raise NotAskedError(Words(
@@ -114,11 +107,7 @@ def _multiples(turn: Cycle, step: float) -> list[float]:
 
 
 def _write(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> None:
-    data = _encoded(turn, keys, output, lang)
-    if output == STDOUT:
-        typer.echo(data.decode(), nl=False)
-    else:
-        wrote(write_bytes(output, data))
+    put(output, _encoded(turn, keys, output, lang))
 
 
 def _encoded(turn: Cycle, keys: tuple[str, ...], output: Path, lang: Lang) -> bytes:

@@ -7,16 +7,18 @@ from typing import Annotated
 
 import typer
 
+from ..words import Words
+from .files import put
 from .jobs import job
-from .options import Lang
+from .options import Lang, place
 from .play import play
-from .report import draw, report, write
-from .terminal import progress, wrote
+from .report import document, draw, report
+from .terminal import progress
 
 ASSIGNMENTS = ("assignment-ch2", "assignment-ch3", "assignment-ch4", "assignment-ch5")
 COURSE, PLAYED = "A-27", "3-9"
 LANGS: tuple[Lang, ...] = ("zh", "en")
-Folder = Annotated[Path, typer.Option("-o", "--output", help="The folder to write to.")]
+Folder = Annotated[Path, typer.Option("-o", "--output", parser=place, help="The folder to write to.")]
 
 
 def demo(output: Folder = Path("out")) -> None:
@@ -25,9 +27,9 @@ def demo(output: Folder = Path("out")) -> None:
 
     for name in ASSIGNMENTS:
         sheet = job(str(data_dir("problems") / f"{name}.yaml"))
-        solutions = draw(progress(sheet.problems, f"drawing {name}"), "drafting", 0)
+        solutions = draw(progress(sheet.problems, Words(f"作图 {name}", f"drawing {name}")), "drafting", 0)
         for lang in LANGS:
-            wrote(write(sheet, solutions, output / f'{name}.{lang}.pdf', lang, 'solution'))
+            put(output / f"{name}.{lang}.pdf", document(sheet, solutions, lang, "solution"))
     for lang in LANGS:
         report([COURSE], output / f"course-{COURSE}.{lang}.pdf", lang, "course")
     play(PLAYED, output / f"play-{PLAYED}.html")

@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import UnknownNameError
+from ..errors import UnknownNameError, VecpolyError
 from ..words import Words
 from .completion import ids
 from .errors import Tally, about
-from .files import write_bytes
+from .files import STDOUT, put, spared
 from .jobs import each, problems
-from .options import HandOption, Lang, LangOption, OutOption, SeedOption
-from .terminal import wrote
+from .letters import warn_of_letters
+from .options import HandOption, Lang, LangOption, OutOption, OutsideOption, SeedOption
+from .terminal import warn
 
 if TYPE_CHECKING:
     from ..board.construction import Construction, Place
@@ -37,25 +38,25 @@ def draw(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     dpi: Dpi = 150.0,
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG or PDF.
 
     1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
-    if path.suffix.lower() not in FORMATS:
-        raise UnknownNameError(Words(
-            f"{path}：可绘的格式为 {', '.join(FORMATS)}；请使用其中一种扩展名",
-            f"{path}: draws {', '.join(FORMATS)}; end the file's name with one of these"))
     tally = Tally()
-    found = problems([name], tally)
+    found = problems([name], tally, allow_outside)
+    spared(path, FORMATS, found)
     from ..solution import solve
 
     for problem in found:
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
+            warn_of_letters([problem], lang)
             for target, data in encoded(scenes(solution, figure, lang), each(path, problem.id, len(found)), dpi):
-                wrote(write_bytes(target, data))
+                put(target, data)
+            warn(problem.id, solution.warnings, lang)
             tally.weigh(problem.id, solution.construction.warning, lang)
     tally.settle()
 
@@ -65,7 +66,7 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     if figure == SHEET:
         from ..drawing.sheet import sheets
 
-        return tuple(page.scene for page in sheets(solution.construction, lang=lang, title=solution.problem.title))
+        return tuple(page.scene for page in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation))
     from ..drawing.figure import draw_figure
     from ..drawing.scene import Scene
 
@@ -74,8 +75,8 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     if drawn is None:
         there = ", ".join([*named(solution.construction), SHEET])
         raise UnknownNameError(Words(
-            f"{solution.problem.id} 没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
-            f"{solution.problem.id} has no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
+            f"没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
+            f"there is no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
 
@@ -101,12 +102,15 @@ def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path
         from ..drawing.pdf import to_pdf
 
         return [(path, to_pdf(*pages))]
+    if path == STDOUT and len(pages) > 1:
+        raise VecpolyError(Words(f"共 {len(pages)} 页，标准输出只容一页；请用 -o 文件.pdf，或用 --figure 取一图",
+                                 f"there are {len(pages)} pages, and standard output takes one; write -o FILE.pdf, or ask for one with --figure"), code="pages")
     names = [path, *(path.with_name(f"{path.stem}-{n}{path.suffix}") for n in range(2, len(pages) + 1))]
     return [(target, _picture(page, path.suffix.lower(), dpi)) for target, page in zip(names, pages, strict=True)]
 
 
 def _picture(page: Scene, ending: str, dpi: float) -> bytes:
-    if ending == ".svg":
+    if ending not in (".png",):
         from ..drawing.svg import to_svg
 
         return to_svg(page).encode()

@@ -5,7 +5,6 @@ What was drawn and is contradicted by the analysis is told in red, with an exit 
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import sys
@@ -17,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from ..errors import Fault, VecpolyError
+from ..errors import Fault, VecpolyError, of_system
 from ..words import Words
 from .tongue import told_in, tongue
 from .usage import UsageError, in_chinese
@@ -29,11 +28,6 @@ if TYPE_CHECKING:
 DISAGREES, REFUSED, SUSPECT, INTERRUPTED = 1, 2, 3, 130
 Form = Literal["text", "json"]
 _FORM: ContextVar[Form] = ContextVar("form", default="text")  # for the length of one command
-_SYSTEM = {
-    errno.ENOENT: "没有此文件或文件夹", errno.EACCES: "没有权限", errno.EPERM: "没有权限", errno.EEXIST: "已存在，不会覆盖；请换一个名称",
-    errno.EISDIR: "是文件夹；请给出其中的文件名", errno.ENOTDIR: "是文件而不是文件夹；请另选位置", errno.ENOSPC: "磁盘已满",
-    errno.EROFS: "是只读的", errno.ENAMETOOLONG: "名称过长",
-}  # fmt: skip
 
 
 @contextmanager
@@ -93,7 +87,7 @@ def worded(error: Exception) -> Words:
         return error.words
     if isinstance(error, OSError) and error.strerror:
         at = Words(f"{error.filename}：", f"{error.filename}: ") if error.filename else Words.same("")
-        return at + Words(_SYSTEM.get(error.errno or 0, error.strerror), error.strerror)
+        return at + of_system(error)
     return Words.same(str(error) or type(error).__name__)
 
 

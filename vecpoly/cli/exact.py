@@ -7,11 +7,12 @@ from math import degrees, isnan
 from typing import TYPE_CHECKING, Any
 
 from ..names import is_centre, is_place
+from ..words import Words
 from .errors import Tally, about
-from .files import write_json
+from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import JsonOption, Lang, LangOption, Problems
-from .terminal import add, progress, say, show, table
+from .options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
+from .terminal import add, progress, say, show, table, warn
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
@@ -22,23 +23,28 @@ if TYPE_CHECKING:
 _COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact", "unit", "direction")}
 
 
-def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en") -> None:
+def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
     """Print the analytic answers, without a drawing."""
     tally = Tally()
-    found = problems(names, tally)
+    found = problems(names, tally, allow_outside)
+    spared(json, JSON, found)
     from ..check.exact import Exact
     from ..check.precision import noise, sizes
 
     data: list[dict[str, Any]] = []
-    for problem in progress(found, "solving"):
+    for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
+            warn(problem.id, problem.warnings, lang)
             truth = Exact(problem)
             noise(problem, truth, sizes(problem, truth.values))  # refuses what has lost its digits
             values, lines, rels = truth.values, truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
             data.append({"id": problem.id, "answers": {key: _plain(rels[key], value) | _line(lines.get(key)) for key, value in values.items()}})
-            if json != "-":
+            if json != STDOUT:
                 _print(problem, values, lang)
     if json is not None and data:
+        from ..solution import plain
+
+        data = plain(data)
         write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
     tally.settle()
 
@@ -50,9 +56,11 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
         if isnan(value):
             return {"unit": si, "exact": None, "undefined": True}
         return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | ({"at_infinity": True} if endless else {})
+    from ..answer import bearing
+
     if is_place(rel):
         return {"unit": si, "exact_xy": [value.real, value.imag]}
-    return {"unit": si, "exact": abs(value), "direction_deg": degrees(cmath.phase(value)) if value else None}
+    return {"unit": si, "exact": abs(value), "direction_deg": bearing(value) if value else None}
 
 
 def _line(line: ActsAt | None) -> dict[str, Any]:

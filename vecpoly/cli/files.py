@@ -1,72 +1,74 @@
-"""Files written whole or not at all."""
+"""Where a command writes: a file, whole or not at all; '-', which is standard output; a pipe or a device."""
 
 from __future__ import annotations
 
 import json
-import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
-from errno import EISDIR, ENOTDIR
+import sys
+from collections.abc import Iterable, Sequence
+from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import typer
+from ..errors import VecpolyError
+from ..files import is_special, write_whole
+from ..words import Words
+from .terminal import wrote
 
+if TYPE_CHECKING:
+    from ..problem.problem import Problem
 
-def parent_of(path: Path) -> Path:
-    """The path, its folder made; a file that stands where the folder should be is named."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except (FileExistsError, NotADirectoryError):
-        file = next(folder for folder in path.parents if folder.exists())
-        raise NotADirectoryError(ENOTDIR, "is a file, not a folder; choose another place", str(file)) from None
-    return path
+STDOUT = Path("-")
 
 
-@contextmanager
-def named(path: Path) -> Iterator[Path]:
-    """The path, its folder made; what fails inside names this file, not a temporary one beside it."""
-    target = parent_of(path)
-    try:
-        yield target
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        raise OSError(error.errno, error.strerror or str(error), str(path)) from None
+def spared(target: Path | None, endings: Sequence[str], problems: Iterable[Problem] = (), more: Iterable[Path] = ()) -> Path | None:
+    """The place to write to, once its ending is one of these and it is none of the files that are read.
+
+    Raises VecpolyError before any work is done.
+    """
+    if target is None or target == STDOUT or is_special(target):
+        return target
+    if target.suffix.lower() not in endings and not target.is_dir():
+        raise VecpolyError(Words(f"{target}：此处可写 {'、'.join(endings)}；请以其中之一作文件名的后缀",
+                                 f"{target}: can be {', '.join(endings)}; end the file's name with one of these"), code="ending")
+    for read in (*(file for problem in problems for file in problem.files), *more):
+        if target.exists() and read.exists() and target.samefile(read):
+            raise VecpolyError(Words(f"{target}：这是要读取的文件，写入会毁掉它；请另取输出文件名",
+                                     f"{target}: is read by this command, and writing would destroy it; name another file"), code="output is input")
+    return target
 
 
-def write_bytes(path: Path, data: bytes) -> Path:
-    """Write beside the place, then move there: nobody ever sees half a file."""
-    with named(path) as target:
-        if target.is_dir():
-            raise IsADirectoryError(EISDIR, "is a folder; name a file in it", str(target))
-        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(data)
-            Path(name).chmod(0o666 & ~_umask())
-            Path(name).replace(target)
-        finally:
-            Path(name).unlink(missing_ok=True)
-    return path
-
-
-def write_text(path: Path, text: str) -> Path:
-    """Text as UTF-8 with plain newlines, whole or not at all."""
-    return write_bytes(path, text.encode())
-
-
-def write_json(data: Any, where: str) -> None:
-    """JSON to a file, or to stdout where it is '-'; NaN and infinity are no JSON and are refused."""
-    text = json.dumps(data, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
-    if where == "-":
-        typer.echo(text, nl=False)
+def put(target: Path, data: bytes) -> None:
+    """Write, and say so; to standard output where the place is '-'."""
+    if target == STDOUT:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(data)
+        sys.stdout.flush()
     else:
-        write_text(Path(where), text)
+        wrote(write_whole(target, data))
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def write_json(data: Any, where: Path) -> None:
+    """JSON to a file or to standard output. NaN and infinity are no JSON; raises VecpolyError with the place of such a value."""
+    for path in _endless(data, ""):
+        raise VecpolyError(Words(f"{path} 不是有限数，JSON 无法表示；请看不带 --json 的结果", f"{path} is not finite, which JSON cannot say; look at it without --json"),
+                           code="not finite")
+    text = json.dumps(data, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+    if where == STDOUT:
+        put(where, text.encode())
+    else:
+        write_whole(where, text.encode())
+
+
+def _endless(data: Any, path: str) -> Iterable[str]:
+    """Where NaN or infinity stands."""
+    match data:
+        case dict():
+            for key, value in data.items():
+                yield from _endless(value, f"{path}.{key}".lstrip("."))
+        case list() | tuple():
+            for i, value in enumerate(data):
+                yield from _endless(value, f"{path}[{i}]")
+        case float() if not isfinite(data):
+            yield path
+        case _:
+            return

@@ -22,19 +22,25 @@ class Job:
     problems: tuple[Problem, ...]
     title: Words | None = None
     fields: Mapping[str, str] | None = None
+    path: Path | None = None  # of an assignment
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All that was read for it."""
+        return (*((self.path,) if self.path else ()), *(file for problem in self.problems for file in problem.files))
 
 
-def problems(names: Sequence[str], tally: Tally) -> list[Problem]:
+def problems(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Problem]:
     """All problems named, those of assignments among them; the tally keeps what cannot be read, and tells it at once where nothing can."""
-    return [problem for job in jobs(names, tally) for problem in job.problems]
+    return [problem for job in jobs(names, tally, outside) for problem in job.problems]
 
 
-def jobs(names: Sequence[str], tally: Tally) -> list[Job]:
+def jobs(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Job]:
     """All documents named: a problem by id or file, an assignment by file."""
     found: list[Job] = []
     for name in _parts(names):
         with tally.job():
-            found.append(job(name))
+            found.append(job(name, outside))
     if not found:
         tally.settle()
     return found
@@ -53,14 +59,14 @@ def _parts(names: Sequence[str]) -> list[str]:
     return list(dict.fromkeys(parts))
 
 
-def job(name: str) -> Job:
+def job(name: str, outside: bool = False) -> Job:
     """The document of a problem or of an assignment file."""
     from ..problem.assignment import is_assignment, load_assignment
     from ..problem.load import load, locate
 
     path = locate(name)
     if not is_assignment(path):
-        problem = load(path)
+        problem = load(path, allow_outside=outside)
         return Job(name=problem.id, problems=(problem,))
-    sheet = load_assignment(path)
-    return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block)
+    sheet = load_assignment(path, allow_outside=outside)
+    return Job(name=Path(path).stem, problems=sheet.problems, title=sheet.title, fields=sheet.block, path=path)

@@ -38,7 +38,7 @@ def _methods(lang: Lang) -> None:
     names = {"zh": ("步骤", "杆组或装置", "方法", "例题", "出处"), "en": ("stage", "group or device", "method", "example", "source")}[lang]
     made = table("", [(name, "left") for name in names])
     for method in methods():
-        add(made, (method.stage.value, method.group, bare(method.title.of(lang)), method.example, method.source))
+        add(made, (method.stage.words.of(lang), method.group, bare(method.title.of(lang)), method.example, method.source))
     for one in device_methods():
-        add(made, ("device", one.device.kind, bare(one.title.of(lang)), one.example, one.source))
+        add(made, ({"zh": "装置", "en": "device"}[lang], one.device.kind, bare(one.title.of(lang)), one.example, one.source))
     show(made)

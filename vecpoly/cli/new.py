@@ -8,30 +8,40 @@ from typing import Annotated
 
 import typer
 
+from ..files import write_whole
 from ..words import Words
-from .files import parent_of
+from .files import put
 from .terminal import say
 from .tongue import told_in
 
 _ID = re.compile(r"\w[\w.\-]*")
 _ID_LINE = re.compile(r"^id:[ \t]*[\w.\-'\"]+", re.M)
-_STEM = "my-problem"
+_STEM, SCHEMA, _EDITOR = "my-problem", "vecpoly.schema.json", "# yaml-language-server: $schema="
 Like = Annotated[str | None, typer.Option("--like", metavar="ID", help="Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.", show_default=False)]
 NewFile = Annotated[Path, typer.Argument(metavar="FILE", help="The file to write; .yaml is added where it has no ending.")]
 
 
 def new(path: NewFile, like: Like = None) -> None:
     """Write a problem file to start from: a commented one, or a copy of one of the library."""
-    target = parent_of(path if path.suffix else path.with_suffix(".yaml"))
+    target = path if path.suffix else path.with_suffix(".yaml")
     text = _start(target) if like is None else _copy(like)
     if _ID.fullmatch(target.stem):
         text = _ID_LINE.sub(f"id: {target.stem}", text, count=1)
+    text = text if _EDITOR in text else f"{_EDITOR}{SCHEMA}\n{text}"
     try:
-        with target.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        write_whole(target, text.encode(), new=True)
     except FileExistsError:
         raise FileExistsError(17, "exists already and is not overwritten; choose another name", str(target)) from None
+    _write_schema(target.with_name(SCHEMA))
     say(told_in(Words(f"已写入 {target}；可接着运行：vecpoly solve {target}", f"wrote {target}; now try: vecpoly solve {target}")))
+
+
+def _write_schema(path: Path) -> None:
+    """The schema that the file's first line names, for editors; one that lies there already is left as it is."""
+    if not path.exists():
+        from .schema import schema_text
+
+        put(path, schema_text().encode())
 
 
 def _start(target: Path) -> str:

@@ -7,9 +7,21 @@ from typing import Annotated, Literal
 
 import typer
 
+from ..errors import VecpolyError
+from ..words import Words
 from .completion import ids
 
 Lang = Literal["zh", "en"]
+
+
+def place(text: str) -> Path:
+    """Where to write: anything but an empty text, which Python would take for this folder."""
+    if not str(text).strip():
+        raise VecpolyError(Words("-o、--json 后面是空的；请写文件名，或用 - 表示标准输出", "the name after -o or --json is empty; name a file, or - for standard output"), code="no output")
+    return Path(text)
+
+
+JSON = (".json",)  # endings of what --json writes
 Hand = Literal["exact", "drafting", "pencil"]
 Style = Literal["solution", "question", "course"]
 
@@ -31,15 +43,18 @@ ColumnsOption = Annotated[
                  help="What columns of the table hold: phi_5=rad, w3=omega_4, V=v_E[mm/s], remarks=- (left out)."),
 ]
 LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help="Chinese or English.")]
+OutsideOption = Annotated[
+    bool, typer.Option("--allow-outside", help="Read files that the problem file names outside its folder and the library, too.")
+]
 SaidLang = Annotated[Lang | None, typer.Option("--lang", help="Chinese or English.", show_default=False)]
 ErrorsOption = Annotated[
     Literal["text", "json"],
     typer.Option("--errors", envvar="VECPOLY_ERRORS", help="How what is refused is told: as text, or as JSON, a line each, for programs."),
 ]
 JsonOption = Annotated[
-    str | None, typer.Option("--json", metavar="FILE|-", help="Write JSON to this file, or to stdout with -.", show_default=False)
+    Path | None, typer.Option("--json", metavar="FILE|-", parser=place, help="Write JSON to this file, or to stdout with -.", show_default=False)
 ]
 StyleOption = Annotated[Style, typer.Option("--style", help="The solution; the question with blank frames to draw in; or the course report over the whole cycle.")]
 OutOption = Annotated[
-    Path | None, typer.Option("-o", "--output", help="File or folder to write; missing folders are made.", show_default=False)
+    Path | None, typer.Option("-o", "--output", metavar="PATH|-", parser=place, help="File or folder to write, or - for standard output; missing folders are made.", show_default=False)
 ]

@@ -7,14 +7,13 @@ from typing import Annotated
 
 import typer
 
-from ..errors import UnknownNameError
-from ..words import Words
+from ..files import is_special
 from .draw import Id
 from .errors import Tally, about
-from .files import write_text
+from .files import STDOUT, put, spared
 from .jobs import each, problems
-from .options import HandOption, LangOption, OutOption, SeedOption
-from .terminal import wrote
+from .options import HandOption, LangOption, OutOption, OutsideOption, SeedOption
+from .terminal import warn
 
 ENDINGS = (".html", ".htm")
 Places = Annotated[int, typer.Option("--places", min=0, max=360, help="Places of the crank over its turn; 0 leaves its slider away.")]
@@ -27,31 +26,33 @@ def play(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     places: Places = 72,
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Write a step player: one HTML file for class, phone or desktop, in both languages.
 
     It shows the construction line by line with the sentence of each step beside it, and the finished figures for every place of the crank.
     """
     tally = Tally()
-    found = problems([name], tally)
+    found = problems([name], tally, allow_outside)
     from ..player.page import player
     from ..solution import solve
 
     for problem in found:
         path = _place(output, problem.id, len(found))
+        spared(path, ENDINGS, found)
         with tally.job(), about(problem.id):
-            page = player(solve(problem, by=hand, seed=seed, repeats=0), lang=lang, places=places, seed=seed)
-            wrote(write_text(path, page.html))
+            solution = solve(problem, by=hand, seed=seed, repeats=0)
+            page = player(solution, lang=lang, places=places, seed=seed)
+            put(path, page.html.encode())
+            warn(problem.id, solution.warnings, lang)
             tally.weigh(problem.id, page.warning, lang)
     tally.settle()
 
 
 def _place(output: Path | None, name: str, count: int) -> Path:
-    """The file of a problem's player: the one named, or one in the folder named; refuses endings that are no web page."""
+    """The file of a problem's player: the one named, or one in the folder named."""
+    if output is not None and (output == STDOUT or is_special(output)):
+        return output
     if output is None or output.is_dir() or not output.suffix[1:2].isalpha():
         return (output or Path()) / f"{name}.html"
-    if output.suffix.lower() not in ENDINGS:
-        raise UnknownNameError(Words(
-            f"{output}：演示是网页；请用 .html 结尾的文件名，或已有的文件夹",
-            f"{output}: a player is a web page; end the file's name with .html, or name a folder that exists"))
     return each(output, name, count)

@@ -6,17 +6,33 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import NoMethodError, UnknownNameError, VecpolyError
+from ..errors import NoMethodError, VecpolyError
+from ..files import is_special
 from ..words import Words
 from .errors import Tally, about
-from .files import named
+from .files import STDOUT, put, spared
 from .jobs import Job, jobs
-from .options import Documents, Hand, HandOption, Lang, LangOption, OutOption, SeedOption, Style, StyleOption
-from .terminal import progress, wrote
+from .letters import warn_of_letters
+from .options import (
+    Documents,
+    Hand,
+    HandOption,
+    Lang,
+    LangOption,
+    OutOption,
+    OutsideOption,
+    SeedOption,
+    Style,
+    StyleOption,
+)
+from .terminal import progress, warn
 
 if TYPE_CHECKING:
     from ..problem.problem import Problem
     from ..solution import Solution
+
+
+PDF = (".pdf",)
 
 
 def report(
@@ -26,31 +42,24 @@ def report(
     style: StyleOption = "solution",
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Write reports as PDF.
 
     With -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem or assignment gets a file there.
     Without -o the files are written here.
     """
-    _checked(output)
     tally = Tally()
-    plan = _plan(jobs(names, tally), output, lang, style)
-    for job, path in progress(plan, "writing"):
+    plan = _plan(jobs(names, tally, allow_outside), output, lang, style)
+    for job, path in progress(plan, Words("写入", "writing")):
         with tally.job():
-            inner = progress(job.problems, "drawing") if len(plan) == 1 else iter(job.problems)
+            inner = progress(job.problems, Words("作图", "drawing")) if len(plan) == 1 else iter(job.problems)
             solutions = draw(inner, hand, seed, style)
-            wrote(write(job, solutions, path, lang, style))
+            put(path, document(job, solutions, lang, style))
             for solution in solutions:
+                warn(solution.problem.id, solution.warnings, lang)
                 tally.weigh(solution.problem.id, solution.construction.warning, lang)
     tally.settle()
-
-
-def _checked(output: Path | None) -> None:
-    """Refuse base.docx: neither a PDF nor, by its looks, a folder."""
-    if output is not None and output.suffix[1:2].isalpha() and output.suffix.lower() != ".pdf" and not output.is_dir():
-        raise UnknownNameError(Words(
-            f"{output}：报告是 PDF；请用 .pdf 结尾的文件名，或已有的文件夹",
-            f"{output}: a report is a PDF; end the file's name with .pdf, or name a folder that exists"))
 
 
 def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "solution") -> list[Solution]:
@@ -71,13 +80,13 @@ def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "sol
     return solutions
 
 
-def write(job: Job, solutions: Sequence[Solution], path: Path, lang: Lang, style: Style) -> Path:
-    """Write the document of a job."""
-    from ..report.document import write_report
+def document(job: Job, solutions: Sequence[Solution], lang: Lang, style: Style) -> bytes:
+    """The document of a job as a PDF."""
+    from ..report.document import report_bytes
 
     block = labelled(job.fields or {}, lang)
-    with named(path) as target:
-        return write_report(solutions, target, lang=lang, style=style, fields=block, title=job.title)
+    warn_of_letters(job.problems, lang, (*block.values(), job.title.of(lang) if job.title else ""))
+    return report_bytes(solutions, lang=lang, style=style, fields=block, title=job.title)
 
 
 def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
@@ -90,8 +99,10 @@ def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
 
 
 def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -> list[tuple[Job, Path]]:
-    """Which document goes where."""
-    if output is not None and output.suffix.lower() == ".pdf" and not output.is_dir():
+    """Which document goes where: all into one file, or into the standard output, or each into a folder."""
+    files = [file for job in found for file in job.files]
+    if output is not None and (output == STDOUT or is_special(output) or (output.suffix[1:2].isalpha() and not output.is_dir())):
+        spared(output, PDF, more=files)
         return [(found[0] if len(found) == 1 else _joined(found), output)]
     ending = f".{lang}.pdf" if style == "solution" else f".{style}.{lang}.pdf"
     plan: dict[Path, Job] = {}
@@ -101,6 +112,7 @@ def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -
             raise VecpolyError(Words(
                 f"有两份文档都要写入 {path}；请更改其中一题的 id",
                 f"two of the documents would be written to {path}; change the id of one of the problems"))
+        spared(path, PDF, more=files)
         plan[path] = job
     return [(job, path) for path, job in plan.items()]
 

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import json
 
-import typer
-
-from .files import write_text
-from .options import OutOption
+from .files import STDOUT, put, spared
+from .options import JSON, OutOption
 
 
 def schema(output: OutOption = None) -> None:
     """Print the JSON Schema of a problem file."""
-    from ..problem.schema import json_schema
+    put(spared(output, JSON) or STDOUT, schema_text().encode())
 
-    text = json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"
-    if output is None:
-        typer.echo(text, nl=False)
-    else:
-        write_text(output, text)
+
+def schema_text() -> str:
+    """The schema as it is written."""
+    from ..problem.editors import json_schema
+
+    return json.dumps(json_schema(), ensure_ascii=False, indent=2) + "\n"

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..words import Words
 from .errors import Tally, about
-from .files import write_json
+from .files import STDOUT, spared, write_json
 from .jobs import problems
-from .options import HandOption, JsonOption, Lang, LangOption, Problems, SeedOption
-from .terminal import add, progress, say, show, table
+from .options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
+from .terminal import add, progress, say, show, table, warn
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
@@ -30,20 +31,23 @@ def solve(
     seed: SeedOption = 0,
     json: JsonOption = None,
     lang: LangOption = "en",
+    allow_outside: OutsideOption = False,
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
     tally = Tally()
-    found = problems(names, tally)
+    found = problems(names, tally, allow_outside)
+    spared(json, JSON, found)
     from ..solution import solve as solved
 
     solutions: list[Solution] = []
-    for problem in progress(found, "solving"):
+    for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
             solutions.append(solved(problem, by=hand, seed=seed))
     for solution in solutions:
         tally.weigh(solution.problem.id, solution.construction.warning, lang)
-        if json != "-":
+        if json != STDOUT:
             _print(solution, lang)
+        warn(solution.problem.id, solution.warnings, lang)
     if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]
         write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)

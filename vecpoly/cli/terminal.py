@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
 
-from ..words import Words
+from ..words import Lang, Words
 from .tongue import told_in
+from .wording import bare
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -60,7 +61,7 @@ def add(to: Table, cells: Iterable[str], *, alarmed: bool = False) -> None:
     to.add_row(*(Text(cell) for cell in cells), style="bold red" if alarmed else "")
 
 
-def progress(items: Sequence[T], doing: str) -> Iterator[T]:
+def progress(items: Sequence[T], doing: Words) -> Iterator[T]:
     """The items, with a bar on stderr where a person watches and there is more than one."""
     if len(items) < 2 or not sys.stderr.isatty():
         yield from items
@@ -68,7 +69,13 @@ def progress(items: Sequence[T], doing: str) -> Iterator[T]:
     from rich.console import Console
     from rich.progress import track
 
-    yield from track(items, description=doing, console=Console(stderr=True), transient=True)
+    yield from track(items, description=told_in(doing), console=Console(stderr=True), transient=True)
+
+
+def warn(problem: str, said: Iterable[Words], lang: Lang) -> None:
+    """What is accepted but hardly meant, on stderr."""
+    for words in said:
+        typer.echo(f"vecpoly: {f'注意 {problem}：' if lang == 'zh' else f'note on {problem}: '}{bare(words.of(lang))}", err=True)
 
 
 def say(text: str) -> None:

@@ -8,6 +8,7 @@ from ..mechanism.branch import margin
 from ..mechanism.four_bar import fourth_corner
 from ..mechanism.model import Revolute, Shaped
 from ..mechanism.statements import Form
+from ..words import Words
 from .closing import INSIDE
 from .columns import dyads
 from .cycle import Cycle
@@ -24,3 +25,11 @@ def figure_of(cycle: Cycle, links: str) -> Shaped | None:
     place = np.array([cycle.low + INSIDE])
     at = {letter: complex(np.asarray(cycle.at(f"p_{letter}", place)).ravel()[0]) for letter in shape.corners}
     return shape if margin(shape, at) > 0 else Shaped(corners=shape.corners, form=Form.ANTIPARALLELOGRAM)
+
+
+def figure_words(cycle: Cycle, links: str) -> Words:
+    """: ABCD remains a parallelogram."""
+    if (figure := figure_of(cycle, links)) is None:
+        return Words("", "")
+    corners = "".join(figure.corners)
+    return Words(f"，${corners}$ 始终为{figure.form.words.zh}", f": ${corners}$ remains {figure.form.words.en}")

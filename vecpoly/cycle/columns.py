@@ -16,7 +16,8 @@ from ..mechanism.assur import Dyad, decompose, ends
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism, Prismatic
 from ..mechanism.quantities import pairs, quantities
-from ..names import Kind, Named, parse_rel, subscripted
+from ..names import Kind, Named, Rel, parse_rel, subscripted
+from ..problem.spelling import did_you_mean
 from ..words import Words
 
 PARTS = ("x", "y", "abs", "arg")
@@ -157,8 +158,15 @@ _WORDS = {
 _RATES = {Kind.P: "v", Kind.V: "a", Kind.OMEGA: "alpha"}
 
 
+def _read(key: str) -> Rel:
+    try:
+        return parse_rel(key)
+    except UnknownNameError as error:
+        raise UnknownNameError(error.words + did_you_mean(key), code="unknown-symbol") from None
+
+
 def _kinematic(mech: Mechanism, key: str) -> Column:
-    rel = parse_rel(key)
+    rel = _read(key)
     if not rel.is_vector and rel.to.link not in mech.bodies:
         raise UnknownNameError(Words(
             f"没有构件 {rel.to.link}；已有：{', '.join(mech.bodies)}",

@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
+from ..arguments import of_kind
 from ..errors import AssemblyError, MobilityError
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
+from ..mechanism.rams import driver_words
 from ..problem.problem import Problem
 from ..words import Words
 from .columns import Column, catalogue, column_of
@@ -84,18 +86,23 @@ class Cycle:
         """Where the drive can stand, as text: 0..360 deg."""
         return oracle.feasible(self.mech)
 
-    @cached_property
-    def noise(self) -> float:
-        """How far rounding may move a value, of the natural size of its kind: further beside change points."""
-        return 1e-7 if oracle.changes(self.mech) else 1e-10
-
     @property
     def drive(self) -> Column:
         """The drive's position: φ_1, or s_1 of a sliding input."""
         link = self.mech.drive.link
+        if self.mech.drive.between:
+            return self._between()
         if self.mech.drive.slide:
             return Column(key=f"s_{link}", symbol=f"s_{{{link}}}", unit="m", words=Words(f"原动件 {link} 的位移", f"travel of the driving link {link}"))
         return Column(key=f"phi_{link}", symbol=f"φ_{{{link}}}", unit="rad", words=Words(f"原动件 {link} 的转角", f"angle of the driving link {link}"))
+
+    def _between(self) -> Column:
+        """The position of a cylinder, or of a motor in a hinge."""
+        drive = self.mech.drive
+        pair, words = f"{drive.link}{drive.on}", driver_words(self.mech)
+        if drive.slide:
+            return Column(key=f"s_{pair}", symbol=f"s_{{{pair}}}", unit="m", words=Words(f"{words.zh}的长度", f"length of {words.en}"))
+        return Column(key=f"phi_{pair}", symbol=f"φ_{{{pair}}}", unit="rad", words=Words(f"{words.zh}的转角", f"angle of {words.en}"))
 
     @property
     def assembled(self) -> NDArray[np.bool_]:
@@ -204,6 +211,7 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
     (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a whole cycle.
     Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
     """
+    of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
     mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
     if not mech.drives:
         raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from .closing import INSIDE
 from .curve import Curve
 from .cycle import Cycle
+from .grid import noise
 from .pieces import Piece, ends, pieces, towards
 from .root import highest, ridders
 
@@ -60,7 +61,7 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
     known = f[np.isfinite(f)]
     if not known.size:
         return Extremes(key, (), (), (), None, None)
-    if known.max() - known.min() <= cycle.noise * max(float(np.abs(known).max()), curve.size):
+    if known.max() - known.min() <= noise(cycle.mech) * max(float(np.abs(known).max()), curve.size):
         flat = Spot(cycle.low, float(known.mean()))
         return Extremes(key, (), (), (), flat, flat)
     parts = pieces(curve, phi, f)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees, isfinite
 
+from ..mechanism.rams import driver_words
 from ..words import Words
-from .changing import figure_of
+from .changing import figure_words
 from .cycle import Cycle
 from .extremes import Extremes, Spot, extremes
 from .facts import Facts, Peak, Stroke, Transmission
@@ -15,9 +16,8 @@ from .path import Path, Shape
 
 def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
     """Each fact as a sentence: how the links move, limits, quick return, transmission angles, dead points, peaks."""
-    parts = [*_range(cycle, found), *_turns(cycle, found), *_laps(cycle, found), *_changes(cycle, found), *(_stroke(cycle, s) for s in found.strokes), *_swings(cycle, found),
-             *(_transmission(cycle, t) for t in found.transmissions), *(_arm(cycle, a) for a in found.arms), *(_peak(cycle, p) for p in found.peaks)]
-    return tuple(parts)
+    return (*_range(cycle, found), *_turns(cycle, found), *_laps(cycle, found), *_changes(cycle, found), *(_stroke(cycle, s) for s in found.strokes), *_swings(cycle, found),
+             *(_transmission(cycle, t) for t in found.transmissions), *(_arm(cycle, a) for a in found.arms), *(_peak(cycle, p) for p in found.peaks))
 
 
 def number(value: float, digits: int = 6) -> str:
@@ -40,19 +40,26 @@ def where(cycle: Cycle, spot: Spot) -> str:
     return f"${cycle.drive.symbol}$ = {shown(cycle, cycle.drive.key, spot.phi, 5)}"
 
 
+def _driver(cycle: Cycle) -> Words:
+    """原动件 1 / The driving link 1; 油缸 2-3 / The cylinder 2-3."""
+    if not cycle.mech.drive.between:
+        return Words(f"原动件 {cycle.mech.drive.link} ", f"The driving link {cycle.mech.drive.link}")
+    return Words((words := driver_words(cycle.mech)).zh, words.en[0].upper() + words.en[1:])
+
+
 def _range(cycle: Cycle, found: Facts) -> Iterator[Words]:
-    link, symbol = cycle.mech.drive.link, cycle.drive.symbol
+    link, symbol = _driver(cycle), cycle.drive.symbol
     if found.whole:
-        yield Words(f"原动件 {link} 可整周转动，机构在全部位置均可装配。", f"The driving link {link} can turn right round; the mechanism can be assembled in every position.")
+        yield Words(f"{link.zh}可整周转动，机构在全部位置均可装配。", f"{link.en} can turn right round; the mechanism can be assembled in every position.")
         return
-    ends = [shown(cycle, cycle.drive.key, q, 6) for q in (cycle.low, cycle.high)]
+    bound, ends = "的行程有限" if cycle.mech.drive.slide else "不能整周运动", [shown(cycle, cycle.drive.key, q, 6) for q in (cycle.low, cycle.high)]
     if all(found.unlimited):
-        yield Words(f"原动件 {link} 的行程不受限制；这里取 ${symbol}$ 由 {ends[0]} 至 {ends[1]}。",
-                    f"The driving link {link} can move on without limit; ${symbol}$ is taken here from {ends[0]} to {ends[1]}.")
+        yield Words(f"{link.zh}的行程不受限制；这里取 ${symbol}$ 由 {ends[0]} 至 {ends[1]}。",
+                    f"{link.en} can move on without limit; ${symbol}$ is taken here from {ends[0]} to {ends[1]}.")
         return
-    yield Words(f"原动件 {link} 不能整周运动：${symbol}$ 只能在 {ends[0]} 至 {ends[1]} 之间。" if not any(found.unlimited) else
-                f"原动件 {link} 的行程一端受限：这里 ${symbol}$ 在 {ends[0]} 至 {ends[1]} 之间，其中 {ends[found.unlimited.index(True)]} 只是计算所取的界限。",
-                f"The driving link {link} cannot move on for ever: ${symbol}$ is limited to {ends[0]} … {ends[1]}."
+    yield Words(f"{link.zh}{bound}：${symbol}$ 只能在 {ends[0]} 至 {ends[1]} 之间。" if not any(found.unlimited) else
+                f"{link.zh}的行程一端受限：这里 ${symbol}$ 在 {ends[0]} 至 {ends[1]} 之间，其中 {ends[found.unlimited.index(True)]} 只是计算所取的界限。",
+                f"{link.en} cannot move on for ever: ${symbol}$ is limited to {ends[0]} … {ends[1]}."
                 + (f" The end {ends[found.unlimited.index(True)]} is no limit, only as far as was looked." if any(found.unlimited) else ""))
     if found.dead:
         zh = "在这两个极限位置，原动件为从动杆组所限" if len(found.dead) == 2 else f"在极限位置 {where(cycle, found.dead[0])}，原动件为从动杆组所限"
@@ -86,10 +93,8 @@ def _changes(cycle: Cycle, found: Facts) -> Iterator[Words]:
     """Change points: the columns go smoothly through, as a real linkage does that is carried through by its inertia."""
     for key, spots in found.changes:
         links, places = key.removeprefix("gamma_"), ", ".join(shown(cycle, cycle.drive.key, s.phi, 5) for s in spots)
-        figure = figure_of(cycle, links)
-        kept = Words("", "") if figure is None else Words(f"，${''.join(figure.corners)}$ 始终为{figure.form.words.zh}", f": ${''.join(figure.corners)}$ remains {figure.form.words.en}")
-        yield Words(f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点）。以下按机构靠惯性平稳通过变点计算{kept.zh}。",
-                    f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two assemblies meet (change points). What follows goes smoothly through them, as inertia carries a real linkage{kept.en}.")
+        yield Words(f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点）。以下按机构靠惯性平稳通过变点计算{figure_words(cycle, links).zh}。",
+                    f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two assemblies meet (change points). What follows goes smoothly through them, as inertia carries a real linkage{figure_words(cycle, links).en}.")
 
 
 def _stroke(cycle: Cycle, stroke: Stroke) -> Words:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import csv
 from dataclasses import dataclass
+from datetime import datetime
 from io import BytesIO, StringIO
+from typing import Any
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +20,7 @@ from .transmission import folded
 
 Reals = NDArray[np.float64]
 SHEET_ROWS = 1_048_576  # of a spreadsheet
+WRITTEN = datetime(1980, 1, 1)  # the hour that every workbook tells
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,8 +81,19 @@ def xlsx_bytes(made: Table, title: str, lang: Lang) -> bytes:
         sheet.append([_cell(sheet, text, Font(bold=True), Alignment(wrap_text=True, vertical="top")) for text in line])
     for row in made.values.tolist():
         sheet.append([value if value == value else None for value in row])
-    target = BytesIO()
-    book.save(target)
+    return _packed(book)
+
+
+def _packed(book: Any) -> bytes:
+    """The workbook as a file: the same bytes every time, for neither its properties nor its archive tell the hour."""
+    from openpyxl.writer.excel import ExcelWriter
+
+    book.properties.created = book.properties.modified = WRITTEN
+    loose, target = BytesIO(), BytesIO()
+    ExcelWriter(book, ZipFile(loose, "w")).save()
+    with ZipFile(loose) as parts, ZipFile(target, "w", ZIP_DEFLATED) as archive:
+        for name in parts.namelist():
+            archive.writestr(ZipInfo(name, WRITTEN.timetuple()[:6]), parts.read(name), ZIP_DEFLATED)
     return target.getvalue()
 
 

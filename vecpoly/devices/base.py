@@ -34,7 +34,7 @@ def _ratio(text: Any) -> Quantity:
         return text
     value = pure(text, "0.15")
     if value < 0:
-        raise FaultError(Words(f"“{text}”不得为负；如写 0.15", f"'{text}' must not be negative; write e.g. 0.15"))
+        raise FaultError(Words(f"“{text}”不得为负；如写 0.15", f"'{text}' must not be negative; write e.g. 0.15"), code="out-of-range")
     return Quantity(value, str(text))
 
 
@@ -44,7 +44,7 @@ def _efficiency(text: Any) -> Quantity:
     if not 0 < quantity.si <= 1:
         raise FaultError(Words(
             f"“{quantity.text}”不是效率；应写大于 0 且不大于 1 的数，如 0.97",
-            f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97"))
+            f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97"), code="spelling")
     return quantity
 
 

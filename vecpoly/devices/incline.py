@@ -28,15 +28,15 @@ class Incline(Device):
         if self.alpha is not None and not 0 < self.alpha.si < pi / 2:
             raise FaultError(Words(
                 f"alpha = {self.alpha.text}：斜面倾角应在 0 与 90 deg 之间；求自锁极限时略去 alpha",
-                f"alpha = {self.alpha.text}: the slope must lie between 0 and 90 deg; leave it out for the limit of self-locking"))
+                f"alpha = {self.alpha.text}: the slope must lie between 0 and 90 deg; leave it out for the limit of self-locking"), code="out-of-range")
         if self.alpha is None and self.f.si == 0:
             raise FaultError(Words(
                 "alpha：没有摩擦就没有自锁极限，不能由此得出倾角；如写 alpha: 24 deg",
-                "alpha: without friction there is no limit of self-locking to take the slope from; write e.g. alpha: 24 deg"))
+                "alpha: without friction there is no limit of self-locking to take the slope from; write e.g. alpha: 24 deg"), code="unknown-name")
         if not -90 < beta < 90:
             raise FaultError(Words(
                 f"beta = {self.beta.text}：力应指向斜面，与水平方向成 −90 至 90 deg",
-                f"beta = {self.beta.text}: the force must point between −90 and 90 deg above the horizontal, towards the slope"))
+                f"beta = {self.beta.text}: the force must point between −90 and 90 deg above the horizontal, towards the slope"), code="out-of-range")
         return self
 
     @property

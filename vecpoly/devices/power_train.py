@@ -73,25 +73,25 @@ class Part(BaseModel):
         if len(kinds) != 1:
             raise FaultError(Words(
                 f"传动系统的每一级为 {', '.join(KINDS)} 之一及其效率，或为 parallel；这里写的是 {' 和 '.join(kinds) or '空'}；如写 gear: 0.97",
-                f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97"))
+                f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97"), code="spelling")
         if (self.F is None) != (self.v is None):
             raise FaultError(Words(
                 "有力 F 就须有克服它的速度 v；请同时写 F 和 v，或只写 P",
-                "a force needs the speed at which it is overcome: write both F and v, or P alone"))
+                "a force needs the speed at which it is overcome: write both F and v, or P alone"), code="spelling")
         if self.P is not None and self.F is not None:
             raise FaultError(Words(
                 "输出功率重复给出；请写 P，或写 F 和 v",
-                "what is delivered stands there twice: write P, or F and v"))
+                "what is delivered stands there twice: write P, or F and v"), code="contradiction")
         if self.parallel is None:
             return self
         if self.loaded or self.name:
             raise FaultError(Words(
                 "分流处没有功率输出；P、F、v 和 name 应写在各支路的末端",
-                "where the train parts nothing is delivered: write P, F, v and name at the ends of its branches"))
+                "where the train parts nothing is delivered: write P, F, v and name at the ends of its branches"), code="spelling")
         if len(self.parallel) < 2:
             raise FaultError(Words(
                 "parallel 至少要有两条支路；只有一条时直接写成串联的一级",
-                "parallel needs two branches or more; write a single one as part of the train itself"))
+                "parallel needs two branches or more; write a single one as part of the train itself"), code="missing")
         for branch in self.parallel:
             _check(branch)
         return self
@@ -102,7 +102,7 @@ def _check(train: Train) -> None:
     if not train:
         raise FaultError(Words(
             "传动系统没有任何一级；如写 [gear: 0.97, {machine: 0.8, P: 5 kW}]",
-            "a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]"))
+            "a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]"), code="spelling")
     for part in train[:-1]:
         if part.parallel is not None:
             raise FaultError(Words(
@@ -115,7 +115,7 @@ def _check(train: Train) -> None:
     if train[-1].parallel is None and not train[-1].loaded:
         raise FaultError(Words(
             f"最后一级的输出没有给出；如写 {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}",
-            f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}"))
+            f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}"), code="spelling")
 
 
 class PowerTrain(Device):
@@ -132,7 +132,7 @@ class PowerTrain(Device):
         if twice:
             raise FaultError(Words(
                 f"系统有两个末端都叫 {twice[0]}；请各取一个字母",
-                f"two ends of the train are named {twice[0]}; give each its own letter"))
+                f"two ends of the train are named {twice[0]}; give each its own letter"), code="contradiction")
         return self
 
     def quantities(self) -> tuple[Named, ...]:

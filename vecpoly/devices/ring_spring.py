@@ -26,7 +26,7 @@ class RingSpring(Device):
         if not 0 < degrees(self.alpha.si) < 90:
             raise FaultError(Words(
                 f"alpha = {self.alpha.text}：应在 0 与 90 deg 之间",
-                f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg"))
+                f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg"), code="out-of-range")
         return self
 
     def quantities(self) -> tuple[Named, ...]:

@@ -40,23 +40,23 @@ class ScrewJack(Device):
         if self.d.si <= self.d1.si:
             raise FaultError(Words(
                 f"d = {self.d.text} 是螺纹大径，必须大于小径 d1 = {self.d1.text}",
-                f"d = {self.d.text} is the outer diameter of the thread and must be greater than the root diameter d1 = {self.d1.text}"))
+                f"d = {self.d.text} is the outer diameter of the thread and must be greater than the root diameter d1 = {self.d1.text}"), code="out-of-range")
         if self.D.si <= self.d0.si:
             raise FaultError(Words(
                 f"D = {self.D.text} 是支承环面外径，必须大于内径 d0 = {self.d0.text}",
-                f"D = {self.D.text} is the outer diameter of the collar and must be greater than the inner diameter d0 = {self.d0.text}"))
+                f"D = {self.D.text} is the outer diameter of the collar and must be greater than the inner diameter d0 = {self.d0.text}"), code="out-of-range")
         if (self.f is None) != (self.f_thread is not None and self.f_collar is not None) or (self.f and (self.f_thread or self.f_collar)):
             raise FaultError(Words(
                 "螺纹与支承面的摩擦系数相同时写 f: 0.1，否则 f_thread 和 f_collar 都要写",
-                "write f: 0.1 for thread and collar, or both f_thread and f_collar"))
+                "write f: 0.1 for thread and collar, or both f_thread and f_collar"), code="spelling")
         if (self.Q is None) == (self.F is None):
             raise FaultError(Words(
                 "载荷 Q 与手柄力 F 只给一个，另一个为所求",
-                "give the load Q or the force F on the lever, and not both: the other one is sought"))
+                "give the load Q or the force F on the lever, and not both: the other one is sought"), code="contradiction")
         if self.beta is not None and not 0 < self.beta.si < pi / 3:
             raise FaultError(Words(
                 f"beta = {self.beta.text}：三角形螺纹的牙侧角（半牙型角）应在 0 与 60 deg 之间；矩形螺纹略去 beta",
-                f"beta = {self.beta.text}: half the flank angle of a V-thread lies between 0 and 60 deg; leave it out for a square thread"))
+                f"beta = {self.beta.text}: half the flank angle of a V-thread lies between 0 and 60 deg; leave it out for a square thread"), code="out-of-range")
         if self.alpha + self.phi >= pi / 2 - 1e-9:
             raise FaultError(Words(
                 f"螺纹升角 {degrees(self.alpha):.4g} deg 与摩擦角 {degrees(self.phi):.4g} deg 之和达到或超过 90 deg，任何力矩都不能转动此螺旋；请减小螺距 p 或摩擦系数 f",

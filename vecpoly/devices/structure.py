@@ -40,7 +40,7 @@ class Structure(Device):
         if FRAME not in names:
             raise FaultError(Words(
                 "没有运动副与机架相连；机架为构件 0；如写 A: R(0, 1) at (0, 0)",
-                "no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)"))
+                "no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)"), code="spelling")
         if self.links and (odd := names ^ {*(_plain(link, self.frame) for link in self.links), FRAME}):
             raise FaultError(Words(
                 f"构件 {', '.join(sorted(odd, key=natural))} 只出现在 links 或 joints 之一中；两处应一致",
@@ -55,7 +55,7 @@ class Structure(Device):
             if len(set(together)) < len(together):
                 raise FaultError(Words(
                     f"原动件 {'+'.join(together)}：有构件重复；每个原动件只写一次",
-                    f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once"))
+                    f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once"), code="contradiction")
             for link in together:
                 _check_driver(chain, link)
         return self
@@ -78,7 +78,7 @@ class Structure(Device):
         if centre not in self.joints or centre == letter:
             raise FaultError(Words(
                 f"运动副 {letter}：没有可作曲率中心的运动副 {centre}；已有：{', '.join(self.joints)}",
-                f"joint {letter}: there is no other joint {centre} to be the centre; known: {', '.join(self.joints)}"))
+                f"joint {letter}: there is no other joint {centre} to be the centre; known: {', '.join(self.joints)}"), code="unknown-name")
         return self.joints[centre].at
 
     @property
@@ -146,7 +146,7 @@ def _check_contact(pair: Pair) -> None:
     if abs(two - one) < 1e-9:
         raise FaultError(Words(
             f"运动副 {pair.letter}：两轮廓的曲率中心重合，处处接触，不是高副",
-            f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is no high pair"))
+            f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is no high pair"), code="spelling")
     off = abs(((two - one).conjugate() * (pair.at - one)).imag) / abs(two - one)
     if off > OFF_LINE * abs(two - one):
         raise FaultError(Words(
@@ -159,11 +159,11 @@ def _check_driver(chain: Chain, link: str) -> None:
     if link not in chain.links:
         raise FaultError(Words(
             f"原动件 {link} 不是已有的构件；构件有：{', '.join(chain.links)}",
-            f"driver {link} is no link; links: {', '.join(chain.links)}"))
+            f"driver {link} is no link; links: {', '.join(chain.links)}"), code="spelling")
     if not any(pair.form.is_lower and FRAME in pair.links for pair in chain.at(link)):
         raise FaultError(Words(
             f"原动件 {link} 既不铰接于机架，也不在机架上移动；请另取与机架相连的构件",
-            f"driver {link} is neither pinned to the frame nor slides on it; name a link that is"))
+            f"driver {link} is neither pinned to the frame nor slides on it; name a link that is"), code="missing")
 
 
 N, P_L, P_H = Named("n", "n", ""), Named("p_l", "p_L", ""), Named("p_h", "p_H", "")

@@ -147,7 +147,7 @@ def read_pair(text: object) -> Written:
     if shape is None or shape[1] not in Form.__members__:
         raise FaultError(Words(
             f"“{text}”不是运动副；如写 {', '.join(_EXAMPLE.values())}",
-            f"'{text}' is no joint; write e.g. {', '.join(_EXAMPLE.values())}"))
+            f"'{text}' is no joint; write e.g. {', '.join(_EXAMPLE.values())}"), code="spelling")
     form = Form(shape[1])
     members = [_member(part.strip(), form) for part in _COMMA.split(shape[2])]
     links = tuple(link for link, _ in members)
@@ -155,7 +155,7 @@ def read_pair(text: object) -> Written:
     if (form is Form.P) != bool(shape[4]):
         raise FaultError(Words(
             f"移动副（且只有移动副）要写导路方向；如写 {_EXAMPLE[Form.P]}",
-            f"a slide needs the direction of its guide, and only a slide: write e.g. {_EXAMPLE[Form.P]}"))
+            f"a slide needs the direction of its guide, and only a slide: write e.g. {_EXAMPLE[Form.P]}"), code="spelling")
     about = tuple(centre for _, centre in members) if not form.is_lower else ()
     _check_faces(form, about)
     return Written(form, links, _place(shape[3]), _direction(shape[4]) if shape[4] else 0j, about, str(text))
@@ -169,14 +169,14 @@ def _check_links(form: Form, links: tuple[str, ...]) -> None:
     if len(links) < 2 or (len(links) > 2 and form is not Form.R):
         raise FaultError(Words(
             f"{form.value} 联接{'两个或两个以上' if form is Form.R else '两个'}构件，这里有 {len(links)} 个；如写 {_EXAMPLE[form]}",
-            f"{form.value} joins {'two links or more' if form is Form.R else 'two links'}, here {len(links)}; write e.g. {_EXAMPLE[form]}"))
+            f"{form.value} joins {'two links or more' if form is Form.R else 'two links'}, here {len(links)}; write e.g. {_EXAMPLE[form]}"), code="spelling")
 
 
 def _check_faces(form: Form, about: tuple[complex | str | None, ...]) -> None:
     if about and None in about and (form is Form.G or about == (None, None)):
         raise FaultError(Words(
             f"{'齿轮要有中心' if form is Form.G else '两平面不成高副'}；如写 {_EXAMPLE[form]}",
-            f"{'a gear has a centre' if form is Form.G else 'two flat faces do not make a high pair'}; write e.g. {_EXAMPLE[form]}"))
+            f"{'a gear has a centre' if form is Form.G else 'two flat faces do not make a high pair'}; write e.g. {_EXAMPLE[form]}"), code="spelling")
 
 
 def _member(text: str, form: Form) -> tuple[str, complex | str | None]:
@@ -184,18 +184,18 @@ def _member(text: str, form: Form) -> tuple[str, complex | str | None]:
     if member is None:
         raise FaultError(Words(
             f"“{text}”不是构件；如写 1{' about (9, 14)' if not form.is_lower else ''}",
-            f"'{text}' is no link; write e.g. 1{' about (9, 14)' if not form.is_lower else ''}"))
+            f"'{text}' is no link; write e.g. 1{' about (9, 14)' if not form.is_lower else ''}"), code="spelling")
     link = FRAME if member[1] == "frame" else member[1]
     if form.is_lower:
         if member[2] or member[3]:
             raise FaultError(Words(
                 f"“{text}”：只有高副的轮廓才有曲率中心；如写 {_EXAMPLE[form]}",
-                f"'{text}': only the profiles of a high pair have centres; write e.g. {_EXAMPLE[form]}"))
+                f"'{text}': only the profiles of a high pair have centres; write e.g. {_EXAMPLE[form]}"), code="spelling")
         return link, None
     if not member[2] and not member[3]:
         raise FaultError(Words(
             f"“{text}”没有说明其轮廓；如写 {link} about (9, 14)、{link} about B 或 {link} flat",
-            f"'{text}' does not say what its profile is; write e.g. {link} about (9, 14), {link} about B, or {link} flat"))
+            f"'{text}' does not say what its profile is; write e.g. {link} about (9, 14), {link} about B, or {link} flat"), code="spelling")
     if member[3]:
         return link, None
     return link, _place(member[2]) if member[2].startswith("(") else member[2]
@@ -208,11 +208,11 @@ def _place(text: str) -> complex:
     except ValueError:
         raise FaultError(Words(
             f"“{text}”不是位置；请写以 mm 为单位的两个数，如 (35, 92)",
-            f"'{text}' is no place; write two numbers in mm, e.g. (35, 92)")) from None
+            f"'{text}' is no place; write two numbers in mm, e.g. (35, 92)"), code="spelling") from None
     if not (abs(x) <= FAR and abs(y) <= FAR):
         raise FaultError(Words(
             f"“{text}”超出图纸范围；请写以 mm 为单位的两个数，如 (35, 92)",
-            f"'{text}' is no place on paper; write two numbers in mm, e.g. (35, 92)"))
+            f"'{text}' is no place on paper; write two numbers in mm, e.g. (35, 92)"), code="spelling")
     return complex(x, y) / 1e3
 
 
@@ -227,7 +227,7 @@ def _direction(text: str) -> complex:
     if not math.isfinite(turn):
         raise FaultError(Words(
             f"“{text}”不是方向；如写 (0, 1) 或 90 deg",
-            f"'{text}' is no direction; write e.g. (0, 1) or 90 deg"))
+            f"'{text}' is no direction; write e.g. (0, 1) or 90 deg"), code="spelling")
     return cmath.rect(1.0, turn)
 
 
@@ -235,5 +235,5 @@ def _unit(vector: complex) -> complex:
     if vector == 0 or not cmath.isfinite(vector):
         raise FaultError(Words(
             "方向不能是 (0, 0)；如写 (0, 1) 或 90 deg",
-            "a direction cannot be (0, 0); write e.g. (0, 1) or 90 deg"))
+            "a direction cannot be (0, 0); write e.g. (0, 1) or 90 deg"), code="spelling")
     return vector / abs(vector)

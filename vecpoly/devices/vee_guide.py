@@ -31,7 +31,7 @@ class VeeGuide(Device):
         if not pi / 36 - 1e-9 <= self.theta.si <= pi / 2 * 17 / 18 + 1e-9:
             raise FaultError(Words(
                 f"theta = {self.theta.text} 是槽形半角，应在 5 与 85 deg 之间；槽形角为 100 deg 时写 theta: 50 deg",
-                f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 deg has theta: 50 deg"))
+                f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 deg has theta: 50 deg"), code="out-of-range")
         return self
 
     def quantities(self) -> tuple[Named, ...]:

@@ -26,7 +26,7 @@ class WedgeClamp(Device):
         if not 0 < degrees(self.alpha.si) < 90:
             raise FaultError(Words(
                 f"alpha = {self.alpha.text}：楔角应在 0 与 90 deg 之间",
-                f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg"))
+                f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg"), code="out-of-range")
         return self
 
     def quantities(self) -> tuple[Named, ...]:

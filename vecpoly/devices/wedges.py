@@ -36,16 +36,16 @@ class Wedges(Device):
         if not 0 < beta < 90:
             raise FaultError(Words(
                 f"beta = {self.beta.text}：两楔块的接触面与竖直方向的夹角应在 0 与 90 deg 之间",
-                f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from the vertical"))
+                f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from the vertical"), code="out-of-range")
         if alpha <= 0 or alpha + beta >= 180 - 1e-9:
             raise FaultError(Words(
                 f"alpha = {self.alpha.text}，beta = {self.beta.text}：alpha 应大于 0，且 alpha + beta 应小于 180 deg，否则楔块 1 没有楔角，不能顶起楔块 2",
-                f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + beta below 180 deg, or wedge 1 has no taper and cannot lift wedge 2"))
+                f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + beta below 180 deg, or wedge 1 has no taper and cannot lift wedge 2"), code="out-of-range")
         each = (self.f12, self.f13, self.f23)
         if (self.f is None) == (None in each) or (self.f is not None and any(each)):
             raise FaultError(Words(
                 "各接触面摩擦系数相同时写 f: 0.15，否则 f12、f13、f23 都要写",
-                "write f: 0.15 for all faces, or each of f12, f13 and f23"))
+                "write f: 0.15 for all faces, or each of f12, f13 and f23"), code="spelling")
         return self
 
     def friction(self, face: str) -> Ratio:

@@ -39,10 +39,10 @@ def pack(sizes: Sequence[Size], page: Size, pairs: Sequence[Pair] = ()) -> Layou
     return max(in_order or found, key=lambda layout: (layout.together, round(min(layout.white, most), 6)), default=None)
 
 
-def fits_sheet(sizes: Sequence[Size]) -> bool:
-    """Whether figures whose bare lines have these sizes go on one upright sheet with their lettering and titles, and some white to spare."""
+def fits_sheet(sizes: Sequence[Size], landscape: bool = False) -> bool:
+    """Whether figures whose bare lines have these sizes go on one sheet, upright or across, with their lettering and titles, and some white to spare."""
     lettered = [(max(w, TITLE) + 2 * LETTERING, h + LETTERING + CAPTION) for w, h in sizes]
-    layout = pack(lettered, room_inside())
+    layout = pack(lettered, room_inside(landscape))
     return layout is not None and layout.white >= ENOUGH
 
 

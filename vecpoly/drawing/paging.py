@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from ..board.construction import Figure, View
 from .packing import Layout, pack
@@ -30,6 +31,7 @@ class Drawn:
         return self.scene.extents.width, self.scene.extents.height
 
 
+Way = Literal["portrait", "landscape"] | None
 Page = tuple[tuple[Drawn, ...], Layout]
 Cost = tuple[int, int, int, int, int]
 
@@ -47,14 +49,14 @@ def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
     return tuple(ordered)
 
 
-def paged(drawn: tuple[Drawn, ...]) -> list[Page] | None:
-    """The figures in order on the best pages; None where one fits no page."""
+def paged(drawn: tuple[Drawn, ...], way: Way = None) -> list[Page] | None:
+    """The figures in order on the best pages, all of them turned this way where one is wished; None where one fits no page."""
     best: list[tuple[Cost, list[Page]] | None] = [((0, 0, 0, 0, 0), [])]
     for end in range(1, len(drawn) + 1):
         options: list[tuple[Cost, list[Page]]] = []
         for start in range(max(0, end - LONGEST), end):
             before = best[start]
-            layout = arranged(drawn[start:end]) if before is not None else None
+            layout = arranged(drawn[start:end], way) if before is not None else None
             if before is not None and layout is not None:
                 cost = tuple(a + b for a, b in zip(before[0], _cost(drawn, start, end, layout), strict=True))
                 options.append((cost, [*before[1], (drawn[start:end], layout)]))  # type: ignore[arg-type]
@@ -64,10 +66,10 @@ def paged(drawn: tuple[Drawn, ...]) -> list[Page] | None:
     return last[1] if last is not None else None
 
 
-def arranged(drawn: tuple[Drawn, ...]) -> Layout | None:
-    """Portrait or landscape, whichever leaves the more even white; portrait where they are alike."""
+def arranged(drawn: tuple[Drawn, ...], way: Way = None) -> Layout | None:
+    """Portrait or landscape, as wished or whichever leaves the more even white; portrait where they are alike."""
     sizes, pairs = [one.size for one in drawn], [(i, i + 1) for i in range(len(drawn) - 1) if _paired(drawn[i], drawn[i + 1])]
-    upright, wide = (pack(sizes, room_inside(landscape), pairs) for landscape in (False, True))
+    upright, wide = (None if way and landscape != (way == "landscape") else pack(sizes, room_inside(landscape), pairs) for landscape in (False, True))
     if upright is None or wide is None:
         return upright or wide
     return wide if (wide.together, wide.white) > (upright.together, upright.white + UPRIGHT) else upright

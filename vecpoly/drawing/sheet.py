@@ -11,7 +11,7 @@ from ..words import Lang, Words
 from .detail import detailed
 from .figure import draw_figure
 from .packing import Layout
-from .paging import Drawn, arranged, paged, reading_order
+from .paging import Drawn, Way, arranged, paged, reading_order
 from .redbox import red_box
 from .scene import Item, Rect, Scene
 from .space import A4, FRAME, STRIP, room_inside, usable
@@ -54,22 +54,22 @@ class Sheet:
         return Scene((*furniture(page, self.strip, self.lang), *self.drawn, *alarm), page)
 
 
-def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE) -> tuple[Sheet, ...]:
-    """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside its free body.
+def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None) -> tuple[Sheet, ...]:
+    """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside its free body; `way`: portrait or landscape, where one is wished.
 
     A knot in a polygon is drawn apart, enlarged, where that asks for no further sheet. Raises VecpolyError where a figure is larger than a sheet.
     """
     figures = reading_order(construction.figures)
     apart = tuple(one for figure in figures for one in detailed(figure))
     drawn = _drawn(apart, lang)
-    pages = paged(drawn)
+    pages = paged(drawn, way)
     if len(apart) > len(figures) and (pages is None or len(pages) > 1):
         whole = _drawn(figures, lang)
-        plain = paged(whole)
+        plain = paged(whole, way)
         if pages is None or (plain is not None and len(pages) > len(plain)):
             drawn, pages = whole, plain
     if pages is None:
-        raise _too_large(next(one for one in drawn if arranged((one,)) is None))
+        raise _too_large(next(one for one in drawn if arranged((one,), way) is None))
     return tuple(
         _sheet(group, layout, Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)), lang, construction.warning)
         for n, (group, layout) in enumerate(pages, start=1)

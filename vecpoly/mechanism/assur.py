@@ -1,11 +1,9 @@
 """Which links move together: the mechanism taken apart into Assur groups, in the order of their solution.
-
 Frame and driving links are known. An Assur group is a smallest set of links whose joints, among themselves
 and to known links, fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and
 six joints (class III or IV), and so on. Once solved, its links are known and the next group follows.
-
 A hinge of several links is one letter; any two links that carry it are pinned. A rolling joint fixes two
-coordinates (contact and no slip), or one where links hold the gear's centre at its distance (see `is_held`).
+coordinates (contact and no slip), or one where links hold the gear's centre (`is_held`). Links that a drive joins are found together (`rams`).
 """
 
 from __future__ import annotations
@@ -16,8 +14,10 @@ from itertools import combinations, pairwise
 
 from ..errors import MobilityError
 from ..words import Words
+from .contours import class_of
 from .model import FRAME, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling
 from .pitch_lines import pitch_lines
+from .rams import Ram, driven_kind, drives_within, units
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +54,8 @@ _CLASS = {"I": "Ⅰ", "II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": 
 class Group:
     """Links solved together.
 
-    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" and "rack" (one link), "gear train", "class III", ...
+    kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" and "rack" (one link), "gear train", "class III", ...; with a drive inside
+    "cylinder RR" or "cylinder RP" (a cylinder, a hinge, and the other link on its outer hinge or guide), else "driven".
     """
 
     kind: str
@@ -62,6 +63,12 @@ class Group:
     inner: tuple[Joint, ...]
     outer: tuple[Outer, ...]
     dyad: Dyad | None = None
+    ram: Ram | None = None
+
+    @property
+    def subject(self) -> Dyad | Ram | Group:
+        """What a textbook method is told: the dyad, the cylinder with its link, or the group itself."""
+        return self.dyad or self.ram or self
 
     @property
     def name(self) -> Words:
@@ -78,18 +85,19 @@ def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
 
     Raises MobilityError where links remain that no known link determines.
     """
-    known = [FRAME, *(drive.link for drive in mech.drives)]
-    rest = [link.name for link in mech.links if link.name not in known]
+    known = [FRAME, *(drive.link for drive in mech.drives if not drive.between)]
+    rest = list(units(mech))
     groups: list[Group] = []
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known), pressing), None)
         if group is None:
+            left = ", ".join(name for unit in rest for name in unit)
             raise MobilityError(Words(
-                f"构件 {', '.join(rest)} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
-                f"links {', '.join(rest)} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
+                f"构件 {left} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
+                f"links {left} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
         groups.append(group)
         known += group.links
-        rest = [name for name in rest if name not in group.links]
+        rest = [unit for unit in rest if not set(unit) & set(group.links)]
     return tuple(groups)
 
 
@@ -141,11 +149,11 @@ def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
     return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
 
 
-def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Iterator[Group]:
-    """Groups that the known links determine, the smallest first, in the order of the links."""
+def _candidates(mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...], pressing: bool) -> Iterator[Group]:
+    """Groups that the known links determine, the smallest first, in the order of the links; links joined by a drive count as one."""
     for size in range(1, len(rest) + 1):
-        for links in combinations(rest, size):
-            group = _group(mech, links, known, pressing)
+        for chosen in combinations(rest, size):
+            group = _group(mech, tuple(name for unit in chosen for name in unit), known, pressing)
             if group is not None:
                 yield group
 
@@ -153,16 +161,20 @@ def _candidates(mech: Mechanism, rest: tuple[str, ...], known: tuple[str, ...], 
 def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Group | None:
     """The group of just these links, or None where they are not one."""
     inner, outer = _joints(mech, links, known, pressing)
-    constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer)))
+    drives = drives_within(mech, links)
+    constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer))) + len(drives)
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
+    if drives:
+        kind, ram = driven_kind(mech, drives, inner, tuple((out.joint, out.link, out.parent) for out in outer))
+        return Group(kind=kind, links=links, inner=inner, outer=outer, ram=ram)
     if len(links) == 1:
         return Group(kind=_alone(links[0], outer), links=links, inner=inner, outer=outer)
     if len(links) == 2 and len(inner) == 1 and {out.link for out in outer} == set(links) and len(outer) == 2:
         dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
         return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
     rolls = any(isinstance(joint, Rolling) for joint in (*inner, *(out.joint for out in outer)))
-    kind = "gear train" if rolls else f"class {_class(links, inner)}"
+    kind = "gear train" if rolls else f"class {class_of(links, [ends(joint) for joint in inner])}"
     return Group(kind=kind, links=links, inner=inner, outer=outer)
 
 
@@ -227,18 +239,3 @@ def _dyad(inner: Joint, one: Outer, two: Outer) -> Dyad:
         kind=kind, link_j=one.link, link_k=two.link, outer_j=one.joint, parent_j=one.parent,
         inner=inner, outer_k=two.joint, parent_k=two.parent,
     )
-
-
-def _class(links: tuple[str, ...], inner: tuple[Joint, ...]) -> str:
-    """III where the inner joints close no contour; else the number of sides of the longest closed contour."""
-    sides = max((len(loop) for loop in _loops(links, [ends(joint) for joint in inner])), default=3)
-    return {3: "III", 4: "IV", 5: "V", 6: "VI"}.get(sides, str(sides))
-
-
-def _loops(links: tuple[str, ...], edges: list[tuple[str, str]]) -> Iterator[tuple[str, ...]]:
-    """Closed contours: sets of links in which every link meets exactly two others."""
-    for size in range(3, len(links) + 1):
-        for loop in combinations(links, size):
-            degree = [sum(name in edge and set(edge) <= set(loop) for edge in edges) for name in loop]
-            if all(d == 2 for d in degree):
-                yield loop

@@ -6,9 +6,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import assert_never
 
-from .statements import Form, Shaped, Side, SideOf, Statement
+from .placements import Side
+from .statements import Form, Shaped, SideOf, Statement
 
 _OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
+
+
+def nearer(guesses: Mapping[str, complex], one: Mapping[str, complex], two: Mapping[str, complex], hair: float) -> int | None:
+    """Which of two assemblies (0 or 1: positions of letters, m) lies nearer to the rough places; None where they do not tell.
+
+    hair: sums of distances (m) that differ by less are the same.
+    """
+    off = [sum(abs(at[p] - place) for p, place in guesses.items() if p in one and p in two) for at in (one, two)]
+    return None if abs(off[0] - off[1]) < hair else int(off[1] < off[0])
 
 
 def margin(statement: Statement, at: Mapping[str, complex]) -> float:

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import pi, sqrt
-from types import MappingProxyType
 from typing import Literal
+
+from ..frozen import FrozenMap
 
 Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 
@@ -19,7 +20,8 @@ Role = Literal["", "driving", "resisting"]  # what the problem says of a load; i
 class Force:
     """A force on a link through one of its lettered points, in a fixed direction (rad from the x axis).
 
-    size: N, positive along `direction`; None: it balances.
+    size: N, positive along `direction`; None: it balances. A cylinder's thrust acts `against` another link as well: from that link's
+    point `foot` to `point`, and with the opposite force on `foot`; it has no direction of its own.
     """
 
     name: str  # ASCII: F, Q, F_r
@@ -28,6 +30,8 @@ class Force:
     direction: float
     size: float | None = None
     role: Role = ""
+    against: str = ""
+    foot: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,7 +93,7 @@ class Friction:
 
     def __post_init__(self) -> None:
         for name in ("pins", "slides", "contacts"):
-            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+            object.__setattr__(self, name, FrozenMap(dict(getattr(self, name))))
 
     def __bool__(self) -> bool:
         return any((*self.pins.values(), *self.slides.values(), *self.contacts.values()))

@@ -9,51 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 
+from ..frozen import FrozenMap
+from .placements import ByAngle as ByAngle
+from .placements import ByLengths as ByLengths
+from .placements import ByOffsets as ByOffsets
+from .placements import Placement as Placement
+from .placements import Side as Side
 from .start import Start
 from .statements import Shaped as Shaped
-from .statements import Side as Side
 from .statements import SideOf as SideOf
 from .statements import Statement as Statement
 
 FRAME = "0"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ByLengths:
-    """The point is the apex of a triangle on the base: distances from both base points, and the side."""
-
-    point: str
-    base: tuple[str, str]
-    lengths: tuple[float, float]
-    side: Side  # LEFT or RIGHT of the ray base[0] -> base[1]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ByOffsets:
-    """The point lies `along` the ray base[0] -> base[1] from base[0], then `left` perpendicular to it.
-
-    With a single-letter base (a link with one point and a guide) the ray is the guide's direction.
-    """
-
-    point: str
-    base: tuple[str, ...]
-    along: float
-    left: float = 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ByAngle:
-    """The point lies at `distance` from base[0], at `angle` counter-clockwise from base[0] -> base[1] (or the guide)."""
-
-    point: str
-    base: tuple[str, ...]
-    distance: float
-    angle: float
-
-
-Placement = ByLengths | ByOffsets | ByAngle
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +33,7 @@ class Link:
     placements: tuple[Placement, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "points", MappingProxyType(dict(self.points)))
+        object.__setattr__(self, "points", FrozenMap(dict(self.points)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -157,10 +125,11 @@ class Contact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
-    """The input: link `link` turns about its frame pivot (`slide` False), or slides on its frame guide (`slide` True).
+    """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the frame as a rule.
 
-    position: angle of the link's x axis from the frame's x axis (rad), or travel of its pin along the guide from the
-    guide's origin (m); rate: ω (rad/s) or v (m/s); accel: α (rad/s²) or a (m/s²).
+    position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the guide from the
+    guide's origin (m; between two moving links the length of a cylinder); rate: ω (rad/s) or v (m/s), relative to `on`;
+    accel: α (rad/s²) or a (m/s²), likewise.
     """
 
     link: str
@@ -168,6 +137,17 @@ class Drive:
     rate: float
     accel: float = 0.0
     slide: bool = False
+    on: str = FRAME
+
+    @property
+    def between(self) -> bool:
+        """Whether it acts between two moving links, as a hydraulic cylinder does."""
+        return self.on != FRAME
+
+    @property
+    def pair(self) -> frozenset[str]:
+        """The two links between which it acts."""
+        return frozenset((self.link, self.on))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -182,10 +162,11 @@ class Mechanism:
     contacts: tuple[Contact, ...] = ()
     starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them
+    welded: tuple[tuple[str, str], ...] = ()  # rollers that turn idly, and the link of which each is taken as a part
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "frame", MappingProxyType(dict(self.frame)))
-        object.__setattr__(self, "guesses", MappingProxyType(dict(self.guesses)))
+        object.__setattr__(self, "frame", FrozenMap(dict(self.frame)))
+        object.__setattr__(self, "guesses", FrozenMap(dict(self.guesses)))
 
     @property
     def drive(self) -> Drive:

@@ -6,15 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from ..words import Words
-
-
-class Side(StrEnum):
-    """Where a point lies, in a lecturer's words."""
-
-    LEFT = "left"
-    RIGHT = "right"
-    ABOVE = "above"
-    BELOW = "below"
+from .placements import Side
 
 
 class Form(StrEnum):

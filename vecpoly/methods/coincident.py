@@ -24,6 +24,6 @@ def coincident_letters(mech: Mechanism, groups: tuple[Group, ...]) -> dict[str, 
             if moving:
                 letters[d.inner.point] = moving[0]
     for group in groups:
-        letters |= letters_on_legs(group)
+        letters |= letters_on_legs(group) if group.ram is None else {group.ram.inner.point: group.ram.far}
     unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
     return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}

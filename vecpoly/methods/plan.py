@@ -7,6 +7,7 @@ round scales with which every figure fills its place on the sheet.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,10 +26,12 @@ from .answers import Repeats, answer, named_answer
 from .coincident import coincident_letters
 from .desk import POLE, Desk
 from .drawn import Drawn, motion_of
+from .exchange import exchanged
 from .higher import refuse_higher
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
+from .kinematics.position_drive import say_fixed_points, say_welded
 from .kinematics.wanted import draw_wanted
 from .passes import stages
 from .registry import Stage, find
@@ -52,6 +55,7 @@ FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 Fit = Callable[[list[tuple[float, float]]], bool]
 WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
+NOTHING: Mapping[Stage, Words] = {}
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
@@ -63,8 +67,10 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
     Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
+        exchange = exchanged(problem.mechanism, stages(problem))
+        problem = replace(problem, subject=exchange.mech)
         scales, sketch = _choose_scales(problem, slots, fit)
-        desk = _draw(problem, by, scales)
+        desk = _draw(problem, by, scales, exchange.said)
         readings, repeats = _answers(desk, problem)
         plain = sketch or _draw(problem, hand("exact"), scales)
         ideal, _ = _answers(plain, problem)
@@ -134,7 +140,7 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
+def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
@@ -142,6 +148,8 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
     desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
+        if stage in said:
+            desk.board.step(said[stage], View(stage.value) if stage is not Stage.POSITION else View.MECHANISM)
         if stage is Stage.CENTRES:
             from .centres.plan import centre_pass
 
@@ -157,19 +165,24 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale]) -> Desk:
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
-    shapes, drive = problem.given.shapes, desk.mech.drive
+    shapes, held = problem.given.shapes, [drive for drive in desk.mech.drives if not drive.between]
     position = stage is Stage.POSITION
-    find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+    if not held and position:
+        say_fixed_points(desk)
+    if position and desk.mech.welded:
+        say_welded(desk)
+    for drive in held:
+        find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
     if position:
-        _further_points(desk, (drive.link,))
+        _further_points(desk, tuple(drive.link for drive in held))
         draw_frame(desk, shapes)
-        draw_links(desk, shapes, (drive.link,))
+        draw_links(desk, shapes, tuple(drive.link for drive in held))
     else:
         view = View(stage.value)
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)
     for group in groups:
         say_replaced(desk, stage, group)
-        find(stage, group.kind).draw(desk, group.dyad or group)
+        find(stage, group.kind).draw(desk, group.subject)
         if position:
             letter_contacts(desk, group.links)
             _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})

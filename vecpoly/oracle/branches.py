@@ -7,11 +7,13 @@ from dataclasses import replace
 from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.branch import margin, opposite
+from ..mechanism.branch import margin, nearer, opposite
 from ..mechanism.four_bar import folded_corner, fourth_corner
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
 from ..mechanism.statements import Form, Shaped
 from ..words import Words
+from .driven import drives_in
+from .driven_assemblies import among
 from .dyads import Hinged, Swinging
 from .newton import Newton
 from .parallel import folded, parallel
@@ -47,6 +49,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
 
     Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two coincide.
     """
+    if isinstance(step, Newton) and drives_in(step.rows):
+        return among(mech, step, bodies, run)
     before = places(mech, bodies)
     figure = _parallelogram(mech, step)
     if figure is not None and _is_said(mech, figure):
@@ -64,6 +68,8 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return _figured(mech, options[fits.index(True)], figure, after[fits.index(True)])
+    if all(fits) and step.two and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
+        return _figured(mech, options[near], figure, after[near])
     if not any(fits):
         statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
@@ -76,6 +82,19 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         Words(
         f"构件 {'、'.join(step.group.links)} 在运动副 {step.joint} 处有两种装配方式",
         f"links {names} can be assembled in two ways at joint {step.joint}") + _advice(mech, step, before, after))
+
+
+def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
+    """AssemblyError for a statement that is not so in the finished assembly: the drive or the data decide otherwise."""
+    at, where = places(mech, bodies), run.text(float(run.q[-1]))
+    for statement in mech.branches:
+        gap = margin(statement, at)
+        if gap < -1e-9 * mech.scale:
+            held = opposite(statement)
+            raise AssemblyError(
+                Words(f"'{statement}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
+                      f"'{statement}' contradicts the other data: where the drive stands at {where}, they make it '{held}', by {-1e3 * gap:.4g} mm; "
+                      "leave it out, or correct either"), code="branch contradicts", numbers={"gap": gap})
 
 
 def _hinged(step: Step) -> bool:
@@ -126,7 +145,8 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
         here, there = (margin(statement, at) for at in after)
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
             return Words(f"；请指明“{statement}”或“{opposite(statement)}”", f"; say which: '{statement}' or '{opposite(statement)}'")
-    return Words.same("")
+    return Words(f"；没有字母点能区分两者，请以 guesses: {{{step.joint}: [x mm, y mm]}} 给出大致位置",
+                 f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}")
 
 
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:

@@ -50,6 +50,6 @@ class Crossed:
         v, _, a, _ = shares(both, run, self.group.links, (self.outer, own), (self.inner, own))
         return {self.inner.parent: j, self.outer.link: self.outer.moving(both, own, v, a)}
 
-    def miss(self, bodies: Bodies) -> Reals:
+    def miss(self, bodies: Bodies, run: Run) -> Reals:
         """Parallel guides never meet."""
         return np.full(1, np.inf)

@@ -16,6 +16,7 @@ from .changes import Changes
 from .loci import Arc, Line, Locus, Share
 from .run import Run
 from .state import Bodies, Body, Points, Reals, cross, dot
+from .telescope import Telescope, moved, placed, radius_of
 
 ROUND = 1e-13  # what rounding leaves of a vanishing square
 
@@ -35,11 +36,11 @@ def signs(step: Hinged | Swinging, run: Run) -> Reals:
 
 @dataclass(frozen=True, slots=True)
 class Hinged:
-    """Inner joint R: it lies on the locus of link j and on the locus of link k."""
+    """Inner joint R: it lies on the locus of link j and on the locus of link k; either may be a driven cylinder's end."""
 
     group: Group
-    j: Locus
-    k: Locus
+    j: Locus | Telescope
+    k: Locus | Telescope
     joint: str
     sign: float = 1.0
     changes: Changes | None = None
@@ -47,40 +48,34 @@ class Hinged:
     @property
     def two(self) -> bool:
         """Whether two assemblies exist."""
-        return isinstance(self.j, Arc) or isinstance(self.k, Arc)
+        return not (isinstance(self.j, Line) and isinstance(self.k, Line))
 
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """The inner hinge where both loci meet, and both links there."""
         from_j, from_k = self.j.base(bodies), self.k.base(bodies)
-        at = self._meet(bodies, from_j, from_k, signs(self, run))
-        return {
-            self.j.link: self.j.body(at, from_j, bodies, run),
-            self.k.link: self.k.body(at, from_k, bodies, run),
-        }
+        at = self._meet(bodies, run, from_j, from_k)
+        return {**placed(self.j, at, from_j, bodies, run), **placed(self.k, at, from_k, bodies, run)}
 
-    def _meet(self, bodies: Bodies, from_j: Points, from_k: Points, sign: Reals) -> Points:
+    def _meet(self, bodies: Bodies, run: Run, from_j: Points, from_k: Points) -> Points:
+        sign = signs(self, run)
         match self.j, self.k:
-            case Arc() as j, Arc() as k:
-                return _arc_arc(from_j, j.size, from_k, k.size, sign)
-            case Arc() as j, Line() as k:
-                return _arc_line(from_j, j.size, from_k, k.direction(bodies), sign)
-            case Line() as j, Arc() as k:
-                return _arc_line(from_k, k.size, from_j, j.direction(bodies), sign)
             case Line() as j, Line() as k:
                 return line_line(from_j, j.direction(bodies), from_k, k.direction(bodies))
-        raise AssertionError
+            case Line() as j, k:
+                return _arc_line(from_k, radius_of(k, run), from_j, j.direction(bodies), sign)
+            case j, Line() as k:
+                return _arc_line(from_j, radius_of(j, run), from_k, k.direction(bodies), sign)
+            case j, k:
+                return _arc_arc(from_j, radius_of(j, run), from_k, radius_of(k, run), sign)
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """w_j + λ_j d_j = w_k + λ_k d_k, then q_j + μ_j d_j = q_k + μ_k d_k."""
         own_j, own_k = bodies[self.j.link], bodies[self.k.link]
         v_j, v_k, a_j, a_k = shares(bodies, run, self.group.links, (self.j, own_j), (self.k, own_k))
-        return {
-            self.j.link: self.j.moving(bodies, own_j, v_j, a_j),
-            self.k.link: self.k.moving(bodies, own_k, v_k, a_k),
-        }
+        return {**moved(self.j, bodies, own_j, v_j, a_j), **moved(self.k, bodies, own_k, v_k, a_k)}
 
     def fold(self, bodies: Bodies) -> Reals:
-        """Square of the sine between both arms, or between the arm and the guide's normal."""
+        """Square of the sine between both arms, or between the arm and the guide's normal; 1 where a cylinder moves the hinge."""
         match self.j, self.k:
             case Arc() as j, Arc() as k:
                 ray = k.base(bodies) - j.base(bodies)
@@ -91,26 +86,27 @@ class Hinged:
                 return (1 - sine) * (1 + sine)
         return np.ones(1)
 
-    def miss(self, bodies: Bodies) -> Reals:
+    def miss(self, bodies: Bodies, run: Run) -> Reals:
         """Gap at the inner hinge (m)."""
         match self.j, self.k:
-            case Arc() as j, Arc() as k:
-                apart = np.abs(k.base(bodies) - j.base(bodies))
-                return np.maximum(apart - (j.size + k.size), abs(j.size - k.size) - apart)
-            case (Arc() as arc, Line() as line) | (Line() as line, Arc() as arc):
+            case Line(), Line():
+                return np.full(1, np.inf)
+            case (Line() as line, arc) | (arc, Line() as line):
                 away = cross(line.direction(bodies), arc.base(bodies) - line.base(bodies))
-                return np.abs(away) - arc.size
-        return np.full(1, np.inf)
+                return np.asarray(np.abs(away) - radius_of(arc, run))
+            case j, k:
+                apart, one, two = np.abs(k.base(bodies) - j.base(bodies)), radius_of(j, run), radius_of(k, run)
+                return np.asarray(np.maximum(apart - (one + two), np.abs(one - two) - apart))
 
 
 def shares(
-    bodies: Bodies, run: Run, links: tuple[str, ...], one: tuple[Locus, Body], two: tuple[Locus, Body]
+    bodies: Bodies, run: Run, links: tuple[str, ...], one: tuple[Locus | Telescope, Body], two: tuple[Locus | Telescope, Body]
 ) -> tuple[Share, Share, Share, Share]:
     """Velocity and acceleration of the common point by either locus: v_j, v_k, a_j, a_k."""
     (j, own_j), (k, own_k) = one, two
     w_j, d_j = j.velocity(bodies, own_j)
     w_k, d_k = k.velocity(bodies, own_k)
-    inverse = 1 / run.alive(cross(d_j, d_k), j.size * k.size, links)
+    inverse = 1 / run.alive(cross(d_j, d_k), radius_of(j, run) * radius_of(k, run), links)
     rate_j, rate_k = _split(w_k - w_j, d_j, d_k, inverse)
     b_j, q_j = j.acceleration(bodies, own_j, d_j, rate_j)
     b_k, q_k = k.acceleration(bodies, own_k, d_k, rate_k)
@@ -125,7 +121,7 @@ def _split(w: Points, d_j: Points, d_k: Points, inverse: Reals) -> tuple[Reals, 
     return (conj * d_k).imag * inverse, (conj * d_j).imag * inverse
 
 
-def _arc_arc(centre: Points, radius: float, other: Points, reach: float, sign: Reals) -> Points:
+def _arc_arc(centre: Points, radius: Reals, other: Points, reach: Reals, sign: Reals) -> Points:
     """C = O + D (a + ih), a = (r² - R² + D²) / 2D², h = ±√(r²/D² - a²); sign + is left of the ray O -> P."""
     ray = other - centre
     scale = 1 / dot(ray, ray)
@@ -134,7 +130,7 @@ def _arc_arc(centre: Points, radius: float, other: Points, reach: float, sign: R
     return centre + ray * (share + 1j * sign * height)
 
 
-def _arc_line(centre: Points, radius: float, base: Points, along: Points, sign: Reals) -> Points:
+def _arc_line(centre: Points, radius: Reals, base: Points, along: Points, sign: Reals) -> Points:
     """C = foot + e t, t = ±√(r² - g²), g the centre's distance from the line; sign + is ahead of the foot."""
     ahead = along.conj() * (centre - base)
     away = ahead.imag
@@ -220,7 +216,7 @@ class Swinging:
             self.block: block.moving(v_k, omega, a_k, alpha),
         }
 
-    def miss(self, bodies: Bodies) -> Reals:
+    def miss(self, bodies: Bodies, run: Run) -> Reals:
         """How far the block's pin is nearer to the guide's pivot than the guide's offset (m)."""
         here, there = self.ends(bodies)
         return abs(self.across) - np.abs(there - here)

@@ -32,6 +32,8 @@ def spans(closes: Closes, drive: Drive, scale: float) -> Spans:
     Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
     """
     low, high = (drive.position - SEARCHED * scale, drive.position + SEARCHED * scale) if drive.slide else (0.0, 2 * np.pi)
+    if drive.slide and drive.between and drive.position > 0:
+        low = max(low, 0.0)  # a cylinder has no negative length
     q = np.linspace(low, high, SAMPLES + 1)
     good = closes(q)
     if not good.any():

@@ -12,20 +12,21 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mechanism.assur import Group, is_held
-from ..mechanism.model import Mechanism, Rolling
+from ..mechanism.assur import Group
+from ..mechanism.model import Mechanism
 from .assemblies import chosen, distances, is_guessed
+from .driven import Driven, asked_of, drives_in, less_asked
 from .guess import first_guess
-from .off_centre import crossing, places
-from .rows import Row, row
+from .off_centre import places
+from .rows import Row
 from .run import Run, Track
-from .standing import Standing, carriers, standings
+from .scatter import distinct, random_starts, scattered
+from .standing import Standing, carriers
 from .state import Bodies, Body, Points, Reals
 from .watch import PATIENCE, Watch
 
 States = NDArray[np.float64]  # positions × links × (x, y, φ), or positions × 3 links
 ITERATIONS = 40
-SEEDS = 255  # further starts about the first guess
 EXACT = 1e-9  # of the mechanism's size: guesses nearer to an assembly than this are one
 
 
@@ -35,7 +36,7 @@ class Newton:
 
     mech: Mechanism
     group: Group
-    rows: tuple[Row, ...]
+    rows: tuple[Row | Driven, ...]  # those of drives last
     stands: tuple[Standing, ...] = ()  # in the place of no slip at the own position
     sign: float = 1.0
     two: bool = False
@@ -49,13 +50,12 @@ class Newton:
     def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """Walk the path from the own position outwards, then solve all positions asked for at once."""
         assert run.track is not None
-        track, known = run.track, self._known(bodies, run.track)
+        track, known = run.track, self.known(bodies, run.track, run.q)
         states = np.full((len(run.q), len(self.group.links), 3), np.nan)
         here = {name: body.take(np.array([track.own])) for name, body in known.items()}
         if 0 not in self.walked:
             own = {name: body.take(np.array([track.own])) for name, body in bodies.items()}
-            about = places(self.mech, self.group, here, self.sign) if self.two else {}
-            self.walked[0] = self._nearest(first_guess(self.mech, self.group, here, about), here, own)
+            self.walked[0] = self._own(here, own)
         states[track.own] = self.walked[0]
         for way in (1, -1):
             self._walk(states, known, track, way)
@@ -77,16 +77,29 @@ class Newton:
         bends = self._linear(jacobian, self._stack([r.accel(moved[r.a], moved[r.b]) for r in self.rows], len(run.q)))
         return self._moving(bodies, rates, bends)
 
-    def miss(self, bodies: Bodies) -> Reals:
+    def miss(self, bodies: Bodies, run: Run) -> Reals:
         """No gap to tell: the loops do not close at all."""
         return np.full(1, np.nan)
+
+    def assemblies(self, here: Bodies) -> States:
+        """Every assembly of a group with a drive inside, the known links (and the drive) being in these positions."""
+        seeds = random_starts(self.mech, len(self.group.links))
+        return distinct(self._solve(seeds, here, seeds, here, ITERATIONS), self.size)
+
+    def _own(self, here: Bodies, known: Bodies) -> NDArray[np.float64]:
+        """The assembly at the own position: nearest to the guesses; with a drive inside any, until one is chosen."""
+        if not drives_in(self.rows):
+            about = places(self.mech, self.group, here, self.sign) if self.two else {}
+            return self._nearest(first_guess(self.mech, self.group, here, about), here, known)
+        found = self.assemblies(here)
+        return np.asarray(found[0]) if len(found) else np.full((len(self.group.links), 3), np.nan)
 
     def _nearest(self, guess: States, here: Bodies, known: Bodies) -> NDArray[np.float64]:
         """Of the assemblies that Newton reaches from about the guess, the one that is meant."""
         if any(r.rolls for r in self.rows):
             return np.asarray(self._solve(guess, here, None, here, ITERATIONS)[0])
         exact = is_guessed(self.mech, self.group) and self._exact(guess, here)
-        seeds = guess if exact else np.concatenate([guess, self._scattered(guess)])
+        seeds = guess if exact else np.concatenate([guess, scattered(guess, self.size, 0.15 if is_guessed(self.mech, self.group) else 0.5)])
         return chosen(self.mech, self.group, self._solve(seeds, here, seeds, here, ITERATIONS), known)
 
     def _exact(self, guess: States, here: Bodies) -> bool:
@@ -95,26 +108,19 @@ class Newton:
         whole = all(len(told & set(self.mech.link(name).points)) > 1 for name in self.group.links)
         return whole and bool(distances(self.mech, self.group, self._solve(guess, here, guess, here))[0] < EXACT * self.size)
 
-    def _scattered(self, guess: States) -> States:
-        """Further starts about the first guess: half of them near it, the others turned at will."""
-        random = np.random.default_rng(0)
-        wide = 0.15 if is_guessed(self.mech, self.group) else 0.5
-        scatter = random.normal(size=(SEEDS, *guess.shape[1:])) * (wide * self.size, wide * self.size, 0.7)
-        scatter[SEEDS // 2:, :, 2] = random.uniform(-np.pi, np.pi, scatter[SEEDS // 2:, :, 2].shape)
-        return np.asarray(guess + scatter)
-
-    def _known(self, bodies: Bodies, track: Track) -> dict[str, Body]:
-        """The parents; under a rolling joint with their angles followed."""
+    def known(self, bodies: Bodies, track: Track | None, q: Reals) -> dict[str, Body]:
+        """The drives' positions, and the parents; under a rolling joint with their angles followed."""
         names = {name for r in self.rows for name in (r.a, r.b)} - set(self.group.links)
         names |= {name for stand in self.stands for name in carriers(stand) if name in bodies}
+        drives = asked_of(self.rows, q)
         if not any(r.rolls for r in self.rows):
-            return {name: bodies[name] for name in names}
-        followed = {}
+            return {**drives, **{name: bodies[name] for name in names}}
+        followed = {**drives}
         for name in names:
             body = bodies[name]
             turn = body.turn
             if turn is None:
-                turn = track.follow(np.angle(body.unit)) if len(body.unit) > 1 else np.angle(body.unit)
+                turn = track.follow(np.angle(body.unit)) if track and len(body.unit) > 1 else np.angle(body.unit)
             followed[name] = Body(body.local, body.at, body.unit, turn)
         return followed
 
@@ -165,6 +171,7 @@ class Newton:
         for _ in range(ITERATIONS):
             now = {**here, **self._bodies(states[left])}
             gap = self._stack([r.gap(now[r.a], now[r.b], past[r.a], past[r.b]) for r in self.rows], len(left), now if loose else None)
+            less_asked(gap, self.rows, here)
             step = self._linear(self._jacobian(now, loose), gap, loose)
             reach = np.abs(step[..., 2]).max(axis=1)
             states[left] += step * np.minimum(1.0, 0.5 / np.maximum(reach, 1e-300))[:, None, None]
@@ -233,12 +240,3 @@ class Newton:
 
 def _rates(body: Body, rate: States, bend: States) -> Body:
     return body.moving(rate[:, 0] + 1j * rate[:, 1], rate[:, 2], bend[:, 0] + 1j * bend[:, 1], bend[:, 2])
-
-
-def newton(mech: Mechanism, group: Group) -> Newton:
-    """The step for a group that has no closed form here; of a hinge off a gear's centre there are two assemblies."""
-    joints = (*group.inner, *(out.joint for out in group.outer))
-    rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
-    if (cross := crossing(mech, group)) is not None:
-        return Newton(mech, group, rows, standings(mech, group), two=True, joint=cross[0])
-    return Newton(mech, group, rows, standings(mech, group), joint=f"the loops of the {group.name.en}")

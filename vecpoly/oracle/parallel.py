@@ -50,7 +50,7 @@ class Parallel:
         """ω_BC = ω_AD, ω_CD = ω_AB, and so α."""
         return {arm.link: arm.moving(bodies) for arm in self.arms}
 
-    def miss(self, bodies: Bodies) -> Reals:
+    def miss(self, bodies: Bodies, run: Run) -> Reals:
         """There is no position in which it does not close."""
         return np.full(1, np.inf)
 

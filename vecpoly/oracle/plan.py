@@ -14,7 +14,7 @@ from ..mechanism.mobility import check
 from ..mechanism.model import FRAME, Mechanism, Rolling
 from ..words import Words
 from .across import across
-from .branches import check_letters, choose
+from .branches import check_letters, choose, confirm
 from .changes import Changes, touches
 from .drive import Driver, driver
 from .dyads import Hinged, Swinging
@@ -28,7 +28,7 @@ TIGHT = 1e-5  # square of the sine of a folded dyad below which its change point
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Drives and steps in order of solution. Build it with `plan_for`."""
+    """Drives against the frame and steps in order of solution. Build it with `plan_for`."""
 
     mech: Mechanism
     drivers: tuple[Driver, ...]
@@ -44,10 +44,8 @@ class Plan:
         if self.followed:
             path, q = track(drive.position, STEP * (self.mech.scale if drive.slide else 2 * np.pi), asked)
             run = replace(run, q=q, track=path)
-        bodies = {FRAME: at_rest(), drive.link: self.drivers[0].body(run.q)}
-        for other in self.drivers[1:]:
-            bodies[other.drive.link] = other.body(np.full(1, other.drive.position))
-        return run, bodies
+        held = {one.drive.link: one.body(run.q if one.drive is drive else np.full(1, one.drive.position)) for one in self.drivers}
+        return run, {FRAME: at_rest(), **held}
 
     def bodies(self, asked: Reals, order: int = 2, strict: bool = True) -> dict[str, Body]:
         """Every link at these positions of the drive (rad or m); rates where the order asks for them.
@@ -59,7 +57,7 @@ class Plan:
         if not changes:
             return self._bodies(asked, order, strict)
         found = across(changes, asked, drive, self.mech.scale, lambda q: self._bodies(q, order, strict))
-        return found | {drive.link: self.drivers[0].body(asked)}
+        return found | {one.drive.link: one.body(asked) for one in self.drivers if one.drive is drive}
 
     def _bodies(self, asked: Reals, order: int, strict: bool) -> dict[str, Body]:
         """The same, as each position alone gives it: without digits beside a change point."""
@@ -90,7 +88,7 @@ class Plan:
             open_ |= np.isnan(body.unit) | np.isnan(body.at)
         if open_[run.asked :].any():
             first = run.first(open_)
-            gap = np.broadcast_to(step.miss(bodies), run.q.shape)[first]
+            gap = np.broadcast_to(step.miss(bodies, run), run.q.shape)[first]
             here = float(run.q[first])
             raise refusal(step, run.text(here), float(gap), self.ranges(step), alone=alone(self._upto(step).closes(), here, self.mech.scale))
 
@@ -156,7 +154,7 @@ def build(mech: Mechanism) -> Plan:
     check_letters(mech)
     _check_gears(mech)
     raw = tuple(step_for(mech, group) for group in decompose(mech))
-    empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives), (), any(map(is_followed, raw)))
+    empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives if not drive.between), (), any(map(is_followed, raw)))
     chosen: list[Step] = []
     with np.errstate(invalid="ignore", divide="ignore"):
         run, bodies = empty.start(np.array([mech.drive.position]), strict=True)
@@ -165,6 +163,7 @@ def build(mech: Mechanism) -> Plan:
             partial.placed(step, bodies, run)
             chosen.append(choose(mech, step, bodies, run))
             bodies |= chosen[-1].place(bodies, run)
+        confirm(mech, bodies, run)
     return replace(empty, steps=tuple(chosen))
 
 
@@ -174,6 +173,8 @@ def through(plan: Plan) -> Plan:
     They come again with every turn of the drive; behind a dyad that has an odd number of them, with every second turn.
     """
     drive, scale = plan.mech.drive, plan.mech.scale
+    if drive.between:  # a cylinder's stroke, on which no link turns round
+        return plan
     low, span = (drive.position - SEARCHED * scale, 2 * SEARCHED * scale) if drive.slide else (drive.position, 2 * np.pi)
     steps: list[Step] = []
     for step in plan.steps:

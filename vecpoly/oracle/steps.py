@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mechanism.assur import Dyad, Group
+from ..mechanism.assur import Dyad, Group, is_held
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
+from ..mechanism.rams import Ram, drives_within
 from .crossed import Crossed
+from .driven import driven
 from .dyads import Hinged, Swinging
 from .loci import Arc, Locus, roll, slide
-from .newton import Newton, newton
+from .newton import Newton
+from .off_centre import crossing
 from .parallel import Parallel
-from .standing import start_of
+from .rows import row
+from .standing import standings, start_of
+from .telescope import Telescope, telescope
 
 Step = Hinged | Swinging | Crossed | Parallel | Newton
 
@@ -19,6 +24,8 @@ Step = Hinged | Swinging | Crossed | Parallel | Newton
 def step_for(mech: Mechanism, group: Group) -> Step:
     """The closed form of a dyad, Newton for anything else."""
     step: Step | None = None
+    if group.ram is not None:
+        return _extended(mech, group, group.ram)
     if group.dyad is not None:
         dyad = group.dyad
         match dyad.outer_j, dyad.inner, dyad.outer_k:
@@ -29,6 +36,13 @@ def step_for(mech: Mechanism, group: Group) -> Step:
             case Revolute() as first, Prismatic() as guide, Prismatic() as last:
                 step = _crossed(mech, group, dyad, (first, guide, last))
     return step or newton(mech, group)
+
+
+def _extended(mech: Mechanism, group: Group, ram: Ram) -> Hinged:
+    """A driven cylinder and the link at its end."""
+    other = _locus(mech, ram.link_joint, ram.link, ram.link_parent, ram.inner.point)
+    assert other is not None  # the link hangs on a hinge or on a guide
+    return Hinged(group, other, telescope(mech, ram, drives_within(mech, group.links)[0]), ram.inner.point)
 
 
 def _hinged(mech: Mechanism, group: Group, dyad: Dyad, pin: Revolute) -> Hinged | None:
@@ -98,6 +112,15 @@ def is_followed(step: Step) -> bool:
         case Newton():
             return True
         case Hinged(j=j, k=k):
-            return j.gearing is not None or k.gearing is not None
+            return any(not isinstance(locus, Telescope) and locus.gearing is not None for locus in (j, k))
     return False
 
+
+def newton(mech: Mechanism, group: Group) -> Newton:
+    """The step for a group that has no closed form here; of a hinge off a gear's centre there are two assemblies."""
+    joints = (*group.inner, *(out.joint for out in group.outer))
+    rows = tuple(row(mech, joint, isinstance(joint, Rolling) and is_held(mech, joint)) for joint in joints)
+    drives = tuple(driven(mech, drive) for drive in drives_within(mech, group.links))
+    if (cross := crossing(mech, group)) is not None:
+        return Newton(mech, group, (*rows, *drives), standings(mech, group), two=True, joint=cross[0])
+    return Newton(mech, group, (*rows, *drives), standings(mech, group), joint=f"the loops of the {group.name.en}")

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 import re
-from functools import cache
 from typing import Any, NamedTuple
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
+from ..arguments import known_language, of_kind
 from ..data import data_dir
 from ..report.content import statement
+from ..report.templates import filled
 from ..solution import Solution
 from ..typeset.fonts import Face
 from ..typeset.words import is_han
@@ -47,6 +46,8 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
 
     A page that would be larger than a megabyte has half as many places.
     """
+    known_language(lang)
+    of_kind(solution, Solution, Words("解答（solve 的结果）", "a solution, as solve gives it,"))
     ink = Ink()
     through = cycle(solution, places, seed=seed)
     turning = len(through.turns) > 1
@@ -65,16 +66,11 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
 
 def _rendered(context: dict[str, Any], ink: Ink) -> str:
     """The filled template, with just the characters that stand in it as fonts."""
-    template = _environment().get_template("page.html.j2")
-    plain = template.render(context | {"fonts": ""})
+    folder = (data_dir("templates") / "player",)
+    plain = filled("page.html.j2", folder, context | {"fonts": ""}, escaped=False)
     ink.faces.take(plain)
     ink.faces.need(Face.HEI, "".join(char for part in _HEADINGS.finditer(plain) for char in part[0] if is_han(char)))
-    return template.render(context | {"fonts": font_css(ink.faces.used)})
-
-
-@cache
-def _environment() -> Environment:
-    return Environment(loader=FileSystemLoader(data_dir("templates") / "player"), autoescape=False, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    return filled("page.html.j2", folder, context | {"fonts": font_css(ink.faces.used)}, escaped=False)
 
 
 def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:

@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
-from ..errors import FaultError, UnknownNameError
+from ..arguments import of_kind
+from ..errors import FaultError, ProblemFileError, UnknownNameError
+from ..frozen import FrozenMap
 from ..words import Words
 from .build import build
 from .faults import Faults, meant
 from .load import locate, tree_of
 from .problem import Problem
+from .reach import Reach, refuse_foreign
 from .schema import AssignmentSpec
-from .source import Tree, overlay, parse, read_text
+from .source import Tree, overlay, read, read_text
 from .validate import validate
 
 FIELDS = {
@@ -39,19 +41,21 @@ class Assignment:
     path: Path | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "block", MappingProxyType(dict(self.block)))
+        object.__setattr__(self, "block", FrozenMap(dict(self.block)))
 
 
 def is_assignment(path: Path) -> bool:
     """Does this file list problems (an assignment) or is it one?"""
-    data = parse(read_text(path), str(path)).data
+    data = read(path).data
     return "problems" in data and "links" not in data
 
 
-def load_assignment(where: str | Path) -> Assignment:
-    """The assignment in this file; raises ProblemFileError."""
+def load_assignment(where: str | Path, *, allow_outside: bool = False) -> Assignment:
+    """The assignment in this file; allow_outside: as in `load`. Raises ProblemFileError."""
+    of_kind(where, (str, Path), Words("文件名", "the name of a file"))
     path = Path(where)
-    tree = parse(read_text(path), str(path))
+    tree = read(path)
+    tree.reach = Reach(path.parent, allow_outside)
     faults = Faults(tree.name, tree.places)
     spec = validate(AssignmentSpec, tree.data, faults)
     block = _block(spec.title_block, faults)
@@ -68,7 +72,10 @@ def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
     for key, value in written.items():
         with faults.at("title_block", key):
             if key not in names:
-                raise FaultError(Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names))
+                raise FaultError(Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names), code="unknown-key")
+            if block[names[key]]:
+                raise FaultError(Words(f"'{key}' 与 '{FIELDS[names[key]]}' 是同一栏，且已填 '{block[names[key]]}'；请删去其一",
+                                       f"'{key}' and '{names[key]}' are one field, which holds '{block[names[key]]}' already; leave out one of them"), code="contradiction")
             block[names[key]] = value or ""
     return block
 
@@ -82,16 +89,18 @@ def _problem(
         if not isinstance(name, str):
             raise FaultError(Words(
                 "请写出题号，如 {problem: 3-9, input: {omega: 10 rad/s ccw}}",
-                "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"))
+                "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"), code="missing")
         try:
-            file = locate(name, path.parent)
-        except UnknownNameError as error:
+            file = locate(name, path.parent, tree.reach)
+            refuse_foreign(read_text(file), file)
+        except (ProblemFileError, UnknownNameError) as error:
             raise FaultError(error.words) from None
-        base = tree_of(file)
+        base = tree_of(file, reach=tree.reach)
         if over is None:
             return build(base, file)
         over.data.pop("problem")
-        over.data.pop("extends", None)
+        if "extends" in over.data:
+            raise FaultError(Words(f"此项已由 problem: {name} 指明题目，不能再写 extends；请删去", f"problem: {name} says already on what this builds; leave out extends"), "extends")
         return build(overlay(base, over), file)
     return None
 
@@ -107,6 +116,8 @@ def part(tree: Tree, path: tuple[str | int, ...]) -> Tree:
         dict(data),
         {p[depth:]: place for p, place in tree.places.items() if p[:depth] == path},
         tree.text,
+        tree.files,
+        tree.reach,
     )
 
 
@@ -117,6 +128,6 @@ def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:
             if problem.id in seen:
                 raise FaultError(Words(
                     f"id“{problem.id}”已用于 problems[{seen[problem.id]}]；请另取一个，如 id: {problem.id}-b",
-                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"))
+                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"), code="contradiction")
             seen[problem.id] = i
     faults.settle()

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
-from ..mechanism.statements import Form, Shaped, Side, SideOf, Statement
+from ..mechanism.placements import Side
+from ..mechanism.statements import Form, Shaped, SideOf, Statement
 from ..words import Words
 from .bodies import Bodies
 from .draft import LETTER
@@ -17,6 +18,7 @@ _BESIDE_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(�
 _CORNERS = rf"({LETTER})({LETTER})({LETTER})({LETTER})"
 _SHAPED = re.compile(rf"{_CORNERS}\s*(?:is an? |为|是)?\s*(anti-?parallelogram|parallelogram|反平行四边形|平行四边形)")
 _SHAPED_FIRST = re.compile(rf"(anti-?parallelogram|parallelogram|反平行四边形|平行四边形)\s*{_CORNERS}")
+BRANCHES = (_BESIDE, _BESIDE_ZH, _SHAPED, _SHAPED_FIRST)  # for editors too
 _SIDES = {
     "left of": Side.LEFT, "right of": Side.RIGHT, "above": Side.ABOVE, "below": Side.BELOW,
     "左": Side.LEFT, "右": Side.RIGHT, "上": Side.ABOVE, "下": Side.BELOW,
@@ -30,7 +32,10 @@ def read_branch(text: str, letters: Iterable[str]) -> Statement:
     known = set(letters)
     for letter in statement.letters:
         if letter not in known:
-            raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known))
+            raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
+    if len(set(statement.letters)) < len(statement.letters):
+        raise FaultError(Words(f"'{text}'：同一点出现两次，没有左右可分；请写不同的点，如 C left of BD",
+                               f"'{text}' names one point twice, and so no side of anything; name different points, e.g. C left of BD"), code="contradiction")
     return statement
 
 
@@ -44,7 +49,7 @@ def _read(text: str) -> Statement:
     if m := _SHAPED_FIRST.fullmatch(text):
         return Shaped(corners=(m[2], m[3], m[4], m[5]), form=_form(m[1]))
     raise FaultError(Words(f"'{text}' 不是分支说明；请写如 'C 在 AD 上方'、'C left of BD' 或 'ABCD 为平行四边形'",
-                           f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E', 'C 在 AD 上方' or 'ABCD parallelogram'"))
+                           f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E', 'C 在 AD 上方' or 'ABCD parallelogram'"), code="spelling")
 
 
 def _form(word: str) -> Form:

@@ -31,12 +31,15 @@ from .masses import read_masses
 from .motion import numbered, read_input
 from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
+from .rollers import weld_rollers
 from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .standing import check_starts, geared
+from .tables import read_tables
 from .validate import validate
-from .wanted import CENTRAL, default_asks, read_find, read_point, read_printed, read_scales
+from .wanted import CENTRAL, default_asks, plottable, read_find, read_point, read_printed, read_scales
+from .warnings import warnings_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -53,7 +56,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
-    tables = _tables(spec, tree, faults)
+    tables = read_tables(spec, tree, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
     check_starts(mechanism, faults)
@@ -75,22 +78,9 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
+        read=tree.files,
+        warnings=warnings_of(tree),
     )
-
-
-def _tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
-    """Files of printed tables, found beside the file that names them."""
-    found = []
-    for i, name in enumerate(spec.tables):
-        with faults.at("tables", i):
-            place = tree.places.get(("tables", i))
-            file = (Path(place.file).parent if place else Path()) / name
-            if not file.is_file():
-                raise FaultError(Words(
-                    f"本文件旁没有数据表“{name}”（已查找 {file}）",
-                    f"no table '{name}' beside this file (looked for {file})"))
-            found.append(file)
-    return tuple(found)
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
@@ -108,6 +98,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
         contacts=tuple(bodies.contacts),
         starts=tuple(draft.start for draft in bodies.drafts.values() if draft.start is not None),
         guesses=guesses,
+        welded=tuple(bodies.welded.items()),
     )
     return geared(seated(mech, read_pins(spec.pins, mech, faults)), spec, faults), motion
 
@@ -121,11 +112,11 @@ def _points(
             if not re.fullmatch(LETTER, letter):
                 raise FaultError(Words(
                     f"“{letter}”不是点的字母；应写 A 之类的大写字母",
-                    f"'{letter}' is no letter of a point, such as A"))
+                    f"'{letter}' is no letter of a point, such as A"), code="spelling")
             if known and letter not in known:
                 raise FaultError(Words(
                     f"点“{letter}”不存在",
-                    f"point '{letter}' does not exist") + meant(letter, known))
+                    f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
             points[letter] = complex(read(pair[0], Dim.LENGTH).si, read(pair[1], Dim.LENGTH).si)
     return points
 
@@ -137,9 +128,11 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
                 raise FaultError(Words(
                     f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
-                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"))
+                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"), code="spelling")
             bodies.drafts[name] = read_link(name, data)
             refuse_frame(bodies.drafts[name], bodies.frame)
+    if not faults.found:
+        weld_rollers(spec, bodies, faults)
     if faults.found:  # what follows would only repeat the same faults in other words
         faults.settle()
     return bodies
@@ -159,9 +152,15 @@ def _inputs(
     drives: list[Drive] = []
     motion: list[Datum] = []
     several = isinstance(spec.input, list)
+    with faults.at("input"):
+        if not spec.input:
+            raise FaultError(Words("没有给出原动件；请写如 input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}",
+                                   "no link is driven; write e.g. input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}"))
     for i, item in enumerate(spec.input if isinstance(spec.input, list) else [spec.input]):
         with faults.at(*(("input", i) if several else ("input",))):
             drive, data = read_input(item, bodies, joints)
+            if drive.link in [other.link for other in drives]:
+                raise FaultError(Words(f"构件 {drive.link} 已由另一项驱动；请删去其一", f"link {drive.link} is driven by another entry already; leave out one of them"), "link")
             drives.append(drive)
             motion.extend(data)
     return tuple(drives), tuple(motion)
@@ -217,6 +216,7 @@ def _wanted(
     scales = Scales()
     with faults.at("scales"):
         scales = read_scales(spec.scales)
+        plottable(scales, mechanism)
     return tuple(asks), tuple(printed), scales
 
 
@@ -242,6 +242,5 @@ def _check_mobility(mechanism: Mechanism, tree: Tree) -> None:
     try:
         mobility.check(mechanism)
     except VecpolyError as error:
-        place = tree.places.get(("input",))
-        where = Place(place.file if place else tree.name, place.line if place else 0).words
-        raise error.led_by(where + Words("：input：", ": input: ")) from None
+        place = tree.places.get(("input",), Place(tree.name))
+        raise error.at(Place(place.file, place.line), "input") from None

@@ -11,13 +11,14 @@ from .build import build
 from .faults import Place
 from .load import locate, tree_of
 from .problem import Problem
+from .reach import Reach
 from .source import Tree, overlay
 
 CLAIM = re.compile(r"([^\s=]+)\s*=\s*(.+)")
 _BARE = re.compile(r"[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 
-def load_claimed(where: str, claims: Sequence[str]) -> Problem:
+def load_claimed(where: str, claims: Sequence[str], *, allow_outside: bool = False) -> Problem:
     """The problem with these printed answers; a bare number is in the SI unit of its symbol.
 
     Raises ProblemFileError for symbols and units that do not belong to the problem.
@@ -26,7 +27,8 @@ def load_claimed(where: str, claims: Sequence[str]) -> Problem:
     printed = [{"symbol": one[1], "value": _with_unit(one[1], one[2].strip())} for one in found if one]
     places = {("printed", i, *key): Place(claim) for i, claim in enumerate(claims) for key in ((), ("symbol",), ("value",))}
     path = locate(where)
-    return build(overlay(tree_of(path), Tree(str(path), {"printed": printed}, places)), path)
+    reach = Reach(path.parent, allow_outside)
+    return build(overlay(tree_of(path, reach=reach), Tree(str(path), {"printed": printed}, places, reach=reach)), path)
 
 
 def _with_unit(symbol: str, value: str) -> str:

@@ -17,6 +17,7 @@ _TOUCHES = re.compile(
     rf"(?P<a>{LINK}) touches (?P<on>the (?:disc|face) of )?(?P<b>{LINK})(?P<inside> inside)? at (?P<point>{LETTER})"
     r"(?:,? (?P<side>left|right) of the face)?"
 )
+FORMS = (_TOUCHES,)  # for editors too
 EXAMPLES = "'1 touches 2 at K', '1 touches 2 inside at K' (discs) or '1 touches 2 at K right of the face'"
 
 
@@ -31,11 +32,11 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
     if m is None:
         raise FaultError(Words(
             f"“{text}”不是接触的写法；应写 {EXAMPLES}",
-            f"'{text}' is no contact; write {EXAMPLES}"))
+            f"'{text}' is no contact; write {EXAMPLES}"), code="spelling")
     if m["point"] in (*bodies.letters(), *bodies.pitch):
         raise FaultError(Words(
             f"字母 {m['point']} 已是一个点；请给接触点另取字母",
-            f"the letter {m['point']} already is a point; give the contact a letter of its own"))
+            f"the letter {m['point']} already is a point; give the contact a letter of its own"), code="contradiction")
     first, second = bodies.draft(m["a"]), bodies.draft(m["b"])
     if first is second:
         raise FaultError(Words(f"构件 {first.name} 不能与自身接触", f"link {first.name} cannot touch itself"))
@@ -45,13 +46,13 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
     if first.disc is None:
         raise FaultError(Words(
             f"构件 {m['a']} 与 {m['b']} 接触，但都没有圆盘；请在其一中写 disc: {next(iter(second.points))}, radius: 40 mm",
-            f"links {m['a']} and {m['b']} touch, but neither has a disc; write e.g. disc: {next(iter(second.points))}, radius: 40 mm in one of them"))
+            f"links {m['a']} and {m['b']} touch, but neither has a disc; write e.g. disc: {next(iter(second.points))}, radius: 40 mm in one of them"), code="spelling")
     if second.face is not None and (second.disc is None or m["on"] == "the face of "):
         return (_on_face(m, bodies, first.disc, second),)
     if second.disc is None:
         raise FaultError(Words(
             f"构件 {second.name} 既无圆盘也无平面，无从接触；请在其中写 disc: E, radius: 10 mm 或 face: {next(iter(second.points))}",
-            f"link {second.name} has neither disc nor face to be touched; write disc: E, radius: 10 mm or face: {next(iter(second.points))} in it"))
+            f"link {second.name} has neither disc nor face to be touched; write disc: E, radius: 10 mm or face: {next(iter(second.points))} in it"), code="missing")
     _on_disc(m, bodies, first.disc, second.disc)
     return ()
 
@@ -69,8 +70,8 @@ def _on_disc(m: re.Match[str], bodies: Bodies, one: Circle, two: Circle) -> None
     if reach <= 0:
         raise FaultError(Words(
             f"半径 {one.radius * 1e3:g} mm 的圆盘不能在半径 {two.radius * 1e3:g} mm 的圆盘内运动；请减小其半径",
-            f"a disc of {one.radius * 1e3:g} mm inside another of {two.radius * 1e3:g} mm does not run; give it a smaller radius"))
-    name = _free(f"{one.centre}{two.centre}", bodies)
+            f"a disc of {one.radius * 1e3:g} mm inside another of {two.radius * 1e3:g} mm does not run; give it a smaller radius"), code="out-of-range")
+    name = bodies.free(f"{one.centre}{two.centre}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {one.centre: 0j, two.centre: complex(reach)})
     bodies.contacts.append(Contact(point=m["point"], disc=one, on=two, substitute=name, internal=internal))
 
@@ -81,22 +82,16 @@ def _on_face(m: re.Match[str], bodies: Bodies, disc: Circle, other: Draft) -> Pr
     if m["side"] is None:
         raise FaultError(Words(
             f"圆盘在构件 {other.name} 平面的哪一侧？请写明，如“{m[0]} right of the face”（按平面的方向）",
-            f"on which side of the face of link {other.name} does the disc lie? write e.g. '{m[0]} right of the face' (of its direction)"))
+            f"on which side of the face of link {other.name} does the disc lie? write e.g. '{m[0]} right of the face' (of its direction)"), code="missing")
     if m["inside"]:
         raise FaultError(Words(
             "圆盘不能从内侧与平面接触；请去掉 inside",
             "a disc does not touch a flat face from inside; leave 'inside' out"))
     side, line = Side(m["side"]), other.face
-    name = _free(f"pin{disc.centre}", bodies)
+    name = bodies.free(f"pin{disc.centre}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {disc.centre: 0j})
     face = Rack(link=other.name, origin=line.origin, direction=line.direction)
     bodies.contacts.append(Contact(point=m["point"], disc=disc, on=face, substitute=name, side=side))
     shift = cmath.rect(disc.radius, line.direction) * (1j if side is Side.LEFT else -1j)
     return Prismatic(guide=other.name, block=name, origin=line.origin + shift, direction=line.direction, pin=disc.centre, pin_in_slot=True)
 
-
-def _free(name: str, bodies: Bodies) -> str:
-    """A name that no link has yet."""
-    while name in bodies.drafts:
-        name += "′"
-    return name

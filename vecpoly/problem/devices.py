@@ -15,6 +15,7 @@ from .schema import DeviceSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
 from .wanted import as_given, read_scales
+from .warnings import warnings_of
 
 
 def about_device(tree: Tree) -> bool:
@@ -24,7 +25,7 @@ def about_device(tree: Tree) -> bool:
         with faults.at("data"):
             raise FaultError(Words(
                 f"data 属于机械装置；请写出装置，如 device: {next(iter(kinds()))}（已有：{', '.join(kinds())}）",
-                f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})"))
+                f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})"), code="spelling")
         faults.settle()
     return "device" in tree.data
 
@@ -52,6 +53,8 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
         orientation=spec.sheet.orientation if spec.sheet else None,
         path=path,
         text=tree.text,
+        read=tree.files,
+        warnings=warnings_of(tree),
     )
 
 
@@ -73,7 +76,7 @@ def _device(spec: DeviceSpec, faults: Faults) -> Device:
         except UnknownNameError:
             raise FaultError(Words(
                 f"没有装置“{spec.device}”",
-                f"there is no device '{spec.device}'") + meant(spec.device, kinds())) from None
+                f"there is no device '{spec.device}'") + meant(spec.device, kinds()), code="unknown-name") from None
     faults.settle()
     return validate(kind, spec.data, faults, "data")
 

@@ -17,6 +17,8 @@ from .problem import Datum, Shape
 LETTER = r"[A-Z][a-z'′]?"
 ONE = re.compile(LETTER)
 TWO = re.compile(rf"({LETTER})({LETTER})")
+CENTRE = r"S\d+[a-z'′]?"  # the centre of mass of a link
+PLACED = re.compile(rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})")  # the ends of a length to a point that is set out: BE, BS2
 ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 
@@ -62,7 +64,15 @@ def letters_of(word: str) -> tuple[str, str]:
     """'BC' to ('B', 'C'); raises FaultError otherwise."""
     m = TWO.fullmatch(word)
     if m is None:
-        raise FaultError(Words(f"“{word}”不是 BC 之类的两个字母", f"'{word}' is not two letters such as BC"))
+        raise FaultError(Words(f"“{word}”不是 BC 之类的两个字母", f"'{word}' is not two letters such as BC"), code="spelling")
+    return m[1], m[2]
+
+
+def ends_of(word: str) -> tuple[str, str]:
+    """'BE' to ('B', 'E'), 'BS2' to ('B', 'S2'); raises FaultError otherwise."""
+    m = PLACED.fullmatch(word)
+    if m is None:
+        raise FaultError(Words(f"“{word}” 不是 BE 这样的两个字母", f"'{word}' is not two letters such as BE"))
     return m[1], m[2]
 
 
@@ -80,11 +90,11 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
             draft.points[first],
             cmath.exp(1j * cmath.phase(draft.points[second] - draft.points[first])),
         )
-    lined = draft.line is not None or draft.shape is Shape.BLOCK
+    lined = draft.line is not None or draft.shape in (Shape.BLOCK, Shape.PISTON)
     if line is None or first != line.through or not lined:
         raise FaultError(Words(
             f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
-            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"))
+            f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"), code="spelling")
     return (first,), draft.points[first], cmath.exp(1j * line.direction)
 
 

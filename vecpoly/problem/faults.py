@@ -64,9 +64,9 @@ def meant(word: str, known: Iterable[str]) -> Words:
 def not_on_link(letter: str, link: str, points: Iterable[str]) -> FaultError:
     """A letter that the link has not."""
     return FaultError(Words(
-        f"点“{letter}”不在构件 {link} 上", f"point '{letter}' is not on link {link}") + meant(letter, points), code="unknown-point")
+        f"点“{letter}”不在构件 {link} 上", f"point '{letter}' is not on link {link}") + meant(letter, points), code="unknown-name")
 
 
 def not_on_frame(letter: str, points: Iterable[str]) -> FaultError:
     """A letter that the frame has not."""
-    return FaultError(Words(f"点“{letter}”不在机架上", f"point '{letter}' is not on the frame") + meant(letter, points), code="unknown-point")
+    return FaultError(Words(f"点“{letter}”不在机架上", f"point '{letter}' is not on the frame") + meant(letter, points), code="unknown-name")

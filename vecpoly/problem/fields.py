@@ -25,7 +25,7 @@ def _words(value: Any) -> Words:
             return Words.same(one.strip())
     raise FaultError(Words(
         "请写一个文本，或写 {zh: ..., en: ...}（可只写一种语言）；含逗号的文本要加引号",
-        "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"))
+        "write a text, or both {zh: ..., en: ...}; a text with a comma goes between quotes"), code="out-of-range")
 
 
 Text = Annotated[
@@ -57,7 +57,7 @@ _PLACE = {
         "angle": {"type": "string"},
         "side": {"type": "string", "pattern": "^(left|right) of "},
     },
-    "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY},
+    "patternProperties": {rf"^({_LETTER}|S\d+)({_LETTER}|S\d+)$": _QUANTITY},
     "additionalProperties": False,
 }
 _SLOT = {
@@ -82,7 +82,7 @@ Link = Annotated[
     WithJsonSchema(
         {
             "type": "object",
-            "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "gear": _ONE, "rack": _SLOT, "disc": _ONE, "face": _SLOT, "radius": _QUANTITY, "phi": _QUANTITY, "s": _QUANTITY},
+            "properties": {"block": _ONE, "slot": _SLOT, "rod": _ONE, "cylinder": _ONE, "piston": _ONE, "gear": _ONE, "rack": _SLOT, "disc": _ONE, "face": _SLOT, "radius": _QUANTITY, "phi": _QUANTITY, "s": _QUANTITY},
             "patternProperties": {f"^{_LETTER}{_LETTER}$": _QUANTITY, f"^{_LETTER}$": _PLACE},
             "additionalProperties": False,
         }
@@ -98,7 +98,7 @@ def _yes(value: Any) -> bool:
     if isinstance(value, bool):
         return value
     if str(value).lower() not in known:
-        raise FaultError(Words(f"“{value}”既不是 yes 也不是 no", f"'{value}' is neither yes nor no"))
+        raise FaultError(Words(f"“{value}”既不是 yes 也不是 no", f"'{value}' is neither yes nor no"), code="spelling")
     return known[str(value).lower()]
 
 

@@ -30,6 +30,8 @@ def read_friction(entries: dict[str, FrictionSpec], mech: Mechanism, faults: Fau
         with faults.at("friction", name):
             if m := _SLIDE.fullmatch(name):
                 joint = _slide(m[1], m[2], mech)
+                if joint in slides:
+                    raise FaultError(Words(f"移动副 {m[1]}-{m[2]} 的摩擦已经给出；请删去其一", f"the friction of the slide {m[1]}-{m[2]} is given twice; leave out one of the entries"))
                 told, slides[joint] = _leaning(f"{m[1]}{m[2]}", spec)
             elif name in letters:
                 told, contacts[name] = _leaning(name, spec)
@@ -56,7 +58,7 @@ def _slide(one: str, other: str, mech: Mechanism) -> tuple[str, str]:
             "此两构件作纯滚动，没有摩擦损失；请去掉此项",
             "these links roll on each other without sliding: no friction is lost there; leave the entry out"))
     raise FaultError(Words(f"构件 {one} 与 {other} 不组成移动副", f"links {one} and {other} form no sliding pair") + (
-        meant(f"{one}-{other}", known) if known else Words("；机构中没有移动副", "; there is none")))
+        meant(f"{one}-{other}", known) if known else Words("；机构中没有移动副", "; there is none")), code="unknown-name")
 
 
 def _pinned(name: str, mech: Mechanism) -> None:
@@ -71,11 +73,11 @@ def _pinned(name: str, mech: Mechanism) -> None:
     if mech.links_at(name):
         raise FaultError(Words(
             f"点 {name} 不是转动副，只有{_link(mech, mech.links_at(name)[0]).zh}含有它；转动副有：{', '.join(pins)}",
-            f"point {name} is no pin, since only {_link(mech, mech.links_at(name)[0]).en} carries it; pins: {', '.join(pins)}"))
+            f"point {name} is no pin, since only {_link(mech, mech.links_at(name)[0]).en} carries it; pins: {', '.join(pins)}"), code="spelling")
     contacts = [contact.point for contact in mech.contacts]
     raise FaultError(Words(
         f"“{name}”既不是转动副、接触点，也不是 3-4 之类的移动副",
-        f"'{name}' is neither a pin nor a contact nor a sliding pair such as 3-4") + meant(name, [*pins, *contacts]))
+        f"'{name}' is neither a pin nor a contact nor a sliding pair such as 3-4") + meant(name, [*pins, *contacts]), code="unknown-name")
 
 
 def _pins(mech: Mechanism) -> tuple[str, ...]:
@@ -95,7 +97,7 @@ def _turning(name: str, spec: FrictionSpec, mech: Mechanism) -> tuple[Datum, flo
         if spec.f is not None or spec.f_v is not None or spec.r is not None:
             raise FaultError(Words(
                 "rho 与 f 都给了，而 rho = f r；请去掉其一",
-                "rho and f are both given, though rho = f r; leave out one of them"))
+                "rho and f are both given, though rho = f r; leave out one of them"), code="contradiction")
         rho = _within("rho", lambda: _not_negative(spec.rho, Dim.LENGTH))
         datum = Datum(symbol=f"ρ_{name}", si=rho.si, text=rho.text)
         radius, key = rho.si, "rho"
@@ -104,7 +106,7 @@ def _turning(name: str, spec: FrictionSpec, mech: Mechanism) -> tuple[Datum, flo
         if spec.r is None:
             raise FaultError(Words(
                 "缺少轴颈半径；如写 {f: 0.1, r: 20 mm} 或 {rho: 2 mm}",
-                "the radius of the pin is missing; write e.g. {f: 0.1, r: 20 mm}, or {rho: 2 mm}"))
+                "the radius of the pin is missing; write e.g. {f: 0.1, r: 20 mm}, or {rho: 2 mm}"), code="missing")
         r = _within("r", lambda: positive(spec.r))
         radius, key = f * r.si, "r"
         text = f"${sign}$ = {f:g}，$r_{name}$ = {r.text}，$ρ_{name}$ = ${sign} r_{name}$ = {1e3 * radius:.4g} mm"
@@ -113,7 +115,7 @@ def _turning(name: str, spec: FrictionSpec, mech: Mechanism) -> tuple[Datum, flo
     if radius > shortest / 2:
         raise FaultError(Words(
             f"摩擦圆半径 {1e3 * radius:g} mm 大于 {ends} = {1e3 * shortest:g} mm 的一半；请检查两者",
-            f"the friction circle's radius {1e3 * radius:g} mm is more than half of {ends} = {1e3 * shortest:g} mm; check both"), key)
+            f"the friction circle's radius {1e3 * radius:g} mm is more than half of {ends} = {1e3 * shortest:g} mm; check both"), key, code="out-of-range")
     return datum, radius
 
 
@@ -133,12 +135,12 @@ def _leaning(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
         if spec.f is not None or spec.f_v is not None or spec.V is not None:
             raise FaultError(Words(
                 "phi 与 f 都给了，而 phi = arctan f；请去掉其一",
-                "phi and f are both given, though phi = arctan f; leave out one of them"))
+                "phi and f are both given, though phi = arctan f; leave out one of them"), code="contradiction")
         phi = _within("phi", lambda: _not_negative(spec.phi, Dim.ANGLE))
         if phi.si >= math.pi / 2 * (1 - 1e-12):
             raise FaultError(Words(
                 f"摩擦角 {phi.text} 对任何力都自锁；应小于 90 deg",
-                f"a friction angle of {phi.text} would hold against any force; it must be less than 90 deg"), "phi")
+                f"a friction angle of {phi.text} would hold against any force; it must be less than 90 deg"), "phi", code="out-of-range")
         return Datum(symbol=f"φ_{{{name}}}", si=phi.si, text=phi.text), phi.si
     f, sign = _coefficient(spec)
     text = f"${sign}_{{{name}}}$ = {f:g}"
@@ -154,17 +156,17 @@ def _leaning(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
 def _only(spec: FrictionSpec, what: Words, keys: Words, *allowed: str) -> None:
     given = [key for key in type(spec).model_fields if getattr(spec, key) is not None]
     if not given:
-        raise FaultError(Words(f"摩擦多大？{what.zh}应给 {keys.zh}", f"how large is the friction? {what.en} takes {keys.en}"))
+        raise FaultError(Words(f"摩擦多大？{what.zh}应给 {keys.zh}", f"how large is the friction? {what.en} takes {keys.en}"), code="missing")
     if strange := [key for key in given if key not in allowed]:
-        raise FaultError(Words(f"“{strange[0]}”不是{what.zh}的数据，其应给 {keys.zh}", f"'{strange[0]}' is no datum of {what.en}, which takes {keys.en}"), strange[0])
+        raise FaultError(Words(f"“{strange[0]}”不是{what.zh}的数据，其应给 {keys.zh}", f"'{strange[0]}' is no datum of {what.en}, which takes {keys.en}"), strange[0], code="spelling")
 
 
 def _coefficient(spec: FrictionSpec) -> tuple[float, str]:
     if spec.f is not None and spec.f_v is not None:
-        raise FaultError(Words("f 与 f_v 都给了；请去掉其一", "f and f_v are both given; leave out one of them"))
+        raise FaultError(Words("f 与 f_v 都给了；请去掉其一", "f and f_v are both given; leave out one of them"), code="contradiction")
     key, text = ("f", spec.f) if spec.f is not None else ("f_v", spec.f_v)
     if text is None:
-        raise FaultError(Words("缺少摩擦系数 f；如写 f: 0.1", "the coefficient f is missing; write e.g. f: 0.1"))
+        raise FaultError(Words("缺少摩擦系数 f；如写 f: 0.1", "the coefficient f is missing; write e.g. f: 0.1"), code="missing")
     try:
         f = pure(text, f"{key}: 0.1")
     except FaultError as fault:
@@ -172,7 +174,7 @@ def _coefficient(spec: FrictionSpec) -> tuple[float, str]:
     if f < 0:
         raise FaultError(Words(
             f"{key} = {text}：摩擦系数不得为负；如写 {key}: 0.1",
-            f"{key} = {text}: a coefficient of friction is not negative; write e.g. {key}: 0.1"), key)
+            f"{key} = {text}: a coefficient of friction is not negative; write e.g. {key}: 0.1"), key, code="out-of-range")
     return f, key
 
 
@@ -181,7 +183,7 @@ def _half_angle(text: str | None) -> Quantity:
     if half.si > math.pi / 2 * (1 + 1e-12):
         raise FaultError(Words(
             f"“{half.text}”大于 90 deg；V 为槽形半角，如 V: 45 deg",
-            f"'{half.text}' is more than 90 deg; V is half the angle of the groove, e.g. V: 45 deg"))
+            f"'{half.text}' is more than 90 deg; V is half the angle of the groove, e.g. V: 45 deg"), code="out-of-range")
     return half
 
 
@@ -190,7 +192,7 @@ def _not_negative(text: str | None, dim: Dim) -> Quantity:
     if quantity.si < 0:
         raise FaultError(Words(
             f"“{text}”不得为负；如写 {'6 mm' if dim is Dim.LENGTH else '8 deg'}",
-            f"'{text}' must not be negative; write e.g. {'6 mm' if dim is Dim.LENGTH else '8 deg'}"))
+            f"'{text}' must not be negative; write e.g. {'6 mm' if dim is Dim.LENGTH else '8 deg'}"), code="out-of-range")
     return quantity
 
 

@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from types import MappingProxyType
 
+from ..frozen import FrozenMap
 from ..words import Lang, Words
 
 
@@ -19,6 +19,8 @@ class Shape(StrEnum):
     ROD = "rod"  # a straight rod that passes through a block or sleeve
     BLOCK = "block"  # a sliding block
     GEAR = "gear"
+    CYLINDER = "cylinder"  # of a hydraulic drive
+    PISTON = "piston"  # with its rod
     PIN = "pin"  # the massless block that stands for a pin in a slot; not drawn
 
 
@@ -68,4 +70,4 @@ class Given:
     lead: float | None = None  # how far the drive's coordinate is ahead of its datum (rad, or m)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "shapes", MappingProxyType(dict(self.shapes)))
+        object.__setattr__(self, "shapes", FrozenMap(dict(self.shapes)))

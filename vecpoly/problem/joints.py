@@ -34,6 +34,6 @@ def read_joint(text: object, bodies: Bodies) -> Joint:
         return slide
     raise FaultError(Words(
         f"“{text}”不是运动副的写法；应写 {EXAMPLES}（转动副不必写：字母相同即为铰链）",
-        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"))
+        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"), code="spelling")
 
 

@@ -5,34 +5,45 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..errors import ProblemFileError, UnknownNameError
+from ..limits import EXTENDS
 from ..words import Words
 from .build import build
-from .faults import meant
+from .faults import Place, meant
 from .library import entries, find
 from .problem import Problem
-from .source import Tree, overlay, parse, read_text
+from .reach import Reach, refuse_foreign
+from .source import Tree, overlay, parse, read, read_text
 
 
-def load(where: str | Path) -> Problem:
+def load(where: str | Path, *, allow_outside: bool = False) -> Problem:
     """The problem with this id ('3-9', 'ch3/3-9') or in this file.
 
+    allow_outside: whether the file may name others that are neither in its folder nor in the library.
     Raises ProblemFileError (file, line, YAML path, cause, remedy), UnknownNameError for an unknown id,
     MobilityError where inputs and degrees of freedom disagree.
     """
+    if not isinstance(where, (str, Path)):
+        raise UnknownNameError(Words(f"题目须以题号或文件名给出，而不是 {type(where).__name__}",
+                                     f"a problem is named by its id or its file, not by {type(where).__name__}"), code="no name")
     path = locate(where)
-    return build(tree_of(path), path)
+    return build(tree_of(path, reach=Reach(path.parent, allow_outside)), path)
 
 
 def loads(text: str, name: str = "<text>") -> Problem:
-    """The problem in this text."""
-    return build(_extended(parse(text, name), None, ()))
+    """The problem in this text, which may build on those of the library."""
+    if not isinstance(text, str):
+        raise ProblemFileError(Words(f"loads 需要题目文件的文本，而不是 {type(text).__name__}",
+                                     f"loads takes the text of a problem file, not {type(text).__name__}"), code="no text")
+    return build(_extended(parse(text, name), None, (), Reach()))
 
 
-def locate(where: str | Path, near: Path | None = None) -> Path:
-    """The file meant by an id or a path; a path may be relative to the folder `near`."""
+def locate(where: str | Path, near: Path | None = None, reach: Reach | None = None) -> Path:
+    """The file meant by an id or a path; a path in a file is relative to the folder `near`, and within its reach."""
     text = str(where)
-    for path in (Path(text), *([near / text] if near else [])):
+    for path in [near / text] if near else [Path(text)]:
         if path.suffix in (".yaml", ".yml") or path.is_file():
+            if reach is not None:
+                reach.refuse_outside(path)
             if path.is_file():
                 return path
             if path.is_dir():
@@ -49,32 +60,35 @@ def locate(where: str | Path, near: Path | None = None) -> Path:
                 f"{text}: is a folder, not a problem file"))
         raise UnknownNameError(
             Words(f"没有题目“{text}”", f"no problem '{text}'") + meant(text, (entry.id for entry in entries())) + Words(
-                "；用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾", "; 'vecpoly list' shows all, and a path must end in .yaml")
-        )
+                "（用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾）", " ('vecpoly list' shows all, and a path must end in .yaml)"),
+            code="unknown-name")
     return found
 
 
-def tree_of(path: Path, seen: tuple[Path, ...] = ()) -> Tree:
+def tree_of(path: Path, seen: tuple[Path, ...] = (), *, reach: Reach) -> Tree:
     """A file's values, laid on those of the file that it extends."""
-    return _extended(parse(read_text(path), str(path)), path, seen)
+    tree = read(path)
+    tree.reach = reach
+    return _extended(tree, path, seen, reach)
 
 
-def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...]) -> Tree:
+def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...], reach: Reach) -> Tree:
     base = tree.data.get("extends")
     if base is None:
         return tree
-    line = tree.places[("extends",)].line
+    place = Place(tree.name, tree.places[("extends",)].line)
     if not isinstance(base, str):
-        raise ProblemFileError(Words(
-            f"{tree.name} 第 {line} 行：extends：此处应写题号或题目文件的路径",
-            f"{tree.name}, line {line}: extends: the id or path of a problem is expected here"))
+        no_name = Words("此处应写题号或题目文件的路径", "the id or path of a problem is expected here")
+        raise ProblemFileError(no_name, code="spelling").at(place, "extends")
     try:
-        below = locate(base, path.parent if path else None)
+        below = locate(base, path.parent if path else None, reach)
+        refuse_foreign(read_text(below), below)
     except (ProblemFileError, UnknownNameError) as error:
-        raise ProblemFileError(Words(f"{tree.name} 第 {line} 行：extends：", f"{tree.name}, line {line}: extends: ") + error.words) from None
+        raise ProblemFileError(error.words, code=error.code).at(place, "extends") from None
     if below.resolve() in seen or (path and below.resolve() == path.resolve()):
-        raise ProblemFileError(Words(
-            f"{tree.name} 第 {line} 行：extends：“{base}”循环引用了自身",
-            f"{tree.name}, line {line}: extends: '{base}' extends itself in a circle"))
+        circle = Words(f"“{base}”循环引用了自身", f"'{base}' extends itself in a circle")
+        raise ProblemFileError(circle, code="contradiction").at(place, "extends")
     here = (*seen, path.resolve()) if path else seen
-    return overlay(tree_of(below, here), tree)
+    if len(here) > EXTENDS:
+        raise ProblemFileError(Words(f"已有 {EXTENDS} 层，过深", f"more than {EXTENDS} files upon each other"), code="too deep").at(place, "extends")
+    return overlay(tree_of(below, here, reach=reach), tree)

@@ -14,6 +14,7 @@ from .faults import Faults, meant
 from .motion import sense_only
 from .problem import Datum
 from .schema import LoadSpec, ProblemSpec
+from .thrusts import read_thrust
 
 _NAME = re.compile(r"[A-Z][a-z]?(?:_[A-Za-z0-9]+)?")
 _TAKEN = re.compile(r"R_\w+|[FM]_I\w+|J_\w+|P_\d\w*")  # keys of reactions, inertia forces and couples, inertias, instant centres
@@ -42,13 +43,14 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
     for name, load in spec.loads.items():
         with faults.at("loads", name):
             found.append(_load(name, load, bodies))
+    _masses_meant(spec, faults)
     if not acts(spec) or faults.found:
         return None
     if spec.masses and spec.inertia and sense_only(spec):
         with faults.at("input"):
             raise FaultError(Words(
                 "计算惯性力需要角速度的数值，如 omega: 10 rad/s ccw；或写 inertia: no",
-                "inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no"))
+                "inertia forces need the angular velocity as a number, e.g. omega: 10 rad/s ccw; or write inertia: no"), code="spelling")
     with faults.at(next(key for key in _ACTING if getattr(spec, key))):
         _one_unknown(found, bodies)
         loads = Loads(forces=tuple(x for x in found if isinstance(x, Force)), moments=tuple(x for x in found if isinstance(x, Moment)),
@@ -58,15 +60,32 @@ def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faul
     return None
 
 
-def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
+def _masses_meant(spec: ProblemSpec, faults: Faults) -> None:
+    """Weight and inertia forces are those of masses: without any, `weight` and `inertia` would be ignored."""
+    for key in ("weight", "inertia"):
+        if not spec.masses and key in spec.model_fields_set and getattr(spec, key) != ProblemSpec.model_fields[key].default:
+            with faults.at(key):
+                raise FaultError(Words(f"没有构件给出质量，{key} 不起作用；请在 masses 中给出质量，或删去 {key}",
+                                       f"no link has a mass, so that '{key}' would be ignored; give masses, or leave it out"), code="contradiction")
+
+
+def _check_name(name: str) -> None:
     if not _NAME.fullmatch(name):
         raise FaultError(Words(
             f"“{name}”不是载荷名；请写 F、Q、F_r 或 M_1",
-            f"'{name}' is no name of a load; write F, Q, F_r or M_1"))
+            f"'{name}' is no name of a load; write F, Q, F_r or M_1"), code="spelling")
     if _TAKEN.fullmatch(name):
         raise FaultError(Words(
             f"“{name}”是反力、惯性力或瞬心的符号；载荷请写 F、Q、F_r 或 M_1",
             f"'{name}' is the name of a reaction, of an inertia force or of an instant centre; call the load F, Q, F_r or M_1"))
+
+
+def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
+    _check_name(name)
+    if spec.cylinder is not None:
+        return read_thrust(name, spec, bodies)
+    if spec.on is None:
+        raise FaultError(Words("缺少载荷所作用的构件；请写 on: 3（油缸推力则写 cylinder: 2-3）", "'on' is missing: on which link does the load act? write on: 3 (the thrust of a cylinder: cylinder: 2-3)"), "on")
     draft = bodies.drafts.get(spec.on)
     if spec.on in (FRAME, frame_number(bodies)):
         raise FaultError(Words(
@@ -75,27 +94,27 @@ def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
     if draft is None:
         raise FaultError(Words(
             f"构件“{spec.on}”不存在",
-            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.drafts), "on")
+            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.drafts), "on", code="unknown-name")
     if spec.size is None:
         raise FaultError(Words(
             '缺少大小 size；如写 size: 1000 N；待求的平衡载荷写 size: "?"',
-            'the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances'))
+            'the size is missing; write e.g. size: 1000 N, or size: "?" for the load that balances'), code="missing")
     role = spec.role or ""
     if not _is_force(spec):
         return Moment(name=name, link=spec.on, size=_size(spec.size, Dim.MOMENT), role=role)
     if spec.at is None:
         raise FaultError(Words(
             f"力作用于构件 {spec.on} 的哪一点？如写 at: {next(iter(draft.points))}",
-            f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}"))
+            f"at which point of link {spec.on} does the force act? write e.g. at: {next(iter(draft.points))}"), code="missing")
     if spec.at not in draft.points:
         raise FaultError(Words(
             f"点“{spec.at}”不在构件 {spec.on} 上",
-            f"point '{spec.at}' is not on link {spec.on}") + meant(spec.at, draft.points), "at")
+            f"point '{spec.at}' is not on link {spec.on}") + meant(spec.at, draft.points), "at", code="unknown-name")
     size = _size(spec.size, Dim.FORCE)
     if size is not None and size < 0:
         raise FaultError(Words(
             f"“{spec.size}”为负；请将方向转过 180 deg",
-            f"'{spec.size}' is negative; turn the direction by 180 deg instead"), "size")
+            f"'{spec.size}' is negative; turn the direction by 180 deg instead"), "size", code="out-of-range")
     return Force(name=name, link=spec.on, point=spec.at, direction=_read("direction", spec.direction, Dim.ANGLE).si, size=size, role=role)
 
 
@@ -107,15 +126,15 @@ def _is_force(spec: LoadSpec) -> bool:
     if spec.at is not None and turns:
         raise FaultError(Words(
             f"力矩（{spec.size}）作用于整个构件；请去掉 at",
-            f"a moment ({spec.size}) acts on the whole link; leave out 'at'"), "at")
+            f"a moment ({spec.size}) acts on the whole link; leave out 'at'"), "at", code="contradiction")
     if spec.at is not None:
         raise FaultError(Words(
             f"作用在 {spec.at} 的力要有方向，如 direction: 180 deg；力矩则不写 at",
-            f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'"))
+            f"a force at {spec.at} needs its direction, e.g. direction: 180 deg; a moment has no 'at'"), code="missing")
     if spec.size != UNKNOWN and not turns and _dimension(str(spec.size)) == Dim.FORCE.dimension:
         raise FaultError(Words(
             f"力（{spec.size}）要有作用点和方向，如 at: C, direction: 180 deg；力矩写作 20 N*m ccw",
-            f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw"))
+            f"a force ({spec.size}) needs its point and direction, e.g. at: C, direction: 180 deg; a moment is written 20 N*m ccw"), code="missing")
     return False
 
 
@@ -175,7 +194,11 @@ _ROLE = {"": Words("", ""), "driving": Words("驱动", "driving "), "resisting":
 
 def _told(load: Load, size: str, direction: str) -> Datum:
     role = _ROLE[load.role]
-    if isinstance(load, Force):
+    if isinstance(load, Force) and load.against:
+        zh = f"为油缸 {load.against}-{load.link} 的推力，使其伸长者为正"
+        en = f"as the thrust of the cylinder {load.against}-{load.link}, positive where it lengthens it"
+        name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")
+    elif isinstance(load, Force):
         zh = f"作用于构件 {load.link} 的 ${load.point}$ 点，方向角 {direction}"
         en = f"on link {load.link} at ${load.point}$, direction {direction}"
         name = Words(f"{role.zh}力" if role.zh else "力", f"{role.en}force")

@@ -45,12 +45,12 @@ def _mass(link: str, spec: MassSpec, bodies: Bodies) -> tuple[Mass, tuple[Datum,
         if rivals:
             raise FaultError(Words(
                 f"圆杆的质量、转动惯量和质心由尺寸算出；请去掉 {'、'.join(rivals)}，或去掉 rod",
-                f"the mass, inertia and centre of a round bar follow from it; leave out {' and '.join(rivals)}, or rod"))
+                f"the mass, inertia and centre of a round bar follow from it; leave out {' and '.join(rivals)}, or rod"), code="contradiction")
         return _within("rod", partial(_rod, draft, spec.rod))
     if spec.mass is None:
         raise FaultError(Words(
             "缺少质量；如写 mass: 3 kg，或 rod: {diameter: 40 mm, density: 7800 kg/m^3}",
-            "the mass is missing; write e.g. mass: 3 kg, or rod: {diameter: 40 mm, density: 7800 kg/m^3}"))
+            "the mass is missing; write e.g. mass: 3 kg, or rod: {diameter: 40 mm, density: 7800 kg/m^3}"), code="missing")
     mass = _within("mass", lambda: positive(spec.mass, Dim.MASS))
     inertia = _within("inertia", lambda: _inertia(spec.inertia))
     centre = _within("centre", lambda: _centre(draft, spec.centre))
@@ -74,7 +74,7 @@ def _inertia(text: str | None) -> Quantity:
     if quantity.si < 0:
         raise FaultError(Words(
             f"“{text}”不得为负；如写 {Dim.INERTIA.example}",
-            f"'{text}' must not be negative; write e.g. {Dim.INERTIA.example}"))
+            f"'{text}' must not be negative; write e.g. {Dim.INERTIA.example}"), code="out-of-range")
     return quantity
 
 
@@ -90,7 +90,7 @@ def _centre(draft: Draft, written_as: object) -> str:
         first, second = list(draft.points)[:2]
         raise FaultError(Words(
             f"构件 {draft.name} 的质心在哪里？如写 centre: {{along: {first}{second}, at: 100 mm}}",
-            f"where is the centre of mass of link {draft.name}? write e.g. centre: {{along: {first}{second}, at: 100 mm}}"))
+            f"where is the centre of mass of link {draft.name}? write e.g. centre: {{along: {first}{second}, at: 100 mm}}"), code="missing")
     letter = f"S{draft.name}"
     place(draft, letter, written_as)
     return letter

@@ -12,6 +12,7 @@ from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
+from .between import is_between, read_between
 from .bodies import Bodies
 from .draft import LETTER, Draft, letters_of
 from .faults import meant
@@ -25,6 +26,12 @@ _TURNS = {**dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆�
 
 def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     """One drive, and its data as written."""
+    if is_between(spec):
+        return read_between(spec, bodies, joints)
+    if spec.link is None:
+        raise FaultError(Words("缺少原动件；请写 link: 1（或油缸 cylinder: 2-3）", "the driving link is missing; write link: 1 (or cylinder: 2-3)"))
+    if spec.length is not None:
+        raise FaultError(Words("length 只用于油缸；请写 cylinder: 2-3，或以 s 表示位移", "'length' belongs to a cylinder; write cylinder: 2-3, or give the travel as s"), "length")
     try:
         draft = bodies.draft(spec.link)
     except FaultError as fault:
@@ -34,7 +41,7 @@ def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tupl
     if turning and sliding:
         raise FaultError(Words(
             f"原动件或转动（phi、omega、alpha）或移动（s、v、a），不能兼有；这里给了 {', '.join(turning)} 和 {', '.join(sliding)}",
-            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given"))
+            f"an input turns (phi, omega, alpha) or slides (s, v, a), not both: {', '.join(turning)} and {', '.join(sliding)} are given"), code="contradiction")
     return _sliding(spec, draft, joints) if sliding else _turning(spec, draft, bodies, joints)
 
 
@@ -51,7 +58,7 @@ def numbered(ask: Ask, spec: ProblemSpec) -> Ask:
     if rate and sense_only(spec):
         raise FaultError(Words(
             f"求 {ask.rel.key} 需要角速度的数值，而输入只给了转向；如写 omega: 10 rad/s ccw",
-            f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw"))
+            f"{ask.rel.key} needs the angular velocity as a number, but the input gives only its sense; write e.g. omega: 10 rad/s ccw"), code="missing")
     return ask
 
 
@@ -78,7 +85,7 @@ def _turning(
     if spec.phi is None or spec.omega is None:
         raise FaultError(Words(
             "转动输入要有 phi 和 omega，如 phi: 60 deg, omega: 10 rad/s ccw",
-            "a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw"))
+            "a turning input needs phi and omega, e.g. phi: 60 deg, omega: 10 rad/s ccw"), code="missing")
     phi, zero = _angle(spec.phi, bodies.frame)
     (rate, told), accel = _rate(draft.name, spec.omega), _read("alpha", spec.alpha, Dim.ALPHA)
     arm = next((p - draft.points[pivot] for letter, p in draft.points.items() if letter != pivot), 1 + 0j)
@@ -90,6 +97,9 @@ def _turning(
     ]
     if spec.alpha is not None:
         data.append(Datum(symbol=f"α_{name}", si=accel.si, text=accel.text))
+    if spec.omega in _TURNS and spec.alpha is not None:
+        raise FaultError(Words(f"omega: {spec.omega} 只给出转向，alpha: {spec.alpha} 便无从使用；请给出角速度的数值，或删去 alpha",
+                               f"omega: {spec.omega} gives the sense alone, and alpha: {spec.alpha} has no use then; give the angular velocity as a number, or leave out alpha"), "alpha")
     position = phi.si + zero - lean
     return Drive(link=name, position=position, rate=rate, accel=accel.si), tuple(data)
 
@@ -104,7 +114,7 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
         if letter not in frame:
             raise FaultError(Words(
                 f"点“{letter}”不在机架上",
-                f"point '{letter}' is not on the frame") + meant(letter, frame), "phi")
+                f"point '{letter}' is not on the frame") + meant(letter, frame), "phi", code="unknown-name")
     if frame[first] == frame[second]:
         raise FaultError(Words(
             f"“{text}”：{first} 与 {second} 位置相同，不能由此量角；请用机架上的另外两点",
@@ -115,16 +125,11 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
     if not any(isinstance(j, Prismatic) and j.guide == FRAME and j.block == draft.name for j in joints):
-        raise FaultError(
-            Words(
-            f"构件 {draft.name} 不沿固定导路移动；请写运动副“{draft.name} slides on y = 0 mm”",
-            f"link {draft.name} slides on no fixed guide; write a joint '{draft.name} slides on y = 0 mm'"),
-            "link",
-        )
+        raise _on_no_fixed_guide(draft.name, joints)
     if spec.s is None or spec.v is None:
         raise FaultError(Words(
             "移动输入要有 s 和 v，如 s: 120 mm, v: 0.5 m/s",
-            "a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s"))
+            "a sliding input needs s and v, e.g. s: 120 mm, v: 0.5 m/s"), code="missing")
     travel, rate, accel = (
         _read("s", spec.s, Dim.LENGTH),
         _read("v", spec.v, Dim.SPEED),
@@ -138,6 +143,16 @@ def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Dr
     if spec.a is not None:
         data.append(Datum(symbol=f"a_{name}", si=accel.si, text=accel.text))
     return Drive(link=name, position=travel.si, rate=rate.si, accel=accel.si, slide=True), tuple(data)
+
+
+def _on_no_fixed_guide(name: str, joints: Iterable[Joint]) -> FaultError:
+    """What to write instead: a cylinder where the link slides on a moving one."""
+    pair = next((j for j in joints if isinstance(j, Prismatic) and name in (j.guide, j.block) and FRAME not in (j.guide, j.block)), None)
+    if pair is not None:
+        both = f"{pair.guide}-{pair.block}"
+        return FaultError(Words(f"构件 {name} 只在活动构件上移动；若由油缸驱动，请写 input: {{cylinder: {both}, length: 800 mm, v: 0.1 m/s}}",
+                                f"link {name} slides on a moving link only; if a cylinder drives it, write input: {{cylinder: {both}, length: 800 mm, v: 0.1 m/s}}"), "link")
+    return FaultError(Words(f"构件 {name} 不在固定导路上移动；请写运动副“{name} slides on y = 0 mm”", f"link {name} slides on no fixed guide; write a joint '{name} slides on y = 0 mm'"), "link")
 
 
 def _read(key: str, text: str | None, dim: Dim) -> Quantity:

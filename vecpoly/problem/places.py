@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
 from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
 from ..names import subscripted
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
-from .draft import ANGLE_FROM, LETTER, TWO, Draft, letters_of, ray
+from .draft import ANGLE_FROM, LETTER, PLACED, Draft, ends_of, ray
 from .faults import meant
 from .source import Value
 from .starts import is_phased, phased
@@ -25,15 +25,15 @@ def place(draft: Draft, point: str, data: Value) -> None:
     if not isinstance(data, dict):
         raise FaultError(Words(
             f"缺少 {point} 的位置；如写 {{along: BC, at: 175 mm, left: 220 mm}}",
-            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}"))
+            f"the place of {point} is missing; write e.g. {{along: BC, at: 175 mm, left: 220 mm}}"), code="missing")
     if point in draft.points:
         raise FaultError(Words(
             f"点 {point} 已在构件 {draft.name} 上",
-            f"point {point} is already on link {draft.name}"))
-    lengths = [key for key in data if TWO.fullmatch(key)]
+            f"point {point} is already on link {draft.name}"), code="contradiction")
+    lengths = [key for key in data if PLACED.fullmatch(key)]
     for key in data:
         if key not in (*_KEYS, *lengths):
-            raise FaultError(Words(f"“{key}”不是位置的键", f"'{key}' is no key of a place") + meant(key, _KEYS), key)
+            raise FaultError(Words(f"“{key}”不是位置的键", f"'{key}' is no key of a place") + meant(key, _KEYS), key, code="unknown-key")
     if "along" in data:
         placement = _by_offsets(draft, point, data)
     elif "angle" in data:
@@ -43,7 +43,7 @@ def place(draft: Draft, point: str, data: Value) -> None:
     else:
         raise FaultError(Words(
             f"{point} 的位置不完整；请写 along/at/left，或一个长度和一个角，或两个长度和一侧",
-            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, or two lengths and a side"))
+            f"the place of {point} is incomplete; write along/at/left, or a length and an angle, or two lengths and a side"), code="missing")
     draft.placements.append(placement[0])
     draft.points[point] = placement[1]
 
@@ -53,14 +53,28 @@ def _by_offsets(draft: Draft, point: str, data: Mapping[str, Value]) -> tuple[Pl
         if key not in ("along", "at", "left", "right"):
             raise FaultError(Words(
                 "不能与 along 同用；请写 along、at 和 left 或 right",
-                "does not go together with 'along'; write along, at and left or right"), key)
+                "does not go together with 'along'; write along, at and left or right"), key, code="contradiction")
     base, start, unit = ray(draft, str(data["along"]))
     at = read(data.get("at"), Dim.LENGTH)
-    left = (
-        read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
-    )
+    left = aside(data)
     _note_offsets(draft, point, data, start + unit * at.si, base[0], at)
     return ByOffsets(point=point, base=base, along=at.si, left=left), start + unit * complex(at.si, left)
+
+
+def aside(data: Mapping[str, Value]) -> float:
+    """How far to the left (m): `left` or, to the other side, `right`; raises FaultError where both are written."""
+    if "left" in data and "right" in data:
+        raise FaultError(Words(f"left: {data['left']} 与 right: {data['right']} 互相矛盾，一点只在一侧；请删去其一",
+                               f"left: {data['left']} and right: {data['right']} contradict each other, for a point lies on one side; leave out one of them"), "right")
+    return read(data["left"], Dim.LENGTH).si if "left" in data else -read(data.get("right", "0"), Dim.LENGTH).si
+
+
+def _alone(data: Mapping[str, Value], allowed: Iterable[str], by: str) -> None:
+    """Raise FaultError for a key that says nothing beside those that already place the point."""
+    for key in data:
+        if key not in allowed:
+            raise FaultError(Words(f"'{key}' 与 {by} 不能并用：该点已由 {by} 确定；请删去其一",
+                                   f"'{key}' does not go together with {by}, which places the point already; leave out one of them"), key)
 
 
 def _note_offsets(
@@ -94,13 +108,14 @@ def _by_angle(
     if m is None or len(lengths) != 1:
         raise FaultError(Words(
             "请写长度和由射线量起的角，如 {BE: 200 mm, angle: 50 deg from BC}",
-            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle")
-    ends = letters_of(lengths[0])
+            "write a length and the angle from a ray, e.g. {BE: 200 mm, angle: 50 deg from BC}"), "angle", code="spelling")
+    _alone(data, ("angle", lengths[0]), f"{lengths[0]}, angle")
+    ends = ends_of(lengths[0])
     base, start, unit = ray(draft, m[2])
     if set(ends) != {base[0], point}:
         raise FaultError(Words(
             f"长度应为 {base[0]}{point}，即由射线 {m[2]} 的起点量起",
-            f"the length must be {base[0]}{point}, from the start of the ray {m[2]}"), lengths[0])
+            f"the length must be {base[0]}{point}, from the start of the ray {m[2]}"), lengths[0], code="out-of-range")
     angle, distance = read(m[1], Dim.ANGLE).si, positive(data[lengths[0]])
     draft.note(f"l_{lengths[0]}", distance.si, distance.text)
     if len(base) == 2:
@@ -125,12 +140,13 @@ def _by_lengths(
     if m is None:
         raise FaultError(Words(
             f"{point} 在哪一侧？如写 side: left of BC",
-            f"on which side is {point}? write e.g. side: left of BC"))
+            f"on which side is {point}? write e.g. side: left of BC"), code="missing")
+    _alone(data, ("side", *lengths), ", ".join(lengths))
     base = (m[2], m[3])
     (_, start, unit) = ray(draft, m[2] + m[3])
     found: dict[str, float] = {}
     for key in lengths:
-        other = [letter for letter in letters_of(key) if letter != point]
+        other = [letter for letter in ends_of(key) if letter != point]
         if len(other) != 1 or other[0] not in base:
             raise FaultError(Words(
                 f"长度应联接 {point} 与 {base[0]} 或 {base[1]}",
@@ -141,7 +157,7 @@ def _by_lengths(
     if set(found) != set(base):
         raise FaultError(Words(
             f"需要两个长度：{base[0]}{point} 和 {base[1]}{point}",
-            f"two lengths are needed: {base[0]}{point} and {base[1]}{point}"))
+            f"two lengths are needed: {base[0]}{point} and {base[1]}{point}"), code="missing")
     apex = _apex(point, base, abs(draft.points[base[1]] - start), found[base[0]], found[base[1]])
     side = Side(m[1])
     local = apex if side is Side.LEFT else apex.conjugate()
@@ -158,5 +174,5 @@ def _apex(point: str, base: tuple[str, str], c: float, p: float, q: float) -> co
         a, b = base
         raise FaultError(Words(
             f"不成三角形：{a}{point} = {p * 1e3:g}、{b}{point} = {q * 1e3:g}、{a}{b} = {c * 1e3:g} mm；最长边应小于另两边之和（{max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}），请检查长度",
-            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"))
+            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"), code="out-of-range")
     return complex(x, max(square, 0.0) ** 0.5)

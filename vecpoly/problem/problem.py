@@ -71,6 +71,13 @@ class Problem:
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
+    read: tuple[Path, ...] = ()  # these files
+    warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """All files that the problem was read from, and its printed tables."""
+        return (*((self.path,) if self.path else ()), *self.read, *self.tables)
 
     def __post_init__(self) -> None:
         if isinstance(self.subject, Mechanism):

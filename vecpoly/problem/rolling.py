@@ -21,6 +21,7 @@ _ROLLS = re.compile(
     rf"(?P<on>[xy] = .+?|line through {LETTER} at .+?|circle about {LETTER} of .+?|{LINK}(?: of {_SIZE})?)"
     rf"(?:,? (?P<mid>above|below|left|right))? at (?P<point>{LETTER})(?:,? (?P<last>above|below|left|right))?"
 )
+FORMS = (_ROLLS,)  # for editors too
 EXAMPLES = "'3 rolls on y = 0 mm at D', '3 rolls below y = 200 mm at D', '4 rolls on 3 at H', '2 rolls inside circle about A of 90 mm at P'"
 
 

@@ -9,7 +9,6 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from ..devices.base import kinds
 from ..words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 
@@ -21,9 +20,12 @@ class Spec(BaseModel):
 
 
 class InputSpec(Spec):
-    """The input: turning (phi, omega, alpha) or sliding (s, v, a)."""
+    """The input: turning (phi, omega, alpha) or sliding (s, v, a), against the frame or on another moving link; or a cylinder."""
 
-    link: Name
+    link: Name | None = None
+    on: Name | None = Field(None, description="the moving link on which the link moves; the frame where nothing is said")
+    cylinder: Name | None = Field(None, description="2-3: the two links of a driven sliding pair; with length (or s), v, a")
+    length: Number | None = Field(None, description="of a cylinder: between its two pins")
     phi: Number | None = Field(None, description="60 deg, or 60 deg from AD")
     omega: Number | None = Field(None, description="10 rad/s ccw, 40 r/min 顺时针")
     alpha: Number | None = None
@@ -33,9 +35,10 @@ class InputSpec(Spec):
 
 
 class LoadSpec(Spec):
-    """A force (with point and direction) or a moment on a link; the size of one load is '?'."""
+    """A force (with point and direction) or a moment on a link, or the thrust of a cylinder; the size of one load is '?'."""
 
-    on: Name
+    on: Name | None = None
+    cylinder: Name | None = Field(None, description="2-3: the thrust of the cylinder between these links, positive where it lengthens it")
     at: str | None = Field(None, description="the lettered point of the link at which a force acts")
     size: Number | None = Field(None, description="1000 N, 20 N*m ccw, or ? for the load that balances")
     direction: Number | None = Field(None, description="of a force, from the x axis: 180 deg")
@@ -161,28 +164,3 @@ class AssignmentSpec(Spec):
     title: Text
     title_block: dict[str, str] = {}
     problems: list[str | dict[str, Any]] = Field(min_length=1)
-
-
-def json_schema() -> dict[str, Any]:
-    """The JSON Schema of a problem file, for editors; a file that extends another may leave much out."""
-    schema = ProblemSpec.model_json_schema()
-    schema["required"] = ["id", "title"]
-    schema["anyOf"] = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
-    schema["$defs"]["InputSpec"].pop("required")
-    for spec in ("LoadSpec", "RodSpec"):
-        schema["$defs"][spec].pop("required")
-    _with_devices(schema)
-    schema["title"] = "vecpoly problem file"
-    return schema
-
-
-def _with_devices(schema: dict[str, Any]) -> None:
-    """Add `device` and, for each device on file, what its `data` hold."""
-    schema["properties"] |= {"device": {"enum": list(kinds())}, "data": {"type": "object"}}
-    schema["allOf"] = []
-    for name, kind in kinds().items():
-        data = kind.model_json_schema()
-        schema["$defs"] |= data.pop("$defs", {})
-        data.pop("required", None)  # a file may extend another
-        schema["allOf"].append({"if": {"properties": {"device": {"const": name}}, "required": ["device"]},
-                                "then": {"properties": {"data": data}}})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from math import degrees
 
@@ -21,6 +22,7 @@ _ASIDE = rf"(?: with (?P<off>{LETTER}) (?P<offset>.+?) (?P<side>left|right))?"
 _SLIDE = re.compile(rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{GUIDE}){_ASIDE}(?: turned (?P<turn>.+))?")
 _THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK}){_ASIDE}")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{GUIDE})")
+FORMS = (_SLIDE, _THROUGH, _RUNS)  # for editors too
 _SAME = 1e-9  # m
 _OWN = {Shape.SLOT: Words("的槽", "the slot of "), Shape.ROD: Words("的杆", "the rod of ")}  # what makes an angle with the guide
 
@@ -40,6 +42,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     block = bodies.draft(m["block"])
     guide, line = guide_of(m["guide"], bodies, block.name)
     _apart(guide, block.name)
+    check_cylinder(guide, block, bodies.drafts)
     pin = m["off"] or m["pin"] or next(iter(block.points))
     if pin not in block.points:
         raise not_on_link(pin, block.name, block.points)
@@ -77,6 +80,7 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
     """A rod through a block: directed from its pin towards the block; a letter of either may lie beside its line."""
     _apart(rod, through)
     guide, block = bodies.draft(rod), bodies.draft(through)
+    check_cylinder(rod, block, bodies.drafts)
     line, beside = own_line(guide), m["off"] or pin
     led = next(iter(block.points))
     joint = Prismatic(guide=rod, block=through, origin=line.origin, direction=line.direction, pin=led, through=line.through)
@@ -103,6 +107,14 @@ def _beside(line: Line, guide: Draft, letter: str, left: float) -> complex:
     return guide.points[letter] - 1j * along * left
 
 
+def check_cylinder(guide: str, block: Draft, drafts: Mapping[str, Draft]) -> None:
+    """A piston runs in a cylinder, and nothing else does."""
+    barrel = guide in drafts and drafts[guide].shape is Shape.CYLINDER
+    if barrel != (block.shape is Shape.PISTON):
+        raise FaultError(Words(f"缸体（cylinder）与活塞（piston）须成对出现；请将构件 {guide} 写成 {{cylinder: …}}、构件 {block.name} 写成 {{piston: …}}，或改用 slot 与 block",
+                               f"a piston slides in a cylinder and in nothing else: write link {guide} as {{cylinder: ...}} and link {block.name} as {{piston: ...}}, or use slot and block"))
+
+
 def _left(m: re.Match[str]) -> float:
     """How far to the left of the guide the letter lies (m)."""
     if not m["offset"]:
@@ -119,9 +131,9 @@ def _apart(guide: str, block: str) -> None:
 def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
     pin = m["pin"]
     if pin not in bodies.letters():
-        raise FaultError(Words(f"没有点 {pin}", f"point '{pin}' does not exist") + meant(pin, bodies.letters()))
+        raise FaultError(Words(f"没有点 {pin}", f"point '{pin}' does not exist") + meant(pin, bodies.letters()), code="unknown-name")
     guide, line = guide_of(m["guide"], bodies, "")
-    name = f"pin{pin}"
+    name = bodies.free(f"pin{pin}")
     bodies.drafts[name] = Draft(name, Shape.PIN, {pin: 0j})
     return Prismatic(
         guide=guide,

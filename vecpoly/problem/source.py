@@ -7,14 +7,16 @@ from pathlib import Path as FilePath
 from pathlib import PurePath
 from typing import Any
 
-from ..errors import Fault, ProblemFileError
+from .. import limits
+from ..errors import Fault, ProblemFileError, of_system
 from ..words import Words
+from .characters import refuse_unwanted
 from .faults import Path, Place
+from .reach import Reach
 from .text.misread import misread
 from .text.narrow import Narrowed, narrowed
 
-LIMIT = 1_000_000  # bytes; a problem file has about a thousand
-_DEEP = 40
+PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
 
 Value = Any  # str | None | list[Value] | dict[str, Value]; what is in a file is known only after validation
 
@@ -27,16 +29,18 @@ class Tree:
     data: dict[str, Value]
     places: dict[Path, Place] = field(default_factory=dict)
     text: str = ""
+    files: tuple[FilePath, ...] = ()  # from which it was read
+    reach: Reach = field(default_factory=Reach)  # which other files it may name
 
 
 def read_text(path: FilePath) -> str:
     """The text of a file. Refuses by size before reading; UTF-8 only, with or without a byte order mark."""
     try:
         size = path.stat().st_size
-        if size > LIMIT:
+        if size > limits.FILE:
             raise ProblemFileError(Words(
-                f"{path}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {LIMIT / 1e6:.0f} MB",
-                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {LIMIT / 1e6:.0f} MB"))
+                f"{path}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {limits.FILE / 1e6:.0f} MB",
+                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {limits.FILE / 1e6:.0f} MB"))
         return path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
@@ -44,13 +48,19 @@ def read_text(path: FilePath) -> str:
             f"{path} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）不是 UTF-8 编码；请将文件另存为 UTF-8",
             f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; save the file with the encoding UTF-8")) from None
     except OSError as error:
-        raise ProblemFileError(Words(
-            f"{path}：不能读取（{error.strerror}）",
-            f"{path}: cannot be read: {error.strerror}")) from None
+        raise ProblemFileError(Words(f"{path}：不能读取：", f"{path}: cannot be read: ") + of_system(error), code="file") from None
+
+
+def read(path: FilePath) -> Tree:
+    """The values of a file."""
+    tree = parse(read_text(path), str(path))
+    tree.files = (path,)
+    return tree
 
 
 def parse(text: str, name: str) -> Tree:
     """Text to values with places. Raises ProblemFileError for anything that is no plain YAML mapping."""
+    refuse_unwanted(text, name)
     plain = narrowed(text, name)
     node = _compose(plain, name)
     tree = Tree(name, {}, text=text)
@@ -98,17 +108,31 @@ class _Reader:
     def value(self, node: Any, path: Path) -> Value:
         place = self.place(node.start_mark)
         self.tree.places.setdefault(path, place)
-        if id(node) in self.seen or len(path) > _DEEP:
+        if id(node) in self.seen or len(path) > limits.DEPTH:
             raise _refused(place, Words("不支持 YAML 别名，也不能嵌套过深；请直接写出值", "no YAML aliases or deep nesting here; write the value out"))
         self.seen.add(id(node))
         match node.id:
             case "mapping":
+                self.counted(node, place)
                 return self.mapping(node, path)
             case "sequence":
+                self.counted(node, place)
                 return [self.value(item, (*path, i)) for i, item in enumerate(node.value)]
             case _:
                 empty = node.style is None and node.value in ("", "~", "null")
-                return None if empty else str(node.value)
+                return None if empty else self.scalar(str(node.value), place, limits.PROSE if PROSE.intersection(map(str, path)) else limits.SCALAR)
+
+    def scalar(self, text: str, place: Place, most: int) -> str:
+        """A text that is not too long, and holds no sign that escapes (`"\\e"`) have brought in."""
+        if len(text) > most:
+            raise _refused(place, Words(f"此处有 {len(text)} 个字符，最多 {most} 个；请缩短", f"{len(text)} characters where at most {most} are possible; shorten the text"), "too-long")
+        refuse_unwanted(text, place.file, place.line, place.column or 1)
+        return text
+
+    def counted(self, node: Any, place: Place) -> None:
+        """A list or mapping of not too many entries."""
+        if len(node.value) > limits.ENTRIES:
+            raise _refused(place, Words(f"此处有 {len(node.value)} 项，最多 {limits.ENTRIES} 项", f"{len(node.value)} entries where at most {limits.ENTRIES} are possible"), "too-many")
 
     def mapping(self, node: Any, path: Path) -> dict[str, Value]:
         data: dict[str, Value] = {}
@@ -122,6 +146,7 @@ class _Reader:
     def _check_key(self, key: Any, place: Place, data: dict[str, Value], path: Path) -> None:
         if key.id != "scalar":
             raise _refused(place, Words("键应为一个词", "a key must be a plain word"))
+        self.scalar(key.value, place, limits.SCALAR)
         if ":" in key.value:
             raise _refused(place, Words(f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"))
         if key.value in data:
@@ -134,7 +159,7 @@ def overlay(base: Tree, over: Tree) -> Tree:
     """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away. The base's text follows the other's."""
     places = dict(base.places)
     text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
-    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text)
+    return Tree(over.name, _merge(base.data, over.data, (), places, over.places), places, text, (*over.files, *base.files), over.reach)
 
 
 def _merge(

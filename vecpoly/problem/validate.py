@@ -91,7 +91,7 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             return FaultError(Words(f"未知的键“{path[-1]}”", f"unknown key '{path[-1]}'") + known, *path, code="unknown-key")
         case "missing":
             text = _PAIR if isinstance(path[-1], int) else Words(f"缺少“{path[-1]}”", f"'{path[-1]}' is missing")
-            return FaultError(text, *path, code="missing-key")
+            return FaultError(text, *path, code="missing")
         case "string_pattern_mismatch":
             return FaultError(Words(
                 f"“{written}”只能含字母（汉字也可）、数字、'-'、'_' 和 '.'",
@@ -99,9 +99,9 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
         case "literal_error":
             expected = item["ctx"]["expected"]
             return FaultError(Words(
-                f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一", f"'{written}' is not one of {expected}"), *path)
+                f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一", f"'{written}' is not one of {expected}"), *path, code="spelling")
         case "list_type" if isinstance(written, str):
-            return FaultError(Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]"), *path)
+            return FaultError(Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]"), *path, code="spelling")
         case kind:
             return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
+from ..limits import PAPER
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.quantities import pairs
@@ -35,6 +36,8 @@ def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At], forces:
         key = read_any(spec, bodies, named, forces)
         return AskNamed(rel=key) if isinstance(key, Named) else AskRel(rel=key)
     if spec.coriolis is not None:
+        if beside := [key for key in FindSpec.model_fields if key != "coriolis" and getattr(spec, key) is not None]:
+            raise FaultError(Words(f"coriolis 不能与 {'、'.join(beside)} 并用；请分写成两项", f"coriolis does not go together with {', '.join(beside)}; write them as two entries"), beside[0])
         return AskCoriolis(rel=read_key(f"ak_{spec.coriolis}", bodies, named))
     return read_point(spec, bodies)
 
@@ -45,7 +48,7 @@ def read_point(spec: FindSpec, bodies: Bodies) -> AskPoint:
     if m is None:
         raise FaultError(Words(
             "请写 v_E 之类的符号，或 {point: M2, on: 2, velocity: 0}，或 {coriolis: B3B2}",
-            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"))
+            "write a symbol such as v_E, or {point: M2, on: 2, velocity: 0}, or {coriolis: B3B2}"), code="spelling")
     link = spec.on or m[2]
     bodies.draft(link)
     if link != m[2]:
@@ -71,7 +74,7 @@ def _line(text: str, points: Iterable[str], link: str) -> tuple[str, str]:
     if first == second or not {first, second} <= set(points):
         raise FaultError(Words(
             f"“{text}”不是过构件 {link} 上两点的直线（{', '.join(points)}）；如写 slowest: BC",
-            f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC"), "slowest")
+            f"'{text}' names no line through two points of link {link} ({', '.join(points)}); write e.g. slowest: BC"), "slowest", code="unknown-name")
     return first, second
 
 
@@ -82,7 +85,7 @@ def _vector(value: tuple[str, str] | str | None, dim: Dim) -> complex | None:
         if read(value, dim).si != 0:
             raise FaultError(Words(
                 f"请写出两个分量，如 [{dim.example}, {dim.example}]，或写 0",
-                f"write both components, e.g. [{dim.example}, {dim.example}], or 0"))
+                f"write both components, e.g. [{dim.example}, {dim.example}], or 0"), code="spelling")
         return 0j
     return complex(read(value[0], dim).si, read(value[1], dim).si)
 
@@ -98,7 +101,7 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
     loads = [key for key, named in forces.items() if not named.is_central]
     if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads) if loads else Words(
-            f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"))
+            f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"), code="missing")
     return read_key(text, bodies, named)
 
 
@@ -106,7 +109,8 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
     """What is asked where the file does not say: the unknown load, with friction also without it and η, and every reaction."""
     name = loads.unknown.name
     keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
-    keys += [f"R_{mech.number(by)}{mech.number(on)}" for by, on in pairs(mech)]
+    rams = [{force.link, force.against} for force in loads.forces]  # between a cylinder and its piston there is only the thrust
+    keys += [f"R_{mech.number(by)}{mech.number(on)}" for by, on in pairs(mech) if {by, on} not in rams]
     return tuple(AskNamed(rel=forces[key]) for key in keys)
 
 
@@ -133,12 +137,12 @@ def _known(at: At, text: str, bodies: Bodies) -> None:
     if at.link and at.link != FRAME and at.link not in bodies.drafts:
         raise FaultError(Words(
             f"{text}：构件“{at.link}”不存在",
-            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.drafts))
+            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.drafts), code="unknown-name")
     letters = (*bodies.letters(), *bodies.pitch)
     if at.point and at.point not in letters:
         raise FaultError(Words(
             f"{text}：点“{at.point}”不存在",
-            f"{text}: point '{at.point}' does not exist") + meant(at.point, letters))
+            f"{text}: point '{at.point}' does not exist") + meant(at.point, letters), code="unknown-name")
     if at.point in bodies.pitch and not at.link and text.startswith("a"):
         raise FaultError(Words(
             f"{text}：{at.point} 处两构件的加速度不同；请写明构件号，如 {text}{next(iter(bodies.drafts))}",
@@ -158,7 +162,7 @@ def read_scales(spec: ScalesSpec) -> Scales:
         if value <= 0:
             raise FaultError(Words(
                 f"“{text}”应大于零；如写 {dim.example} 或 auto",
-                f"'{text}' must be greater than zero; write e.g. {dim.example} or auto"), key)
+                f"'{text}' must be greater than zero; write e.g. {dim.example} or auto"), key, code="out-of-range")
         return value
 
     return Scales(
@@ -167,6 +171,17 @@ def read_scales(spec: ScalesSpec) -> Scales:
         mu_a=one("mu_a", spec.mu_a, Dim.MU_A),
         mu_f=one("mu_F", spec.mu_F, Dim.MU_F),
     )
+
+
+def plottable(scales: Scales, mech: Mechanism) -> None:
+    """Raise FaultError where the mechanism would be a speck, or far larger than any paper."""
+    if scales.mu_l is None:
+        return
+    size, (least, most) = mech.scale / scales.mu_l, PAPER
+    if not least <= size <= most:
+        told = f"{size:.3g} mm"
+        raise FaultError(Words(f"按此比例尺，机构在图纸上的尺寸为 {told}，无法作图（应在 {least:g} 至 {most:g} mm 之间）；请核对或写 auto",
+                               f"at this scale the mechanism would measure {told} on paper, which cannot be drawn ({least:g} to {most:g} mm can); check it, or write auto"), "mu_l")
 
 
 def _is_length(text: str) -> bool:
@@ -183,7 +198,7 @@ def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At], forces:
 def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
     """The printed value of this quantity (None: of a length on the diagram)."""
     kind = rel.kind if isinstance(rel, Rel) else Kind.P
-    direction = read(spec.direction, Dim.ANGLE).si if spec.direction is not None else None
+    direction = _direction(spec, rel)
     if spec.scale is None:
         value = _named_value(spec.value, rel) if isinstance(rel, Named) else read(spec.value, _DIM.get(kind, Dim.ACCEL)).si
         paper, scale = None, None
@@ -191,7 +206,7 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         if not _is_length(spec.value):
             raise FaultError(Words(
                 f"“{spec.value}”不是图上长度，而又给了比例尺；如写 41.1 mm",
-                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value")
+                f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm"), "value", code="spelling")
         paper = read(spec.value, Dim.LENGTH).si * 1e3
         scale = read(spec.scale, Dim.MU_F if isinstance(rel, Named) else _MU.get(kind, Dim.MU_A)).si
         value = paper * scale
@@ -206,6 +221,16 @@ def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
         direction=direction,
         note=spec.note,
     )
+
+
+def _direction(spec: PrintedSpec, rel: Key | None) -> float | None:
+    """The printed direction (rad) of a vector; FaultError for that of anything else."""
+    if spec.direction is None:
+        return None
+    if rel is None or not rel.is_vector:
+        raise FaultError(Words(f"{spec.symbol} 不是矢量，没有方向；请删去 direction（转向写在数值之后，如 2 rad/s cw）",
+                               f"{spec.symbol} is no vector and has no direction; leave it out (a sense is written behind the value, 2 rad/s cw)"), "direction")
+    return read(spec.direction, Dim.ANGLE).si
 
 
 def _named_value(text: str, named: Named) -> float:

@@ -30,6 +30,8 @@ def acting(mech: Mechanism, loads: Loads, figure: Figure) -> tuple[Mark, ...]:
 def _arrow(mech: Mechanism, load: Load, spots: dict[str, complex], figure: Figure) -> Mark | None:
     """The arrow of one load; none for a moment that is sought, whose sense is not known yet."""
     symbol = load_named(load).symbol
+    if isinstance(load, Force) and load.against:
+        return _thrust(load, spots, symbol)
     if isinstance(load, Force):
         return _force(load, spots[load.point], symbol, figure) if load.point in spots else None
     return _moment(mech, load, spots, symbol, figure)
@@ -41,6 +43,16 @@ def _force(load: Force, at: complex, symbol: str, figure: Figure) -> Vector:
     pull, push = (at + CLEAR * along, at + ARROW * along), (at - ARROW * along, at - CLEAR * along)
     a, b = max((pull, push), key=lambda ends: _room(ends, figure))
     return Vector(a=a, b=b, role=Role.GIVEN, label=symbol, step=1)
+
+
+def _thrust(load: Force, spots: dict[str, complex], symbol: str) -> Vector | None:
+    """The arrow of a cylinder's thrust, beside its rod."""
+    if not {load.foot, load.point} <= set(spots) or spots[load.foot] == spots[load.point]:
+        return None
+    ray = spots[load.point] - spots[load.foot]
+    along = ray / abs(ray)
+    start = spots[load.foot] + 0.55 * ray + 5j * along
+    return Vector(a=start, b=start + ARROW * along, role=Role.GIVEN, label=symbol, step=1)
 
 
 def _room(ends: tuple[complex, complex], figure: Figure) -> float:

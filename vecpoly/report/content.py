@@ -66,12 +66,12 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:
-    """Counts in which no hand can err, and which still are not what the oracle says; why, as far as the oracle knows."""
+    """What is hardly meant; counts in which no hand can err, and which still are not what the oracle says, and why, as far as the oracle knows."""
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
     wrong = [answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
     why = dependence(solution.problem.subject) if wrong else None
     few = fewer_digits(solution)
-    return [words.of(lang) for words in (few, _disagreed(wrong) if wrong else None, why) if words is not None]
+    return [words.of(lang) for words in (*solution.warnings, few, _disagreed(wrong) if wrong else None, why) if words is not None]
 
 
 def _disagreed(wrong: list[Answer]) -> Words:

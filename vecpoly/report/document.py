@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import ChoiceLoader, Environment, FileSystemLoader, StrictUndefined, TemplateNotFound
+from jinja2 import TemplateNotFound
 
+from ..arguments import known_language, of_kind
 from ..check.printed import PrintedCheck, check_problem
 from ..check.verdict import Verdict
 from ..data import data_dir
 from ..drawing.figure import draw_figure
 from ..drawing.pdf import draw_pdf
 from ..drawing.sheet import Sheet, sheets
-from ..errors import NotAskedError, UnknownNameError
+from ..errors import ArgumentError, NotAskedError, UnknownNameError
+from ..files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
@@ -28,6 +29,7 @@ from .lines import lines_table
 from .picture import diagram, frames, picture
 from .printed_tables import printed_tables
 from .tables import empty_table, percent, printed_table, readings_table, symbol_of
+from .templates import filled
 from .titles import subject
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
@@ -36,6 +38,7 @@ FIELDS: dict[Lang, tuple[str, ...]] = {
 }
 _HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
              "note": Words("关于原书：", "On the printed solution: "), "pass": Words.same("")}
+_SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
 
@@ -49,11 +52,24 @@ def write_report(
     fields: values of the title block by their label; templates: a folder whose templates come before the built-in ones.
     Raises UnknownNameError for a style without a template.
     """
+    of_kind(path, (str, Path), Words("文件名", "the name of a file"))
+    return write_whole(Path(path), report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates))
+
+
+def report_bytes(
+    solutions: Sequence[Solution], *, lang: Lang = "zh", style: str = "solution",
+    fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+) -> bytes:
+    """The PDF that `write_report` writes."""
+    known_language(lang)
+    solutions = [of_kind(one, Solution, _SOLVED) for one in of_kind(solutions, Sequence, Words("若干解答的列表", "a list of solutions"))]
+    if not solutions:
+        raise ArgumentError(Words("没有可写的解答：列表是空的", "there is nothing to report: the list of solutions is empty"), code="empty")
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
     story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
-    return ReportDoc(story, meta).write(path).path
+    return ReportDoc(story, meta).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
@@ -76,18 +92,12 @@ def markup(
         "problems": [_problem(s, lang, style, objects) for s in solutions],
     }
     try:
-        template = _environment(templates).get_template(f"{style}.{lang}.xml.j2")
+        folders = (*((Path(templates),) if templates else ()), data_dir("templates"))
+        return filled(f"{style}.{lang}.xml.j2", folders, context), objects
     except TemplateNotFound:
         raise UnknownNameError(Words(
             f"没有报告样式“{style}”；已有：{', '.join(STYLES)}",
             f"no report style '{style}': there are {', '.join(STYLES)}")) from None
-    return template.render(context), objects
-
-
-@cache
-def _environment(own: Path | None) -> Environment:
-    loaders = [FileSystemLoader(folder) for folder in (own, data_dir("templates")) if folder]
-    return Environment(loader=ChoiceLoader(loaders), autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
 
 
 def _title(solutions: Sequence[Solution]) -> Words:
@@ -110,7 +120,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         blank = frames(solution.construction)
         return common | {
             "blanks": blank_equations(solution, objects), "empty": objects.add("tab", empty_table(solution, lang)),
-            "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title)],
+            "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
         }
     checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
     return common | {
@@ -121,7 +131,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang), "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
-        "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title)],
+        "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
     }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..mechanism.assur import Group, decompose, hinges
 from ..mechanism.mobility import Mobility, mobility
 from ..mechanism.model import FRAME, Mechanism
+from ..mechanism.rams import driver_words
 from ..mechanism.seats import seat
 from ..problem.problem import Problem
 from ..words import Words
@@ -17,7 +18,16 @@ def structure(problem: Problem) -> Words:
     if not isinstance(problem.subject, Mechanism):
         return Words.same("")
     mech = problem.subject
-    return _made_of(mech, mobility(mech), decompose(mech))
+    return welded(mech) + _made_of(mech, mobility(mech), decompose(mech))
+
+
+def welded(mech: Mechanism) -> Words:
+    """Rollers that are no links of their own."""
+    if not mech.welded:
+        return Words.same("")
+    zh = "、".join(f"滚子 {roller} 与构件 {host}" for roller, host in mech.welded)
+    en = " and ".join(f"roller {roller} to link {host}" for roller, host in mech.welded)
+    return Words(f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。", f"A roller that turns about its own pin is a local freedom, without effect on the other links; weld {en}. ")
 
 
 def numbering(problem: Problem) -> Words:
@@ -55,22 +65,34 @@ def _any_speed(problem: Problem) -> Words:
 def _made_of(mech: Mechanism, count: Mobility, groups: tuple[Group, ...]) -> Words:
     higher = f" − {count.higher}" if count.higher else ""
     sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
-    driver = mech.drive.link
+    driver = driver_words(mech)
     if any("G" in g.kind or g.kind in ("gear", "rack", "gear train") for g in groups):
         rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
         if count.higher > len(mech.contacts):
             rolls = Words("（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a high pair)")
         return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}") + rolls
-                + Words(f"；构件 {driver} 为原动件。", f"; link {driver} drives."))
-    zh = "、".join(f"{_ROMAN.get(g.kind, g.kind)} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}）" for g in groups)
-    en = ", ".join(f"{g.kind} (links {', '.join(_told(mech, name).en for name in g.links)})" for g in groups)
+                + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives."))
+    zh = "、".join(f"{kind_of(g).zh} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups)
+    en = ", ".join(f"{kind_of(g).en} (links {', '.join(_told(mech, name).en for name in g.links)}{_as_bar(g).en})" for g in groups)
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
-    opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；构件 {driver} 为原动件，",
-                    f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}. Link {driver} drives")
+    opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}；{driver.zh}为原动件，",
+                    f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}. {driver.en[0].upper()}{driver.en[1:]} drives")
+    if any(g.kind == "driven" for g in groups):
+        return opening + Words(f"驱动副在 {zh}之内，作图时改取一个与机架相连的构件为假想原动件。", f", inside {en}; for the drawing a link on the frame is thought to drive instead.")
     if mech.contacts:
         return opening + Words(f"高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
                                f"; with the higher pair replaced by a link and lower pairs, the rest is {kind} {en}: a {_class(groups).en} mechanism.")
     return opening + Words(f"其余为 {zh}，属{_class(groups).zh}机构。", f", the rest is {kind} {en}: a {_class(groups).en} mechanism.")
+
+
+def kind_of(group: Group) -> Words:
+    """The kind of a group as printed; with a cylinder of known length as one of its bars."""
+    told = {"cylinder RR": "RRR", "cylinder RP": "RRP"}.get(group.kind, group.kind)
+    return Words("含驱动副的", "the group with the driven pair") if told == "driven" else Words(_ROMAN.get(told, told), told)
+
+
+def _as_bar(group: Group) -> Words:
+    return Words.same("") if group.ram is None else Words("，油缸视为一杆", ", the cylinder being one bar")
 
 
 def _class(groups: tuple[Group, ...]) -> Words:
@@ -81,5 +103,8 @@ def _class(groups: tuple[Group, ...]) -> Words:
 
 def _told(mech: Mechanism, link: str) -> Words:
     """A link's number; the link that stands for a higher pair by that contact's letter."""
+    if link not in mech.substitutes and not link[0].isdigit():  # the block of a pin that runs in a slot
+        point = next(iter(mech.link(link).points))
+        return Words(f"销 ${point}$", f"the pin ${point}$")
     contact = next((c for c in mech.contacts if c.substitute == link), None)
     return Words.same(link) if contact is None else Words(f"代替高副 ${contact.point}$ 的杆", f"the substitute for ${contact.point}$")

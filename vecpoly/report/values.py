@@ -71,7 +71,7 @@ def direction_of_load(problem: Problem, key: str) -> float | None:
     if problem.loads is None:
         return None
     return next((load.direction for load in problem.loads.forces
-                 if load_named(load).key in (key, *(key.removesuffix(ending) for ending in _WAYS))), None)
+                 if not load.against and load_named(load).key in (key, *(key.removesuffix(ending) for ending in _WAYS))), None)
 
 
 def asked_load(problem: Problem, key: str) -> Words | None:

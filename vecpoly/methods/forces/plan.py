@@ -31,6 +31,7 @@ from .pieces import Held
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
+from .thrust import as_outer_force, read_thrusts, without_cylinders
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -42,8 +43,9 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
     """
     assert problem.loads is not None
-    st = Statics(desk=desk, loads=problem.loads)
-    held, groups = _order(desk, problem.loads)
+    st = Statics(desk=desk, loads=as_outer_force(desk, problem.loads))
+    held, groups = _order(desk, st.loads)
+    groups = without_cylinders(groups, problem.loads)
     inertia_forces(st)
     draw_given_loads(st)
     if st.loads.friction:
@@ -57,6 +59,7 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
         st = _with_friction(st, groups, held)
     draw_free_bodies(st, problem)
     read_efficiency(st)
+    read_thrusts(st, problem.loads)
     return st
 
 
@@ -70,7 +73,7 @@ def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:
     joint = fixed_joint(mech, link)
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
         return None, tuple(reversed(decompose(mech, pressing=True)))
-    own = decompose(replace(mech, drives=(replace(mech.drive, link=link),)), pressing=True)
+    own = decompose(replace(mech, drives=(replace(mech.drive, link=link, on=FRAME),)), pressing=True)
     by_drive = decompose(mech, pressing=True)
     if not loads.friction and any(group.dyad is None for group in own) and all(group.dyad for group in by_drive):
         return None, tuple(reversed(by_drive))

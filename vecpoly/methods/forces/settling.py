@@ -52,6 +52,9 @@ def _fixed(start: Statics, groups: tuple[Group, ...], walk: Walk, couples: Coupl
     for _ in range(ROUNDS):
         st = _pass(start, guide, couples, walk)
         after = pin_couples(st, groups)
+        if after.keys() != couples.keys():  # friction wakes loads on a link that only passed a force on: now moments solve its group
+            couples, guide, slope, last = {key: couples.get(key, 0.0) for key in after}, st, None, np.inf
+            continue
         same, gap = _same_senses(st, guide), _gap(couples, after)
         if same and gap < SETTLED:
             return st, after

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import assert_never
 
 from ...errors import AssemblyError, DeadPointError
-from ...mechanism.branch import margin
+from ...mechanism.branch import margin, nearer
 from ...mechanism.model import FRAME, Shaped, Side, SideOf, Statement
 from ...plane import Points, nominal
 from ...words import Words
@@ -33,17 +34,25 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     about = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
     holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
     fits = [all(held) for held in holds]
+    if all(fits) and (near := nearer(*_in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
+        return pair[near], None
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
     deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
     return (pair[0] if fits[0] else pair[1]), deciding
 
 
+def _in_metres(desk: Desk, trials: list[dict[str, complex]]) -> tuple[Mapping[str, complex], dict[str, complex], dict[str, complex]]:
+    """The rough places of the problem, and where all letters lie with either meeting point."""
+    one, two = ({name: at / desk.mm(1.0) for name, at in trial.items()} for trial in trials)
+    return desk.mech.guesses, one, two
+
+
 def said(statement: Statement | None) -> Words:
     """The deciding statement in words."""
     match statement:
         case None:
-            return Words.same("")
+            return Words("（取靠近所给大致位置的一点）", " (of the two, the one near the rough place given)")
         case SideOf(point=point, side=side):
             ref = ("→" if side in (Side.LEFT, Side.RIGHT) else "").join(statement.ref)
             return Words(f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一点）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)")

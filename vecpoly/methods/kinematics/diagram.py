@@ -27,6 +27,7 @@ from ..desk import Desk
 from .bars import bar, weld
 from .cam import contact_replaced, contacts_of
 from .cam_diagram import cam_body, draw_contacts, fixed_guide, guided_follower
+from .cylinder_symbol import cylinder_joint, cylinder_part, is_cylinder
 from .follower import face_marks, stem_marks
 from .gear_diagram import draw_gears, guided_rack
 
@@ -56,7 +57,9 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
         if len(body.points) == 1:
             desk.board.mark(View.MECHANISM, _number(desk, body, shape, late))
     for joint in desk.mech.joints:
-        if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
+        if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links) and is_cylinder(joint, shapes):
+            desk.board.mark(View.MECHANISM, *cylinder_part(desk, joint.guide, joint), *cylinder_part(desk, joint.block, joint))
+        elif isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
             drawn = {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN
             if drawn and not guided_follower(desk, joint) and (joint.guide != FRAME or guided_rack(desk, joint.block) is None):
                 desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes))
@@ -68,8 +71,9 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
 def link_alone(desk: Desk, name: str, shapes: Mapping[str, Shape]) -> Iterator[Mark]:
     """The marks of one link without its neighbours: its body, its block, its lettered points."""
     body = desk.mech.link(name)
-    yield from _link(desk, body, shapes.get(name, Shape.BAR))
-    blocks = [j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == name and not guided_follower(desk, j) and shapes.get(name) is not Shape.ROD]
+    ram = cylinder_joint(desk, name, shapes)
+    yield from _link(desk, body, shapes.get(name, Shape.BAR)) if ram is None else cylinder_part(desk, name, ram)
+    blocks = [j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == name and not guided_follower(desk, j) and shapes.get(name) not in (Shape.ROD, Shape.PISTON)]
     for joint in blocks:
         line, pin = desk.guide_line(joint), _spot(desk, joint.pin)
         along = complex(nominal(line.along))
@@ -121,7 +125,7 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
     if contacts_of(desk.mech, body.name):
         yield from cam_body(desk, body)
         return
-    if shape is Shape.GEAR or shape is Shape.PIN:
+    if shape in (Shape.GEAR, Shape.PIN, Shape.CYLINDER, Shape.PISTON):
         return
     if shape is Shape.BLOCK and len(spots) > 1:
         for spot in spots[1:]:

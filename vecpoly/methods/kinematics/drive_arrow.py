@@ -6,6 +6,7 @@ import numpy as np
 
 from ...board.construction import View
 from ...board.marks import AngleMark, Arc, FixedGuide, Segment, Slot, TurnArrow
+from ...mechanism.model import Drive
 from ...plane import nominal
 from ..desk import Desk
 from .position_drive import swept
@@ -15,10 +16,13 @@ APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
 def draw_drive_arrow(desk: Desk) -> None:
-    """The curved arrow with ω at the driving link's pivot."""
-    drive = desk.mech.drive
-    if drive.slide:
-        return
+    """The curved arrow with ω at the pivot of each driving link."""
+    for drive in desk.mech.drives:
+        if not drive.slide:
+            _draw(desk, drive)
+
+
+def _draw(desk: Desk, drive: Drive) -> None:
     pivot, _ = desk.crank(drive.link)
     at = complex(nominal(desk.at[pivot]))
     radius = _arrow_radius(desk, at)

@@ -14,6 +14,7 @@ from .chains import letters, solve
 from .image import found_tip, images_of_link
 from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, wheel
 from .rolled import image_circle
+from .rrr import total
 from .terms import known, normal, symbol
 from .turning import angular_acceleration, angular_velocity
 
@@ -53,7 +54,8 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
     rel = Rel(Kind.AT, own, None if rest else At(c))
     tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
     left = (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)
-    closed = solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, gear))), own)
+    eq = Equation(left=left, right=(*base, along_normal(desk, joint, gear)), total=total(desk, view, own, len(left)) if base else "")
+    closed = solve(desk, view, eq, own)
     angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", symbol(desk, rel))
     images_of_link(desk, view, gear)
 

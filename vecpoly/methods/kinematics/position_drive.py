@@ -62,6 +62,20 @@ def position_slide(desk: Desk, drive: Drive) -> None:
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
 
 
+def say_fixed_points(desk: Desk) -> None:
+    """The first step where no link is driven against the frame."""
+    fixed, fixed_en = "$、$".join(desk.mech.frame), "$, $".join(desk.mech.frame)
+    desk.board.step(Words(f"取 $μ_l$，按坐标定出固定点 ${fixed}$。",
+                          f"Place the fixed point{'s' if len(desk.mech.frame) > 1 else ''} ${fixed_en}$ to the scale $μ_l$."), View.MECHANISM)
+
+
+def say_welded(desk: Desk) -> None:
+    """Rollers are drawn as parts of the links that carry them."""
+    for roller, host in desk.mech.welded:
+        desk.board.step(Words(f"滚子 {roller} 绕其销轴的转动为局部自由度，将滚子与构件 {host} 视为焊成一体。",
+                              f"Roller {roller} turns idly about its pin, a local freedom: it is taken as welded to link {host}."), View.MECHANISM)
+
+
 def swept(position: float) -> float:
     """How far the arc of an angle runs round: as far as is stated, less full turns."""
     return math.fmod(position, 2 * math.pi)

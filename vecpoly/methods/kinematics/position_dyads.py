@@ -61,7 +61,7 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
     board.remark(said(why) + Words("。", "."))
     board.swing(View.MECHANISM, desk.at[p], radius, desk.at[c])
     desk.settle(d.link_j, (p, c))
-    desk.settle_turned(d.link_k, c, _slider_axis(desk, d.outer_k, d.link_k, line))
+    desk.settle_turned(d.link_k, c, slider_axis(desk, d.outer_k, d.link_k, line))
 
 
 @method(stage=Stage.POSITION, group="PRP", source=_SOURCE, example="3-11",
@@ -74,7 +74,7 @@ def position_prp(desk: Desk, d: Dyad) -> None:
     lines = [desk.locus(joint, link, b) for joint, link in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))]
     desk.at[b] = board.meet(lines[0], lines[1], Words(f"构件 {d.link_j} 与 {d.link_k} 的导路", f"guides of links {d.link_j} and {d.link_k}"))
     for joint, link, line in zip((d.outer_j, d.outer_k), (d.link_j, d.link_k), lines, strict=True):
-        desk.settle_turned(link, b, _slider_axis(desk, joint, link, line))
+        desk.settle_turned(link, b, slider_axis(desk, joint, link, line))
 
 
 @method(stage=Stage.POSITION, group="RPP", source=_SOURCE, example="3-14",
@@ -88,14 +88,14 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     cam = tangent_words(desk, inner)
     desk.board.step(_slid_words(d, inner, b, r) if cam is None else cam + Words("。", "."), View.MECHANISM)
     guide = desk.guide_line(outer)
-    axis = _slider_axis(desk, outer, d.link_k, guide)
+    axis = slider_axis(desk, outer, d.link_k, guide)
     own = inner.direction if inner.guide == d.link_k else -inner.turn
     slot = axis * np.exp(1j * own)
     path = desk.locus(outer, d.link_k, r)
     side = desk.mm(desk.offset(inner, d.link_j, b) - desk.offset(inner, d.link_k, r))
     desk.at[r] = desk.board.meet(path, Line(desk.at[b] - 1j * slot * side, slot), f"guides of links {d.link_j} and {d.link_k}")
     desk.settle_turned(d.link_k, r, axis)
-    desk.settle_turned(d.link_j, b, _slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
+    desk.settle_turned(d.link_j, b, slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
 
 
 def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
@@ -108,7 +108,7 @@ def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
                  f"drawn through ${b}$, it meets the other guide of link {d.link_k} and so gives ${r}$.")
 
 
-def _slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
+def slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
     """Direction of the x axis of the link that slides, from the line of the guide."""
     turn = joint.turn if link == joint.block else -joint.direction
     axis: Points = line.along * np.exp(1j * turn)

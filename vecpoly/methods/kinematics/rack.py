@@ -15,6 +15,7 @@ from ..registry import Stage, method
 from .chains import coincident_tip, never_turns, sliding_chain, solve
 from .image import images_of_link
 from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in
+from .rrr import total
 from .terms import known, symbol
 from .turning import same_turn
 
@@ -61,7 +62,8 @@ def acceleration_rack(desk: Desk, group: Group) -> None:
     desk.board.step(Words(f"啮合点 ${h}$：齿轮与齿条 {rack} 在 ${h}$ 处的切向加速度相等，加速度只差沿公法线的分量：",
                           f"Pitch point ${h}$: gear and rack {rack} have one tangential acceleration there, their accelerations differ along the common normal alone:"), view)
     left = sliding_chain(desk, view, own, At(h, led), slide, led)
-    solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, rack))), own)
+    front = total(desk, view, own, len(left)) if len(left) > 1 and base else ""
+    solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, rack)), total=front), own)
     if led != FRAME:
         same_turn(desk, rack, led, view)
     _lettered(desk, view, rack)

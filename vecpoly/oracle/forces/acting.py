@@ -22,11 +22,18 @@ class Acting:
     at: Points
     force: Points
     couple: Reals
+    opposite: Acting | None = None  # what acts on the other link of a cylinder
 
     def power(self, rates: Bodies) -> Reals:
         """F·v + M ω (W)."""
         body = rates[self.link]
-        return dot(self.force, body.velocity_at(self.at)) + self.couple * body.omega
+        own = dot(self.force, body.velocity_at(self.at)) + self.couple * body.omega
+        return own if self.opposite is None else own + self.opposite.power(rates)
+
+    @property
+    def parts(self) -> tuple[Acting, ...]:
+        """This force, and the opposite one of a cylinder."""
+        return (self,) if self.opposite is None else (self, self.opposite)
 
 
 def checked(mech: Mechanism, loads: Loads) -> None:
@@ -87,11 +94,22 @@ def weight(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
 
 def _load(mech: Mechanism, load: Load, size: float, bodies: Bodies) -> Acting:
     body = bodies[load.link]
+    if isinstance(load, Force) and load.against:
+        return _thrust(mech, load, size, bodies)
     if isinstance(load, Force):
         force = np.full(1, size * np.exp(1j * load.direction))
         at = body.point(mech.link(load.link).points[load.point])
         return Acting(name=load.name, link=load.link, at=at, force=force, couple=NONE)
     return Acting(name=load.name, link=load.link, at=body.at, force=STILL, couple=np.full(1, size))
+
+
+def _thrust(mech: Mechanism, load: Force, size: float, bodies: Bodies) -> Acting:
+    """The force of a cylinder on its two links, apart along the line of their pins."""
+    places = [bodies[link].point(mech.link(link).points[letter]) for link, letter in ((load.against, load.foot), (load.link, load.point))]
+    ray = places[1] - places[0]
+    push: Points = size * ray / np.abs(ray)
+    back = Acting(name=load.name, link=load.against, at=places[0], force=-push, couple=NONE)
+    return Acting(name=load.name, link=load.link, at=places[1], force=push, couple=NONE, opposite=back)
 
 
 def unit_drive(mech: Mechanism) -> Mechanism:

@@ -72,8 +72,9 @@ class System:
         left, right = ([Equation() for _ in range(side)] for _ in "lr")
         for k, (pair, unit) in enumerate(columns):
             self._enter_pair(left, k, pair, unit)
-        self._enter(left, side - 1, self.free.link, self.free.at, self.free.force, self.free.couple)
-        for act in self.known:
+        for act in self.free.parts:
+            self._enter(left, side - 1, act.link, act.at, act.force, act.couple)
+        for act in (part for known in self.known for part in known.parts):
             self._enter(right, 0, act.link, act.at, -act.force, -act.couple)
         for k, pair in enumerate(rubbing):
             assert pair.rub is not None

@@ -57,7 +57,7 @@ class Flow:
 
     def _inside(self, line: str, at: int, out: Signs) -> int:
         sign, frame = line[at], self.frames[-1]
-        if sign in ":：" and not frame.key and frame.closer == "}" and _WORD.fullmatch(frame.so_far.strip()):
+        if sign in ":：" and not frame.key and (frame.closer == "}" or not self._spoken()) and _WORD.fullmatch(frame.so_far.strip()):
             frame.key, frame.so_far = "".join(map(narrow, frame.so_far.strip())), ""
             out.append((":", at))
             if sign == "：" and line[at + 1: at + 2] not in (" ", "\u3000"):
@@ -80,6 +80,8 @@ class Flow:
             out.append((narrow(sign), at))
 
     def _separates(self, line: str, at: int, sign: str) -> bool:
+        if self.frames[-1].so_far.strip() == "…":
+            return True
         if "title_block" in self.above:
             return sign == "，" and bool(_NEXT_FIELD.match(line, at + 1))
         if self._spoken():

@@ -29,7 +29,7 @@ def misread(error: Any, text: str) -> Misread:
     """The mistake behind a MarkedYAMLError of the reader."""
     problem, context = str(error.problem or ""), str(error.context or "")
     mark, opened = error.problem_mark or error.context_mark, error.context_mark or error.problem_mark
-    lines = text.split("\n")
+    lines = re.split(r"\r\n|[\r\n]", text)  # as the reader counts them
     here = Misread(_FALLBACK, mark.line, mark.column)
     if "\\t" in problem:
         return _at(here, Words("此处有制表符；请用空格缩进", "a tab; indent with spaces"))
@@ -54,7 +54,7 @@ def _at(where: Misread, words: Words) -> Misread:
 
 
 def _quoted(here: Misread, opened: Misread, problem: str, lines: list[str]) -> Misread:
-    sign = lines[opened.line][opened.column]
+    sign = lines[opened.line][opened.column : opened.column + 1]
     if "escape" in problem:
         return _at(here, Words("双引号内的反斜杠引出转义字符；请改用单引号", "a backslash between double quotes begins an escape; use single quotes"))
     return _at(opened, Words(f"此处的引号 {sign} 没有闭合", f"the quote {sign} opened here is not closed"))
@@ -62,12 +62,12 @@ def _quoted(here: Misread, opened: Misread, problem: str, lines: list[str]) -> M
 
 def _bracket(here: Misread, opened: Misread, lines: list[str]) -> Misread:
     """A bracket left open, or a comma left out."""
-    sign = lines[opened.line][opened.column]
+    sign = lines[opened.line][opened.column : opened.column + 1]
     found = lines[here.line][here.column: here.column + 1] if here.line < len(lines) else ""
     if found in "}]" and found and found != _CLOSER.get(sign):
-        return _at(here, Words(f"“{found}”之前缺少“{_CLOSER[sign]}”", f"'{_CLOSER[sign]}' is missing before this '{found}'"))
+        return _at(here, Words(f"“{found}”之前缺少“{_CLOSER.get(sign, '')}”", f"'{_CLOSER.get(sign, '')}' is missing before this '{found}'"))
     if _is_open(opened, lines):
-        return _at(opened, Words(f"此处的“{sign}”没有用“{_CLOSER[sign]}”闭合", f"the '{sign}' opened here is not closed with '{_CLOSER[sign]}'"))
+        return _at(opened, Words(f"此处的“{sign}”没有用“{_CLOSER.get(sign, '')}”闭合", f"the '{sign}' opened here is not closed with '{_CLOSER.get(sign, '')}'"))
     return _at(here, Words("此处之前缺少逗号；含逗号或冒号的文本要加引号", "a comma is missing before this; a text with a comma or a colon goes between quotes"))
 
 

@@ -52,12 +52,19 @@ class _Lines:
 
     def line(self, number: int, line: str) -> str:
         """One line, narrow."""
+        if self.flow and self._left_open(line):
+            self.flow = None
         out = self._open(line) if self.flow or self.quote else self._block(number, line)
         self._doubt(number, out)
         put = [at for sign, at in out if at < 0]
         if put:
             self.spaces[number] = [i for i, (_, at) in enumerate(out) if at < 0]
         return "".join(sign for sign, _ in out).replace("\ue000", "")
+
+    def _left_open(self, line: str) -> bool:
+        """Whether a key stands here, no further in than the one whose brackets are still open: they were forgotten."""
+        indent = len(line) - len(line.lstrip(" "))
+        return bool(self.keys) and indent <= self.keys[-1][0] and _KEY.match(line, indent) is not None
 
     def _open(self, line: str) -> Signs:
         """A line inside something that an earlier line opened."""

@@ -12,6 +12,7 @@ from ...mechanism.model import Circle, Mechanism, Prismatic, Revolute, Rolling
 from ...names import subscripted
 from ...problem.problem import Problem, Shape
 from ...words import Words
+from ..structure import kind_of
 from .kinds import ROLLING
 from .study import Study
 
@@ -20,12 +21,13 @@ _HALF_SLOT, _BEYOND, _FLAT = 11.0, 9.0, 0.02
 
 
 def apart(study: Study) -> list[Figure]:
-    """The driving link, then the groups, each a figure of its own."""
+    """The driving link (a cylinder is in its group), then the groups, each a figure of its own."""
     drive = study.mech.drive.link
-    figures = [_figure(study, (drive,), _pins(study, (drive,)), Words(f"原动件 {drive}", f"Driving link {drive}"), "0")]
+    driving = () if study.mech.drive.between else (drive,)
+    figures = [_figure(study, (link,), _pins(study, (link,)), Words(f"原动件 {link}", f"Driving link {link}"), "0") for link in driving]
     for i, group in enumerate(decompose(study.mech), 1):
         names = [study.name(link) for link in group.links]
-        kind = ROLLING.get(group.kind, Words(f"{group.kind} 杆组", f"{group.kind} group") if group.dyad else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
+        kind = ROLLING.get(group.kind, Words(f"{kind_of(group).zh} 杆组", f"{kind_of(group).en} group") if group.dyad or group.ram or group.kind == "driven" else Words(f"{group.kind.removeprefix('class ')} 级杆组", f"{group.kind} group"))
         many = "links" if len(names) > 1 else "link"
         title = Words(f"{kind.zh}（构件 {'、'.join(names)}）", f"{kind.en} ({many} {', '.join(names)})")
         figures.append(_figure(study, group.links, _outer(group) + _inner(group), title, str(i)))
@@ -61,11 +63,15 @@ def _pins(study: Study, links: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(j.point for j in study.mech.joints if isinstance(j, Revolute) and set(ends(j)) & set(links)))
 
 
+_ALIKE = {Shape.CYLINDER: Shape.SLOT, Shape.PISTON: Shape.BLOCK}  # links apart are sketched as pairs are
+
+
 class _Sketch:
     """Links as marks at a scale (mm per m)."""
 
     def __init__(self, problem: Problem, mech: Mechanism, at: Mapping[str, complex], turned: Mapping[str, float], per_m: float, links: tuple[str, ...]) -> None:
-        self.shapes, self.mech, self.at, self.turned, self.k, self.links = problem.given.shapes, mech, at, turned, per_m, links
+        shapes = {name: _ALIKE.get(shape, shape) for name, shape in problem.given.shapes.items()}
+        self.shapes, self.mech, self.at, self.turned, self.k, self.links = shapes, mech, at, turned, per_m, links
 
     def name(self, link: str) -> str:
         """Its number; the contact's letter for the substitute of a high pair."""

@@ -131,7 +131,7 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
     """The verdict on every group that 8.3 finds wanting, by its one measure."""
     poor = sorted((one for one in groups if one.is_poor), key=lambda one: one.measure)
     if poor and study.facts.dead:
-        yield Words("原动件不能整周转动，接近行程端部的死点时各速度、加速度急剧增大，机构不宜在其附近工作。", "The drive cannot make full revolutions, and towards the dead points at the ends of its stroke the rates run away: the mechanism should not work near them.")
+        yield Words(f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，接近行程端部的死点时各速度、加速度急剧增大，机构不宜在其附近工作。", f"The drive {'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}, and towards the dead points at the ends of its stroke the rates run away: the mechanism should not work near them.")
     elif poor and (study.whole.whole or not all(study.facts.unlimited)):
         zh = [f"{one.group.title.zh}{f'的最小传动角为 {degrees(one.gamma.least.value):.1f}°，小于 40°' if one.gamma else f'的 $|{one.symbol}|$ 最小时为最大值的 {100 * one.measure:.0f} %'}（{one.verdict.zh}）" for one in poor]
         en = [f"{one.group.title.en}: {f'least transmission angle {degrees(one.gamma.least.value):.1f}°, below 40°' if one.gamma else f'$|{one.symbol}|$ falls to {100 * one.measure:.0f} % of its largest'} ({one.verdict.en})" for one in poor]

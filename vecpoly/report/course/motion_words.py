@@ -11,6 +11,7 @@ import numpy as np
 from ...cycle import Column, Extremes, Spot
 from ...cycle.facts import Stroke
 from ...mechanism.assur import decompose
+from ...mechanism.rams import driver_words
 from ...quantity import number
 from ...words import Words
 from .conditioning import Conditioning
@@ -59,25 +60,33 @@ def places(study: Study, found: Extremes, spot: Spot) -> Words:
     return Words("、".join(told), " and ".join(told))
 
 
+def _driver(study: Study) -> Words:
+    """原动件 1 / the driving link 1; 油缸 2-3 / the cylinder 2-3."""
+    if study.mech.drive.between:
+        return driver_words(study.mech)
+    return Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
+
+
 def _range(study: Study, told: bool, dead: Words) -> Iterator[Words]:
-    link, whole, free = study.mech.drive.link, study.entire, study.facts.unlimited
+    driver, whole, free = _driver(study), study.entire, study.facts.unlimited
     if whole.whole:
-        yield Words(f"计算结果{'与此一致' if told else '表明'}：原动件 {link} 整周转动时，机构在全部位置均可装配，无死点。",
-                    f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in every position of the driving link {link}, and there is no dead point.")
+        yield Words(f"计算结果{'与此一致' if told else '表明'}：{driver.zh}整周转动时，机构在全部位置均可装配，无死点。",
+                    f"The calculation {'agrees' if told else 'shows'}: the mechanism can be assembled in every position of {driver.en}, and there is no dead point.")
         return
     drive = whole.drive
     unit = "°" if drive.shown_unit == "°" else f" {drive.shown_unit}"
     low, high = (f"{drive.factor * q:.2f}{unit}".replace("-", "−") for q in (whole.low, whole.high))
     if all(free):
-        yield Words(f"原动件 {link} 的行程不受杆组限制；计算取 ${drive.symbol}$ 由 {low} 至 {high}。", f"Nothing limits the stroke of the driving link {link}; ${drive.symbol}$ is taken from {low} to {high}.")
+        yield Words(f"{driver.zh}的行程不受杆组限制；计算取 ${drive.symbol}$ 由 {low} 至 {high}。", f"Nothing limits the stroke of {driver.en}; ${drive.symbol}$ is taken from {low} to {high}.")
         return
     if any(free):
         end, taken = (high, low) if free[0] else (low, high)
-        yield Words(f"原动件 {link} 的行程一端受限：${drive.symbol}$ = {end} 处，{dead.zh}，为死点；另一端不受限制，计算取至 {taken}。",
-                    f"The stroke of the driving link {link} is limited at one end: at ${drive.symbol}$ = {end} {dead.en}, a dead point; the other end is free, and {taken} is only as far as is computed.")
+        yield Words(f"{driver.zh}的行程一端受限：${drive.symbol}$ = {end} 处，{dead.zh}，为死点；另一端不受限制，计算取至 {taken}。",
+                    f"The stroke of {driver.en} is limited at one end: at ${drive.symbol}$ = {end} {dead.en}, a dead point; the other end is free, and {taken} is only as far as is computed.")
         return
-    yield Words(f"原动件 {link} 不能整周运动，${drive.symbol}$ 只能在 {low} 至 {high} 之间" + (f"；在两极限位置，{dead.zh}，为以构件 {link} 为原动件时的死点，速度无确定值。" if study.facts.dead else "。"),
-                f"The driving link {link} cannot make full revolutions: ${drive.symbol}$ is limited to {low} … {high}" + (f". At these limits {dead.en}: dead points, with no definite velocities." if study.facts.dead else "."))
+    bound = Words("的行程有限", "has a limited stroke") if study.mech.drive.slide else Words("不能整周运动", "cannot make full revolutions")
+    yield Words(f"{driver.zh}{bound.zh}，${drive.symbol}$ 只能在 {low} 至 {high} 之间" + (f"；在两极限位置，{dead.zh}，为以{driver.zh}驱动时的死点，速度无确定值。" if study.facts.dead else "。"),
+                f"{driver.en[0].upper()}{driver.en[1:]} {bound.en}: ${drive.symbol}$ is limited to {low} … {high}" + (f". At these limits {dead.en}: dead points, with no definite velocities." if study.facts.dead else "."))
 
 
 def _singular(study: Study, groups: list[Conditioning]) -> Words:

@@ -21,7 +21,7 @@ def order(study: Study, press: Press) -> str:
         return ""
     mech, known = study.mech, {*study.mech.frame}
     drive = mech.drive
-    own = [letter for letter in mech.link(drive.link).points if letter not in known]
+    own = [] if drive.between else [letter for letter in mech.link(drive.link).points if letter not in known]
     rows = [("1", study.model.groups[0].title.of(press.lang), f"${study.turn.drive.symbol}$", _listed(press, (f"${letter}$" for letter in own)))]
     known |= {*own}
     for i, (group, told) in enumerate(zip(decompose(mech), study.model.groups[1:], strict=True), 2):

@@ -120,8 +120,8 @@ def _range(study: Study, press: Press) -> str:
     if study.whole.whole:
         return ""
     low, high = (study.where(q).split(" = ")[1] for q in (study.whole.low, study.whole.high))
-    return Words(f"原动件不能整周转动，以下只列出其工作范围 {low} 至 {high}；两端接近死点，速度和加速度急剧增大，未予列出。",
-                 f"The drive cannot make full revolutions; the tables cover its working range, {low} to {high}. Beyond it lie dead points, towards which the rates run away.").of(press.lang)
+    return Words(f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，以下只列出其工作范围 {low} 至 {high}；两端接近死点，速度和加速度急剧增大，未予列出。",
+                 f"The drive {'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}; the tables cover its working range, {low} to {high}. Beyond it lie dead points, towards which the rates run away.").of(press.lang)
 
 
 def _step(study: Study) -> str:

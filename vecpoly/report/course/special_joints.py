@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from ...mechanism.assur import decompose, hinges
 from ...mechanism.model import Prismatic, Rolling
+from ...mechanism.rams import driver_words
 from ...words import Words
+from ..structure import kind_of, welded
 from .kinds import ROLLING
 from .study import Study
 
@@ -33,6 +35,8 @@ def special(study: Study) -> Iterator[Words]:
         zh, en = "、".join(f"${c.point}$" for c in mech.contacts), ", ".join(f"${c.point}$" for c in mech.contacts)
         yield Words(f"{zh} 为高副；作运动分析时高副低代：以铰接于接触处两曲率中心（或沿平底移动）的构件代替。",
                     f"{en} is a higher pair; for the kinematics it is replaced by a link hinged at both centres of curvature (or sliding on the flat face). ")
+    if mech.welded:
+        yield welded(mech)
     absent = [*([] if compound else [Words("复合铰链", "compound hinge")]), *([] if mech.contacts else [Words("局部自由度", "local freedom")]), Words("虚约束", "redundant constraint")]
     yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is no {', no '.join(w.en for w in absent)}.")
 
@@ -43,12 +47,16 @@ def concluded(study: Study) -> Words:
     zh, en = [], []
     for group in groups:
         names = [study.name(link) for link in group.links]
-        kind = group.kind if group.dyad else ROLLING[group.kind].zh if group.kind in ROLLING else f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级"
+        kind = kind_of(group).zh if group.dyad or group.ram or group.kind == "driven" else ROLLING[group.kind].zh if group.kind in ROLLING else f"{_ROMAN.get(group.kind.removeprefix('class '), group.kind)} 级"
         zh.append(f"{kind}（构件 {'、'.join(names)}）")
-        en.append(f"{group.kind} ({', '.join(names)})")
-    if any(group.dyad is None and not group.kind.startswith("class") for group in groups):
-        return Words(f"因此机构由原动件 {study.mech.drive.link} 和 {'、'.join(zh)}组成；齿轮的转动由纯滚动条件直接确定。",
-                     f"So the mechanism consists of the driving link {study.mech.drive.link} and {', '.join(en)}; rolling tells directly how a held gear turns.")
-    top = max((group.kind.removeprefix("class ") if group.dyad is None else "II" for group in groups), key=lambda c: (len(_ROMAN) if c not in _ROMAN else [*_ROMAN].index(c)), default="I")
-    return Words(f"因此机构由原动件 {study.mech.drive.link} 和 {'、'.join(zh)}组成，所含杆组的最高级别为 {_ROMAN.get(top, top)} 级，故为 {_ROMAN.get(top, top)} 级机构。",
-                 f"So the mechanism consists of the driving link {study.mech.drive.link} and the groups {', '.join(en)}. The highest class among them is {top}: a class {top} mechanism.")
+        en.append(f"{kind_of(group).en} ({', '.join(names)})")
+    driver = driver_words(study.mech)
+    driven = driver if study.mech.drive.between else Words(f"原动件 {study.mech.drive.link} ", f"the driving link {study.mech.drive.link}")
+    if any(group.kind == "driven" for group in groups):
+        return Words(f"因此机构由 {'、'.join(zh)} 等杆组组成，驱动副（{driver.zh.strip()}）在杆组之内。", f"So the mechanism consists of {', '.join(en)}; what drives, {driver.en}, is inside the group.")
+    if any(group.dyad is None and group.ram is None and not group.kind.startswith("class") for group in groups):
+        return Words(f"因此机构由{driven.zh}和 {'、'.join(zh)}组成；齿轮的转动由纯滚动条件直接确定。",
+                     f"So the mechanism consists of {driven.en} and {', '.join(en)}; rolling tells directly how a held gear turns.")
+    top = max((group.kind.removeprefix("class ") if group.dyad is None and group.ram is None else "II" for group in groups), key=lambda c: (len(_ROMAN) if c not in _ROMAN else [*_ROMAN].index(c)), default="I")
+    return Words(f"因此机构由{driven.zh}和 {'、'.join(zh)}组成，所含杆组的最高级别为 {_ROMAN.get(top, top)} 级，故为 {_ROMAN.get(top, top)} 级机构。",
+                 f"So the mechanism consists of {driven.en} and the groups {', '.join(en)}. The highest class among them is {top}: a class {top} mechanism.")

@@ -13,6 +13,7 @@ from ...mechanism.model import FRAME, Joint, Prismatic, Revolute
 from ...typeset import layout_words
 from ...words import Lang, Words
 from ..flow.style import CAPTION
+from ..structure import kind_of
 from .apart import apart
 from .kinds import ROLLING
 from .numbering import Press
@@ -70,11 +71,13 @@ def _groups(study: Study, press: Press) -> str:
     pivot = next((p for p, names in hinges(study.mech).items() if FRAME in names and drive.link in names), "")
     pair = "P" if drive.slide else f"R (${pivot}$)"
     first: tuple[str, ...] = ("0", study.name(drive.link), Words("原动件", "driving link").of(press.lang), "I" if press.lang == "en" else "Ⅰ", pair, "—")
+    if drive.between:
+        first = ("0", f"{study.name(drive.on)}-{study.name(drive.link)}", (Words("油缸", "cylinder") if drive.slide else Words("电机", "motor")).of(press.lang), "—", "—", "P" if drive.slide else "R")
     rows = [first]
     for i, group in enumerate(decompose(study.mech), 1):
         outer = comma.join(_joint(out.joint) for out in group.outer)
         inner = comma.join(_joint(joint) for joint in group.inner)
-        kind = group.kind if group.dyad else ROLLING[group.kind].of(press.lang) if group.kind in ROLLING else "—"
+        kind = kind_of(group).of(press.lang) if group.dyad or group.ram else ROLLING[group.kind].of(press.lang) if group.kind in ROLLING else "—"
         rows.append((str(i), comma.join(study.name(name) for name in group.links), kind, _class(group, press.lang), outer, inner))
     return press.table(Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc")
 
@@ -86,9 +89,9 @@ def _joint(joint: Joint) -> str:
 
 
 def _class(group: Group, lang: str) -> str:
-    if group.dyad is None and not group.kind.startswith("class"):
+    if group.dyad is None and group.ram is None and not group.kind.startswith("class"):
         return "—"
-    told = "II" if group.dyad else group.kind.removeprefix("class ")
+    told = "II" if group.dyad or group.ram else group.kind.removeprefix("class ")
     return told if lang == "en" else {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}.get(told, told)
 
 

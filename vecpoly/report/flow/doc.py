@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from reportlab import rl_config
 from reportlab.lib.pagesizes import A4, landscape
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus.doctemplate import BaseDocTemplate, NextPageTemplate, PageTemplate
 from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
 
+from ...drawing.pdf import compress
+from ...files import write_whole
 from ...typeset.box import MM
 from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load
@@ -76,8 +75,9 @@ class _Canvas(Canvas):  # type: ignore[misc]
 
     def __init__(self, filename: str, **options: Any) -> None:
         load(Face.SONG)
-        options |= {"initialFontName": Face.SONG.value, "pdfVersion": (1, 7), "invariant": 1}
+        options |= {"initialFontName": Face.SONG.value, "pdfVersion": (1, 7), "invariant": 1, "pageCompression": 0}
         super().__init__(filename, **options)
+        compress(self)
 
     def save(self) -> None:
         """Fill in the number of pages and those of the headings, then write."""
@@ -166,21 +166,18 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         self.canv.addOutlineEntry(outline, key, level, closed=0)
 
     def write(self, path: str | Path) -> Written:
-        """Write the document beside its place, then move it there."""
-        target = Path(path)
-        handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
-        os.close(handle)
+        """Write the document, whole or not at all."""
+        data, pages, lost_characters = self.made()
+        return Written(write_whole(Path(path), data), pages, lost_characters)
+
+    def made(self) -> tuple[bytes, int, tuple[str, ...]]:
+        """The document as bytes, how many pages it has, and the characters that no font has."""
+        target = BytesIO()
         self._entries, self._level = 0, -1
         _tell_contents(self.story)
-        try:
-            with _settings():
-                self._firstPageTemplateIndex = _first(self.story)
-                self.build(_expanded(self.story), filename=name, canvasmaker=_Canvas)
-            Path(name).chmod(0o666 & ~_umask())
-            Path(name).replace(target)
-        finally:
-            Path(name).unlink(missing_ok=True)
-        return Written(target, self.page, tuple(lost(self.canv)))
+        self._firstPageTemplateIndex = _first(self.story)
+        self.build(_expanded(self.story), filename=target, canvasmaker=_Canvas)
+        return target.getvalue(), self.page, tuple(lost(self.canv))
 
 
 def _tell_contents(story: Sequence[Any]) -> None:
@@ -196,22 +193,6 @@ def _tell_contents(story: Sequence[Any]) -> None:
             entries.append(Entry(item.text, item.level, f"h{count}"))
     for contents, start in waiting:
         contents.entries = tuple(entries[start:])
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
-@contextmanager
-def _settings() -> Iterator[None]:
-    before = rl_config.useA85
-    rl_config.useA85 = 0
-    try:
-        yield
-    finally:
-        rl_config.useA85 = before
 
 
 def _expanded(story: Sequence[Any]) -> list[Any]:

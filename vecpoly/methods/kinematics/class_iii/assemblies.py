@@ -7,7 +7,7 @@ whose zeros are the assemblies. Each pair of loci serves once: where one stands 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +34,7 @@ class Assembly:
     at: complex
     legs: tuple[Axial, ...]
     first: bool
-    sharp: float  # how well the loci meet and the gap changes: the best way to draw it
+    sharp: float  # sine of the loci × change of the gap over the size: the best way to draw it; near 0 at a dead point
 
 
 def assemblies(desk: Desk, star: Star) -> list[Assembly]:
@@ -116,9 +116,26 @@ def _scanned(desk: Desk, star: Star) -> Iterator[Assembly]:
         for first in (True, False):
             misses = np.asarray(missed(desk, star, legs, first, grid))
             k = np.flatnonzero(misses[1:] * misses[:-1] <= 0)
-            dips = _dips(desk, star, legs, first, grid, misses)
-            low, high = np.concatenate([grid[k], dips[0], dips[1]]), np.concatenate([grid[k + 1], dips[1], dips[2]])
+            before, lowest, behind = _dips(desk, star, legs, first, grid, misses)
+            inside, last = _range_ends(desk, star, legs, first, grid, misses)
+            low = np.concatenate([grid[k], before, lowest, inside])
+            high = np.concatenate([grid[k + 1], lowest, behind, last])
             yield from _closed(desk, star, legs, first, low, high)
+
+
+def _range_ends(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: Grid) -> tuple[Grid, Grid]:
+    """Intervals at the ends of the range in which the two loci meet, where the gap comes down to zero there."""
+    sound = np.isfinite(misses)
+    k = np.flatnonzero(sound[1:] != sound[:-1])
+    inside, last, beyond = (np.where(sound[k], grid[a], grid[b]) for a, b in ((k, k + 1), (k, k + 1), (k + 1, k)))
+    for _ in range(HALVINGS):
+        middle = (last + beyond) / 2
+        meets = np.isfinite(missed(desk, star, legs, first, middle))
+        last, beyond = np.where(meets, middle, last), np.where(meets, beyond, middle)
+    here, end = (np.asarray(missed(desk, star, legs, first, theta)) for theta in (inside, last))
+    touches = np.abs(end) < OPEN * desk.mm(desk.mech.scale)
+    crosses = (here * end <= 0) & ~touches
+    return np.concatenate([inside[crosses], last[touches]]), np.concatenate([last[crosses], last[touches]])
 
 
 def _dips(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: Grid) -> tuple[Grid, Grid, Grid]:
@@ -157,15 +174,10 @@ def _closed(desk: Desk, star: Star, legs: Three, first: bool, low: Grid, high: G
 def _told(desk: Desk, star: Star, legs: Three, first: bool, theta: float) -> Assembly:
     at, u = complex(trial(desk, star, legs, first, theta)), complex(np.exp(1j * theta))
     one, two = (locus_of(desk, star, leg, u) for leg in legs[:2])
-    step = 1e-6
-    slope = float(missed(desk, star, legs, first, theta + step) - missed(desk, star, legs, first, theta - step)) / (
-        2 * step
-    )
-    known = Assembly(theta, at, legs, first, 0.0)
-    return replace(
-        known,
-        sharp=_sine(normal_at(one, at), normal_at(two, at)) * min(abs(slope) if np.isfinite(slope) else 0.0, 1e3),
-    )
+    gaps = [float(missed(desk, star, legs, first, theta + step)) for step in (1e-6, -1e-6)]
+    slope = abs(gaps[0] - gaps[1]) / 2e-6 / desk.mm(desk.mech.scale)
+    sine = _sine(normal_at(one, at), normal_at(two, at))
+    return Assembly(theta, at, legs, first, sine * min(slope, 1.0) if np.isfinite(slope) else 0.0)
 
 
 def _sine(u: Points, v: Points) -> float:

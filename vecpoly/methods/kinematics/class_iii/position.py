@@ -8,7 +8,7 @@ import numpy as np
 
 from ....board.construction import View
 from ....board.marks import Role, Segment
-from ....errors import AssemblyError
+from ....errors import AssemblyError, DeadPointError
 from ....mechanism.assur import Group
 from ....mechanism.branch import margin
 from ....mechanism.model import Statement
@@ -23,6 +23,7 @@ from .star import Axial, Hinged, Slotted, Star, star_of
 from .words import led_words, trial_words
 
 SHOWN = np.linspace(-0.2, 0.2, 9)  # rad from the orientation found: trials that are drawn
+DULL = 1e-5  # of Assembly.sharp: below it the drawing has no position to show
 NAMED = 6  # assemblies told in a refusal
 
 
@@ -73,6 +74,15 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
             numbers={"assemblies": len(fits) or len(options)},
         )
     best = min(fits, key=lambda k: sum(abs(after[k][p] - at) for p, at in guessed.items()))
+    if options[best].sharp < DULL:
+        raise DeadPointError(
+            Words(
+                f"构件 {star.links} 处于死点位置附近：两种装配几乎重合，不能分辨；请改换原动件的位置。",
+                f"links {star.links} are at a dead point, or within a hair of it: two of their assemblies coincide and "
+                "cannot be told apart; choose another input position",
+            ),
+            code="dead-point",
+        )
     deciding = next((s for s in told if any(margin(s, at) <= hair for at in after)), None)
     return options[best], deciding
 

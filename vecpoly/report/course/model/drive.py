@@ -6,6 +6,7 @@ import cmath
 
 from ....mechanism.assur import ends, hinges
 from ....mechanism.model import FRAME, Prismatic
+from ....mechanism.rams import driver_words
 from ....words import Words
 from .equations import GroupModel, Part, Stage
 from .expr import ONE, Const, Expr, Var
@@ -17,7 +18,8 @@ from .stages import ACCELERATION, POSITION, VELOCITY
 
 def drive_symbols(scope: Scope) -> tuple[str, str, str]:
     """φ_1, ω_1, α_1, or s_1, v_1, a_1."""
-    name = scope.name(scope.mech.drive.link)
+    drive = scope.mech.drive
+    name = scope.pair(drive.link, drive.on) if drive.between else scope.name(drive.link)
     stems = ("s", "v", "a") if scope.mech.drive.slide else ("φ", "ω", "α")
     return f"{stems[0]}_{{{name}}}", f"{stems[1]}_{{{name}}}", f"{stems[2]}_{{{name}}}"
 
@@ -26,6 +28,8 @@ def driving(scope: Scope) -> GroupModel:
     """The driving link's points from its given motion."""
     link = scope.mech.drive.link
     name = scope.name(link)
+    if scope.mech.drive.between:
+        return _between(scope)
     if scope.mech.drive.slide:
         return _sliding(scope, link)
     pivot = next(p for p, names in hinges(scope.mech).items() if FRAME in names and link in names)
@@ -39,6 +43,14 @@ def driving(scope: Scope) -> GroupModel:
     if not stages:
         opening += Words("其上没有其他待求的点。", " No other point is fixed on it.")
     return GroupModel(title=Words(f"原动件 {name}", f"The driving link {name}"), opening=opening, links=(link,), stages=stages)
+
+
+def _between(scope: Scope) -> GroupModel:
+    """A cylinder, or a motor in a hinge: what it gives is known, and found are the links only with their group."""
+    words, (place, rate, accel) = driver_words(scope.mech), drive_symbols(scope)
+    what = Words("相对位置、速度和加速度", "relative position, velocity and acceleration")
+    return GroupModel(title=Words(words.zh.strip(), words.en[0].upper() + words.en[1:]), links=(), stages=(),
+                      opening=Words(f"{words.zh}给定两构件的{what.zh} ${place}$、${rate}$、${accel}$。", f"{words.en[0].upper()}{words.en[1:]} gives the {what.en} of its two links, ${place}$, ${rate}$, ${accel}$."))
 
 
 def _sliding(scope: Scope, link: str) -> GroupModel:

@@ -53,8 +53,8 @@ class _Act:
 
 
 def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[str, float]) -> ForceModel | None:
-    """The model for a mechanism whose motion has this model; None where gears roll, for which there is none on file."""
-    if any(isinstance(joint, Rolling) for joint in mech.joints):
+    """The model for a mechanism whose motion has this model; None where gears roll or a cylinder pushes, for which there is none on file."""
+    if any(isinstance(joint, Rolling) for joint in mech.joints) or any(force.against for force in loads.forces):
         return None
     given = {motion.drive, *(symbol for symbol, _ in motion.given)}
     given |= {e.left.symbol for group in motion.groups for e in group.equations if e.gives and isinstance(e.left, Var)}

@@ -10,8 +10,9 @@ from ....mechanism.assur import Group, ends
 from ....mechanism.model import Joint, Prismatic, Revolute
 from ....words import Words
 from .calculus import substituted
+from .drive import drive_symbols
 from .equations import Equation, GroupModel, Part, Stage
-from .expr import Expr, Var
+from .expr import ZERO, Expr, Var
 from .newton import Loops
 from .points import points
 from .scope import Scope, both
@@ -60,7 +61,8 @@ class _Chains:
         if isinstance(joint, Revolute):
             self.locate(parent, joint.point)
             self.scope.anchors[link] = joint.point
-            self._unknown(self.scope.phi(link), self.scope.omega(link), Var(f"α_{{{self.scope.name(link)}}}"), self.scope.turned[link])
+            if not self._turned(link, parent):
+                self._unknown(self.scope.phi(link), self.scope.omega(link), Var(f"α_{{{self.scope.name(link)}}}"), self.scope.turned[link])
         elif isinstance(joint, Prismatic):
             self._slide(joint, link)
         else:
@@ -68,6 +70,18 @@ class _Chains:
                 f"没有{self.group.name.zh}的数学模型：其中有齿轮滚动",
                 f"no mathematical model on file for a {self.group.name.en}: gears roll in it"))
         self.placed.append(link)
+
+    def _turned(self, link: str, parent: str) -> bool:
+        """Whether a motor in the hinge gives the angle between the two links; then the equations that say so."""
+        scope, drive = self.scope, self.scope.mech.drive
+        if {link, parent} != drive.pair or drive.slide:
+            return False
+        sign = 1.0 if link == drive.link else -1.0
+        angle, rate, bend = (Var(symbol) if sign > 0 else ZERO - Var(symbol) for symbol in drive_symbols(scope))
+        self.places.append(Equation(scope.phi(link), scope.phi(parent) + angle))
+        self.speeds.append(Equation(scope.omega(link), scope.omega(parent) + rate))
+        self.pushes.append(Equation(scope.alpha(link), scope.alpha(parent) + bend))
+        return True
 
     def _unknown(self, what: Expr, rate: Expr, bend: Expr, start: float) -> None:
         assert isinstance(what, Var)
@@ -81,7 +95,8 @@ class _Chains:
         path, turning = track(self.scope, joint, link, local)
         self.locate(parent, path.base)
         base = self.scope.at[path.base] if path.base in self.scope.at else mech.frame[path.base]
-        self._unknown(path.travel, path.speed, path.push, ((self.scope.at[letter] - base) * path.along.conjugate()).real)
+        if {link, parent} != mech.drive.pair:  # of a cylinder it is given
+            self._unknown(path.travel, path.speed, path.push, ((self.scope.at[letter] - base) * path.along.conjugate()).real)
         self.scope.anchors[link] = letter
         self.scope.done.add(letter)
         self.places += [*turning.position, *both(self.scope.xy(letter), path.point(self.scope))]
@@ -128,22 +143,36 @@ def looped(scope: Scope, group: Group) -> GroupModel:
     stages = [_position(loops, chains, conditions), _rates(loops, VELOCITY, "b", loops.velocity_sides, 0, chains.speeds),
               _rates(loops, ACCELERATION, "c", loops.acceleration_sides, 1, chains.pushes)]
     joined = tuple(Stage(stage.title, stage.parts + (more[i].parts if more else ())) for i, stage in enumerate(stages))
-    roman = group.kind.removeprefix("class ")
-    zh = {"III": "Ⅲ", "IV": "Ⅳ"}.get(roman, roman)
+    title, opening = _named(group, names)
     return GroupModel(
-        title=Words(f"{zh} 级杆组（构件 {'、'.join(names)}）", f"Class {roman} group (links {', '.join(names)})"), links=group.links, stages=joined,
-        opening=Words(f"{zh} 级杆组由构件 {'、'.join(names)} 组成，有 {len(group.outer)} 个外副和 {len(group.inner)} 个内副，不能拆成 Ⅱ 级杆组，位置方程没有封闭解，只能联立求解。",
-                      f"The class {roman} group consists of links {', '.join(names)} with {len(group.outer)} outer and {len(group.inner)} inner joints. It cannot be taken apart into dyads: its position equations have no closed solution and are solved together."),
+        title=title, links=group.links, stages=joined, opening=opening,
         determinant=Var(DETERMINANT), loops=loops,
         singular=Words(f"雅可比行列式 ${DETERMINANT}$ = det $J$ 为零时杆组处于奇异位置，各速度、加速度无确定解；接近该位置时方程组病态，牛顿法也难以收敛。",
                        f"Where ${DETERMINANT}$ = det $J$ vanishes the group is singular and its rates are not determined; near there the equations are ill-conditioned, and Newton's method fails to settle."))
 
 
+def _named(group: Group, names: list[str]) -> tuple[Words, Words]:
+    """Title and first sentence of the group."""
+    listed, listed_en, joints = "、".join(names), ", ".join(names), f"with {len(group.outer)} outer and {len(group.inner)} inner joints"
+    if group.kind == "driven" or group.ram is not None:
+        return (Words(f"含驱动副的杆组（构件 {listed}）", f"The group with the driven pair (links {listed_en})"),
+                Words(f"驱动副在构件 {listed} 组成的杆组之内，其相对运动已知；该杆组有 {len(group.outer)} 个外副和 {len(group.inner)} 个内副，位置方程联立求解。",
+                      f"The driven pair, whose relative motion is known, is inside the group of links {listed_en} {joints}; the position equations are solved together."))
+    roman = group.kind.removeprefix("class ")
+    zh = {"III": "Ⅲ", "IV": "Ⅳ"}.get(roman, roman)
+    return (Words(f"{zh} 级杆组（构件 {listed}）", f"Class {roman} group (links {listed_en})"),
+            Words(f"{zh} 级杆组由构件 {listed} 组成，有 {len(group.outer)} 个外副和 {len(group.inner)} 个内副，不能拆成 Ⅱ 级杆组，位置方程没有封闭解，只能联立求解。",
+                  f"The class {roman} group consists of links {listed_en} {joints}. It cannot be taken apart into dyads: its position equations have no closed solution and are solved together."))
+
+
 def _known(scope: Scope) -> Iterator[tuple[str, tuple[Expr, Expr]]]:
-    """The rates of everything that may be known: letters' coordinates, and angles of links."""
+    """The rates of everything that may be known: the drive, letters' coordinates, and angles of links."""
+    place, rate, bend = drive_symbols(scope)
+    if scope.mech.drive.between:
+        yield place, (Var(rate), Var(bend))
     for letter in {p for link in scope.mech.links for p in link.points}:
-        place, speed, push = scope.xy(letter), scope.v(letter), scope.a(letter)
-        yield from ((p.symbol, (v, a)) for p, v, a in zip(place, speed, push, strict=True) if isinstance(p, Var))
+        at = scope.xy(letter)
+        yield from ((p.symbol, (v, a)) for p, v, a in zip(at, scope.v(letter), scope.a(letter), strict=True) if isinstance(p, Var))
     for link in scope.mech.links:
         if isinstance(phi := scope.phi(link.name), Var):
             yield phi.symbol, (scope.omega(link.name), scope.alpha(link.name))

@@ -49,7 +49,8 @@ class Scope:
 
     def alpha(self, link: str) -> Expr:
         """α, nothing where the link cannot turn or turns steadily."""
-        steady = link == self.mech.drive.link and not self.mech.drive.accel
+        drive = self.mech.drive
+        steady = link == drive.link and not drive.between and not drive.accel
         return ZERO if link in self.still or steady else Var(f"α_{{{self.name(link)}}}")
 
     def xy(self, point: str) -> tuple[Expr, Expr]:

@@ -1,0 +1,1 @@
+"""Trying to break things: damaged problem files and tables, runs that are killed."""

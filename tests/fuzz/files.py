@@ -1,0 +1,43 @@
+"""Damaged files on disk, one after another at the same place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from vecpoly.cycle import csv_bytes, cycle, table, xlsx_bytes
+from vecpoly.data import data_dir
+from vecpoly.problem.load import load
+
+from .mutants import mutant
+
+
+def damaged_files(rng: np.random.Generator, count: int, path: Path) -> Iterator[str]:
+    """Damaged problem files of the library."""
+    texts = [file.read_text(encoding="utf-8") for file in sorted(data_dir("problems").rglob("*.yaml"))]
+    for _ in range(count):
+        path.write_bytes(mutant(rng, texts).encode("utf-8", "surrogatepass"))
+        yield str(path)
+
+
+def damaged_tables(rng: np.random.Generator, count: int, folder: Path) -> Iterator[str]:
+    """Damaged tables of the cycle of A-27: texts as the problem files are, workbooks byte by byte."""
+    made = table(cycle(load("A-27"), 25), ("omega_5", "alpha_5", "p_F"))
+    text, book = csv_bytes(made).decode(), xlsx_bytes(made, "A-27", "en")
+    for n in range(count):
+        if n % 3:
+            path, data = folder / "t.csv", mutant(rng, [text, text.replace(",", ";"), text.replace(",", "\t")]).encode("utf-8", "surrogatepass")
+        else:
+            path, data = folder / "t.xlsx", _bytes(rng, book)
+        path.write_bytes(data)
+        yield str(path)
+
+
+def _bytes(rng: np.random.Generator, data: bytes) -> bytes:
+    """Some bytes are others, or the end is missing."""
+    damaged = bytearray(data)
+    for at in rng.integers(len(damaged), size=int(rng.integers(1, 12))):
+        damaged[int(at)] = int(rng.integers(256))
+    return bytes(damaged[: int(rng.integers(len(damaged)))] if rng.integers(4) == 0 else damaged)

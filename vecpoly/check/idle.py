@@ -1,0 +1,41 @@
+"""What is written in a problem file and changes nothing: branches and guesses without which the same assembly is found."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from .. import oracle
+from ..errors import VecpolyError
+from ..mechanism.model import Mechanism, Statement
+from ..problem.problem import Problem
+from ..words import Words
+
+
+def idle(problem: Problem) -> tuple[Words, ...]:
+    """A remark on each branch, and on the guesses, that decide nothing."""
+    if not isinstance(problem.subject, Mechanism):
+        return ()
+    mech = problem.subject
+    told = [_said(one) for one in mech.branches if _same(mech, replace(mech, branches=tuple(other for other in mech.branches if other is not one)))]
+    if mech.guesses and _same(mech, replace(mech, guesses={})):
+        points = ", ".join(mech.guesses)
+        told.append(Words(f"guesses：不用 {points} 的大致位置，机构的装配也是同样；这一项可以删去",
+                          f"guesses: without the rough places of {points} the mechanism is assembled just the same; they may be left out"))
+    return tuple(told)
+
+
+def _said(statement: Statement) -> Words:
+    return Words(f"branch：'{statement}' 不起决定作用，没有它装配也是同样；这一项可以删去",
+                 f"branch: '{statement}' decides nothing, for without it the assembly is just the same; it may be left out")
+
+
+def _same(one: Mechanism, other: Mechanism) -> bool:
+    """Whether the other has one assembly too, and every link lies in it as in the first."""
+    try:
+        here, there = oracle.solve(one, order=0), oracle.solve(other, order=0)
+    except VecpolyError:
+        return False
+    return all(np.allclose(here.origin(name), there.origin(name), atol=1e-9 * one.scale) and np.isclose(np.exp(1j * here.angle(name)), np.exp(1j * there.angle(name)))
+               for name in here.bodies)

@@ -1,0 +1,75 @@
+"""A cylinder whose links carry nothing else is a two-force member: its thrust acts on the moved link along the line of the two pins."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...board.construction import Reading, View
+from ...errors import NoMethodError
+from ...mechanism.assur import Group
+from ...mechanism.loads import Force, Loads
+from ...mechanism.model import FRAME
+from ...mechanism.quantities import load_symbol, without_friction
+from ...names import Named, reaction
+from ...plane import Points, nominal
+from ...words import Words
+from ..desk import Desk
+from .state import Statics
+
+
+def as_outer_force(desk: Desk, loads: Loads) -> Loads:
+    """The loads with every thrust as a force on the link at the rod's end, in the direction drawn; NoMethodError where it is no such force."""
+    return replace(loads, forces=tuple(_outer(desk, loads, force) if force.against else force for force in loads.forces))
+
+
+def _outer(desk: Desk, loads: Loads, force: Force) -> Force:
+    mech, pair = desk.mech, {force.link, force.against}
+    if mech.links_at(force.foot)[-1] != FRAME:
+        raise _no_method(force, Words(f"油缸的 ${force.foot}$ 端不在机架上", f"its pin {force.foot} is not on the frame"))
+    if any((loads.on(link) and tuple(loads.on(link)) != (force,)) or loads.mass(link) for link in pair):
+        raise _no_method(force, Words("油缸的构件上另有载荷或质量", "other loads or masses act on its links"))
+    if _rubs(loads, force):
+        raise _no_method(force, Words("油缸的运动副中有摩擦", "there is friction in its joints"))
+    moved = [name for name in mech.links_at(force.point) if name not in pair]
+    if len(moved) != 1:
+        raise _no_method(force, Words(f"${force.point}$ 处不止一个构件", f"at {force.point} there is not one link alone"))
+    along = float(np.angle(complex(nominal(desk.towards(force.foot, force.point)))))
+    desk.board.step(Words(f"油缸 {force.against}-{force.link} 不受其他载荷，为二力构件，推力 ${load_symbol(force.name)}$ 沿 ${force.foot}{force.point}$ 作用于构件 {moved[0]} 的 ${force.point}$ 点；${force.foot}$、${force.point}$ 两铰链的反力都等于它。",
+                          f"The cylinder {force.against}-{force.link} carries nothing else and is a two-force member: its thrust ${load_symbol(force.name)}$ acts along ${force.foot}{force.point}$ on link {moved[0]} at ${force.point}$, and the reactions at ${force.foot}$ and ${force.point}$ equal it."), View.MECHANISM)
+    return Force(name=force.name, link=moved[0], point=force.point, direction=along, size=force.size, role=force.role)
+
+
+def _rubs(loads: Loads, force: Force) -> bool:
+    friction = loads.friction
+    return bool(friction.pins.get(force.foot) or friction.pins.get(force.point) or friction.slides.get((force.link, force.against)))
+
+
+def _no_method(force: Force, why: Words) -> NoMethodError:
+    return NoMethodError(Words(f"油缸推力 {force.name}：{why.zh}，已有的图解法不能求解；vecpoly exact 给出解析解", f"the thrust {force.name}: {why.en}, and no graphical method on file covers that; 'vecpoly exact' gives it"), code="thrust")
+
+
+def without_cylinders(groups: tuple[Group, ...], loads: Loads) -> tuple[Group, ...]:
+    """The groups but those of two-force cylinders."""
+    rams = [{force.link, force.against} for force in loads.forces if force.against]
+    return tuple(group for group in groups if set(group.links) not in rams)
+
+
+def read_thrusts(st: Statics, loads: Loads) -> None:
+    """The reactions at a cylinder's pins are its thrust."""
+    for force in (one for one in loads.forces if one.against):
+        outer = next(one for one in st.loads.forces if one.name == force.name)
+        size = st.balance if outer.size is None else np.asarray(outer.size)
+        names = [(force.link, outer.link, 1), (outer.link, force.link, -1), (FRAME, force.against, 1), (force.against, FRAME, -1)]
+        for by, on, sign in names:
+            named = reaction(st.mech.number(by), st.mech.number(on))
+            _keep(st, named, sign * size * np.exp(1j * outer.direction))
+            if loads.friction and st.ideal is not None:
+                _keep(st, without_friction(named), sign * st.without_friction.balance * np.exp(1j * outer.direction))
+
+
+def _keep(st: Statics, named: Named, vector: Points) -> None:
+    at = complex(nominal(vector))
+    st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=abs(at), vector=at), np.abs(vector))
+

@@ -1,0 +1,75 @@
+"""Where a curve that is drawn by trial crosses zero."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+ROUNDS = 80
+HALVINGS = 45  # towards the end of the curve
+FINER = 24  # further trials where the curve turns back near zero
+
+Curve = Callable[[float], float]
+
+
+def crossings(curve: Curve, grid: Sequence[float], near: float) -> list[float]:
+    """Zeros of the curve (NaN where it does not exist), those between neighbouring trials that nearly touch included.
+
+    near: a gap below which the curve may touch zero between two trials.
+    """
+    values = [curve(float(x)) for x in grid]
+    points = _refined(curve, list(zip(map(float, grid), values, strict=True)), near)
+    found = [_root(curve, a, b) for a, b in pairwise(points) if a[1] * b[1] < 0 and abs(a[1] - b[1]) < np.pi]
+    found += [x for x, y in points[:-1] if y == 0.0]
+    return sorted(x for x in found if np.isfinite(x))
+
+
+def _refined(curve: Curve, points: list[tuple[float, float]], near: float) -> list[tuple[float, float]]:
+    """The trials, with more of them where the curve turns back towards the other side, or where it begins and ends."""
+    return [*_between(curve, points, near), points[-1]]
+
+
+def _between(curve: Curve, points: list[tuple[float, float]], near: float) -> Iterator[tuple[float, float]]:
+    for i, (a, b) in enumerate(pairwise(points)):
+        yield a
+        neighbours = points[max(i - 1, 0): i + 3]
+        gaps = [abs(y) for _, y in neighbours if np.isfinite(y)]
+        if np.isfinite(a[1]) != np.isfinite(b[1]):
+            yield from _to_the_edge(curve, a, b)
+            continue
+        turns = bool(gaps) and min(gaps) in (abs(a[1]), abs(b[1])) and not a[1] * b[1] < 0 and min(gaps) < max(near, 2 * (max(gaps) - min(gaps)))
+        if turns:
+            for x in np.linspace(a[0], b[0], FINER + 2)[1:-1]:
+                yield float(x), curve(float(x))
+
+
+def _to_the_edge(curve: Curve, a: tuple[float, float], b: tuple[float, float]) -> Iterator[tuple[float, float]]:
+    """Trials that crowd towards the place where the links just meet: the curve ends there, often steeply."""
+    inside, outside = (a[0], b[0]) if np.isfinite(a[1]) else (b[0], a[0])
+    start = inside
+    for _ in range(HALVINGS):
+        middle = (inside + outside) / 2
+        inside, outside = (middle, outside) if np.isfinite(curve(middle)) else (inside, middle)
+    found = [inside + (start - inside) * share**3 for share in np.linspace(0.0, 1.0, FINER)[:-1]]
+    yield from ((float(x), curve(float(x))) for x in sorted(found))
+
+
+def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> float:
+    """The zero between two trials on either side of it (false position, the stale end halved); NaN where the curve jumps."""
+    (a, fa), (b, fb) = low, high
+    first, last = fa, fb
+    for _ in range(ROUNDS):
+        x = (a * fb - b * fa) / (fb - fa) if fb != fa else (a + b) / 2
+        y = curve(x)
+        if y == 0.0 or abs(b - a) < 1e-15 * max(1.0, abs(x)):
+            return x
+        if not np.isfinite(y):
+            return np.nan
+        if y * fb < 0:
+            a, fa = b, fb
+        else:
+            fa /= 2
+        b, fb = x, y
+    return b if abs(fb) < 1e-9 * max(abs(first), abs(last)) else np.nan
