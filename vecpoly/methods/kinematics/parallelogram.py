@@ -11,11 +11,12 @@ from ...mechanism.model import FRAME, Revolute, Shaped
 from ...mechanism.statements import Form
 from ...names import At, Rel, alpha, omega
 from ...plane import nominal
+from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
 from .chains import never_turns
 from .image import imaged, images_of_link
-from .terms import symbol
+from .terms import ABSENT, known, symbol
 
 
 def is_parallelogram(desk: Desk, d: Dyad) -> bool:
@@ -54,9 +55,9 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
     corners = f"{fourth_corner(desk.mech, d)}{b}{c}{end}"
     words = Words(f"${corners}$ 为平行四边形，对边始终平行，", f"${corners}$ is a parallelogram, whose opposite sides remain parallel: ")
     if fixed:
-        coupler, known = (d.link_j, b) if fixed[0] == d.link_j else (d.link_k, end)
+        coupler, held = (d.link_j, b) if fixed[0] == d.link_j else (d.link_k, end)
         turning = (d.link_k, d.parent_j) if coupler == d.link_j else (d.link_j, d.parent_k)
-        vectors = [symbol(desk, Rel(VECTOR[view], desk.canonical(At(p)))) for p in (c, known)]
+        vectors = [symbol(desk, Rel(VECTOR[view], desk.canonical(At(p)))) for p in (c, held)]
         words += Words(f"连杆 {coupler} 作平动，各点{QUANTITY[view].zh}相同：${vectors[0]}$ = ${vectors[1]}$；$ {letter}_{turning[0]}$ = $ {letter}_{turning[1]}$。",
                        f"link {coupler} translates, so all its points have one {QUANTITY[view].en}, ${vectors[0]}$ = ${vectors[1]}$, and $ {letter}_{turning[0]}$ = $ {letter}_{turning[1]}$.")
     else:
@@ -64,11 +65,22 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
         words += Words(f"故 $ {letter}_{d.link_j}$ = $ {letter}_{d.parent_k}$，$ {letter}_{d.link_k}$ = $ {letter}_{d.parent_j}$。",
                        f"so $ {letter}_{d.link_j}$ = $ {letter}_{d.parent_k}$ and $ {letter}_{d.link_k}$ = $ {letter}_{d.parent_j}$.")
     desk.board.step(words, view)
+    if fixed:
+        _equate(desk, view, c, b if coupler == d.link_j else end)
     _reach(desk, view, coupler, c)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)
     for further in [p for p in desk.body(coupler).points if fixed and p not in (b, c, end)]:
         desk.board.plot(view, desk.tip(view, At(further)), desk.tip_label(view, At(further)))
+
+
+def _equate(desk: Desk, view: View, c: str, b: str) -> None:
+    """v_C = v_B + v_CB with v_CB = 0, written with its rows; what is zero needs no line."""
+    kind = VECTOR[view]
+    whole, turned = Rel(kind, At(c)), Rel(kind, At(c), At(b))
+    left = Term(rel=whole, symbol=symbol(desk, whole), direction=UNKNOWN, magnitude="?")
+    none = Term(rel=turned, symbol=symbol(desk, turned), direction=ABSENT, magnitude="0", vector=0j, drawn=True)
+    desk.board.equate(Equation(left=(left,), right=(known(desk, view, At(b)), none)).table())
 
 
 def _reach(desk: Desk, view: View, coupler: str, c: str) -> None:
