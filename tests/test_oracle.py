@@ -248,10 +248,16 @@ def test_the_own_position_out_of_reach_is_refused_likewise() -> None:
 
 def test_a_position_that_alone_does_not_close_is_told_so() -> None:
     """Crank and frame are equally long: at 0° the rod's pin falls on the block's, and any direction of the rod fits."""
-    mech = swinging_block(0.03, 0.03, 57.0, 10.0)
     with pytest.raises(AssemblyError, match=r"at 0 deg: they can just before and just after it, .* joints fall together") as told:
-        solve(mech, [0.0])
+        solve(swinging_block(0.03, 0.03, 0.0, 10.0))
     assert "within" not in str(told.value)
+
+
+def test_a_motion_goes_smoothly_through_a_position_that_alone_does_not_close() -> None:
+    """As above: the rod turns half as fast as the crank all the way round, and stands square to the frame at 0°."""
+    motion = solve(swinging_block(0.03, 0.03, 57.0, 10.0), np.radians([57.0, 0.0, -40.0, 360.0]))
+    assert motion.omega("2") == pytest.approx(5.0) and motion.alpha("2") == pytest.approx(0.0, abs=1e-7)
+    assert np.degrees(motion.angle("2") - motion.angle("2")[0]) % 360 == pytest.approx(np.array([0.0, 331.5, 311.5, 151.5]))
 
 
 def test_failing_positions_may_be_left_blank() -> None:
@@ -260,10 +266,19 @@ def test_failing_positions_may_be_left_blank() -> None:
 
 
 def test_a_dead_point_names_links_and_angle() -> None:
-    mech = fourbar(0.04, 0.08, 0.07, 0.11, (60.0, 10.0))
-    with pytest.raises(DeadPointError, match=r"links 2 and 3 .*dead point .* 180 deg"):
-        solve(mech, pi)
-    assert np.isfinite(solve(mech, pi, order=0).position("C"))
+    mech = fourbar(0.07, 0.08, 0.04, 0.11, (60.0, 10.0))
+    limit = np.arccos((0.07**2 + 0.11**2 - 0.12**2) / (2 * 0.07 * 0.11))  # links 2 and 3 are stretched out
+    with pytest.raises(DeadPointError, match=r"links 2 and 3 .*dead point .* 80.2\d* deg"):
+        solve(mech, limit - 1e-14)
+    assert np.isfinite(solve(mech, limit - 1e-14, order=0).position("C"))
+
+
+def test_rates_at_a_change_point_are_those_of_the_motion_on_both_sides() -> None:
+    mech = fourbar(0.04, 0.08, 0.07, 0.11, (60.0, 10.0))  # 40 + 110 = 80 + 70
+    before, here, behind = (solve(mech, pi + step) for step in (-0.01, 0.0, 0.01))
+    for name in ("2", "3"):
+        assert here.omega(name) == pytest.approx((before.omega(name) + behind.omega(name)) / 2, rel=1e-3)
+        assert here.alpha(name) == pytest.approx(10 * (behind.omega(name) - before.omega(name)) / 0.02, rel=1e-3, abs=1e-6)
 
 
 def test_assemblies_that_coincide_at_the_own_position_are_a_dead_point() -> None:

@@ -10,12 +10,12 @@ import pytest
 
 from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Side
 from vecpoly.problem.assignment import is_assignment, load_assignment
+from vecpoly.problem.branches import read_branch
 from vecpoly.problem.draft import Draft
 from vecpoly.problem.editors import json_schema
 from vecpoly.problem.joints import Bodies, read_joint
 from vecpoly.problem.links import read_link
 from vecpoly.problem.load import load, loads
-from vecpoly.problem.motion import read_branch
 from vecpoly.problem.problem import Problem, Shape
 from vecpoly.problem.rolling import read_rolling
 from vecpoly.units import _COMMON, Dim, read, unit_by_pint

@@ -16,6 +16,8 @@ from vecpoly.names import At, Kind, Rel, parse_rel
 from vecpoly.oracle.motion import Motion
 from vecpoly.solution import Solution
 
+from .nearby import natural
+
 STEPS = (2e-3, 2e-4, 2e-5)  # of the drive: rad, or metres over the size of the mechanism; the finer ones near the ends of its range
 AGREE = 1e-6  # of the largest rate of the kind
 ROUNDED = 1e-14  # of a position: fifty times its last digit
@@ -41,13 +43,14 @@ def _contradicted(mech: Mechanism, solution: Solution, step: float) -> str:
         return ""  # too near the end of the range for five positions
     asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None and _stays(mech, rel)]
     found = {key: (_rate(mech, coarse, rel, step), _rate(mech, fine, rel, step / 2)) for key, rel in asked}
+    floor = natural(mech)
     size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
     size[Kind.ALPHA] = max(size[Kind.ALPHA], size[Kind.OMEGA] ** 2)  # where all turns evenly
     for key, rel in asked:
         answer = solution.answers[key]
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
         rough, good = found[key]
-        if not abs(good - exact) <= AGREE * max(size[rel.kind], 1e-9) + 4 * abs(good - rough) + _rounding(mech, fine, rel, step / 2):
+        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough) + _rounding(mech, fine, rel, step / 2):
             return f"{key} exact {exact}, by central differences {good}"
     return ""
 

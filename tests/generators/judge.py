@@ -16,7 +16,7 @@ from vecpoly.solution import Answer, Solution, solve
 
 from .differences import against_differences
 from .family import Check, content
-from .nearby import slack
+from .nearby import natural, slack
 
 AGREE = 1e-9  # of the largest quantity of the kind
 
@@ -68,9 +68,11 @@ def _disagreeing(solution: Solution) -> str:
     """The first quantity of which the exact hand draws something else than the oracle finds."""
     answers = [one for one in solution.answers.values() if not one.undefined]
     near = slack(solution)
+    floor = natural(solution.problem.subject) if isinstance(solution.problem.subject, Mechanism) else {}
     for one in answers:
-        size = max(abs(other.exact) for other in answers if other.reading.unit == one.reading.unit)
-        if one.reading.unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
+        unit = one.reading.unit
+        size = max(floor.get(unit, 0.0), *(abs(other.exact) for other in answers if other.reading.unit == unit))
+        if unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
             size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
         if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
             drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)

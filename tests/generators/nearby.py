@@ -27,3 +27,11 @@ def slack(solution: Solution) -> dict[str, float]:
         return {}
     return {key: FACTOR * abs(near[key] - (one.exact if one.exact_vector is None else one.exact_vector))
             for key, one in solution.answers.items() if key in near}
+
+
+def natural(mech: Mechanism) -> dict[str, float]:
+    """Unit → size of a quantity of this kind by the drive alone: what is far below it is rounding, and no smaller measure of error."""
+    drive, size = mech.drive, mech.scale
+    turning = abs(drive.rate) / (size if drive.slide else 1.0)
+    bending = abs(drive.accel) / (size if drive.slide else 1.0) + turning**2
+    return {"rad/s": turning, "rad/s^2": bending, "m/s": turning * size, "m/s^2": bending * size, "m": size}

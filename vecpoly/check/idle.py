@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import oracle
 from ..errors import VecpolyError
-from ..mechanism.model import Mechanism, Side, SideOf
+from ..mechanism.model import Mechanism, Statement
 from ..problem.problem import Problem
 from ..words import Words
 
@@ -26,11 +26,9 @@ def idle(problem: Problem) -> tuple[Words, ...]:
     return tuple(told)
 
 
-def _said(statement: SideOf) -> Words:
-    of = "of " if statement.side in (Side.LEFT, Side.RIGHT) else ""
-    text = f"{statement.point} {statement.side.value} {of}{''.join(statement.ref)}"
-    return Words(f"branch：'{text}' 不起决定作用，没有它装配也是同样；这一项可以删去",
-                 f"branch: '{text}' decides nothing, for without it the assembly is just the same; it may be left out")
+def _said(statement: Statement) -> Words:
+    return Words(f"branch：'{statement}' 不起决定作用，没有它装配也是同样；这一项可以删去",
+                 f"branch: '{statement}' decides nothing, for without it the assembly is just the same; it may be left out")
 
 
 def _same(one: Mechanism, other: Mechanism) -> bool:

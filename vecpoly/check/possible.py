@@ -15,12 +15,12 @@ import numpy as np
 
 from .. import oracle
 from ..errors import VecpolyError
-from ..mechanism.model import Mechanism, Side, SideOf
+from ..mechanism.branch import opposite
+from ..mechanism.model import Mechanism, Statement
 from ..names import Rel
 from ..problem.problem import Printed, Problem
 
 POSITIONS = 721
-_OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,7 +29,7 @@ class BestFit:
 
     misfit: float
     position: float
-    assembly: tuple[SideOf, ...]
+    assembly: tuple[Statement, ...]
 
 
 def best_fit(problem: Problem, printed: Sequence[Printed]) -> BestFit | None:
@@ -43,7 +43,7 @@ def best_fit(problem: Problem, printed: Sequence[Printed]) -> BestFit | None:
 
 def _assemblies(mech: Mechanism) -> Iterator[Mechanism]:
     for flips in product((False, True), repeat=len(mech.branches)):
-        branches = tuple(replace(b, side=_OTHER[b.side]) if flip else b for b, flip in zip(mech.branches, flips, strict=True))
+        branches = tuple(opposite(b) if flip else b for b, flip in zip(mech.branches, flips, strict=True))
         yield replace(mech, branches=branches)
 
 

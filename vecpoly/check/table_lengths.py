@@ -6,7 +6,9 @@ import cmath
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import assert_never
 
+from ..mechanism.branch import opposite
 from ..mechanism.model import (
     ByAngle,
     ByLengths,
@@ -16,8 +18,10 @@ from ..mechanism.model import (
     Mechanism,
     Placement,
     Prismatic,
+    Shaped,
     Side,
     SideOf,
+    Statement,
 )
 from ..words import Words
 
@@ -161,11 +165,11 @@ def _guides(mech: Mechanism, link: str, moves: Mapping[str, complex]) -> tuple[J
 def other_assemblies(mech: Mechanism) -> Iterator[tuple[Words, Mechanism]]:
     """The mechanism in every other assembly that one wrong side gives: a branch statement, or a placed point mirrored."""
     for i, branch in enumerate(mech.branches):
-        other = replace(branch, side=_OTHER[branch.side])
+        other = opposite(branch)
         yield _told(other), replace(mech, branches=(*mech.branches[:i], other, *mech.branches[i + 1 :]))
     if len(mech.branches) > 1:
         words = Words("全部装配分支都取另一侧", "every assembly taken on its other side")
-        yield words, replace(mech, branches=tuple(replace(branch, side=_OTHER[branch.side]) for branch in mech.branches))
+        yield words, replace(mech, branches=tuple(opposite(branch) for branch in mech.branches))
     for link in mech.links:
         for i, placement in enumerate(link.placements):
             if (mirrored := _mirrored(placement)) is not None:
@@ -184,6 +188,13 @@ def _mirrored(placement: Placement) -> Placement | None:
             return replace(placement, side=_OTHER[placement.side])
 
 
-def _told(branch: SideOf) -> Words:
-    ref, of = "".join(branch.ref), "of " if branch.side in (Side.LEFT, Side.RIGHT) else ""
-    return Words(f"装配分支取 ${branch.point}$ 在 ${ref}$ {_SIDE[branch.side]}", f"assembled with ${branch.point}$ {branch.side.value} {of}${ref}$")
+def _told(branch: Statement) -> Words:
+    match branch:
+        case SideOf(point=point, side=side):
+            ref, of = "".join(branch.ref), "of " if side in (Side.LEFT, Side.RIGHT) else ""
+            return Words(f"装配分支取 ${point}$ 在 ${ref}$ {_SIDE[side]}", f"assembled with ${point}$ {side.value} {of}${ref}$")
+        case Shaped(form=form):
+            corners = "".join(branch.corners)
+            return Words(f"装配分支取 ${corners}$ 为{form.words.zh}", f"assembled with ${corners}$ as {form.words.en}")
+        case _:
+            assert_never(branch)

@@ -11,6 +11,7 @@ from .columns import moving_points
 from .cycle import Cycle
 
 SAME = 1e-6  # turns
+INSIDE = 2.3  # rad beyond the start of a turn: no round angle
 MOST = 100  # teeth: parts of a turn that a gear can be away
 
 
@@ -39,9 +40,13 @@ def laps_of(cycle: Cycle) -> int | None:
     if any(abs(float(part) - count) > SAME for part, count in zip(parts, turns.values(), strict=True)):
         return None
     laps = lcm(*(part.denominator for part in parts))
-    return laps if laps > 1 or all(_is_back(cycle, letter) for letter in moving_points(cycle.mech)) else None
+    if laps > 1:
+        return laps
+    letters = moving_points(cycle.mech)
+    return next((laps for laps in (1, 2) if all(_is_back(cycle, letter, laps) for letter in letters)), None)
 
 
-def _is_back(cycle: Cycle, letter: str) -> bool:
-    first, last = np.asarray(cycle.at(f"p_{letter}", np.array([cycle.low, cycle.high])))
+def _is_back(cycle: Cycle, letter: str, laps: int) -> bool:
+    """Whether the letter is where it was; looked at inside the turn, for at a change point two assemblies are one."""
+    first, last = np.asarray(cycle.at(f"p_{letter}", cycle.low + INSIDE + np.array([0.0, 2 * np.pi * laps])))
     return bool(abs(last - first) <= SAME * cycle.mech.scale)

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .closing import INSIDE
 from .curve import Curve
 from .cycle import Cycle
+from .grid import noise
 from .pieces import Piece, ends, pieces, towards
 from .root import highest, ridders
 
@@ -59,7 +61,7 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
     known = f[np.isfinite(f)]
     if not known.size:
         return Extremes(key, (), (), (), None, None)
-    if known.max() - known.min() <= 1e-10 * max(float(np.abs(known).max()), curve.size):
+    if known.max() - known.min() <= noise(cycle.mech) * max(float(np.abs(known).max()), curve.size):
         flat = Spot(cycle.low, float(known.mean()))
         return Extremes(key, (), (), (), flat, flat)
     parts = pieces(curve, phi, f)
@@ -120,7 +122,8 @@ def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
     """Values at the ends of the drive's range, ±∞ where it runs away; none of a whole turn that comes back to the same value."""
     cycle = curve.cycle
     first, last = (float(value) for value in curve.value(np.array([cycle.low, cycle.high])))
-    if cycle.whole and not abs(last - first) > 1e-6 * span:
+    inside, again = (float(value) for value in curve.value(cycle.low + INSIDE + np.array([0.0, 2 * np.pi])))
+    if cycle.whole and not max(abs(last - first), abs(again - inside)) > 1e-6 * span:
         return ()
     room = cycle.high - cycle.low
     told = ((cycle.low, first, 1.0), (cycle.high, last, -1.0))

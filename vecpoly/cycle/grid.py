@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import oracle
 from ..mechanism.model import Mechanism
 from .sample import sample
 
@@ -14,6 +15,7 @@ STEPS = 1440  # of the grid to begin with
 CLOSE = 1e-5  # part of a range
 FAIR = 1e-6  # of a quantity's range over the cycle: how near a cubic through its neighbours must come to each value
 NOISE = 1e-10  # of the natural size of its kind: rounding
+UNSURE = 1e-7  # the same beside change points
 ROUNDS = 24  # halvings of a step
 MOST = 16 * STEPS
 
@@ -34,11 +36,16 @@ def places(mech: Mechanism, low: float, high: float, whole: bool) -> Reals:
     return np.concatenate([[low], _finer(mech, inside), [high]])
 
 
+def noise(mech: Mechanism) -> float:
+    """How far rounding may move a value, of the natural size of its kind."""
+    return UNSURE if oracle.changes(mech) else NOISE
+
+
 def _finer(mech: Mechanism, phi: Reals) -> Reals:
     rows = _motion(mech, phi)
-    size = _sizes(mech, rows)
+    least = noise(mech) * _sizes(mech, rows)
     for _ in range(ROUNDS):
-        step = np.flatnonzero(_coarse(phi, rows, size))
+        step = np.flatnonzero(_coarse(phi, rows, least))
         if not step.size or len(phi) > MOST:
             break
         middle = (phi[step] + phi[step + 1]) / 2
@@ -61,7 +68,7 @@ def _sizes(mech: Mechanism, rows: Points) -> Reals:
     return np.array([scale, 1.0, spin * scale, spin, spin**2 * scale, spin**2])[:, None, None]
 
 
-def _coarse(phi: Reals, rows: Points, size: Reals) -> NDArray[np.bool_]:
+def _coarse(phi: Reals, rows: Points, least: Reals) -> NDArray[np.bool_]:
     """Steps beside the values that the cubic through two neighbours on either side misses."""
     away = [phi[i : len(phi) - 4 + i] - phi[2:-2] for i in (0, 1, 3, 4)]
     near = [rows[..., i : len(phi) - 4 + i] for i in (0, 1, 3, 4)]
@@ -70,7 +77,7 @@ def _coarse(phi: Reals, rows: Points, size: Reals) -> NDArray[np.bool_]:
     with np.errstate(invalid="ignore", over="ignore"):
         known = np.where(np.isfinite(rows), rows, 0.0)
         reach = np.abs(known - known.mean(axis=2, keepdims=True)).max(axis=2, keepdims=True)
-        missed = np.abs(sum(w * f for w, f in zip(weights, near, strict=True)) - middle) > FAIR * reach + NOISE * size
+        missed = np.abs(sum(w * f for w, f in zip(weights, near, strict=True)) - middle) > FAIR * reach + least
     beside = np.flatnonzero(missed.any(axis=(0, 1))) + 2
     coarse = np.zeros(len(phi) - 1, np.bool_)
     for i in (-2, -1, 0, 1):

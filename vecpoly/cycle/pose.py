@@ -12,15 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 from .. import oracle
 from ..errors import VecpolyError
 from ..mechanism.assur import decompose
-from ..mechanism.branch import margin
-from ..mechanism.model import Mechanism, Revolute, Side, SideOf
+from ..mechanism.branch import margin, opposite
+from ..mechanism.four_bar import fourth_corner
+from ..mechanism.model import Mechanism, Revolute, Shaped, Side, SideOf, Statement
+from ..mechanism.statements import Form
 from ..names import At
 from ..problem.problem import Problem
 
 SAME = 1e-9  # of the mechanism's size: as far apart as two solutions of one assembly may be
 NEAR = 1e-5  # of that size: farther apart they are two assemblies; near a limit position rounding alone makes 1e-7
 _SIDES = (Side.LEFT, Side.RIGHT, Side.ABOVE, Side.BELOW)
-_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
 Places = Mapping[str, complex]
 
 
@@ -65,23 +66,41 @@ def _gap(mech: Mechanism, at: Places) -> float:
     return max(abs(complex(motion.position(At(letter))) - place) for letter, place in at.items())
 
 
-def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[SideOf, ...]]:
+def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
     """The mechanism's own statements; those turned round that no longer hold; new ones for every group, a single hinge read in two ways."""
     yield mech.branches
-    yield tuple(s if margin(s, at) >= 0 else replace(s, side=_OPPOSITE[s.side]) for s in mech.branches)
+    yield tuple(s if margin(s, at) >= 0 else opposite(s) for s in mech.branches)
     yield tuple(_fresh(mech, at, False))
     yield tuple(_fresh(mech, at, True))
 
 
-def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[SideOf]:
-    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here."""
+def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[Statement]:
+    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here; of a swinging guide some point of it."""
+    known = set(mech.frame) | set(mech.link(mech.drive.link).points)
     for group in decompose(mech):
         pins = [joint.point for joint in group.inner if isinstance(joint, Revolute)]
         outer = tuple(out.joint.point for out in group.outer if isinstance(out.joint, Revolute))
-        for pin in pins:
+        own = {point for name in group.links for point in mech.link(name).points} - known
+        if group.dyad is not None and (corner := fourth_corner(mech, group.dyad)) is not None:
+            yield from _figure(at, (corner, outer[0], pins[0], outer[1]), mech.scale)
+            continue
+        for pin in pins or sorted(own, key=lambda letter: -_aside(at, letter, outer))[:1]:
             refs = [outer] if len(outer) == 2 else [(letter,) for letter in outer]
-            sides = _SIDES[:2] if len(outer) == 2 else _by_reach(at, pin, outer, turned)
+            sides = _SIDES[:2] if len(outer) == 2 and pins else _by_reach(at, pin, outer, turned)
+            refs = refs if pins else [(letter,) for letter in outer[:1]]
             yield from [s for s in (SideOf(point=pin, side=side, ref=ref) for ref, side in product(refs, sides)) if margin(s, at) > 0][:1]
+        known |= own
+
+
+def _figure(at: Places, corners: tuple[str, str, str, str], scale: float) -> Iterator[Statement]:
+    """Parallelogram or antiparallelogram, where it can be told: at a change point it is taken for the former."""
+    parallel = Shaped(corners=corners, form=Form.PARALLELOGRAM)
+    yield parallel if margin(parallel, at) > -NEAR * scale else Shaped(corners=corners, form=Form.ANTIPARALLELOGRAM)
+
+
+def _aside(at: Places, letter: str, outer: tuple[str, ...]) -> float:
+    """How far a point lies from the pin about which it swings."""
+    return abs(at[letter] - at[outer[0]]) if outer else 0.0
 
 
 def _by_reach(at: Places, pin: str, outer: tuple[str, ...], turned: bool) -> tuple[Side, ...]:

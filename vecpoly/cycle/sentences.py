@@ -7,6 +7,7 @@ from math import degrees, isfinite
 
 from ..mechanism.rams import driver_words
 from ..words import Words
+from .changing import figure_words
 from .cycle import Cycle
 from .extremes import Extremes, Spot, extremes
 from .facts import Facts, Peak, Stroke, Transmission
@@ -15,9 +16,8 @@ from .path import Path, Shape
 
 def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
     """Each fact as a sentence: how the links move, limits, quick return, transmission angles, dead points, peaks."""
-    parts = [*_range(cycle, found), *_turns(cycle, found), *_laps(cycle, found), *_changes(cycle, found), *(_stroke(cycle, s) for s in found.strokes), *_swings(cycle, found),
-             *(_transmission(cycle, t) for t in found.transmissions), *(_arm(cycle, a) for a in found.arms), *(_peak(cycle, p) for p in found.peaks)]
-    return tuple(parts)
+    return (*_range(cycle, found), *_turns(cycle, found), *_laps(cycle, found), *_changes(cycle, found), *(_stroke(cycle, s) for s in found.strokes), *_swings(cycle, found),
+             *(_transmission(cycle, t) for t in found.transmissions), *(_arm(cycle, a) for a in found.arms), *(_peak(cycle, p) for p in found.peaks))
 
 
 def number(value: float, digits: int = 6) -> str:
@@ -90,11 +90,11 @@ def _laps(cycle: Cycle, found: Facts) -> Iterator[Words]:
 
 
 def _changes(cycle: Cycle, found: Facts) -> Iterator[Words]:
-    """Change points: the columns go on with the assembly that the problem states, which need not be how a real linkage goes on."""
+    """Change points: the columns go smoothly through, as a real linkage does that is carried through by its inertia."""
     for key, spots in found.changes:
         links, places = key.removeprefix("gamma_"), ", ".join(shown(cycle, cycle.drive.key, s.phi, 5) for s in spots)
-        yield Words(f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点），其后如何运动并不确定；以下始终按所给的装配计算，速度在此可能突变。",
-                    f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two assemblies meet (change points): how it moves on is not determined. What follows keeps to the assembly that is given, and rates may jump there.")
+        yield Words(f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点）。以下按机构靠惯性平稳通过变点计算{figure_words(cycle, links).zh}。",
+                    f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two assemblies meet (change points). What follows goes smoothly through them, as inertia carries a real linkage{figure_words(cycle, links).en}.")
 
 
 def _stroke(cycle: Cycle, stroke: Stroke) -> Words:
@@ -140,8 +140,8 @@ def _arm(cycle: Cycle, arm: Extremes) -> Words:
     info = cycle.info(arm.key)
     low, high = shown(cycle, arm.key, arm.lowest.value), shown(cycle, arm.key, arm.highest.value)
     if arm.lowest.value < 1e-6 * cycle.mech.scale:
-        return Words(f"{info.words.zh} ${info.symbol}$ 在 {where(cycle, arm.lowest)} 处为零：两销重合，导杆方向不定，其转角和速度在此突变。",
-                     f"The {info.words.en}, ${info.symbol}$, is zero at {where(cycle, arm.lowest)}: the pins meet, the direction of the guide is not determined, and its angle and rates jump there.")
+        return Words(f"{info.words.zh} ${info.symbol}$ 在 {where(cycle, arm.lowest)} 处为零：两销重合（变点），该位置本身不能确定导杆方向；以下按机构靠惯性平稳通过计算。",
+                     f"The {info.words.en}, ${info.symbol}$, is zero at {where(cycle, arm.lowest)}: the pins meet (a change point), and the position alone does not determine the direction of the guide. What follows goes smoothly through, as inertia carries a real linkage.")
     return Words(f"{info.words.zh} ${info.symbol}$ 在 {low}（{where(cycle, arm.lowest)}）至 {high}（{where(cycle, arm.highest)}）之间。",
                  f"The {info.words.en}, ${info.symbol}$, is between {low} ({where(cycle, arm.lowest)}) and {high} ({where(cycle, arm.highest)}).")
 

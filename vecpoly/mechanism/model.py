@@ -17,6 +17,9 @@ from .placements import ByOffsets as ByOffsets
 from .placements import Placement as Placement
 from .placements import Side as Side
 from .start import Start
+from .statements import Shaped as Shaped
+from .statements import SideOf as SideOf
+from .statements import Statement as Statement
 
 FRAME = "0"
 
@@ -121,15 +124,6 @@ class Contact:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SideOf:
-    """Branch of an assembly: `point` lies on `side` of the ray ref[0] -> ref[1], or of the single point ref[0]."""
-
-    point: str
-    side: Side
-    ref: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
     """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the frame as a rule.
 
@@ -164,7 +158,7 @@ class Mechanism:
     links: tuple[Link, ...]
     joints: tuple[Joint, ...]
     drives: tuple[Drive, ...]
-    branches: tuple[SideOf, ...] = ()
+    branches: tuple[Statement, ...] = ()
     contacts: tuple[Contact, ...] = ()
     starts: tuple[Start, ...] = ()
     guesses: Mapping[str, complex] = field(default_factory=dict)  # rough positions of points, where Newton needs them

@@ -15,6 +15,7 @@ from ..plane import Points, Reals, nominal
 from ..quantity import magnitude, paper, stated, worked
 from ..words import Words
 from .desk import Desk
+from .standing import computed, standing
 
 Repeats = dict[str, Reals]  # key -> what the reading's `scalar` is by every hand
 
@@ -68,60 +69,22 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 
 
 def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
-    view, start, end, line = _line(desk, rel)
+    view, start, end, line = standing(desk, rel)
     board, scale = desk.board, desk.board.scales[view]
-    computed = desk.sizes.get(Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None).key)
-    on_paper = board.measure(start, end, line) if computed is None else paper(letters_node(line), board.hand.read(board.to_paper(view, computed.value)))
+    known = computed(desk, rel)
+    on_paper = board.measure(start, end, line) if known is None else paper(letters_node(line), board.hand.read(board.to_paper(view, known.value)))
     direction = board.hand.gauge(np.angle(end - start))
-    size = on_paper.value * scale.value if computed is None else computed.value
+    size = on_paper.value * scale.value if known is None else known.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
     symbol = sym(rel.symbol)
     reading = Reading(
         key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
         vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,
-        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit) if computed is None else stated(replace(computed, node=symbol)),
+        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit) if known is None else stated(replace(known, node=symbol)),
         remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size
-
-
-def _line(desk: Desk, rel: Rel) -> tuple[View, Points, Points, str]:
-    """Where the vector stands: figure, start, end, letters."""
-    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
-    if own.key in desk.ends:
-        view, start, end = desk.ends[own.key]
-        return view, start, end, _letters(desk, view, own)
-    view = View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
-    if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
-        start = 0j if own.ref is None else desk.tip(view, own.ref)
-        return view, start, desk.tip(view, own.to), _letters(desk, view, own)
-    whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
-    if rel.kind is Kind.AR and whole.key in desk.ends:
-        view, start, end = desk.ends[whole.key]
-        return view, start, end, _letters(desk, view, whole)
-    if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
-        return View.ACCELERATION, 0j, 0j, "—"
-    raise NoMethodError(Words(
-        f"图上没有作出 {rel.key}：现有图解法对此机构求不出此量",
-        f"{rel.key} was not drawn: no method on file gives it for this mechanism") + _instead(desk, rel, own))
-
-
-def _instead(desk: Desk, asked: Rel, own: Rel) -> Words:
-    """What to ask instead of ak_B2B3: the same vector the other way round, or those of its kind that were drawn."""
-    drawn = sorted(key for key in desk.ends if key.startswith(f"{own.kind.value}_"))
-    if asked.ref and own.ref and Rel(own.kind, own.ref, own.to).key in drawn:
-        back = Rel(asked.kind, asked.ref, asked.to).key
-        return Words(f"；请改求 {back}（方向相反）", f"; ask {back}, which points the other way")
-    return Words(f"；图上有 {', '.join(drawn)}", f"; drawn are {', '.join(drawn)}") if drawn else Words.same("")
-
-
-def _letters(desk: Desk, view: View, rel: Rel) -> str:
-    end = desk.tip_label(view, rel.to)
-    if rel.kind in (Kind.V, Kind.A):
-        return f"{desk.start_label(view, rel.ref)} {end}"
-    k = desk.k_tip(Rel(Kind.AK, rel.to, rel.ref))
-    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: k, Kind.AR: f"{k} {end}"}[rel.kind]
 
 
 def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:
@@ -134,5 +97,3 @@ def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:
     if turns and abs(float(nominal(turns[0].value))) < 1e-9:
         return Words(f"此瞬时 $ω_{rel.to.link}$ = 0", f"$ω_{rel.to.link}$ = 0 at this instant")
     return Words("此瞬时相对速度为零", "the relative velocity is zero at this instant")
-
-

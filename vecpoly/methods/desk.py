@@ -59,6 +59,7 @@ class Desk:
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
     central: dict[str, Reading] = field(default_factory=dict)  # answers that instant centres gave
     central_repeats: dict[str, Reals] = field(default_factory=dict)
+    slides: dict[tuple[str, str], Rel] = field(default_factory=dict)  # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------
@@ -91,10 +92,14 @@ class Desk:
         return POLE[view] if at is None or self.at_rest(view, at) else self.tip_label(view, at)
 
     def k_tip(self, rel: Rel) -> str:
-        """The letter at the tip of a Coriolis acceleration: k′; with the number of the point's link where the mechanism has several sliding pairs that turn."""
-        several = sum(isinstance(joint, Prismatic) and joint.guide != FRAME for joint in self.mech.joints) > 1
+        """The letter at the tip of a Coriolis acceleration: k′; where several sliding pairs turn with the number of the point's link, or both numbers."""
+        turning = [joint for joint in self.mech.joints if isinstance(joint, Prismatic) and joint.guide != FRAME]
         number = rel.to.link or self.coincident.get(rel.to.point, "")
-        return f"k_{number}^′" if several and number else "k′"
+        if len(turning) < 2 or not number:
+            return "k′"
+        alike = sum(number in (joint.guide, joint.block) for joint in turning) > 1
+        other = self.show(rel.ref).removeprefix(rel.ref.point) if alike and rel.ref is not None else ""
+        return f"k_{number}{other}^′"
 
     # -- the mechanism as drawn ---------------------------------------------------------------------------------
 

@@ -18,8 +18,8 @@ from ..board.hand import Hand, hand
 from ..board.marks import Dot, Mark, Vector
 from ..board.scales import Sketched, enlarged, round_scale
 from ..mechanism.assur import Group, decompose
-from ..names import At, Kind, subscripted
-from ..problem.asks import AskNamed, AskPoint, AskRel
+from ..names import subscripted
+from ..problem.asks import AskNamed
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
@@ -31,9 +31,8 @@ from .higher import refuse_higher
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
-from .kinematics.given_vector import find_point
-from .kinematics.image import imaged
 from .kinematics.position_drive import say_fixed_points, say_welded
+from .kinematics.wanted import draw_wanted
 from .passes import stages
 from .registry import Stage, find
 
@@ -191,7 +190,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     if position:
         draw_drive_arrow(desk)
     else:
-        _wanted(desk, problem, stage)
+        draw_wanted(desk, problem.asks, View(stage.value))
 
 
 def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] = ()) -> None:
@@ -210,26 +209,6 @@ def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] =
         desk.board.remark(Words(f"按已知尺寸定出{zh}。", f" Set out {en} from the given lengths."))
 
 
-def _wanted(desk: Desk, problem: Problem, stage: Stage) -> None:
-    """Points asked for by their vector, and vectors asked of points under which a link only passes."""
-    velocity = stage is Stage.VELOCITY
-    view = View.VELOCITY if velocity else View.ACCELERATION
-    for ask in problem.asks:
-        if isinstance(ask, AskPoint) and ask.slowest is None and (ask.velocity is not None) == velocity:
-            find_point(desk, ask)
-    for ask in problem.asks:
-        if isinstance(ask, AskRel) and ask.rel.kind in ((Kind.V,) if velocity else (Kind.A,)):
-            for at in filter(None, (ask.rel.to, ask.rel.ref)):
-                _ensure(desk, view, at)
-    if not velocity:
-        for ask in problem.asks:
-            if isinstance(ask, AskRel) and ask.rel.kind is Kind.V:
-                _ensure(desk, View.VELOCITY, ask.rel.to)
-
-
-def _ensure(desk: Desk, view: View, at: At) -> None:
-    if at.link and not desk.has_tip(view, at) and {at.point, str(at)} & set(desk.at):
-        imaged(desk, view, at.link, desk.canonical(at))
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

@@ -26,7 +26,7 @@ def solve(
     Also raises MobilityError, and UnknownNameError for an unknown letter in a branch statement.
     """
     asked = np.asarray(mech.drive.position if position is None else position, dtype=np.float64)
-    return Motion(mech, plan_for(mech).bodies(np.atleast_1d(asked), order, strict), asked.shape, order)
+    return Motion(mech, plan_for(mech, own=position is None).bodies(np.atleast_1d(asked), order, strict), asked.shape, order)
 
 
 def feasible(mech: Mechanism) -> tuple[str, ...]:
@@ -39,4 +39,9 @@ def spans(mech: Mechanism) -> tuple[tuple[float, float], ...]:
     return plan_for(mech).spans()
 
 
-__all__ = ["SEARCHED", "Motion", "feasible", "solve", "spans"]
+def changes(mech: Mechanism) -> bool:
+    """Whether a dyad has change points, beside which rates keep fewer digits (about 1e-8 of their size)."""
+    return plan_for(mech).has_changes
+
+
+__all__ = ["SEARCHED", "Motion", "changes", "feasible", "solve", "spans"]

@@ -26,7 +26,7 @@ def chosen(mech: Mechanism, group: Group, found: States, known: Mapping[str, Bod
     """
     before = _places(mech, known)
     after = {k: before | placed(mech, group, found[k]) for k in _distinct(mech, found)}
-    told = [s for s in mech.branches if _letters(after) >= {s.point, *s.ref} and not set(before) >= {s.point, *s.ref}]
+    told = [s for s in mech.branches if _letters(after) >= set(s.letters) and not set(before) >= set(s.letters)]
     fits = [k for k, at in after.items() if all(margin(s, at) > 1e-9 * mech.scale for s in told)]
     if not fits:
         return np.asarray(found[next(iter(after), 0)])

@@ -7,19 +7,21 @@ from dataclasses import replace
 from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.branch import margin, nearer
+from ..mechanism.branch import margin, nearer, opposite
+from ..mechanism.four_bar import folded_corner, fourth_corner
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
+from ..mechanism.statements import Form, Shaped
 from ..words import Words
 from .driven import drives_in
 from .driven_assemblies import among
 from .dyads import Hinged, Swinging
 from .newton import Newton
+from .parallel import folded, parallel
 from .run import Run
 from .state import Bodies
 from .steps import Step
 
 Places = dict[str, complex]
-_OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELOW, Side.BELOW: Side.ABOVE}
 
 
 def places(mech: Mechanism, bodies: Bodies) -> Places:
@@ -34,12 +36,12 @@ def check_letters(mech: Mechanism) -> None:
     """UnknownNameError where a statement names a letter that no link carries."""
     letters = {point for link in mech.links for point in link.points} | set(mech.frame)
     for statement in mech.branches:
-        for letter in (statement.point, *statement.ref):
+        for letter in statement.letters:
             if letter not in letters:
                 raise UnknownNameError(
                     Words(
-                    f"“{_words(statement)}”中的点 {letter} 不存在；已有：{', '.join(sorted(letters))}",
-                    f"'{_words(statement)}' names the unknown point {letter}; known: {', '.join(sorted(letters))}"))
+                    f"“{statement}”中的点 {letter} 不存在；已有：{', '.join(sorted(letters))}",
+                    f"'{statement}' names the unknown point {letter}; known: {', '.join(sorted(letters))}"))
 
 
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
@@ -50,6 +52,9 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     if isinstance(step, Newton) and drives_in(step.rows):
         return among(mech, step, bodies, run)
     before = places(mech, bodies)
+    figure = _parallelogram(mech, step)
+    if figure is not None and _is_said(mech, figure):
+        return parallel(mech, step.group, figure.corners[0])
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
@@ -58,21 +63,21 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
             Words(
             f"原动件位于 {where} 时构件 {'、'.join(step.group.links)} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
             f"links {names} are at a dead point where the drive stands at {where}: their two assemblies coincide and cannot be told apart; choose another position of the drive"))
-    told = [s for s in mech.branches if _letters(s) <= set(after[0]) and not _letters(s) <= set(before)]
+    told = [s for s in mech.branches if set(s.letters) <= set(after[0]) and not set(s.letters) <= set(before)]
     sure = 1e-9 * mech.scale
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
-        return options[fits.index(True)]
+        return _figured(mech, options[fits.index(True)], figure, after[fits.index(True)])
     if all(fits) and step.two and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
-        return options[near]
+        return _figured(mech, options[near], figure, after[near])
     if not any(fits):
-        statement = " and ".join(f"'{_words(s)}'" for s in told)
+        statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
             Words(
             f"原动件位于 {where} 时，构件 {'、'.join(step.group.links)} 的两种装配方式都不满足 {statement}",
             f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}") + _advice(mech, step, before, after))
     if isinstance(step, Swinging):
-        return _ahead(step, bodies)
+        return _ahead(step, bodies, where)
     raise AssemblyError(
         Words(
         f"构件 {'、'.join(step.group.links)} 在运动副 {step.joint} 处有两种装配方式",
@@ -85,10 +90,10 @@ def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
     for statement in mech.branches:
         gap = margin(statement, at)
         if gap < -1e-9 * mech.scale:
-            held = _words(replace(statement, side=_OPPOSITE[statement.side]))
+            held = opposite(statement)
             raise AssemblyError(
-                Words(f"'{_words(statement)}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
-                      f"'{_words(statement)}' contradicts the other data: where the drive stands at {where}, they make it '{held}', by {-1e3 * gap:.4g} mm; "
+                Words(f"'{statement}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
+                      f"'{statement}' contradicts the other data: where the drive stands at {where}, they make it '{held}', by {-1e3 * gap:.4g} mm; "
                       "leave it out, or correct either"), code="branch contradicts", numbers={"gap": gap})
 
 
@@ -97,22 +102,39 @@ def _hinged(step: Step) -> bool:
     return isinstance(step, Hinged) or (isinstance(step, Newton) and step.two)
 
 
-def _letters(statement: SideOf) -> set[str]:
-    return {statement.point, *statement.ref}
+def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
+    """The step itself, or where it is a parallelogram or a folded kite the step that stays one through its change points."""
+    if figure is not None and margin(figure, at) > 0:
+        return parallel(mech, step.group, figure.corners[0])
+    if isinstance(step, Hinged) and step.group.dyad is not None and (corner := folded_corner(mech, step.group.dyad)) is not None:
+        return folded(mech, step.group, corner) if abs(at[step.joint] - at[corner]) < 1e-7 * mech.scale else step
+    return step
 
 
-def _words(statement: SideOf) -> str:
-    """C left of BD."""
-    of = statement.side in (Side.LEFT, Side.RIGHT)
-    return f"{statement.point} {statement.side.value} {'of ' if of else ''}{''.join(statement.ref)}"
+def _parallelogram(mech: Mechanism, step: Step) -> Shaped | None:
+    """What is said of a dyad that can be half of a parallelogram."""
+    dyad = step.group.dyad
+    if not isinstance(step, Hinged) or dyad is None or (corner := fourth_corner(mech, dyad)) is None:
+        return None
+    b, d = (joint.point for joint in (dyad.outer_j, dyad.outer_k) if isinstance(joint, Revolute))
+    return Shaped(corners=(corner, b, step.joint, d), form=Form.PARALLELOGRAM)
 
 
-def _ahead(step: Swinging, bodies: Bodies) -> Swinging:
+def _is_said(mech: Mechanism, shape: Shaped) -> bool:
+    return any(isinstance(s, Shaped) and s.form is shape.form and set(s.letters) == set(shape.letters) for s in mech.branches)
+
+
+def _ahead(step: Swinging, bodies: Bodies, where: str) -> Swinging:
     """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
     here, there = step.ends(bodies)
-    forward = [option for option in options if option.reach(there - here)[-1] + option.shift > 0]
-    return forward[0] if forward else options[0]
+    forward = [option for option in options if option.sign * option.reach(there - here)[-1] + option.shift > 0]
+    if len(forward) != 1:
+        raise AssemblyError(
+            Words(f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；请在 branch 中写出该组某点在哪一侧",
+                  f"the guide of link {step.guide}, on which link {step.block} slides, can point either way where the drive stands at {where}; "
+                  f"say in 'branch' on which side a point of these two links lies"), code="branch-missing")
+    return forward[0]
 
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> Words:
@@ -122,8 +144,7 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
-            other = replace(statement, side=_OPPOSITE[statement.side])
-            return Words(f"；请指明“{_words(statement)}”或“{_words(other)}”", f"; say which: '{_words(statement)}' or '{_words(other)}'")
+            return Words(f"；请指明“{statement}”或“{opposite(statement)}”", f"; say which: '{statement}' or '{opposite(statement)}'")
     return Words(f"；没有字母点能区分两者，请以 guesses: {{{step.joint}: [x mm, y mm]}} 给出大致位置",
                  f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}")
 

@@ -43,7 +43,7 @@ def _places(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> Places
 def _fulfils(mech: Mechanism, step: Newton, before: Places, state: NDArray[np.float64]) -> bool:
     """Whether every statement about the group's points, and what is known already, holds."""
     at = before | _places(mech, step, state)
-    told = [s for s in mech.branches if {s.point, *s.ref} <= set(at) and not {s.point, *s.ref} <= set(before)]
+    told = [s for s in mech.branches if set(s.letters) <= set(at) and not set(s.letters) <= set(before)]
     return all(margin(s, at) > 1e-9 * mech.scale for s in told)
 
 

@@ -1,7 +1,8 @@
-"""Dyads in closed form: two loci of an inner hinge (RRR, RRP, PRP, and with gears), RPR, and RPP.
+"""Dyads in closed form: two loci of an inner hinge (RRR, RRP, PRP, and with gears), and RPR.
 
 Every step places its links (`place`), then gives them rates (`move`), and says by how much it fails to close
-(`miss`). Where two assemblies exist, `sign` tells them apart over the whole motion.
+(`miss`). Where two assemblies exist, `sign` tells them apart at the problem's own position, and `changes` where they change
+sides; `fold` is 0 where they meet.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..mechanism.assur import Group
-from .loci import Line, Locus, Share
+from .changes import Changes
+from .loci import Arc, Line, Locus, Share
 from .run import Run
 from .state import Bodies, Body, Points, Reals, cross, dot
 from .telescope import Telescope, moved, placed, radius_of
@@ -27,6 +29,11 @@ def _root(square: Reals) -> Reals:
     return root
 
 
+def signs(step: Hinged | Swinging, run: Run) -> Reals:
+    """The sign of the assembly at every position of the run."""
+    return np.full(1, step.sign) if step.changes is None else step.sign * step.changes.signs(run.q)
+
+
 @dataclass(frozen=True, slots=True)
 class Hinged:
     """Inner joint R: it lies on the locus of link j and on the locus of link k; either may be a driven cylinder's end."""
@@ -36,6 +43,7 @@ class Hinged:
     k: Locus | Telescope
     joint: str
     sign: float = 1.0
+    changes: Changes | None = None
 
     @property
     def two(self) -> bool:
@@ -49,21 +57,34 @@ class Hinged:
         return {**placed(self.j, at, from_j, bodies, run), **placed(self.k, at, from_k, bodies, run)}
 
     def _meet(self, bodies: Bodies, run: Run, from_j: Points, from_k: Points) -> Points:
+        sign = signs(self, run)
         match self.j, self.k:
             case Line() as j, Line() as k:
-                return _line_line(from_j, j.direction(bodies), from_k, k.direction(bodies))
+                return line_line(from_j, j.direction(bodies), from_k, k.direction(bodies))
             case Line() as j, k:
-                return _arc_line(from_k, radius_of(k, run), from_j, j.direction(bodies), self.sign)
+                return _arc_line(from_k, radius_of(k, run), from_j, j.direction(bodies), sign)
             case j, Line() as k:
-                return _arc_line(from_j, radius_of(j, run), from_k, k.direction(bodies), self.sign)
+                return _arc_line(from_j, radius_of(j, run), from_k, k.direction(bodies), sign)
             case j, k:
-                return _arc_arc(from_j, radius_of(j, run), from_k, radius_of(k, run), self.sign)
+                return _arc_arc(from_j, radius_of(j, run), from_k, radius_of(k, run), sign)
 
     def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
         """w_j + λ_j d_j = w_k + λ_k d_k, then q_j + μ_j d_j = q_k + μ_k d_k."""
         own_j, own_k = bodies[self.j.link], bodies[self.k.link]
-        v_j, v_k, a_j, a_k = _shares(bodies, run, self.group.links, (self.j, own_j), (self.k, own_k))
+        v_j, v_k, a_j, a_k = shares(bodies, run, self.group.links, (self.j, own_j), (self.k, own_k))
         return {**moved(self.j, bodies, own_j, v_j, a_j), **moved(self.k, bodies, own_k, v_k, a_k)}
+
+    def fold(self, bodies: Bodies) -> Reals:
+        """Square of the sine between both arms, or between the arm and the guide's normal; 1 where a cylinder moves the hinge."""
+        match self.j, self.k:
+            case Arc() as j, Arc() as k:
+                ray = k.base(bodies) - j.base(bodies)
+                cosine = (j.size * j.size + k.size * k.size - dot(ray, ray)) / (2 * j.size * k.size)
+                return (1 - cosine) * (1 + cosine)
+            case (Arc() as arc, Line() as line) | (Line() as line, Arc() as arc):
+                sine = cross(line.direction(bodies), arc.base(bodies) - line.base(bodies)) / arc.size
+                return (1 - sine) * (1 + sine)
+        return np.ones(1)
 
     def miss(self, bodies: Bodies, run: Run) -> Reals:
         """Gap at the inner hinge (m)."""
@@ -78,7 +99,7 @@ class Hinged:
                 return np.asarray(np.maximum(apart - (one + two), np.abs(one - two) - apart))
 
 
-def _shares(
+def shares(
     bodies: Bodies, run: Run, links: tuple[str, ...], one: tuple[Locus | Telescope, Body], two: tuple[Locus | Telescope, Body]
 ) -> tuple[Share, Share, Share, Share]:
     """Velocity and acceleration of the common point by either locus: v_j, v_k, a_j, a_k."""
@@ -100,7 +121,7 @@ def _split(w: Points, d_j: Points, d_k: Points, inverse: Reals) -> tuple[Reals, 
     return (conj * d_k).imag * inverse, (conj * d_j).imag * inverse
 
 
-def _arc_arc(centre: Points, radius: Reals, other: Points, reach: Reals, sign: float) -> Points:
+def _arc_arc(centre: Points, radius: Reals, other: Points, reach: Reals, sign: Reals) -> Points:
     """C = O + D (a + ih), a = (r² - R² + D²) / 2D², h = ±√(r²/D² - a²); sign + is left of the ray O -> P."""
     ray = other - centre
     scale = 1 / dot(ray, ray)
@@ -109,7 +130,7 @@ def _arc_arc(centre: Points, radius: Reals, other: Points, reach: Reals, sign: f
     return centre + ray * (share + 1j * sign * height)
 
 
-def _arc_line(centre: Points, radius: Reals, base: Points, along: Points, sign: float) -> Points:
+def _arc_line(centre: Points, radius: Reals, base: Points, along: Points, sign: Reals) -> Points:
     """C = foot + e t, t = ±√(r² - g²), g the centre's distance from the line; sign + is ahead of the foot."""
     ahead = along.conj() * (centre - base)
     away = ahead.imag
@@ -117,7 +138,7 @@ def _arc_line(centre: Points, radius: Reals, base: Points, along: Points, sign: 
     return base + along * travel
 
 
-def _line_line(base: Points, along: Points, other: Points, across: Points) -> Points:
+def line_line(base: Points, along: Points, other: Points, across: Points) -> Points:
     """Intersection; NaN where the lines are parallel."""
     det = cross(along, across)
     travel = cross(other - base, across) / np.where(np.abs(det) < ROUND, np.nan, det)
@@ -147,14 +168,20 @@ class Swinging:
     size: float
     joint: str
     sign: float = 1.0
+    changes: Changes | None = None
     two: bool = True
 
     def reach(self, ray: Points) -> Reals:
-        """σ (m) from K - G."""
+        """|σ| (m) from K - G."""
         square = dot(ray, ray)
         if self.across:
             square = square * _root(1 - self.across * self.across / square) ** 2
-        return self.sign * np.sqrt(square)
+        return np.asarray(np.sqrt(square))
+
+    def fold(self, bodies: Bodies) -> Reals:
+        """(σ / size)²: 0 where the block's pin passes the guide's pivot, or the guide stands square to their line."""
+        here, there = self.ends(bodies)
+        return (dot(there - here, there - here) - self.across * self.across) / self.size**2
 
     def ends(self, bodies: Bodies) -> tuple[Points, Points]:
         """G and K."""
@@ -165,7 +192,7 @@ class Swinging:
         """u = (K - G) / (σ + ie) = (K - G) (σ - ie) / (K - G)²."""
         here, there = self.ends(bodies)
         ray = there - here
-        reach = self.reach(ray)
+        reach = signs(self, run) * self.reach(ray)
         unit = ray * (1 / (reach + 1j * self.across if self.across else np.where(reach, reach, np.nan)))
         return {
             self.guide: Body(self.guide_pin, here, unit * self.guide_unit),
@@ -193,45 +220,3 @@ class Swinging:
         """How far the block's pin is nearer to the guide's pivot than the guide's offset (m)."""
         here, there = self.ends(bodies)
         return abs(self.across) - np.abs(there - here)
-
-
-@dataclass(frozen=True, slots=True)
-class Crossed:
-    """RPP: link j keeps the angle of k's parent; k slides along j and along its own parent: two lines meet.
-
-    pivot: j's outer hinge on its parent, pin: on j; turn: unit of j's direction against k's. outer: the line of
-    a point of k on its parent; inner: the line of the same point on j.
-    """
-
-    group: Group
-    parent: str
-    pivot: complex
-    pin: complex
-    turn: complex
-    outer: Line
-    inner: Line
-    joint: str
-    sign: float = 1.0
-    two: bool = False
-
-    def place(self, bodies: Bodies, run: Run) -> dict[str, Body]:
-        """j about its pivot, k where the lines meet."""
-        unit = bodies[self.outer.parent].unit * self.outer.turn * self.turn
-        j = Body(self.pin, bodies[self.parent].point(self.pivot), unit)
-        both = {**bodies, self.inner.parent: j}
-        base = self.outer.base(both)
-        at = _line_line(base, self.outer.direction(both), self.inner.base(both), self.inner.direction(both))
-        return {self.inner.parent: j, self.outer.link: self.outer.body(at, base, both, run)}
-
-    def move(self, bodies: Bodies, run: Run) -> dict[str, Body]:
-        """One ω for all; two sliding speeds from w_o + λ_o d_o = w_i + λ_i d_i."""
-        turning, parent = bodies[self.outer.parent], bodies[self.parent]
-        j = bodies[self.inner.parent].moving(
-            parent.velocity_of(self.pivot), turning.omega, parent.acceleration_of(self.pivot), turning.alpha)
-        both, own = {**bodies, self.inner.parent: j}, bodies[self.outer.link]
-        v, _, a, _ = _shares(both, run, self.group.links, (self.outer, own), (self.inner, own))
-        return {self.inner.parent: j, self.outer.link: self.outer.moving(both, own, v, a)}
-
-    def miss(self, bodies: Bodies, run: Run) -> Reals:
-        """Parallel guides never meet."""
-        return np.full(1, np.inf)

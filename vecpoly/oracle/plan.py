@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -13,12 +13,17 @@ from ..mechanism.gearing import misfit
 from ..mechanism.mobility import check
 from ..mechanism.model import FRAME, Mechanism, Rolling
 from ..words import Words
+from .across import across
 from .branches import check_letters, choose, confirm
+from .changes import Changes, touches
 from .drive import Driver, driver
-from .feasible import Closes, Ranges, Spans, alone, refusal, scan, spans
+from .dyads import Hinged, Swinging
+from .feasible import SEARCHED, Closes, Ranges, Spans, alone, refusal, scan, spans
 from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
 from .steps import Step, is_followed, step_for
+
+TIGHT = 1e-5  # square of the sine of a folded dyad below which its change points are looked for
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +52,15 @@ class Plan:
 
         Raises AssemblyError or DeadPointError at the first failing position, or gives NaN where not strict.
         """
+        drive = self.mech.drive
+        changes = [step.changes for step in self.steps if isinstance(step, Hinged | Swinging) and step.changes is not None]
+        if not changes:
+            return self._bodies(asked, order, strict)
+        found = across(changes, asked, drive, self.mech.scale, lambda q: self._bodies(q, order, strict))
+        return found | {one.drive.link: one.body(asked) for one in self.drivers if one.drive is drive}
+
+    def _bodies(self, asked: Reals, order: int, strict: bool) -> dict[str, Body]:
+        """The same, as each position alone gives it: without digits beside a change point."""
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             run, bodies = self.start(asked, strict)
             for step in self.steps:
@@ -92,11 +106,35 @@ class Plan:
         """Ranges of the drive (rad, or m) in which everything closes."""
         return spans(self.closes(), self.mech.drive, self.mech.scale)
 
+    def fold(self, step: Hinged | Swinging, q: Reals) -> Reals:
+        """How far a further step is from a change point at these positions."""
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            run, bodies = self.start(q, strict=False)
+            for known in self.steps:
+                bodies |= known.place(bodies, run)
+            return np.broadcast_to(step.fold(bodies), q.shape)
+
+    @property
+    def is_tight(self) -> bool:
+        """Whether a dyad stands so near a change point at the own position that few digits of its rates are left."""
+        own = np.array([self.mech.drive.position])
+        return any(isinstance(step, Hinged | Swinging) and step.two and bool(self._before(i).fold(step, own)[-1] < TIGHT)
+                   for i, step in enumerate(self.steps) if not any(map(is_followed, self.steps[: i + 1])))
+
+    @property
+    def has_changes(self) -> bool:
+        """Whether a dyad has change points (known of a plan for all positions alone)."""
+        return any(isinstance(step, Hinged | Swinging) and step.changes is not None for step in self.steps)
+
+    def _before(self, i: int) -> Plan:
+        """The steps before the i-th, none of which needs a path."""
+        return replace(self, steps=self.steps[:i], followed=False)
+
     def closes(self) -> Closes:
         """Whether everything closes, as a function of the drive's positions."""
 
         def closes(q: Reals) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
-            bodies = self.bodies(q, order=0, strict=False)
+            bodies = self._bodies(q, 0, False)
             sound = np.ones(q.shape, bool)
             for body in bodies.values():
                 sound &= ~np.isnan(body.at)
@@ -129,6 +167,27 @@ def build(mech: Mechanism) -> Plan:
     return replace(empty, steps=tuple(chosen))
 
 
+def through(plan: Plan) -> Plan:
+    """The plan with the change points of every dyad, at which its assembly passes to the other side.
+
+    They come again with every turn of the drive; behind a dyad that has an odd number of them, with every second turn.
+    """
+    drive, scale = plan.mech.drive, plan.mech.scale
+    if drive.between:  # a cylinder's stroke, on which no link turns round
+        return plan
+    low, span = (drive.position - SEARCHED * scale, 2 * SEARCHED * scale) if drive.slide else (drive.position, 2 * np.pi)
+    steps: list[Step] = []
+    for step in plan.steps:
+        if is_followed(step):
+            break
+        if isinstance(step, Hinged | Swinging) and step.two:
+            before = replace(plan, steps=tuple(steps), followed=False)  # these know of their own change points
+            places = touches(partial(before.fold, step), low, low + span, scale if drive.slide else 1.0)
+            if places:
+                step = replace(step, changes=Changes(drive.position, places, None if drive.slide else span))
+                span *= 1 if drive.slide or len(places) % 2 == 0 else 2
+        steps.append(step)
+    return replace(plan, steps=(*steps, *plan.steps[len(steps):]))
 def _check_gears(mech: Mechanism) -> None:
     """AssemblyError where links hold gears at a distance that their radii do not fit."""
     for joint in mech.joints:
@@ -156,6 +215,12 @@ def _kept(key: _Same) -> Plan:
     return build(key.mech)
 
 
-def plan_for(mech: Mechanism) -> Plan:
-    """The plan of the mechanism, built once for every mechanism object."""
-    return _kept(_Same(mech))
+@lru_cache(maxsize=32)
+def _whole(key: _Same) -> Plan:
+    return through(_kept(key))
+
+
+def plan_for(mech: Mechanism, own: bool = False) -> Plan:
+    """The plan of the mechanism, built once for every mechanism object. own: for its own position alone."""
+    here = _kept(_Same(mech))
+    return here if own and not here.is_tight else _whole(_Same(mech))

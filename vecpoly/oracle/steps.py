@@ -7,16 +7,18 @@ import numpy as np
 from ..mechanism.assur import Dyad, Group, is_held
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from ..mechanism.rams import Ram, drives_within
+from .crossed import Crossed
 from .driven import driven
-from .dyads import Crossed, Hinged, Swinging
+from .dyads import Hinged, Swinging
 from .loci import Arc, Locus, roll, slide
 from .newton import Newton
 from .off_centre import crossing
+from .parallel import Parallel
 from .rows import row
 from .standing import standings, start_of
 from .telescope import Telescope, telescope
 
-Step = Hinged | Swinging | Crossed | Newton
+Step = Hinged | Swinging | Crossed | Parallel | Newton
 
 
 def step_for(mech: Mechanism, group: Group) -> Step:

@@ -10,8 +10,9 @@ from ..errors import FaultError
 from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Revolute
 from ..units import Dim, Quantity, read
 from ..words import Words
+from .bodies import Bodies
 from .faults import meant
-from .joints import LINK, Bodies
+from .guides import LINK
 from .problem import Datum
 from .schema import InputSpec
 

@@ -10,23 +10,25 @@ from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
 from ..mechanism.centre_quantities import centre_quantities
 from ..mechanism.loads import Loads
-from ..mechanism.model import Drive, Joint, Mechanism, SideOf
+from ..mechanism.model import Drive, Joint, Mechanism, Shaped, Statement
 from ..mechanism.quantities import quantities
 from ..mechanism.seats import seated
 from ..names import At, Named, is_centre
 from ..units import Dim, read
 from ..words import Words
 from .asks import Ask, AskNamed
+from .bodies import Bodies
+from .branches import check_figure, read_branch
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
 from .draft import LETTER, refuse_frame
 from .faults import Faults, Place, meant
 from .friction import read_friction
-from .joints import Bodies, read_joint, revolutes
+from .joints import read_joint, revolutes
 from .links import read_link
 from .loads import acts, data_of_loads, read_loads
 from .masses import read_masses
-from .motion import numbered, read_branch, read_input
+from .motion import numbered, read_input
 from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
 from .rollers import weld_rollers
@@ -164,11 +166,14 @@ def _inputs(
     return tuple(drives), tuple(motion)
 
 
-def _branches(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[SideOf, ...]:
+def _branches(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Statement, ...]:
     branches = []
     for i, text in enumerate(spec.branch):
         with faults.at("branch", i):
-            branches.append(read_branch(text, (*bodies.letters(), *bodies.pitch)))
+            statement = read_branch(text, (*bodies.letters(), *bodies.pitch))
+            if isinstance(statement, Shaped):
+                check_figure(statement, bodies)
+            branches.append(statement)
     return tuple(branches)
 
 

@@ -8,8 +8,9 @@ import re
 from ..errors import FaultError
 from ..mechanism.model import Circle, Contact, Joint, Prismatic, Rack, Side
 from ..words import Words
+from .bodies import Bodies
 from .draft import LETTER, Draft
-from .joints import LINK, Bodies
+from .guides import LINK
 from .problem import Shape
 
 _TOUCHES = re.compile(

@@ -78,7 +78,7 @@ def ends_of(word: str) -> tuple[str, str]:
 
 def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
     """Base letters, start and unit vector of a ray: 'BC', or along the link's guide line 'B' or 'line'."""
-    line = draft.line or (Line(0j, 0.0, next(iter(draft.points))) if len(draft.points) == 1 else None)
+    line = draft.line or (Line(0j, 0.0, next(iter(draft.points))) if len(draft.points) == 1 or draft.shape is Shape.BLOCK else None)
     first, second = (word, "") if ONE.fullmatch(word) or word == "line" else letters_of(word)
     if word == "line":
         first = line.through if line else ""

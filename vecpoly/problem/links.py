@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import cmath
-import re
 from collections.abc import Callable, Mapping
 from functools import partial
 
@@ -11,7 +10,7 @@ from ..errors import FaultError
 from ..mechanism.model import Circle
 from ..units import Dim, positive, read
 from ..words import Words
-from .draft import ANGLE_FROM, LETTER, ONE, TWO, Draft, Line, letters_of, ray
+from .draft import ANGLE_FROM, ONE, TWO, Draft, Line, letters_of, ray
 from .faults import meant
 from .places import aside, place
 from .problem import Shape
@@ -19,6 +18,7 @@ from .source import Value
 from .starts import read_start
 
 _SINGLE = {"block": Shape.BLOCK, "slot": Shape.SLOT, "rod": Shape.ROD, "cylinder": Shape.CYLINDER, "piston": Shape.PISTON, "gear": Shape.GEAR, "rack": Shape.ROD, "disc": Shape.BAR, "face": Shape.BAR}
+_LINED = ("slot", "rod")  # what has a line of its own, through its pin or beside it
 _PLACED = ("gear", "rack", "disc", "face")  # what may name a point that is set out further on
 LINK_KEYS = (*_SINGLE, "radius", "phi", "s")
 
@@ -33,17 +33,10 @@ def read_link(name: str, data: Value) -> Draft:
     for key in data:
         _known(key)
     _base(draft, data)
-    slot_early = isinstance(data.get("slot"), dict) and _drawn_from_base(draft, data["slot"])
-    if slot_early:
-        _within("slot", lambda: _slot(draft, data["slot"]))
     early = "face" in data and _through(data["face"]) in draft.points
     if early:
         _within("face", lambda: _face(draft, data["face"]))
-    for key, value in data.items():
-        if ONE.fullmatch(key):
-            _within(key, partial(place, draft, key, value))
-    if isinstance(data.get("slot"), dict) and not slot_early:
-        _within("slot", lambda: _slot(draft, data["slot"]))
+    _set_out(draft, data)
     if "rack" in data:
         _within("rack", lambda: _rack(draft, data["rack"]))
     if "face" in data and not early:
@@ -53,20 +46,38 @@ def read_link(name: str, data: Value) -> Draft:
     return draft
 
 
-def _drawn_from_base(draft: Draft, slot: Mapping[str, Value]) -> bool:
-    """Whether the slot's line depends on no point that is set out further on, so that such points may be told from it."""
-    m = ANGLE_FROM.fullmatch(str(slot.get("angle", "")))
-    named = {str(slot.get("through")), *(re.findall(LETTER, m[2]) if m and m[2] != "line" else ())}
-    return named <= set(draft.points)
-
-
 def _through(data: Value) -> str:
     """The letter of `face: C` or `face: {through: C}`."""
     return str(data.get("through")) if isinstance(data, dict) else str(data)
 
 
-def _slot(draft: Draft, data: Mapping[str, Value]) -> None:
-    draft.line = _line(draft, data, "slot")
+def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
+    """Further points and the link's own line: each as soon as there is what it is set out from."""
+    waiting: dict[str, Callable[[], None]] = {}
+    for key, value in data.items():
+        if ONE.fullmatch(key):
+            waiting[key] = partial(place, draft, key, value)
+        elif key in _LINED and isinstance(value, dict):
+            waiting[key] = partial(_own_line, draft, key, value)
+    while waiting:
+        done = [key for key, act in waiting.items() if _succeeds(act)]
+        if not done:  # nothing gets any further: the faults are told in their order
+            for key, act in waiting.items():
+                _within(key, act)
+        waiting = {key: act for key, act in waiting.items() if key not in done}
+
+
+def _succeeds(act: Callable[[], None]) -> bool:
+    try:
+        act()
+    except FaultError:
+        return False
+    return True
+
+
+def _own_line(draft: Draft, key: str, data: Mapping[str, Value]) -> None:
+    """The line of a slot or a rod that passes at an angle, or beside a point."""
+    draft.line = _line(draft, data, key)
 
 
 def _rack(draft: Draft, data: Value) -> None:
@@ -130,9 +141,9 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             raise FaultError(Words(
                 f"点“{letter}”不在构件 {draft.name} 上",
                 f"point '{letter}' is not on link {draft.name}"), key, code="unknown-name")
-        if key in ("slot", "rod", "cylinder"):
+        if key in (*_LINED, "cylinder"):
             draft.line = Line(draft.points[letter], 0.0, letter)
-    for key in ("slot", "rack", "face"):
+    for key in (*_LINED, "rack", "face"):
         led = data.get(key)
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
             draft.shape, draft.points[str(led["through"])] = _SINGLE[key], 0j
@@ -160,7 +171,7 @@ def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
 
 
 def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
-    """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, or of a face."""
+    """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, of a rod or of a face."""
     for key in data:
         if key not in ("through", "angle", "left", "right"):
             raise FaultError(Words(

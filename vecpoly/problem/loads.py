@@ -9,8 +9,8 @@ from ..mechanism.loads import Force, Load, Loads, Mass, Moment
 from ..mechanism.model import FRAME
 from ..units import Dim, Quantity, read, unit_of
 from ..words import Words
+from .bodies import Bodies
 from .faults import Faults, meant
-from .joints import Bodies
 from .motion import sense_only
 from .problem import Datum
 from .schema import LoadSpec, ProblemSpec

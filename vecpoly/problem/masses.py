@@ -11,9 +11,9 @@ from ..mechanism.loads import Mass, Rod
 from ..mechanism.model import FRAME, ByOffsets
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
+from .bodies import Bodies
 from .draft import Draft, letters_of
 from .faults import Faults, not_on_link
-from .joints import Bodies
 from .loads import frame_number, written
 from .places import place
 from .problem import Datum

@@ -7,55 +7,21 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
-from ..mechanism.model import FRAME, Drive, Joint, Prismatic, Side, SideOf
+from ..mechanism.model import FRAME, Drive, Joint, Prismatic
 from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .between import is_between, read_between
+from .bodies import Bodies
 from .draft import LETTER, Draft, letters_of
 from .faults import meant
-from .joints import Bodies
 from .problem import Datum, Shape
 from .schema import InputSpec, ProblemSpec
 
 _FROM = re.compile(rf"(.+?)\s+from\s+({LETTER}{LETTER})")
-_BRANCH = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
-_BRANCH_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
-BRANCHES = (_BRANCH, _BRANCH_ZH)  # for editors too
 _CCW, _CW = (1.0, Words("逆时针", "counter-clockwise")), (-1.0, Words("顺时针", "clockwise"))
 _TURNS = {**dict.fromkeys(("ccw", "counter-clockwise", "counterclockwise", "逆时针"), _CCW), **dict.fromkeys(("cw", "clockwise", "顺时针"), _CW)}
-_SIDES = {
-    "left of": Side.LEFT,
-    "right of": Side.RIGHT,
-    "above": Side.ABOVE,
-    "below": Side.BELOW,
-    "左": Side.LEFT,
-    "右": Side.RIGHT,
-    "上": Side.ABOVE,
-    "下": Side.BELOW,
-}
-
-
-def read_branch(text: str, letters: Iterable[str]) -> SideOf:
-    """'C left of BD', 'C above AD', 'F left of E', 'C 在 AD 上方'."""
-    if m := _BRANCH.fullmatch(text.strip()):
-        point, side, first, second = m[1], m[2], m[3], m[4]
-    elif m := _BRANCH_ZH.fullmatch(text.strip()):
-        point, side, first, second = m[1], m[4], m[2], m[3]
-    else:
-        raise FaultError(Words(
-            f"“{text}”不是装配方式的写法；如写“C above AD”“C left of BD”“F left of E”或“C 在 AD 上方”",
-            f"'{text}' is no branch; write e.g. 'C above AD', 'C left of BD', 'F left of E' or 'C 在 AD 上方'"), code="spelling")
-    ref = (first, second) if second else (first,)
-    known = set(letters)
-    for letter in (point, *ref):
-        if letter not in known:
-            raise FaultError(Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
-    if len({point, *ref}) < 1 + len(ref):
-        raise FaultError(Words(f"'{text}'：同一点出现两次，没有左右可分；请写三个不同的点，如 C left of BD",
-                               f"'{text}' names one point twice, and so no side of anything; name different points, e.g. C left of BD"), code="contradiction")
-    return SideOf(point=point, side=_SIDES[side], ref=ref)
 
 
 def read_input(spec: InputSpec, bodies: Bodies, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
@@ -108,7 +74,7 @@ def _rate(name: str, text: str | None) -> tuple[float, Datum]:
 def _turning(
     spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]
 ) -> tuple[Drive, tuple[Datum, ...]]:
-    pivot = next((letter for letter in draft.points if letter in bodies.frame), None)
+    pivot = next((letter for letter in draft.points if letter in bodies.frame), None)  # other links may be pinned there too
     if pivot is None:
         raise FaultError(
             Words(

@@ -8,10 +8,10 @@ from dataclasses import replace
 
 from ..errors import FaultError
 from ..words import Words
+from .bodies import Bodies
 from .contacts import is_contact
 from .draft import Draft
 from .faults import Faults
-from .joints import Bodies
 from .schema import InputSpec, ProblemSpec
 
 

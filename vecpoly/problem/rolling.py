@@ -10,9 +10,10 @@ from ..errors import FaultError
 from ..mechanism.model import FRAME, Circle, Rack, Rolling, Side
 from ..units import positive
 from ..words import Words
+from .bodies import Bodies
 from .draft import LETTER
 from .faults import not_on_frame
-from .joints import LINK, Bodies, fixed_line
+from .guides import LINK, fixed_line
 
 _SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
 _ROLLS = re.compile(

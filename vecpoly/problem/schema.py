@@ -120,7 +120,7 @@ class ProblemSpec(Spec):
     extends: str | None = Field(None, description="id or path of a problem whose data are taken over")
     source: Text | None = None
     statement: Text = Words.same("")
-    frame: dict[str, Pair] = Field(min_length=1)
+    frame: dict[str, Pair]
     links: dict[str, Link] = Field(min_length=1)
     joints: list[str] = []
     input: InputSpec | list[InputSpec]

@@ -8,8 +8,9 @@ from ..errors import FaultError
 from ..mechanism.loads import Force
 from ..units import Dim, read
 from ..words import Words
+from .bodies import Bodies
 from .faults import meant
-from .joints import LINK, Bodies
+from .guides import LINK
 from .problem import Shape
 from .schema import LoadSpec
 

@@ -14,9 +14,9 @@ from ..names import At, Key, Kind, Named, Rel, parse_rel
 from ..units import Dim, pure, read, unit_of
 from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
+from .bodies import Bodies
 from .draft import letters_of
 from .faults import meant
-from .joints import Bodies
 from .problem import Printed, Scales
 from .schema import FindSpec, PrintedSpec, ScalesSpec
 from .spelling import did_you_mean, intended

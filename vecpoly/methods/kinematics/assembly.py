@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import assert_never
 
 from ...errors import AssemblyError, DeadPointError
 from ...mechanism.branch import margin, nearer
-from ...mechanism.model import FRAME, Side, SideOf
+from ...mechanism.model import FRAME, Shaped, Side, SideOf, Statement
 from ...plane import Points, nominal
 from ...words import Words
 from ..desk import Desk
 
 HAIR = 1e-7  # of the mechanism's size: meeting points nearer than this are one point
 _SIDE = {"left": "左侧", "right": "右侧", "above": "上方", "below": "下方"}
+_EN = {"left": "to the left of", "right": "to the right of", "above": "above", "below": "below"}
 
 
-def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, Points]) -> tuple[Points, SideOf | None]:
+def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, Points]) -> tuple[Points, Statement | None]:
     """The meeting point that fulfils the statements about this group, and the statement that decided.
 
     Raises AssemblyError when both or neither do: the text says which words would help.
@@ -29,7 +31,7 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     drawn = {name: complex(nominal(p)) for name, p in desk.at.items()}
     trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
     new = set(trials[0]) - set(drawn)
-    about = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(trials[0]) and {s.point, *s.ref} & new]
+    about = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
     holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
     fits = [all(held) for held in holds]
     if all(fits) and (near := nearer(*_in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
@@ -46,17 +48,19 @@ def _in_metres(desk: Desk, trials: list[dict[str, complex]]) -> tuple[Mapping[st
     return desk.mech.guesses, one, two
 
 
-def said(statement: SideOf | None) -> Words:
+def said(statement: Statement | None) -> Words:
     """The deciding statement in words."""
-    if statement is None:
-        return Words("（取靠近所给大致位置的一点）", " (of the two, the one near the rough place given)")
-    beside = statement.side in (Side.LEFT, Side.RIGHT)
-    ref = ("→" if beside else "").join(statement.ref)
-    return Words(f"（取 ${statement.point}$ 在 ${ref}$ {_SIDE[statement.side]}的一点）", f" (of the two, ${statement.point}$ {_en(statement)} ${ref}$)")
-
-
-def _en(statement: SideOf) -> str:
-    return {"left": "to the left of", "right": "to the right of", "above": "above", "below": "below"}[statement.side]
+    match statement:
+        case None:
+            return Words("（取靠近所给大致位置的一点）", " (of the two, the one near the rough place given)")
+        case SideOf(point=point, side=side):
+            ref = ("→" if side in (Side.LEFT, Side.RIGHT) else "").join(statement.ref)
+            return Words(f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一点）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)")
+        case Shaped(form=form):
+            corners = "".join(statement.corners)
+            return Words(f"（取 ${corners}$ 为{form.words.zh}的一点）", f" (of the two, the one that makes ${corners}$ {form.words.en})")
+        case _:
+            assert_never(statement)
 
 
 def _with_point(
@@ -74,7 +78,7 @@ def _with_point(
     return known
 
 
-def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[SideOf]) -> Words:
+def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[Statement]) -> Words:
     others = [p for name in links for p in desk.mech.link(name).points if p != point and p in desk.at][:2]
     line = "".join(others) if len(others) == 2 else (others[0] if others else "A")
     problem = Words("相互矛盾或未指明一侧", "contradict each other or name no side") if about else Words("没有涉及它", "say nothing of it")

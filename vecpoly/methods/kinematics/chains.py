@@ -16,11 +16,11 @@ _STILL = Turn(0.0, never=True)
 
 def turning_chain(desk: Desk, view: View, at: At, about: str, link: str) -> tuple[Term, ...]:
     """Over a turning link: v_P + v_CP, or a_P + a^n_CP + a^t_CP; P falls away where it is fixed."""
-    ref = ref_at(desk, view, about, link)
+    ref = ref_at(desk, view, At(about), link)
     front = () if ref is None else (known(desk, view, ref),)
     if view is View.VELOCITY:
         return (*front, across(desk, Rel(Kind.V, desk.canonical(at), ref), about, at.point))
-    return (*front, normal(desk, at, about, link), tangential(desk, at, about, link))
+    return (*front, normal(desk, at, At(about), link), tangential(desk, at, At(about), link))
 
 
 def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, parent: str) -> tuple[Term, ...]:

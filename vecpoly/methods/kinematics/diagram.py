@@ -52,6 +52,7 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
         desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)))
     for late in _late_guides(desk, links):
         body, shape = desk.mech.link(late.guide), shapes.get(late.guide, Shape.SLOT)
+        shape = Shape.SLOT if shape is Shape.BAR and _is_slot(desk, body, late) else shape
         desk.board.mark(View.MECHANISM, *_guide_body(desk, body, late, shape))
         if len(body.points) == 1:
             desk.board.mark(View.MECHANISM, _number(desk, body, shape, late))
@@ -135,6 +136,8 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
             yield from _guide_body(desk, body, guide, shape)
     elif len(spots) >= 2 and shape is not Shape.BLOCK:
         yield from bar(spots)
+        if guide is not None and _is_slot(desk, body, guide) and (guide.block == FRAME or guide.block in desk.pose):
+            yield from _guide_body(desk, body, guide, Shape.SLOT)
     if spots and shape is not Shape.BLOCK:
         if len(spots) > 1 or guide is None or guide.pin in desk.at:
             yield _number(desk, body, shape, guide)
@@ -143,17 +146,14 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
 
 
 def _number(desk: Desk, body: Link, shape: Shape, guide: Prismatic | None) -> LinkNumber:
-    """The number of a link beside its line."""
+    """The number of a link beside its line, which is its guide where it has one."""
     spots = [_spot(desk, p) for p in body.points]
-    return LinkNumber(a=spots[0], b=_other_end(desk, shape, guide, spots), number=body.name)
-
-
-def _other_end(desk: Desk, shape: Shape, guide: Prismatic | None, spots: list[complex]) -> complex:
-    """The far end of the line beside which a link's number stands: along its guide where it has one."""
+    a, b = spots[0], spots[1] if len(spots) > 1 else spots[0]
     if shape in (Shape.SLOT, Shape.ROD) and guide is not None and guide.pin in desk.at:
-        along = complex(nominal(desk.guide_line(guide).along))
-        return spots[0] + along * float((np.conj(along) * (_spot(desk, guide.pin) - spots[0])).real)
-    return spots[1] if len(spots) > 1 else spots[0]
+        line = desk.guide_line(guide)
+        at, along = complex(nominal(line.at)), complex(nominal(line.along))
+        a, b = (at + along * float((np.conj(along) * (spot - at)).real) for spot in (spots[0], _spot(desk, guide.pin)))
+    return LinkNumber(a=a, b=b, number=body.name)
 
 
 def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Iterator[Mark]:
@@ -166,7 +166,6 @@ def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Itera
 
     pin = _spot(desk, joint.pin) if joint.pin in desk.at else at
     own = [_spot(desk, p) for p in body.points]
-    on_line = [travel(p) for p in own if abs((np.conj(along) * (p - at)).imag) < 0.3]
     t = travel(pin)
     if shape is Shape.SLOT:
         start, end = at + along * (t - HALF_SLOT), at + along * (t + HALF_SLOT)
@@ -180,13 +179,22 @@ def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Itera
             if off > 3:
                 yield weld(near, p - near, pin - near)
         return
-    back, ahead = min([*on_line, t - BEYOND]), max([*on_line, t + BEYOND])
-    yield Segment(a=at + along * (back if on_line and back in on_line else t - BEYOND), b=at + along * ahead, role=Role.LINK)
+    feet = [travel(p) for p in own]
+    yield Segment(a=at + along * min(*feet, t - BEYOND), b=at + along * max(*feet, t + BEYOND), role=Role.LINK)
     for p in own:
         if abs((np.conj(along) * (p - at)).imag) >= 0.3:
             foot = at + along * travel(p)
             yield Segment(a=foot, b=p, role=Role.LINK)
             yield weld(foot, p - foot, pin - foot)
+
+
+def _is_slot(desk: Desk, body: Link, joint: Prismatic) -> bool:
+    """Whether a bar guides its block beside its own line, or beyond its ends: then it has a slot there."""
+    line, pin = desk.guide_line(joint), _spot(desk, joint.pin) if joint.pin in desk.at else None
+    at, along = complex(nominal(line.at)), complex(nominal(line.along))
+    places = [np.conj(along) * (_spot(desk, p) - at) for p in body.points]
+    travels = [float(place.real) for place in places if abs(place.imag) < 0.3]
+    return pin is not None and (len(travels) < 2 or not min(travels) < float((np.conj(along) * (pin - at)).real) < max(travels))
 
 
 def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> Iterator[Mark]:

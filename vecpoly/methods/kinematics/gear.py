@@ -53,7 +53,7 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
                           f"Pitch point ${h}$: both bodies have one tangential acceleration there, their accelerations differ along the common normal alone; for $α_{gear}$:"), view)
     rel = Rel(Kind.AT, own, None if rest else At(c))
     tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
-    left = (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, c, gear), tangent)
+    left = (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)
     eq = Equation(left=left, right=(*base, along_normal(desk, joint, gear)), total=total(desk, view, own, len(left)) if base else "")
     closed = solve(desk, view, eq, own)
     angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", symbol(desk, rel))

@@ -14,7 +14,7 @@ from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
-from .terms import known, normal_of, symbol
+from .terms import known, normal, ref_at, symbol
 
 
 def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
@@ -41,7 +41,7 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
     elif len(held) >= 2:
         _by_image(desk, view, link, at, held)
     elif held:
-        _by_turning(desk, view, link, at, held[0])
+        _by_turning(desk, view, link, at, held[0][1])
 
 
 def found_tip(desk: Desk, view: View, at: At) -> Points:
@@ -99,19 +99,16 @@ def _in_line(desk: Desk, p: At, q: At, x: At) -> bool:
     return abs(float(cross(b - a, c - a))) < 1e-6 * abs(b - a) * abs(c - a)
 
 
-def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At]) -> None:
+def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
-    p, p_at = held
-    board = desk.board
-    label = desk.tip_label(view, at)
+    board, label = desk.board, desk.tip_label(view, at)
     board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
-    base = known(desk, view, p_at)
-    about_pole = p in desk.mech.frame and desk.at_rest(view, p_at)  # C_2 of link 2 that passes over the fixed point C moves
-    terms = list(_turning_terms(desk, view, link, at, p, None if about_pole else desk.canonical(p_at)))
+    rests = ref_at(desk, view, held, link) is None
+    terms = (*(() if rests else (known(desk, view, held),)), *_turning_terms(desk, view, link, at, held))
     rel = Rel(VECTOR[view], desk.canonical(at))
     left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
-    eq = Equation(left=(left,), right=tuple(terms) if about_pole else (base, *terms))
-    if not about_pole or len(terms) > 1:
+    eq = Equation(left=(left,), right=terms)
+    if len(terms) > 1:
         board.equate(eq.table())
     closed = close(board, view, 0j, eq)
     desk.tips[view, at] = closed.meeting
@@ -119,16 +116,17 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: tuple[str, At])
     board.plot(view, closed.meeting, label)
 
 
-def _turning_terms(desk: Desk, view: View, link: str, at: At, p: str, ref: At | None) -> tuple[Term, ...]:
-    x, to = at.point, desk.canonical(at)
+def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple[Term, ...]:
+    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides or rolls."""
+    p, x, ref = held.point, at.point, ref_at(desk, view, held, link)
     if view is View.VELOCITY:
-        return (_laid(desk, view, Rel(Kind.V, to, ref), link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
-    start = desk.start_label(View.ACCELERATION, ref or At(p))
-    n = normal_of(desk, Rel(Kind.AN, to, ref), p, link, (start, f"n_{link}^′"))
+        rel = Rel(Kind.V, desk.canonical(at), ref)
+        return (_laid(desk, view, rel, link, p, x, f"$ω_{link} l_{p}{x}$", desk.turns[omega(link)].value),)
+    n = normal(desk, at, held, link)
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)
-    return (n, _laid(desk, view, Rel(Kind.AT, to, ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
+    return (n, _laid(desk, view, Rel(Kind.AT, desk.canonical(at), ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
 
 
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:

@@ -5,16 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...board.construction import View
-from ...board.marks import Arc, Role
-from ...errors import AssemblyError
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic, Revolute
-from ...plane import Line, Points, distance, lines_meet, nominal, unit
+from ...plane import Line, Points
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
 from .assembly import choose, said
 from .cam import tangent_words
+from .parallelogram import step_off
 
 _SOURCE = "机械原理, kinematic diagrams by Assur groups"
 
@@ -24,6 +23,8 @@ _SOURCE = "机械原理, kinematic diagrams by Assur groups"
 def position_rrr(desk: Desk, d: Dyad) -> None:
     """Two arcs: C is where the arc of l_j about P meets the arc of l_k about Q."""
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    if step_off(desk, d):
+        return
     c, p, q, board = d.inner.point, d.outer_j.point, d.outer_k.point, desk.board
     lengths = [abs(desk.body(li).points[c] - desk.body(li).points[o]) for li, o in ((d.link_j, p), (d.link_k, q))]
     bars = desk.bar(d.link_j, p, c), desk.bar(d.link_k, q, c)
@@ -63,36 +64,6 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
     desk.settle_turned(d.link_k, c, slider_axis(desk, d.outer_k, d.link_k, line))
 
 
-@method(stage=Stage.POSITION, group="RPR", source=_SOURCE, example="3-9",
-        title=Words("RPR 杆组的位置", "Position of an RPR group"))
-def position_rpr(desk: Desk, d: Dyad) -> None:
-    """The guide passes its pivot Q and leaves the block's pin P at the offset e: join QP, or draw the tangent from Q."""
-    joint = d.inner
-    assert isinstance(joint, Prismatic) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
-    pins = {d.link_j: d.outer_j.point, d.link_k: d.outer_k.point}
-    q, p = pins[joint.guide], pins[joint.block]
-    offset = desk.mm(desk.offset(joint, joint.block, p) - desk.offset(joint, joint.guide, q))
-    span = distance(desk.at[q], desk.at[p])
-    if float(nominal(span)) <= abs(offset) + 1e-9:
-        raise AssemblyError(Words(
-            f"构件 {joint.guide} 与 {joint.block}：图上 {q}{p} 长 {nominal(span):.3f} mm，不大于导路的偏距 {abs(offset):.3f} mm，导路方向不定",
-            f"links {joint.guide} and {joint.block}: {q}{p} is {nominal(span):.3f} mm on paper, not longer than the guide's offset of {abs(offset):.3f} mm, so the guide has no direction here"))
-    if (cam := tangent_words(desk, joint)) is not None:
-        words = cam + _tangent(q, p, offset)
-    elif abs(offset) < 1e-9:
-        words = Words(f"连接 ${q}$、${p}$，得构件 {joint.guide} 的导路方向。", f"Join ${q}$ and ${p}$: the guide of link {joint.guide}.")
-    else:
-        words = Words(f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向。",
-                      f"The tangent from ${q}$ to the circle about ${p}$ with the offset $e/μ_l$ as radius is the guide of link {joint.guide}.")
-    desk.board.step(words, View.MECHANISM)
-    direct = unit(desk.at[p] - desk.at[q]) * np.exp(-1j * np.arcsin(offset / span))
-    along = desk.board.hand.tilt(direct)
-    if abs(offset) > 1e-9:
-        _offset_circle(desk, q, p, abs(offset), along)
-    desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))
-    desk.settle_turned(joint.block, p, along * np.exp(1j * joint.turn))
-
-
 @method(stage=Stage.POSITION, group="PRP", source=_SOURCE, example="3-11",
         title=Words("PRP 杆组的位置", "Position of a PRP group"))
 def position_prp(desk: Desk, d: Dyad) -> None:
@@ -113,38 +84,28 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     inner, outer = d.inner, d.outer_k
     assert isinstance(d.outer_j, Revolute) and isinstance(inner, Prismatic) and isinstance(outer, Prismatic)
     b = d.outer_j.point
+    r = next(iter(desk.body(d.link_k).points))
     cam = tangent_words(desk, inner)
-    desk.board.step(
-        Words(f"构件 {d.link_k} 只能沿其导路移动：沿导路推移，使其导槽通过 ${b}$。",
-              f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$.") if cam is None else cam + Words("。", "."),
-        View.MECHANISM,
-    )
+    desk.board.step(_slid_words(d, inner, b, r) if cam is None else cam + Words("。", "."), View.MECHANISM)
     guide = desk.guide_line(outer)
     axis = slider_axis(desk, outer, d.link_k, guide)
     own = inner.direction if inner.guide == d.link_k else -inner.turn
     slot = axis * np.exp(1j * own)
-    r = next(iter(desk.body(d.link_k).points))
     path = desk.locus(outer, d.link_k, r)
     side = desk.mm(desk.offset(inner, d.link_j, b) - desk.offset(inner, d.link_k, r))
-    desk.at[r] = lines_meet(path, Line(desk.at[b] - 1j * slot * side, slot))
+    desk.at[r] = desk.board.meet(path, Line(desk.at[b] - 1j * slot * side, slot), f"guides of links {d.link_j} and {d.link_k}")
     desk.settle_turned(d.link_k, r, axis)
     desk.settle_turned(d.link_j, b, slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
 
 
-def _tangent(q: str, p: str, offset: float) -> Words:
-    """How the guide's direction is found for a flat face: the tangent from its pivot, or the line through it."""
-    if abs(offset) < 1e-9:
-        return Words(f"，即连线 ${q}{p}$。", f": the line ${q}{p}$.")
-    return Words(f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作圆，过 ${q}$ 作其切线，得平底的方向。",
-                 f": the tangent from ${q}$ to the circle about ${p}$ whose radius is the distance of that guide from ${q}$ gives the direction of the face.")
-
-
-def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> None:
-    """The circle of the offset about the pin, and the tangent to it from the guide's pivot."""
-    centre, pivot, way = (complex(nominal(z)) for z in (desk.at[p], desk.at[q], along))
-    foot = pivot + way * float((np.conj(way) * (centre - pivot)).real)
-    desk.board.mark(View.MECHANISM, Arc(centre=centre, radius=radius, start=0.0, sweep=2 * np.pi, role=Role.CONSTRUCTION))
-    desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)
+def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
+    """How the sliding link is found: its own slot brought over the pin, or the guide that is pinned there drawn in its direction."""
+    if inner.guide == d.link_k:
+        return Words(f"构件 {d.link_k} 只能沿其导路移动：沿导路推移，使其导槽通过 ${b}$。",
+                     f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$.")
+    return Words(f"构件 {d.link_j} 与 {d.link_k} 之间不能相对转动，其导路方向已定：过 ${b}$ 按此方向作构件 {d.link_j} 的导路，与构件 {d.link_k} 的另一导路相交，定出 ${r}$。",
+                 f"Links {d.link_j} and {d.link_k} cannot turn against each other, so the direction of the guide on link {d.link_j} is known: "
+                 f"drawn through ${b}$, it meets the other guide of link {d.link_k} and so gives ${r}$.")
 
 
 def slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
@@ -152,5 +113,3 @@ def slider_axis(desk: Desk, joint: Prismatic, link: str, line: Line) -> Points:
     turn = joint.turn if link == joint.block else -joint.direction
     axis: Points = line.along * np.exp(1j * turn)
     return axis
-
-

@@ -12,7 +12,7 @@ from ..desk import Desk
 from ..registry import Stage, method
 from .chains import coincident_tip, never_turns, sliding_chain, solve
 from .image import images_of_link
-from .rrr import opening
+from .rrr import opening, total
 from .terms import coriolis, known, sliding
 from .turning import same_turn
 
@@ -44,7 +44,8 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
     else:
         same_turn(desk, k, d.parent_k, view)
     led = sliding_chain(desk, view, to, base, d.outer_k, d.parent_k)
-    solve(desk, view, Equation(left=led, right=_from_block(desk, view, d, to)), to)
+    front = "" if len(led) == 1 else total(desk, view, to, 2)
+    solve(desk, view, Equation(left=led, right=_from_block(desk, view, d, to), total=front), to)
     if view is View.ACCELERATION and desk.turns[omega(k)].never:
         desk.board.remark(Words(f"构件 {k} 只作平动（$ω_{k}$ ≡ 0），不存在哥氏加速度。",
                                 f" Link {k} only translates ($ω_{k}$ ≡ 0): there is no Coriolis term."))

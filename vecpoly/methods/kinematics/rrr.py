@@ -13,6 +13,7 @@ from ..desk import QUANTITY, VECTOR, Desk
 from ..registry import Stage, method
 from .chains import letters, solve, turning_chain
 from .image import images_of_link
+from .parallelogram import is_parallelogram, move_parallelogram
 from .terms import ref_at, symbol
 from .turning import angular_acceleration, angular_velocity
 
@@ -35,6 +36,9 @@ def acceleration_rrr(desk: Desk, d: Dyad) -> None:
 
 def _hinge_group(desk: Desk, view: View, d: Dyad) -> None:
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    if is_parallelogram(desk, d):
+        move_parallelogram(desk, view, d)
+        return
     c = d.inner.point
     desk.board.step(opening(view, c, d.link_j, d.link_k), view)
     hinge_polygon(desk, view, c, (d.outer_j.point, d.link_j), (d.outer_k.point, d.link_k))
@@ -58,7 +62,7 @@ def total(desk: Desk, view: View, to: At, terms: int) -> str:
 
 def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: str) -> None:
     """ω (from v) or α (from a^t) of a link that turns about one of its hinges."""
-    ref = ref_at(desk, view, about, link)
+    ref = ref_at(desk, view, At(about), link)
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, desk.canonical(to), ref)
     if view is View.VELOCITY:
         angular_velocity(desk, link, about, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))

@@ -42,8 +42,18 @@ def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
 def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
     """A vector along the drawn guide, its magnitude unknown: v^r or a^r of a sliding pair."""
     name = guide_name(desk, joint)
+    if rel.ref is not None:
+        _note_slide(desk, joint, rel.to, rel.ref)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?",
                 along=desk.guide_line(joint).along)
+
+
+def _note_slide(desk: Desk, joint: Prismatic, to: At, ref: At) -> None:
+    """Remember under which key the relative motion of a sliding pair was drawn, and of which link against which."""
+    pair = joint.guide, joint.block
+    upper = to.link if to.link in pair else pair[pair.index(ref.link) - 1] if ref.link in pair else ""
+    if upper:
+        desk.slides[upper, pair[pair.index(upper) - 1]] = Rel(Kind.V, to, ref)
 
 
 def guide_name(desk: Desk, joint: Prismatic) -> Words:
@@ -61,10 +71,10 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
     return abs(desk.offset(joint, link, point)) < 1e-12
 
 
-def normal(desk: Desk, at: At, about: str, link: str) -> Term:
+def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
     rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
-    return normal_of(desk, rel, about, link, (desk.start_label(View.ACCELERATION, rel.ref), _n_tip(desk, link)))
+    return normal_of(desk, rel, about.point, link, (desk.start_label(View.ACCELERATION, rel.ref), _n_tip(desk, link)))
 
 
 def normal_of(desk: Desk, rel: Rel, about: str, link: str, ends: tuple[str, str]) -> Term:
@@ -82,9 +92,9 @@ def normal_of(desk: Desk, rel: Rel, about: str, link: str, ends: tuple[str, str]
                 mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else ends[1])
 
 
-def tangential(desk: Desk, at: At, about: str, link: str) -> Term:
+def tangential(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^t = α l: perpendicular to the line, magnitude unknown."""
-    return across(desk, Rel(Kind.AT, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link)), about, at.point)
+    return across(desk, Rel(Kind.AT, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link)), about.point, at.point)
 
 
 def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
@@ -133,12 +143,15 @@ def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Word
                  f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the Coriolis term ${sign}$.")
 
 
-def ref_at(desk: Desk, view: View, about: str, link: str) -> At | None:
-    """The reference point of a turning link, none where it is at rest: of a pitch point, whose accelerations differ, the link's own."""
-    own = At(about, link)
+def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
+    """The reference point of a turning link, none where it is a fixed pivot.
+
+    Of a pitch point, whose accelerations differ, it is the link's own; D2, a point of a link that slides over the pivot D, is no pivot.
+    """
+    own = At(about.point, link)
     if view is View.ACCELERATION and (view, own) in desk.tips:
         return own
-    return None if desk.at_rest(view, At(about)) else At(about)
+    return None if desk.at_rest(view, about) else desk.canonical(about)
 
 
 def _n_tip(desk: Desk, link: str) -> str:

@@ -8,10 +8,10 @@ from typing import Any
 
 from ...units import Dim
 from ...written import NUMBER, SENSE, pattern
+from ..branches import BRANCHES
 from ..contacts import FORMS as CONTACTS
-from ..joints import FORMS as JOINTS
-from ..motion import BRANCHES
 from ..rolling import FORMS as ROLLING
+from ..slides import FORMS as JOINTS
 
 Schema = dict[str, Any]
 _SYMBOL = (

@@ -11,7 +11,7 @@ from ....board.marks import Role, Segment
 from ....errors import AssemblyError, DeadPointError
 from ....mechanism.assur import Group
 from ....mechanism.branch import margin
-from ....mechanism.model import SideOf
+from ....mechanism.model import Statement
 from ....plane import Points
 from ....words import Words
 from ...desk import Desk
@@ -49,7 +49,7 @@ def position_class_iii(desk: Desk, group: Group) -> None:
         _draw_locus(desk, star, leg)
 
 
-def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, SideOf | None]:
+def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, Statement | None]:
     """The assembly that branch statements and guesses mean; raises AssemblyError where they mean none, or several."""
     if not options:
         raise AssemblyError(
@@ -63,7 +63,7 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
         )
     after = [places(desk, star, option) for option in options]
     new = set(after[0]) - set(desk.at)
-    told = [s for s in desk.mech.branches if {s.point, *s.ref} <= set(after[0]) and {s.point, *s.ref} & new]
+    told = [s for s in desk.mech.branches if set(s.letters) <= set(after[0]) and set(s.letters) & new]
     hair = HAIR * desk.mm(desk.mech.scale)
     fits = [k for k, at in enumerate(after) if all(margin(s, at) > hair for s in told)]
     guessed = {p: at * desk.mm(1.0) for p, at in desk.mech.guesses.items() if p in new}

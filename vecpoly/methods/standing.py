@@ -1,0 +1,97 @@
+"""Where an asked vector stands on the polygons: under its own key, as the opposite of another, or as that of the same sliding pair."""
+
+from __future__ import annotations
+
+from ..board.construction import View
+from ..errors import NoMethodError
+from ..names import Kind, Rel
+from ..plane import Points
+from ..quantity import Quantity
+from ..words import Words
+from .desk import Desk
+
+Standing = tuple[View, Points, Points, str]  # figure, start, end, letters
+
+
+def standing(desk: Desk, rel: Rel) -> Standing:
+    """Figure, start, end and letters of a vector; raises NoMethodError where the construction holds no such line.
+
+    v_BC is v_CB turned round, and so are all relative vectors. Two links of a sliding pair turn alike, so that v, a^k and a^r
+    of the one against the other are the same at every point.
+    """
+    found = _drawn(desk, rel) or _turned(_drawn(desk, _back(rel))) or _sliding(desk, rel)
+    if found is None:
+        raise NoMethodError(Words(f"图上没有作出 {rel.key}：现有图解法对此机构求不出此量",
+                                  f"{rel.key} was not drawn: no method on file gives it for this mechanism") + _instead(desk, rel), code="not-drawn")
+    return found
+
+
+def _instead(desk: Desk, asked: Rel) -> Words:
+    """What to ask instead: the vectors of its kind that were drawn."""
+    drawn = sorted(key for key in desk.ends if key.startswith(f"{asked.kind.value}_"))
+    return Words(f"；图上有 {', '.join(drawn)}", f"; drawn are {', '.join(drawn)}") if drawn else Words.same("")
+
+
+def computed(desk: Desk, rel: Rel) -> Quantity | None:
+    """The quantity itself where it was computed and laid off, of this vector or of its opposite: it is not read again."""
+    for one in (rel, _back(rel)):
+        if one is not None:
+            key = Rel(one.kind, desk.canonical(one.to), desk.canonical(one.ref) if one.ref else None).key
+            if key in desk.sizes:
+                return desk.sizes[key]
+    return None
+
+
+def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:
+    """The vector itself, or from the tips of both its points."""
+    if rel is None:
+        return None
+    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
+    if own.key in desk.ends:
+        view, start, end = desk.ends[own.key]
+        return view, start, end, _letters(desk, view, own)
+    view = View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
+    if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
+        start = 0j if own.ref is None else desk.tip(view, own.ref)
+        return view, start, desk.tip(view, own.to), _letters(desk, view, own)
+    whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
+    if rel.kind is Kind.AR and whole.key in desk.ends:
+        view, start, end = desk.ends[whole.key]
+        return view, start, end, _letters(desk, view, whole)
+    if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
+        return View.ACCELERATION, 0j, 0j, "—"
+    return None
+
+
+def _back(rel: Rel) -> Rel | None:
+    """v_CB for v_BC."""
+    return None if rel.ref is None else Rel(rel.kind, rel.ref, rel.to)
+
+
+def _turned(found: Standing | None) -> Standing | None:
+    if found is None:
+        return None
+    view, start, end, letters = found
+    return view, end, start, " ".join(reversed(letters.split()))
+
+
+def _sliding(desk: Desk, rel: Rel) -> Standing | None:
+    """A relative vector of a sliding pair, as it was drawn at another of its points."""
+    if rel.ref is None or rel.kind not in (Kind.V, Kind.AK, Kind.AR):
+        return None
+    ahead, back = (rel.to.link, rel.ref.link), (rel.ref.link, rel.to.link)
+    if ahead in desk.slides:
+        slide = desk.slides[ahead]
+        return _drawn(desk, Rel(rel.kind, slide.to, slide.ref))
+    if back in desk.slides:
+        slide = desk.slides[back]
+        return _turned(_drawn(desk, Rel(rel.kind, slide.to, slide.ref)))
+    return None
+
+
+def _letters(desk: Desk, view: View, rel: Rel) -> str:
+    end = desk.tip_label(view, rel.to)
+    if rel.kind in (Kind.V, Kind.A):
+        return f"{desk.start_label(view, rel.ref)} {end}"
+    k = desk.k_tip(Rel(Kind.AK, rel.to, rel.ref))
+    return {Kind.AN: "n′", Kind.AT: f"n′ {end}", Kind.AK: k, Kind.AR: f"{k} {end}"}[rel.kind]

@@ -1,0 +1,82 @@
+"""Change points: positions where the two assemblies of a dyad meet though the drive goes on, and how the motion goes through them.
+
+Between its change points a dyad keeps to one side; at each it passes to the other, for so, and only so, its motion is smooth:
+h = ±√f with f = c² (q - q*)² + ... goes on as c (q - q*).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .state import Reals
+
+Fold = Callable[[Reals], Reals]  # of the drive's positions: not below zero where links close, zero where two assemblies meet
+SAMPLES = 1440  # a turn
+LOW = 1e-2  # a sampled fold that is larger is near no change point
+TOUCHES = 1e-13  # a least fold from which rounding alone parts zero
+HALVINGS = 60
+BESIDE = (1e-3, 1e-5)  # of a turn over 2π, or of the scale: where the fold's root is taken to find where it vanishes
+_GOLDEN = (5**0.5 - 1) / 2
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """Change points of one dyad. own: the problem's own position; places: (rad or m), within a period above own where there is a period."""
+
+    own: float
+    places: tuple[float, ...]
+    period: float | None
+
+    def signs(self, q: Reals) -> Reals:
+        """+1 where an even number of change points lies between the own position and q, else -1."""
+        count = np.zeros(q.shape)
+        for place in self.places:
+            if self.period is not None:
+                count += np.floor((q - place) / self.period) + 1
+            else:
+                count += ((q - place) * (self.own - place) < 0)
+        return np.where(count % 2 == 0, 1.0, -1.0)
+
+    def nearest(self, q: Reals) -> Reals:
+        """The change point nearest to each position."""
+        places = np.array(self.places)
+        if self.period is None:
+            return np.asarray(places[np.abs(q[:, None] - places).argmin(axis=1)])
+        turned = places + self.period * np.round((q[:, None] - places) / self.period)
+        return np.asarray(np.take_along_axis(turned, np.abs(q[:, None] - turned).argmin(axis=1)[:, None], axis=1)[:, 0])
+
+
+def touches(fold: Fold, low: float, high: float, unit: float) -> tuple[float, ...]:
+    """Where the fold comes down to zero and goes up again, within low..high. unit: 1 of a turning drive (rad), the scale of a sliding one (m)."""
+    step = 2 * np.pi * unit / SAMPLES
+    q = np.asarray(low + step * (np.arange(round((high - low) / step) + 2) - 0.5), np.float64)
+    sampled = fold(q)
+    sampled = np.where(np.isfinite(sampled), sampled, np.inf)
+    least = np.flatnonzero((sampled[1:-1] <= sampled[:-2]) & (sampled[1:-1] < sampled[2:]) & (sampled[1:-1] < LOW)) + 1
+    if not least.size:
+        return ()
+    middle = _least(fold, q[least - 1], q[least + 1])
+    middle = middle[np.abs(fold(middle)) < TOUCHES]
+    for beside in BESIDE if middle.size else ():
+        middle = _root(fold, middle, beside * unit)
+    return tuple(float(place) for place in middle if low <= place < high)
+
+
+def _least(fold: Fold, low: Reals, high: Reals) -> Reals:
+    """Golden section, of all intervals at once."""
+    for _ in range(HALVINGS):
+        span = _GOLDEN * (high - low)
+        left, right = high - span, low + span
+        lower: NDArray[np.bool_] = np.asarray(fold(left) < fold(right))
+        low, high = np.where(lower, low, left), np.where(lower, right, high)
+    return np.asarray((low + high) / 2)
+
+
+def _root(fold: Fold, near: Reals, beside: float) -> Reals:
+    """Where the root of the fold, negative before and positive behind, passes through zero."""
+    before, behind = (np.sqrt(np.maximum(fold(near + way * beside), 0.0)) for way in (-1, 1))
+    return np.asarray(near + beside * (before - behind) / (before + behind))
