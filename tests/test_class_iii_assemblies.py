@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from texts import CLASS_III
+from texts import CLASS_III, CLASS_IV
 
 from vecpoly import loads, solve
 from vecpoly.board.construction import Step
@@ -14,20 +14,6 @@ from vecpoly.errors import AssemblyError, DeadPointError, NoMethodError
 from vecpoly.methods.plan import construct
 from vecpoly.solution import Solution
 
-CLASS_IV = """\
-id: iv
-title: class IV
-frame: {A: [0 mm, 0 mm], G: [200 mm, 0 mm]}
-links:
-  1: {AB: 40 mm}
-  2: {BC: 80 mm, D: {BD: 90 mm, CD: 70 mm, side: left of BC}}
-  3: {CE: 80 mm}
-  4: {DF: 80 mm}
-  5: {GE: 100 mm, F: {GF: 110 mm, EF: 70 mm, side: left of GE}}
-input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
-guesses: {C: [80 mm, 80 mm], D: [40 mm, 120 mm], E: [160 mm, 80 mm], F: [160 mm, 120 mm]}
-find: [v_C, omega_3]
-"""
 TWO_PLATES = """\
 id: two-plates
 title: two plates hinged together, each on two bars

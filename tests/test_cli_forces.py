@@ -126,7 +126,8 @@ def test_new_starts_from_a_problem_of_the_library(run: Run, tmp_path: Path) -> N
     assert run("new", "jack", "--like", "5-5").exit_code == 0
     assert json.loads(run("exact", "jack.yaml", "--json", "-").stdout)["id"] == "jack"
     assert run("new", "press", "--like", "4-3a").exit_code == 0
-    assert (tmp_path / "press.yaml").read_text("utf-8").startswith("id: press\n")
+    first, second = (tmp_path / "press.yaml").read_text("utf-8").splitlines()[:2]
+    assert first == "# yaml-language-server: $schema=vecpoly.schema.json" and second == "id: press"
     missing = run("new", "x", "--like", "9-99")
     assert missing.exit_code == 2 and "no problem '9-99'" in missing.stderr and not (tmp_path / "x.yaml").exists()
 

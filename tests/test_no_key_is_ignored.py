@@ -52,6 +52,18 @@ SLIDE = BASE.replace("  3: {CD: 80 mm}", "  3: {block: C}").replace(", D: [120 m
     "friction: {A: {rho: 2 mm}}", "friction: {A: {rho: 2 mm}, 3-4: {f: 0.1, V: 50 deg}}").replace("3: {rod: {diameter: 20 mm, density: 7800 kg/m^3, along: CD}}", "3: {mass: 1 kg}")
 CENTRES = BASE.partition("loads:")[0] + "method: centres\nfind: [omega_3, {point: E2, on: 2, slowest: BC}]\n"
 DRIVEN = SLIDE.replace("input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw, alpha: 3 rad/s^2}", "input: {link: 3, s: 110 mm, v: 0.5 m/s, a: 1 m/s^2}").replace("C right of B", "B above AC").replace("inertia: no", "inertia: yes")
+CYLINDER = """\
+id: t
+title: test
+frame: {A: [0 mm, 0 mm], D: [450 mm, -350 mm]}
+links: {1: {AC: 1150 mm}, 2: {cylinder: D}, 3: {piston: C}}
+joints: [3 slides in 2]
+input: {cylinder: 2-3, length: 900 mm, v: 0.12 m/s, a: 0 m/s^2}
+branch: [C left of AD]
+loads: {F_c: {cylinder: 2-3, size: "?"}, Q: {on: 1, at: C, size: 100 N, direction: -90 deg}}
+find: [omega_1, F_c]
+"""
+MOTOR = BASE.partition("loads:")[0].replace("{link: 1, phi: 60 deg", "{link: 3, on: 2, phi: 100 deg").replace("[C above AD]", "[C left of BD, B above AD]") + "find: [omega_3]\n"
 
 CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there, what stands there instead
     "id": (BASE, "id: t\n", "id: u\n"), "title": (BASE, "title: test", "title: other"), "source": (BASE, "source: here", "source: there"),
@@ -64,6 +76,8 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "pins": (BASE, "find:", "pins: {C: 3}\nfind:"), "tables": (BASE, "find:", "tables: [none.csv]\nfind:"), "extends": (BASE, "id: t\n", "id: t\nextends: none\n"),
     "input.link": (BASE, "link: 1", "link: 3"), "input.phi": (BASE, "phi: 60 deg", "phi: 61 deg"), "input.omega": (BASE, "10 rad/s", "11 rad/s"),
     "input.alpha": (BASE, "3 rad/s^2", "4 rad/s^2"), "input.s": (DRIVEN, "110 mm", "111 mm"), "input.v": (DRIVEN, "0.5 m/s", "0.6 m/s"), "input.a": (DRIVEN, "1 m/s^2", "2 m/s^2"),
+    "input.cylinder": (CYLINDER, "input: {cylinder: 2-3", "input: {cylinder: 1-3"), "input.length": (CYLINDER, "900 mm", "910 mm"), "input.on": (MOTOR, "on: 2", "on: 1"),
+    "load.cylinder": (CYLINDER, "F_c: {cylinder: 2-3", "F_c: {cylinder: 1-3"),
     "load.on": (BASE, "on: 3, at: C", "on: 2, at: C"), "load.at": (BASE, "at: C", "at: D"), "load.size": (BASE, "100 N", "200 N"), "load.direction": (BASE, "180 deg", "170 deg"),
     "load.role": (BASE, 'size: "?"', 'size: "?", role: resisting'),
     "friction.rho": (BASE, "rho: 2 mm", "rho: 4 mm"), "friction.f": (SLIDE, "f: 0.1", "f: 0.2"), "friction.f_v": (SLIDE, "f: 0.1", "f_v: 0.2"), "friction.V": (SLIDE, "V: 50 deg", "V: 60 deg"),
@@ -106,7 +120,7 @@ def test_every_key_of_the_schema_is_tried() -> None:
     assert keys == set(CHANGES)
 
 
-@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES])
+@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CYLINDER, MOTOR])
 def test_the_files_that_are_changed_are_good(text: str) -> None:
     assert isinstance(effect(text), bytes), effect(text)
 

@@ -145,7 +145,7 @@ def test_a_file_that_is_only_extended_is_spared_too(run: Run, tmp_path: Path) ->
 ])  # fmt: skip
 def test_an_ending_that_is_not_known_is_refused_and_nothing_is_made(run: Run, tmp_path: Path, words: tuple[str, ...]) -> None:
     result = run(*words)
-    assert result.exit_code == 2 and "end the file's name with one of these" in result.stderr and names(tmp_path) == set()
+    assert result.exit_code == 2 and "; end the file's name so" in result.stderr and names(tmp_path) == set()
 
 
 @pytest.mark.parametrize("words", [("solve", "3-9", "--json", ""), ("report", "3-9", "-o", ""), ("draw", "3-9", "-o", ""), ("cycle", "3-9", "--plot", " ")])

@@ -30,6 +30,20 @@ input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
 guesses: {C: [80 mm, 120 mm], E: [160 mm, 110 mm], F: [120 mm, 180 mm]}
 find: [v_C, omega_3]
 """
+CLASS_IV = """\
+id: iv
+title: class IV
+frame: {A: [0 mm, 0 mm], G: [200 mm, 0 mm]}
+links:
+  1: {AB: 40 mm}
+  2: {BC: 80 mm, D: {BD: 90 mm, CD: 70 mm, side: left of BC}}
+  3: {CE: 80 mm}
+  4: {DF: 80 mm}
+  5: {GE: 100 mm, F: {GF: 110 mm, EF: 70 mm, side: left of GE}}
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
+guesses: {C: [80 mm, 80 mm], D: [40 mm, 120 mm], E: [160 mm, 80 mm], F: [160 mm, 120 mm]}
+find: [v_C, omega_3]
+"""
 
 ZH = (
     "图示**铰链四杆机构**中，已知各构件的尺寸及原动件 $AB$ 以等角速度 $ω_1$ 逆时针转动，试用矢量方程图解法"

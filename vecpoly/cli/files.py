@@ -28,13 +28,18 @@ def spared(target: Path | None, endings: Sequence[str], problems: Iterable[Probl
     if target is None or target == STDOUT or is_special(target):
         return target
     if target.suffix.lower() not in endings and not target.is_dir():
-        raise VecpolyError(Words(f"{target}：此处可写 {'、'.join(endings)}；请以其中之一作文件名的后缀",
-                                 f"{target}: can be {', '.join(endings)}; end the file's name with one of these"), code="ending")
+        raise VecpolyError(Words(f"{target}：此处写出的是 {_either(endings, '、', ' 或 ')} 文件；文件名应以此结尾",
+                                 f"{target}: what is written here is {_either(endings, ', ', ' or ')}; end the file's name so"), code="ending")
     for read in (*(file for problem in problems for file in problem.files), *more):
         if target.exists() and read.exists() and target.samefile(read):
             raise VecpolyError(Words(f"{target}：这是要读取的文件，写入会毁掉它；请另取输出文件名",
                                      f"{target}: is read by this command, and writing would destroy it; name another file"), code="output is input")
     return target
+
+
+def _either(names: Sequence[str], comma: str, last: str) -> str:
+    """'.svg, .png or .pdf'."""
+    return last.join([comma.join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
 def put(target: Path, data: bytes) -> None:
