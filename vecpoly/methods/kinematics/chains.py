@@ -9,6 +9,7 @@ from ...vector.close import Closed, close
 from ...vector.equation import Equation, Term
 from ..desk import VECTOR, Desk, Turn
 from .image import imaged
+from .lengths import write_lengths
 from .terms import across, coriolis, known, normal, ref_at, sliding, tangential
 
 _STILL = Turn(0.0, never=True)
@@ -53,6 +54,7 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     board = desk.board
     board.equate(eq.table())
     closed = close(board, view, 0j, eq)
+    write_lengths(desk, view, eq)
     desk.tips[view, desk.canonical(to)] = closed.meeting
     board.plot(view, closed.meeting, desk.tip_label(view, to))
     board.arrow_once(view, 0j, closed.meeting)

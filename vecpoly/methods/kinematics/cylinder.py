@@ -64,7 +64,7 @@ def _polygon(desk: Desk, view: View, ram: Ram) -> None:
     base = coincident_tip(desk, view, c, ram.link_parent) if isinstance(ram.link_joint, Prismatic) else None
     desk.board.step(_opening(desk, view, ram), view)
     swung = turning_chain(desk, view, under, d, ram.near)
-    led, driven = _led(desk, view, ram, base), (*swung, *_along(desk, view, ram, swung))
+    led, driven = _led(desk, view, ram, base), (*swung, *_along(desk, view, ram))
     closed = solve(desk, view, Equation(left=led, right=driven, total="" if len(led) == 1 else total(desk, view, to, 2)), to)
     ends = closed.ends | _parallelogram(desk, view, ram, swung[-1], driven[len(swung):], closed)
     turn_of_link(desk, view, ends, under, d, ram.near)
@@ -103,24 +103,23 @@ def _turn_of_moved(desk: Desk, view: View, ram: Ram, ends: Ends) -> None:
                 same_turn(desk, ram.link, ram.link_parent, view, said=not unseen)
 
 
-def _along(desk: Desk, view: View, ram: Ram, swung: tuple[Term, ...]) -> tuple[Term, ...]:
+def _along(desk: Desk, view: View, ram: Ram) -> tuple[Term, ...]:
     """v_CCn, or a^k + a^r: along the cylinder, as the input says."""
     to, under = desk.canonical(At(ram.inner.point)), At(ram.inner.point, ram.near)
     drive = next(drive for drive in desk.mech.drives if drive.pair == {ram.near, ram.far})
     if view is View.VELOCITY:
-        return (_given(desk, ram, Rel(Kind.V, to, under), drive.rate, f"{desk.tip_label(view, under)} {desk.tip_label(view, to)}"),)
+        return (_given(desk, ram, Rel(Kind.V, to, under), drive.rate),)
     _, start, end = desk.ends[Rel(Kind.V, to, under).key]
     bend = coriolis(desk, to, under, ram.near, (start, end))
-    before = next((term.tip for term in (bend, *reversed(swung)) if term.tip), desk.start_label(view, At(ram.outer.point)))
-    return bend, _given(desk, ram, Rel(Kind.AR, to, under), drive.accel, f"{before} r′")
+    return bend, _given(desk, ram, Rel(Kind.AR, to, under), drive.accel)
 
 
-def _given(desk: Desk, ram: Ram, rel: Rel, value: float, letters: str) -> Term:
+def _given(desk: Desk, ram: Ram, rel: Rel, value: float) -> Term:
     """A vector of known size along the drawn cylinder, which it lengthens where it is positive."""
     view, sign = (View.VELOCITY, symbol(desk, rel)) if rel.kind is Kind.V else (View.ACCELERATION, symbol(desk, rel))
     way = (1.0 if ram.near == ram.pair.guide else -1.0) * (np.sign(value) or 1.0)
     if value:
-        desk.board.write_length(view, letters, magnitude(sign, abs(value), rel.kind.unit))
+        desk.sizes[rel.key] = magnitude(sign, abs(value), rel.kind.unit)
     direction = Words.same(f"∥$ {ram.outer.point}{ram.inner.point}$") if value else Words.same("—")
     return Term(rel=rel, symbol=sign, direction=direction, magnitude="✓" if value else "0", along=desk.guide_line(ram.pair).along * way,
                 mm=desk.board.to_paper(view, np.asarray(abs(value))), tip="r′" if value and view is View.ACCELERATION else "")

@@ -14,6 +14,7 @@ from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
+from .lengths import write_lengths
 from .terms import known, normal, ref_at, symbol
 
 
@@ -111,6 +112,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     if len(terms) > 1:
         board.equate(eq.table())
     closed = close(board, view, 0j, eq)
+    write_lengths(desk, view, eq)
     desk.tips[view, at] = closed.meeting
     desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
     board.plot(view, closed.meeting, label)
@@ -138,8 +140,7 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    laid = desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
-    desk.board.write_length(view, f"{desk.start_label(view, rel.ref)} {desk.tip_label(view, rel.to)}", laid)
+    desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
                 along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
 

@@ -17,8 +17,9 @@ from ...quantity import Expr, Quantity, magnitude
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
-from ..desk import Desk
+from ..desk import POLE, Desk
 from .image import imaged
+from .lengths import write_lengths
 from .terms import ABSENT, known, symbol
 
 
@@ -74,9 +75,12 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
         eq = Equation(left=(Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?"),), right=(*base, term))
         board.equate(eq.table())
         closed = close(board, view, 0j, eq)
+        write_lengths(desk, view, eq)
         desk.tips[view, own] = closed.meeting
         desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
     else:
+        if term.rel.key in desk.sizes and term.magnitude != "0":
+            board.write_length(view, f"{POLE[view]} {desk.tip_label(view, own)}", desk.sizes[term.rel.key])
         desk.tips[view, own] = board.lay_off(0j, _along(term), _mm(term))
         board.arrow_once(view, 0j, desk.tips[view, own])
         desk.known_as[view, own] = (term.direction, term.magnitude)
@@ -104,8 +108,6 @@ def rolling_term(desk: Desk, joint: Rolling, link: str, tip: str = "") -> Term:
     size = desk.sizes[rel.key] = board.compute(sign, turning.squared() * _curved(joint), "m/s^2")
     vanishes = abs(nominal(size.value)) < 1e-12
     start, end = _normal(joint, link)
-    if not vanishes:
-        board.write_length(View.ACCELERATION, f"{desk.start_label(View.ACCELERATION, rel.ref)} {tip or desk.tip_label(View.ACCELERATION, rel.to)}", size)
     return Term(rel=rel, symbol=sign, direction=ABSENT if vanishes else Words.same(f"${start}→{end}$"), magnitude="0" if vanishes else "✓",
                 along=desk.towards(start, end), mm=board.to_paper(View.ACCELERATION, size.value), tip=tip)
 

@@ -74,22 +74,21 @@ def _on_guide(desk: Desk, joint: Prismatic, point: str) -> bool:
 def normal(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^n = ω² l, from the point towards the reference point; computed, then laid off to μ_a."""
     rel = Rel(Kind.AN, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link))
-    return normal_of(desk, rel, about.point, link, (desk.start_label(View.ACCELERATION, rel.ref), _n_tip(desk, link)))
+    return normal_of(desk, rel, about.point, link, _n_tip(desk, link))
 
 
-def normal_of(desk: Desk, rel: Rel, about: str, link: str, ends: tuple[str, str]) -> Term:
-    """The normal acceleration of two points of a link; ends: the letters at its tail and tip on the polygon."""
+def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
+    """The normal acceleration of two points of a link; tip: the letter at its end on the polygon."""
     turn, q, sign = desk.turns[omega(link)], rel.to.point, symbol(desk, rel)
     length = desk.length(about, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
     if not at_rest:
-        laid = desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
-        desk.board.write_length(View.ACCELERATION, " ".join(ends), laid)
+        desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
     return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
                 magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
-                mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else ends[1])
+                mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else tip)
 
 
 def tangential(desk: Desk, at: At, about: At, link: str) -> Term:
@@ -106,11 +105,8 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
     vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
-    size = desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2")
+    desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
-    if not vanishes:
-        start = desk.start_label(View.ACCELERATION, ref)
-        board.write_length(View.ACCELERATION, f"{start} {desk.k_tip(rel)}", size)
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
     return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",

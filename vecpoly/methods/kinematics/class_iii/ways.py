@@ -12,7 +12,7 @@ from ....quantity import magnitude
 from ....vector.equation import Term
 from ....words import Words
 from ...desk import VECTOR, Desk
-from ..chains import coincident_tip, letters, sliding_chain, turning_chain
+from ..chains import coincident_tip, sliding_chain, turning_chain
 from ..terms import ABSENT, across, coriolis, known, normal_of, sliding, symbol
 from .star import Axial, Guided, Hinged, Slotted, Star, point_of
 
@@ -69,10 +69,9 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
     front = () if view is View.VELOCITY else (_normal(desk, plate, to, ref, primes),)
     greek, unit = ("ω", "rad/s") if view is View.VELOCITY else ("α", "rad/s^2")
     length = desk.length(ref.point, to.point)
-    size = desk.sizes[rel.key] = desk.board.compute(
+    desk.sizes[rel.key] = desk.board.compute(
         symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit
     )
-    desk.board.write_length(view, letters(desk, view, ref, to), size)
     along = 1j * np.where(np.asarray(rates.value) < 0, -1.0, 1.0) * desk.towards(ref.point, to.point)
     laid = Term(
         rel=rel,
@@ -88,7 +87,7 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
 def _normal(desk: Desk, plate: str, to: At, ref: At, primes: int) -> Term:
     """a^n of two points of the central link."""
     tip = f"n_{plate}^{{{'′' * primes}}}"
-    return normal_of(desk, Rel(Kind.AN, to, ref), ref.point, plate, (desk.start_label(View.ACCELERATION, ref), tip))
+    return normal_of(desk, Rel(Kind.AN, to, ref), ref.point, plate, tip)
 
 
 def to_special(desk: Desk, view: View, star: Star, leg: Axial, special: At, primes: int) -> tuple[Chain, Chain]:
