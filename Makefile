@@ -2,7 +2,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test bench clean
+.PHONY: demo test soak bench clean
 
 demo: $(VENV)/installed
 	$(BIN)/vecpoly demo -o out
@@ -11,6 +11,10 @@ test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
 	$(BIN)/mypy
 	$(BIN)/pytest -n 2 --dist loadfile  # a file on one worker: what its tests keep is made once
+
+soak: $(VENV)/installed-dev
+	$(BIN)/python -m tests.generators --count 300 --seed 1 --jobs 2
+	$(BIN)/python -m tests.fuzz --files 20000 --kills 200 --seed 1
 
 bench: $(VENV)/installed-dev
 	$(BIN)/python -m benchmarks

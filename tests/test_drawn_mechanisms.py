@@ -188,4 +188,4 @@ def test_the_pressure_angle_lies_between_the_common_normal_and_the_way_of_the_fo
 
 
 def test_pressure_angles_are_marked() -> None:
-    assert [name for name in CAMS if any(m.label == "α" for m in marks(name, AngleMark))] == ["D-3-knife"]
+    assert [name for name in CAMS if any(m.label == "α" for m in marks(name, AngleMark))] == ["D-3-knife", "cam-roller"]

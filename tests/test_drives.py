@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from vecpoly import load, loads, oracle
+from vecpoly.board.construction import View
+from vecpoly.board.marks import Vector
 from vecpoly.errors import AssemblyError, NoMethodError, ProblemFileError
 from vecpoly.mechanism.assur import decompose
 from vecpoly.mechanism.mobility import mobility
@@ -185,6 +187,20 @@ def test_the_thrust_of_a_cylinder_balances_and_its_reactions_equal_it() -> None:
     assert answers["F_c"].drawn == pytest.approx(answers["F_c"].exact, rel=1e-9)
     assert answers["F_c_power"].drawn == pytest.approx(answers["F_c"].exact, rel=1e-9)
     assert abs(answers["R_31"].drawn_vector or 0) == pytest.approx(answers["F_c"].exact, rel=1e-9)
+
+
+@pytest.mark.parametrize(("way", "friction"), [("270 deg", ""), ("90 deg", ""), ("270 deg", "friction: {A: {rho: 20 mm}}")])
+@pytest.mark.parametrize("thrust", ['F: {cylinder: 2-3, size: "?"}', 'F: {cylinder: 2-3, size: 60 kN}, M: {on: 1, size: "?"}'])
+def test_a_cylinder_s_free_bodies_are_in_equilibrium_and_its_reactions_act_at_its_pins(thrust: str, way: str, friction: str) -> None:
+    text = changed("find: [omega_1, v_E, a_E, v_C3C2]", f"loads: {{Q: {{on: 1, at: E, size: 9 kN, direction: {way}}}, {thrust}}}\n{friction}\nfind: [R_31, R_42]")
+    solution = solve(loads(text), by="exact", repeats=0)
+    for answer in solution.answers.values():
+        assert answer.drawn_vector == pytest.approx(answer.exact_vector) and answer.reading.acts is not None and answer.exact_acts is not None
+        assert answer.reading.acts.point == pytest.approx(answer.exact_acts.point)
+    bodies = {f.name: {m.label: m for m in f.marks if isinstance(m, Vector)} for f in solution.construction.figures if f.view is View.BODY}
+    assert (set(bodies["2"]), set(bodies["3"])) == ({"R_{42}", "F"}, {"R_{13}", "F"}) and "F" not in bodies["1"] and "R_{31}" in bodies["1"]
+    for one, two in (bodies["2"].values(), bodies["3"].values()):
+        assert one.b - one.a == pytest.approx(two.a - two.b) and abs(((one.b - one.a).conjugate() * (two.a - one.a)).imag) < 1e-6
 
 
 def test_the_thrust_lifts_what_its_lever_says() -> None:

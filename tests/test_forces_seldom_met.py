@@ -84,7 +84,8 @@ def test_a_load_parallel_to_the_force_of_a_block_is_balanced_by_moments_about_th
     solution = solved(text, sought='M_1: {on: 1, size: "?"}', more=more, find="R_23, R_43, R_12, M_1")
     agree(solution)
     stand_alike(solution)
-    assert "so is the third; moments about the point where it touches the circle at $D$" in told(solution)
+    about = "the point where $R_{43}$ touches the friction circle of $D$" if more else "$D$"
+    assert "The two lines are parallel: so is the third." in told(solution) and f"Moments are taken about {about}, with the arms measured:" in told(solution)
 
 
 def test_a_load_parallel_to_the_force_of_a_contact_leaves_a_couple_to_the_guide() -> None:

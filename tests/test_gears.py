@@ -8,7 +8,6 @@ from math import cos, pi, radians, sin
 import numpy as np
 import pytest
 
-from tests.generators.family import families
 from tests.generators.judge import Kind, judge
 from vecpoly import load, loads, oracle
 from vecpoly.board.construction import View
@@ -310,11 +309,3 @@ def test_every_pitch_circle_is_drawn_once_and_touches_at_its_pitch_point(name: s
     wheels = {(circle.link, circle.centre, circle.radius) for joint in joints for circle in (joint.gear, joint.on) if isinstance(circle, Circle)}
     assert len(circles) == len(set(circles)) == len(wheels)
     assert sum(isinstance(m, RackMark) for m in marks) == sum(not isinstance(joint.on, Circle) for joint in joints)
-
-
-@pytest.mark.parametrize("name", [one.name for one in families() if one.name.startswith("gears")])
-def test_random_mechanisms_with_gears_are_right(name: str) -> None:
-    one = next(member for member in families() if member.name == name)
-    verdicts = [judge(one.make(np.random.default_rng([11, number])), one.also) for number in range(40)]
-    assert not [v for v in verdicts if v.kind in (Kind.WRONG, Kind.BROKEN)]
-    assert sum(v.kind is Kind.RIGHT for v in verdicts) >= 36

@@ -172,9 +172,7 @@ def pure(text: object, example: str) -> float:
             f"“{text}”不是纯数；如写 {example}",
             f"'{text}' is no pure number; write e.g. {example}"), code="spelling") from None
     if not abs(number) <= MOST:
-        raise FaultError(Words(
-            f"“{text}”不是有限的数；如写 {example}",
-            f"'{text}' is not a finite number; write e.g. {example}"), code="out-of-range")
+        raise FaultError(Words(f"“{text}”不是有限的数；如写 {example}", f"'{text}' is not a finite number; write e.g. {example}"), code="out-of-range")
     return number
 
 

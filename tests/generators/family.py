@@ -22,23 +22,27 @@ def content(solution: Solution) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Family:
-    """One kind of problem: its name, what writes a random member, a further check of the solution (a third party's)."""
+    """One kind of problem: its name, what writes a random member, a further check of the solution (a third party's).
+
+    often: members that are judged in every run of the tests; fewer where one takes long.
+    """
 
     name: str
     make: Make
     also: Check
+    often: int
 
 
 _FAMILIES: dict[str, Family] = {}
 
 
-def family(name: str, also: Check = content) -> Callable[[Make], Make]:
+def family(name: str, also: Check = content, often: int = 24) -> Callable[[Make], Make]:
     """Register a function as the maker of a family's members."""
 
     def register(make: Make) -> Make:
         if name in _FAMILIES:
             raise ValueError(f"two functions make the family {name}")
-        _FAMILIES[name] = Family(name=name, make=make, also=also)
+        _FAMILIES[name] = Family(name=name, make=make, also=also, often=often)
         return make
 
     return register

@@ -34,6 +34,7 @@ from .arrows import REACH, Arrow, place_arrows, say_far
 from .couples import couples_on
 from .inertia import SHORT, draw_arm
 from .state import Statics
+from .thrust import in_cylinders
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
@@ -48,13 +49,18 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
     if not bodies:
         return
     st.board.step(Words("将各构件取为分离体，画出受力图：标明全部力的作用线和指向。", "Draw the free body of every link, with the line and sense of every force on it."), View.BODY)
+    assert problem.loads is not None
+    inside = in_cylinders(st, problem.loads)
+    thrusts = {force.named.key for forces in inside.values() for force in forces}
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
         st.board.mark(pane, *(_long_enough(st, name, mark) for mark in link_alone(st.desk, name, problem.given.shapes)))
         st.board.mark(pane, *_circles(st, name))
-        forces, spots = [*st.known(name), *_balance(st, name)], _spots(st, name)
-        arrows = place_arrows(forces, spots, _pressing(st, name))
+        pressing = inside.get(name, [])
+        forces = [*(force for force in (*st.known(name), *_balance(st, name)) if force.named.key not in thrusts), *pressing]
+        spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
+        arrows = place_arrows(forces, spots, _pressing(st, name) | {force.named.symbol for force in pressing})
         say_far(st, forces, spots)
         _displaced(st, pane, name)
         st.board.mark(pane, *_carried(forces, arrows), *(_vector(arrow) for arrow in arrows))

@@ -103,8 +103,16 @@ def about_pin(st: Statics, held: Held, load: Resultant, line: Line, named: Named
                                      f"link {number}: the line of {named.key} passes through {pin}, so it balances no load; choose another input position"),
                                code="no-arm", numbers={"link": number, "pin": pin})
     st.board.remark(pin_words(st, pin, held.parent, held.link))
+    st.board.remark(_about(st, held, pin, sense))
     size = np.sign(_needed(st, load, line, touch)) * _written(st, load, (line, touch), named)
     return Balanced(size=size, rest=-(load.vector + u * st.mm(size)), touch=touch, sense=sense)
+
+
+def _about(st: Statics, held: Held, pin: str, sense: int) -> Words:
+    """About which point the moments are taken: there the parent's force has no arm."""
+    parent = f"${st.named(held.parent, held.link).symbol}$"
+    at = Words(f"{parent} 与 ${pin}$ 处摩擦圆的切点", f"the point where {parent} touches the friction circle of ${pin}$") if sense else Words.same(f"${pin}$")
+    return Words(f"对{at.zh if sense else ' ' + at.zh + ' '}取矩，量取各力臂，由力矩平衡得：", f" Moments are taken about {at.en}, with the arms measured:")
 
 
 def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) -> Points:
@@ -150,7 +158,6 @@ def _written(st: Statics, load: Resultant, where: tuple[Line, Points], named: Na
         force = size_of(st, load.forces[0]) if len(load.forces) == 1 else magnitude("P", np.abs(load.vector) * st.scale.value, "N")
         letter = arm_about_point(load.forces[0].named.symbol) if len(load.forces) == 1 else "h_{P}"
         expr = force * (board.mu(View.MECHANISM) * _arm(st, load.line, touch, letter)) / b
-    board.remark(Words("量取力臂，由力矩平衡得：", " The arms are measured; the moments give:"))
     return board.compute(named.symbol, expr, "N").value
 
 

@@ -57,9 +57,9 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     check_methods(st, problem)
     if st.loads.friction:
         st = _with_friction(st, groups, held)
+    read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem)
     read_efficiency(st)
-    read_thrusts(st, problem.loads)
     return st
 
 

@@ -136,9 +136,11 @@ def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple
                        f" Shifted so that they end at ${desk.tip_label(view, At(ram.inner.point))}$, the given vectors start at ${desk.tip_label(view, under)}$."))
     board.plot(view, corner, desk.tip_label(view, under))
     board.arrow(view, foot, corner, Role.RESULT)
-    board.join(view, corner, closed.meeting, Role.DIRECTION)
     moved: Ends = {turning.rel.key: (foot, corner)}
     if len(along) == 1:
         moved[along[0].rel.key] = (corner, closed.meeting)
+        board.arrow(view, corner, closed.meeting, Role.GIVEN)
+    else:  # a^k + a^r, shifted as one
+        board.join(view, corner, closed.meeting, Role.DIRECTION)
     desk.ends |= {key: (view, a, b) for key, (a, b) in moved.items()}
     return moved

@@ -35,9 +35,15 @@ def cylinder_part(desk: Desk, link: str, joint: Prismatic) -> Iterator[Mark]:
     foot, way, reach = _axis(desk, joint)
     yield from _barrel(foot, way, reach) if link == joint.guide else _piston(foot, way, reach)
     yield from _lugs(desk, link, joint)
-    shares = (LUG / reach, FRONT) if link == joint.guide else (FRONT, 1.0)
+    shares = (LUG / reach, FRONT) if link == joint.guide else (1.0, FRONT)  # from the link's own pin
     a, b = (foot + way * reach * share for share in shares)
     yield LinkNumber(a=a, b=b, number=link)
+
+
+def pressed(desk: Desk, joint: Prismatic) -> tuple[complex, complex]:
+    """Where the oil presses (mm on the diagram): the bottom of the barrel, the piston."""
+    foot, way, reach = _axis(desk, joint)
+    return foot + way * min(LUG, 0.2 * reach), foot + way * PISTON * reach
 
 
 def _axis(desk: Desk, joint: Prismatic) -> tuple[complex, complex, float]:

@@ -153,6 +153,9 @@ def _number(desk: Desk, body: Link, shape: Shape, guide: Prismatic | None) -> Li
         line = desk.guide_line(guide)
         at, along = complex(nominal(line.at)), complex(nominal(line.along))
         a, b = (at + along * float((np.conj(along) * (spot - at)).real) for spot in (spots[0], _spot(desk, guide.pin)))
+        reach = HALF_SLOT if shape is Shape.SLOT else BEYOND
+        if abs(b - a) < reach:  # the block covers it: beside all of the guide that is drawn
+            a, b = b - along * reach, b + along * reach
     return LinkNumber(a=a, b=b, number=body.name)
 
 
