@@ -100,6 +100,29 @@ def test_a_length_out_of_reach_is_refused_with_the_range() -> None:
         solve(loads(changed("length: 900 mm", "length: 3 m")))
 
 
+MOTOR = """
+id: motor
+title: motor
+frame: {A: [0 mm, 0 mm], D: [120 mm, 0 mm]}
+links: {1: {AB: 40 mm}, 2: {BC: 100 mm}, 3: {CD: 80 mm}}
+input: {link: 3, on: 2, phi: 100 deg, omega: 10 rad/s ccw}
+branch: [B above AD]
+find: [omega_1, omega_3]
+"""
+
+
+@pytest.mark.parametrize("phi", ["100 deg", "-100 deg"])
+def test_the_angle_of_a_motor_says_to_which_side_its_links_bend(phi: str) -> None:
+    side, other = ("left", "right") if phi == "100 deg" else ("right", "left")
+    text = MOTOR.replace("100 deg", phi)
+    bent, said = (solve(loads(one), by="exact", repeats=0) for one in (text, text.replace("B above AD", f"B above AD, C {side} of BD")))
+    for key, one in bent.answers.items():
+        assert one.drawn == pytest.approx(one.exact, rel=1e-9) == pytest.approx(said.answers[key].drawn, rel=1e-9)
+    assert any("decides nothing" in words.en for words in said.warnings) and bent.warnings == ()
+    with pytest.raises(AssemblyError, match="none of their"):
+        solve(loads(text.replace("B above AD", f"B above AD, C {other} of BD")), repeats=0)
+
+
 def test_a_pin_in_two_slots_leaves_one_freedom() -> None:
     problem = load("pin-in-two-slots")
     assert mobility(problem.mechanism).freedom == 1

@@ -63,7 +63,7 @@ branch: [C left of AD]
 loads: {F_c: {cylinder: 2-3, size: "?"}, Q: {on: 1, at: C, size: 100 N, direction: -90 deg}}
 find: [omega_1, F_c]
 """
-MOTOR = BASE.partition("loads:")[0].replace("{link: 1, phi: 60 deg", "{link: 3, on: 2, phi: 100 deg").replace("[C above AD]", "[C left of BD, B above AD]") + "find: [omega_3]\n"
+MOTOR = BASE.partition("loads:")[0].replace("{link: 1, phi: 60 deg", "{link: 3, on: 2, phi: 100 deg").replace("[C above AD]", "[B above AD]") + "find: [omega_3]\n"
 
 CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there, what stands there instead
     "id": (BASE, "id: t\n", "id: u\n"), "title": (BASE, "title: test", "title: other"), "source": (BASE, "source: here", "source: there"),

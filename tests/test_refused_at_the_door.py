@@ -15,6 +15,7 @@ import pytest
 
 import vecpoly
 from vecpoly import limits
+from vecpoly.check.idle import idle
 from vecpoly.check.printed import check_problem
 from vecpoly.check.table import check_table
 from vecpoly.check.verdict import Verdict
@@ -125,7 +126,16 @@ def test_a_coefficient_of_friction_above_1_is_told() -> None:
 def test_no_problem_of_the_library_is_warned_of() -> None:
     from vecpoly.problem.library import library
 
-    assert len(library()) > 80 and [entry.id for entry in library() if load(entry.path).warnings] == []
+    problems = [load(entry.path) for entry in library()]
+    assert len(problems) > 80 and [problem.id for problem in problems if problem.warnings or idle(problem)] == []
+
+
+def test_what_decides_nothing_may_be_left_out_together() -> None:
+    either = (load("scissor-lift").text or "").replace("id: scissor-lift", "id: lift").replace("C right of A]", "C right of A, C right of E]")
+    (words,) = idle(loads(either))
+    assert "'C right of E' decides nothing" in words.en and idle(loads(either.replace(", C right of E]", "]"))) == ()
+    with pytest.raises(AssemblyError, match="of which 2 fulfil what is said"):
+        solve(loads(either.replace(", C right of A, C right of E]", "]")), repeats=0)
 
 
 def test_two_drives_are_both_drawn() -> None:

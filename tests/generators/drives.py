@@ -163,6 +163,7 @@ def motor(rng: np.random.Generator) -> str:
     c = b + bc * np.exp(1j * rng.uniform(0, 2 * np.pi))
     link, on, pin, ends = [("3", "2", c, (d, b)), ("2", "3", c, (b, d)), ("2", "1", b, (c, 0j))][int(rng.integers(3))]
     angle = np.degrees(np.angle((ends[0] - pin) / (ends[1] - pin)))
+    side = rng.choice([f"C {_left(b, d, c)} of BD", f"B {_left(0j, d, b)} of AD"])  # the angle says the one, and in general not the other
     return f"""
 id: motor
 title: motor
@@ -172,7 +173,7 @@ links:
   2: {{BC: {bc} mm}}
   3: {{DC: {_number(abs(c - d))} mm}}
 input: {{link: {link}, on: {on}, phi: {_number(angle)} deg, omega: {rng.choice([2, -1, 5])} rad/s, alpha: {rng.choice([0, 3, -10])} rad/s^2}}
-branch: [C {_left(b, d, c)} of BD]
+branch: [{side}]
 guesses: {{B: [{b.real:.2f} mm, {b.imag:.2f} mm], C: [{c.real:.2f} mm, {c.imag:.2f} mm]}}
 find: [v_B, v_C, a_C, omega_1, omega_2, omega_3, alpha_1, alpha_2, alpha_3]
 """

@@ -14,16 +14,23 @@ from ..words import Words
 
 
 def idle(problem: Problem) -> tuple[Words, ...]:
-    """A remark on each branch, and on the guesses, that decide nothing."""
+    """A remark on each branch, and on the guesses, that decide nothing: all that are named may be left out together."""
     if not isinstance(problem.subject, Mechanism):
         return ()
-    mech = problem.subject
-    told = [_said(one) for one in mech.branches if _same(mech, replace(mech, branches=tuple(other for other in mech.branches if other is not one)))]
-    if mech.guesses and _same(mech, replace(mech, guesses={})):
-        points = ", ".join(mech.guesses)
-        told.append(Words(f"guesses：不用 {points} 的大致位置，机构的装配也是同样；这一项可以删去",
-                          f"guesses: without the rough places of {points} the mechanism is assembled just the same; they may be left out"))
-    return tuple(told)
+    mech = least = problem.subject
+    if mech.guesses and _same(mech, fewer := replace(mech, guesses={})):
+        least = fewer
+    for one in reversed(mech.branches):  # of two that say the same, the first is kept
+        if _same(mech, fewer := replace(least, branches=tuple(other for other in least.branches if other is not one))):
+            least = fewer
+    told = [_said(one) for one in mech.branches if all(one is not kept for kept in least.branches)]
+    return (*told, *([_roughly(mech)] if mech.guesses and not least.guesses else []))
+
+
+def _roughly(mech: Mechanism) -> Words:
+    points = ", ".join(mech.guesses)
+    return Words(f"guesses：不用 {points} 的大致位置，机构的装配也是同样；这一项可以删去",
+                 f"guesses: without the rough places of {points} the mechanism is assembled just the same; they may be left out")
 
 
 def _said(statement: Statement) -> Words:

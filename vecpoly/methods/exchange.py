@@ -18,6 +18,7 @@ from ..board.construction import Scale, View
 from ..board.hand import hand
 from ..errors import AssemblyError, DeadPointError, NoMethodError, VecpolyError
 from ..mechanism.assur import Group, decompose
+from ..mechanism.bend import bend
 from ..mechanism.branch import margin
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
 from ..mechanism.rams import driven_joint
@@ -55,6 +56,7 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
         return Exchange(mech)
     drive = next(one for one in mech.drives if one.between and one.pair <= set(group.links))
     other = _other(mech, group, drive)
+    mech = replace(mech, branches=(*mech.branches, *bend(mech, drive)))  # what the angle says of the assembly
     trial = _Trial(mech, drive, other)
     placed = replace(other, position=_position(trial))
     moving = Stage.VELOCITY in stages or Stage.ACCELERATION in stages
