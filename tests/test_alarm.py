@@ -136,8 +136,24 @@ def test_a_value_is_judged_on_both_sides_of_its_expected_error() -> None:
     assert weighed(drawn=1.0099).cause is None
     assert weighed(drawn=1.0101).cause is Cause.BEYOND
     assert weighed(drawn=0.9899).cause is Cause.BEYOND
-    assert weighed(drawn=1.5, reach=nan).cause is None  # no repeated hand, no promise; the ideal hand still is judged
+    assert weighed(drawn=1.05, reach=nan).cause is None  # no repeated hand, no promise; the ideal hand still is judged
     assert weighed(drawn=nan).cause is Cause.NOT_FINITE
+
+
+def test_a_reading_is_no_answer_where_its_expected_error_is_as_large_as_the_quantity() -> None:
+    assert weighed(drawn=1.09, reach=50.0).cause is weighed(drawn=1.3, reach=0.4).cause is None
+    assert weighed(drawn=1.11, reach=50.0).cause is Cause.VAGUE
+    slot = """
+id: nearly-equal
+title: a slotted lever nearly on the crank's own circle
+frame: {A: [0 mm, 0 mm], D: [0 mm, -50 mm]}
+links: {1: {AB: 50 mm}, 2: {block: B}, 3: {slot: D}}
+joints: [2 slides in 3]
+input: {link: 1, phi: 269.9 deg, omega: 8 rad/s ccw}
+find: [omega_3, alpha_3, v_B3B2, ak_B3B2]
+"""
+    assert solve(loads(slot)).answers["alpha_3"].suspect is Cause.VAGUE
+    assert not solve(loads(slot.replace("269.9", "200"))).suspect
 
 
 def test_only_the_noise_of_the_exact_value_excuses_an_ideal_hand() -> None:

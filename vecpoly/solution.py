@@ -119,7 +119,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
     asked = {ask.rel.key: ask.rel for ask in problem.asks}
     answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
-                            _weighed(reading, exact[key], ideal[key], true[key], limit[key] if repeats else nan, off[key], size[key]))
+                            replace(_weighed(reading, exact[key], ideal[key], true[key], off[key], size[key]), reach=limit[key] if repeats else nan, steady=by != "pencil"))
                for key, reading in readings.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(problem, by=by, seed=seed, repeats=repeats)
@@ -171,10 +171,10 @@ def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, li
     )
 
 
-def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, reach: float, off: float, size: float) -> Weighed:
+def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, off: float, size: float) -> Weighed:
     as_vector = ideal.vector is not None and isinstance(true, complex)
     return Weighed(drawn=reading.scalar, exact=_size(exact), ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
-                   true=true if as_vector else _size(true), reach=reach, noise=off, size=size)
+                   true=true if as_vector else _size(true), reach=nan, noise=off, size=size)
 
 
 def _size(value: complex | float) -> float:

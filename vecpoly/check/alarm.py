@@ -23,6 +23,7 @@ from .precision import size_of
 
 NEAR = 1e-5  # of that size: beyond it what was found on the way is wrong, however much rounding was magnified there
 AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
+VAGUE, LEGIBLE = 0.5, 0.1  # of that size: an expected error with which a reading that is so far off tells nothing
 MOST = 6  # symbols in a warning
 Number = complex | float
 
@@ -45,6 +46,7 @@ class Cause(StrEnum):
     NOT_FINITE = "not finite"
     APART = "drawing and analysis disagree"
     BEYOND = "beyond the expected drawing error"
+    VAGUE = "drawn too badly to be read"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,6 +55,7 @@ class Weighed:
 
     drawn, exact: compared by size. ideal, true: compared as vectors, where they are. reach: expected error of the drawn
     value, NaN where none is known. noise: what the exact value itself may be off by. size: of such quantities here.
+    steady: whether the hand that drew the sheet does not scatter itself.
     """
 
     drawn: float
@@ -62,6 +65,7 @@ class Weighed:
     reach: float
     noise: float
     size: float
+    steady: bool = True
 
     @property
     def cause(self) -> Cause | None:
@@ -74,6 +78,8 @@ class Weighed:
             return Cause.APART
         if abs(self.drawn - self.exact) > self.reach + AGREE * self.size + self.noise:
             return Cause.BEYOND
+        if self.steady and self.reach > VAGUE * self.size and abs(self.drawn - self.exact) > LEGIBLE * self.size + self.noise:
+            return Cause.VAGUE
         return None
 
 
@@ -95,6 +101,7 @@ def _known(truth: Exact, rel: Rel) -> Number | None:
 _SAID = {
     Cause.NOT_FINITE: Words("不是有限值", "not finite"),
     Cause.APART: Words("作图与解析结果不符", "drawing and analysis disagree"),
+    Cause.VAGUE: Words("作图条件不良，预期作图误差与该量本身相当，读数不能采用", "so badly conditioned that the drawing error is as large as the quantity"),
     Cause.BEYOND: Words("与精确值之差超出预期作图误差", "farther from the exact value than the expected drawing error"),
 }
 
