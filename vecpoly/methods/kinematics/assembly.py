@@ -52,7 +52,7 @@ def said(statement: Statement | None) -> Words:
     """The deciding statement in words."""
     match statement:
         case None:
-            return Words("（取靠近所给大致位置的一点）", " (of the two, the one near the rough place given)")
+            return Words("（取与题给装配形式相符的一点）", " (of the two, the one that fits the assembly given)")
         case SideOf(point=point, side=side):
             ref = ("→" if side in (Side.LEFT, Side.RIGHT) else "").join(statement.ref)
             return Words(f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一点）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)")
