@@ -14,10 +14,12 @@ from typer.testing import CliRunner
 
 import vecpoly.methods.plan as plan
 from vecpoly import load, loads, solve
+from vecpoly.answer import YES_NO
 from vecpoly.check.alarm import Cause, Weighed, alarm_at
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import SUSPECT
 from vecpoly.errors import DeadPointError, VecpolyError
+from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.library import entries
 from vecpoly.solution import fewer_digits
 
@@ -206,3 +208,10 @@ def test_what_is_found_on_the_way_is_weighed_too_though_nobody_asked(monkeypatch
     assert [key for key, answer in solution.answers.items() if answer.suspect] == []
     assert solution.suspect
     assert solution.construction.warning is not None and "ω_{2}" in solution.construction.warning.en
+
+
+def test_an_answer_of_yes_or_no_carries_the_flag_too() -> None:
+    answers = [answer for entry in entries() for problem in [load(entry.id)] if not isinstance(problem.subject, Mechanism)
+               for answer in solve(problem, repeats=0).answers.values() if answer.reading.unit == YES_NO]
+    assert len(answers) > 10
+    assert all(answer.as_json()["suspect"] is False for answer in answers)

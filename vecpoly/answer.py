@@ -96,7 +96,7 @@ class Answer:
         if self.undefined:
             return data | {"drawn": None, "exact": None, "undefined": True, "suspect": self.suspect is not None}
         if self.reading.unit == YES_NO:
-            return data | {"drawn": bool(self.drawn), "exact": bool(self.exact)}
+            return data | {"drawn": bool(self.drawn), "exact": bool(self.exact), "suspect": self.suspect is not None}
         if self.is_place and self.drawn_vector is not None and self.exact_vector is not None:
             data |= {"drawn_xy": place_of(self.drawn_vector), "exact_xy": place_of(self.exact_vector)}
         elif self.is_place:

@@ -115,11 +115,12 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     readings, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
     ideal, true, _ = comparable(drawn.ideal, values, {})
     reached = {key: _expected(spread[key]) for key in readings}
-    limit = {key: alarm_at(reached[key], spread[key], scatters=by == "pencil") for key in readings}
+    scatters = by == "pencil"
+    limit = {key: alarm_at(reached[key], spread[key], scatters=scatters) for key in readings}
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
     asked = {ask.rel.key: ask.rel for ask in problem.asks}
     answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
-                            replace(_weighed(reading, exact[key], ideal[key], true[key], off[key], size[key]), reach=limit[key] if repeats else nan, steady=by != "pencil"))
+                            _weighed(reading, exact[key], ideal[key], true[key], reach=limit[key] if repeats else nan, noise=off[key], size=size[key], steady=not scatters))
                for key, reading in readings.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(problem, by=by, seed=seed, repeats=repeats)
@@ -171,10 +172,11 @@ def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, li
     )
 
 
-def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, off: float, size: float) -> Weighed:
+def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, *,
+             reach: float, noise: float, size: float, steady: bool) -> Weighed:
     as_vector = ideal.vector is not None and isinstance(true, complex)
     return Weighed(drawn=reading.scalar, exact=_size(exact), ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
-                   true=true if as_vector else _size(true), reach=nan, noise=off, size=size)
+                   true=true if as_vector else _size(true), reach=reach, noise=noise, size=size, steady=steady)
 
 
 def _size(value: complex | float) -> float:

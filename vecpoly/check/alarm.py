@@ -19,7 +19,7 @@ from ..names import Rel
 from ..problem.problem import Problem
 from ..words import Words
 from .exact import Exact
-from .precision import size_of
+from .precision import natural
 
 NEAR = 1e-5  # of that size: beyond it what was found on the way is wrong, however much rounding was magnified there
 AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
@@ -86,8 +86,11 @@ class Weighed:
 def contradicted(problem: Problem, truth: Exact, motion: Mapping[Rel, Number]) -> list[Rel]:
     """Of what an ideal hand found on its way, asked for or not, all that the oracle contradicts."""
     known = {rel: value for rel in motion if (value := _known(truth, rel)) is not None}
-    largest = {unit: max(abs(value) for rel, value in known.items() if rel.unit == unit) for unit in {rel.unit for rel in known}}
-    return [rel for rel, value in known.items() if not abs(motion[rel] - value) <= NEAR * max(largest[rel.unit], size_of(problem, rel))]
+    likely = natural(problem) if known else {}
+    size: dict[str, float] = {}
+    for rel, value in known.items():
+        size[rel.unit] = max(abs(value), size.get(rel.unit) or likely.get(rel.unit) or 1.0)
+    return [rel for rel, value in known.items() if not abs(motion[rel] - value) <= NEAR * size[rel.unit]]
 
 
 def _known(truth: Exact, rel: Rel) -> Number | None:

@@ -16,7 +16,6 @@ from ..devices.base import Device
 from ..errors import DeadPointError, VecpolyError
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
-from ..names import Rel
 from ..problem.problem import Problem
 from ..words import Words
 from .exact import Exact, Values
@@ -30,21 +29,16 @@ PLENTY = 7  # digits of which nothing need be said
 def sizes(problem: Problem, values: Values) -> dict[str, float]:
     """Key → how large such quantities are here: the largest of its unit, or what the data alone make likely."""
     units = {ask.rel.key: ask.rel.unit for ask in problem.asks}
-    natural = {} if isinstance(problem.subject, Device) else _natural(problem)
+    likely = {} if isinstance(problem.subject, Device) else natural(problem)
     largest: dict[str, float] = {}
     for key, value in values.items():
         if isnan(abs(value)):
             continue  # 0/0
-        largest[units[key]] = max(abs(value), largest.get(units[key], natural.get(units[key], 0.0)))
+        largest[units[key]] = max(abs(value), largest.get(units[key], likely.get(units[key], 0.0)))
     return {key: largest.get(units[key]) or 1.0 for key in values}
 
 
-def size_of(problem: Problem, rel: Rel) -> float:
-    """How large a velocity, an acceleration, ω or α is likely to be here."""
-    return _natural(problem).get(rel.unit, 0.0) or 1.0
-
-
-def _natural(problem: Problem) -> dict[str, float]:
+def natural(problem: Problem) -> dict[str, float]:
     """Unit → size that the data make likely, whatever the position."""
     drive, long = problem.mechanism.drive, problem.mechanism.scale
     rate = abs(drive.rate) / (long if drive.slide else 1.0)
