@@ -4,38 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 
 from ..formula import Node
 from ..frozen import FrozenMap
 from ..words import Words
 from .marks import Mark
+from .place import Pane, Place, View, view_of
 
-
-class View(StrEnum):
-    """The kinds of figure on a sheet."""
-
-    MECHANISM = "mechanism"
-    VELOCITY = "velocity"
-    ACCELERATION = "acceleration"
-    BODY = "body"  # a link drawn apart, with the forces on it
-    FORCE = "force"  # a force polygon
-
-
-@dataclass(frozen=True, slots=True)
-class Pane:
-    """One of several figures of a kind: the free body of link 3, the force polygon of links 2 and 3."""
-
-    view: View
-    name: str
-
-
-Place = View | Pane  # where a mark stands: the only figure of its kind, or one of several
-
-
-def view_of(place: Place) -> View:
-    """The kind of figure."""
-    return place.view if isinstance(place, Pane) else place
+__all__ = ["Construction", "EquationTable", "Figure", "LineOfAction", "Pane", "Place", "Reading", "Scale", "Step", "View", "view_of"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -136,6 +112,7 @@ class Construction:
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
     forces: Mapping[str, Reading] = field(default_factory=dict)  # everything that a force analysis found, asked for or not
+    acts: tuple[Act, ...] = ()  # what was done, in order; the marks of the figures follow from it
     warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
 
     def __post_init__(self) -> None:

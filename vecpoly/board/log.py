@@ -1,16 +1,21 @@
-"""The log of a drawing: its steps, the marks of its figures, their scales and titles."""
+"""The log of a drawing: its steps, its acts, the scales and titles of its figures. What stands on a figure follows from the acts."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from ..formula import Node
 from ..plane import Reals
+from ..plane.traced import Acts, acts_of
 from ..quantity import Quantity, magnitude
 from ..words import Words
-from .construction import EquationTable, Figure, Pane, Place, Scale, Step, View, view_of
+from .acts import Act, Depict, Head
+from .construction import EquationTable, Figure, Scale, Step
+from .ink import marks_of
 from .marks import Mark
+from .place import Pane, Place, View, view_of
 
 
 class Log:
@@ -19,6 +24,7 @@ class Log:
     def __init__(self, scales: Mapping[View, Scale] | Mapping[Place, Scale]) -> None:
         self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []
+        self.acts: list[Act] = []
         self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
@@ -47,10 +53,24 @@ class Log:
         last = self.steps[-1]
         self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
 
-    def mark(self, view: Place, *marks: Mark) -> None:
-        """Leave marks of the step on a figure."""
-        number = len(self.steps)
-        self._marks[view] += [replace(m, step=m.step or number) for m in marks]
+    def head(self, *inputs: Any, on: Place | None = None, key: str = "", owner: str = "") -> Head:
+        """The head of the next act: what it needs, what it is done on, what it stands for."""
+        place = on if on is not None or not self.steps else self.steps[-1].view
+        return Head(number=len(self.acts), step=len(self.steps), inputs=tuple(sorted(acts_of(*inputs))), place=place, key=key, owner=owner)
+
+    def log(self, act: Act) -> Acts:
+        """Remember an act, and leave its marks; what it gave is known by its number."""
+        self.acts.append(act)
+        left = marks_of(act)
+        if left:
+            assert act.head.place is not None
+            self._marks[act.head.place] += left
+        return frozenset((act.number,))
+
+    def mark(self, view: Place, *marks: Mark, key: str = "", owner: str = "") -> None:
+        """Draw symbols: of links, joints, loads, bodies."""
+        if marks:
+            self.log(Depict(head=self.head(on=view, key=key, owner=owner), marks=marks))
 
     def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None) -> Pane:
         """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""

@@ -1,6 +1,6 @@
 """What a hand leaves on the paper: a closed list of marks, in mm on the figure (x right, y up, origin where the figure has it).
 
-`step` is the number of the construction step that drew the mark. Drawing code reads marks and nothing else.
+Marks follow from acts (`ink`). Drawing code reads marks and nothing else.
 """
 
 from __future__ import annotations
@@ -33,28 +33,36 @@ class Dot(StrEnum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Segment:
+class Ink:
+    """What every mark knows: the step and the act that drew it; what it stands for, where it stands for a quantity; whose it is."""
+
+    step: int = 0
+    act: int = -1
+    key: str = ""
+    owner: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Segment(Ink):
     """A straight line."""
 
     a: complex
     b: complex
     role: Role
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Vector:
+class Vector(Ink):
     """A line with an arrowhead at b, and the symbol of what it stands for (empty: no label)."""
 
     a: complex
     b: complex
     role: Role
     label: str = ""
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Arc:
+class Arc(Ink):
     """A compass stroke: from angle `start` over `sweep` (rad, 2π: a full circle)."""
 
     centre: complex
@@ -62,65 +70,58 @@ class Arc:
     start: float
     sweep: float
     role: Role
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Point:
+class Point(Ink):
     """A lettered point."""
 
     at: complex
     label: str
     dot: Dot
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RightAngle:
+class RightAngle(Ink):
     """The square in a right angle at `at` between the directions u and v (unit complex numbers)."""
 
     at: complex
     u: complex
     v: complex
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ImageOf:
+class ImageOf(Ink):
     """The image of a link in a polygon, lightly tinted."""
 
     points: tuple[complex, ...]
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Plate:
+class Plate(Ink):
     """A rigid link with three or more points, drawn as one body (GB/T 4460)."""
 
     points: tuple[complex, ...]
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Ground:
+class Ground(Ink):
     """A fixed pivot: triangle on hatched ground, the hatching on the side `down` (unit complex number)."""
 
     at: complex
     down: complex
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FixedGuide:
+class FixedGuide(Ink):
     """A hatched fixed guide line from a to b; the hatching lies to the right of a -> b."""
 
     a: complex
     b: complex
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Block:
+class Block(Ink):
     """A slider block (rectangle) centred at `at`, its long side along `along` (unit complex number).
 
     `on_rod` True: a sleeve through which a rod passes; False: a block in a slot or on a guide. `length` in mm.
@@ -130,39 +131,35 @@ class Block:
     along: complex
     on_rod: bool = False
     length: float = 9.0
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Slot:
+class Slot(Ink):
     """A slot in a link: two parallel lines with round ends along a -> b."""
 
     a: complex
     b: complex
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class GearMark:
+class GearMark(Ink):
     """A gear: pitch circle (dash-dot) and its centre."""
 
     centre: complex
     radius: float
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RackMark:
+class RackMark(Ink):
     """A rack's pitch line from a to b with its body (hatched where fixed) to the right of a -> b."""
 
     a: complex
     b: complex
     fixed: bool = True
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TurnArrow:
+class TurnArrow(Ink):
     """A curved arrow about `at` with a symbol: the driving arrow with ω, or the sense found for a link."""
 
     at: complex
@@ -170,11 +167,10 @@ class TurnArrow:
     start: float
     ccw: bool
     label: str
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class AngleMark:
+class AngleMark(Ink):
     """An angle at `at` from `start` over `sweep` (rad) with its symbol."""
 
     at: complex
@@ -182,66 +178,59 @@ class AngleMark:
     start: float
     sweep: float
     label: str
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class LinkNumber:
+class LinkNumber(Ink):
     """The number of a link, set beside the line from a to b (or beside the point a = b)."""
 
     a: complex
     b: complex
     number: str
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FrictionCircle:
+class FrictionCircle(Ink):
     """The friction circle of a pin, dashed, radius ρ/μ_l in mm; `enlarged` > 1 where it is drawn larger to be seen."""
 
     centre: complex
     radius: float
     label: str = ""
     enlarged: float = 1.0
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Disc:
+class Disc(Ink):
     """A round cam, eccentric or tip: its profile, full line, lightly tinted."""
 
     centre: complex
     radius: float
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Outline:
+class Outline(Ink):
     """The outline of a solid body (a wedge, a slide, a nut); `fixed` bodies are hatched."""
 
     points: tuple[complex, ...]
     fixed: bool = False
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Cell:
+class Cell(Ink):
     """A box of a block diagram (a machine of a train) with words in it."""
 
     at: complex
     width: float
     height: float
     words: Words
-    step: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Note:
+class Note(Ink):
     """A short note in small lettering beside a point."""
 
     at: complex
     words: Words
-    step: int = 0
 
 
 Mark = (

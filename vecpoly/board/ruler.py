@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..plane import Points, Reals
 from ..plane.geometry import dot
+from ..plane.traced import bare
 from .hand import Hand
 
 Ends = frozenset[bytes]  # the two ends of a segment, by every hand
@@ -19,21 +22,21 @@ class Ruler:
         self._lengths: dict[Ends, Reals] = {}
         self._bearings: dict[Ends, Points] = {}
 
-    def length(self, a: Points, b: Points) -> Reals:
-        """|b − a| as read (mm)."""
+    def length(self, a: Points, b: Points, noted: Callable[[Reals], Reals]) -> Reals:
+        """|b − a| as read (mm), and noted when it is read for the first time."""
         segment = _ends(a, b)
         if segment not in self._lengths:
-            self._lengths[segment] = self._hand.read(np.abs(b - a))
+            self._lengths[segment] = noted(self._hand.read(np.abs(bare(b) - bare(a))))
         return self._lengths[segment]
 
-    def bearing(self, a: Points, b: Points) -> Points:
-        """The direction from a to b as read, a unit vector."""
+    def bearing(self, a: Points, b: Points, noted: Callable[[Points], Points]) -> Points:
+        """The direction from a to b as read, a unit vector, and noted when it is read for the first time."""
         segment = _ends(a, b)
         if segment not in self._bearings:
-            self._bearings[segment] = np.exp(1j * self._hand.gauge(np.angle(b - a)))
-        read: Points = self._bearings[segment] * np.where(dot(self._bearings[segment], b - a) < 0, -1, 1)
+            self._bearings[segment] = noted(np.exp(1j * self._hand.gauge(np.angle(bare(b) - bare(a)))))
+        read: Points = self._bearings[segment] * np.where(dot(bare(self._bearings[segment]), bare(b) - bare(a)) < 0, -1, 1)
         return read
 
 
 def _ends(a: Points, b: Points) -> Ends:
-    return frozenset(np.asarray(end + 0j, dtype=np.complex128).tobytes() for end in (a, b))
+    return frozenset(np.asarray(bare(end) + 0j, dtype=np.complex128).tobytes() for end in (a, b))

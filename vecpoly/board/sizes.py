@@ -7,8 +7,9 @@ from collections.abc import Iterable
 from ..limits import SHEET, SMALL
 from ..quantity import number
 from ..words import Words
-from .construction import Figure, View
+from .construction import Figure
 from .extent import extent, figured
+from .place import View
 
 
 def unfit(figures: Iterable[Figure], given: Iterable[View]) -> tuple[Words, ...]:

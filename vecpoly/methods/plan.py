@@ -75,7 +75,7 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
         plain = sketch or _draw(problem, hand("exact"), scales)
         ideal, _ = _answers(plain, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
-                                steps=tuple(desk.board.steps), readings=readings, forces=desk.named)
+                                steps=tuple(desk.board.steps), acts=tuple(desk.board.acts), readings=readings, forces=desk.named)
     return Drawn(construction, repeats, ideal, motion_of(plain))
 
 

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .traced import Traced
+
 Points = complex | npt.NDArray[Any]
 Reals = float | npt.NDArray[Any]
 
@@ -25,7 +27,8 @@ class Line:
 
 
 def nominal(value: Any) -> Any:
-    """The nominal hand's value: element 0 of an array, the number itself otherwise."""
+    """The nominal hand's value, alone: element 0 of an array, the number itself otherwise."""
+    value = value.value if type(value) is Traced else value
     return value[0] if isinstance(value, np.ndarray) and value.ndim else value
 
 

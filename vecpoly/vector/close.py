@@ -10,8 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..board.board import Board
-from ..board.construction import Place
-from ..board.marks import Role, Vector
+from ..board.marks import Role
+from ..board.place import Place
 from ..errors import DeadPointError, EquilibriumError, bilingual
 from ..names import Kind, Named, Rel
 from ..plane import Line, Points, nominal, unit
@@ -76,11 +76,8 @@ def _right_angle(board: Board, view: Place, term: Term, ends: Ends) -> None:
 
 def _arrow(board: Board, view: Place, term: Term, ends: Ends, role: Role) -> None:
     """Draw the vector; a force carries its symbol, a velocity or an acceleration is told by its letters."""
-    start, end = (complex(nominal(p)) for p in ends[term.rel.key])
-    if isinstance(term.rel, Named) and abs(end - start) > NO_ARROW:
-        board.mark(view, Vector(a=start, b=end, role=role, label=term.symbol))
-    else:
-        board.arrow(view, start, end, role)
+    start, end = ends[term.rel.key]
+    board.arrow(view, start, end, role, key=term.rel.key, label=term.symbol if isinstance(term.rel, Named) else "")
 
 
 def _known_chain(
@@ -93,10 +90,10 @@ def _known_chain(
             waiting.append(term)
             continue
         if term.vector is not None:
-            tip = here + (term.vector if term.drawn else board.hand.carry_vector(term.vector))
+            tip = here + (term.vector if term.drawn else board.transfer(term.vector))
         else:
             assert term.along is not None and term.mm is not None
-            tip = board.lay_off(here, term.along, term.mm)
+            tip = board.lay_off(here, term.along, term.mm, key=term.rel.key)
         ends[term.rel.key] = (here, tip)
         if not term.drawn:
             _arrow(board, view, term, ends, Role.GIVEN)

@@ -32,7 +32,7 @@ def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[floa
         bench = _draw(device, by, scales)
     keys = [ask.rel.key for ask in problem.asks]
     construction = Construction(problem=problem.id, hand=by.name, figures=bench.board.figures(TITLES),
-                                steps=tuple(bench.board.steps), readings={key: bench.readings[key] for key in keys})
+                                steps=tuple(bench.board.steps), acts=tuple(bench.board.acts), readings={key: bench.readings[key] for key in keys})
     return Drawn(construction, {key: bench.repeats[key] for key in keys}, {key: sketch.readings[key] for key in keys})
 
 
