@@ -163,6 +163,14 @@ def subscripted(letter: str) -> str:
     return f"{bare}_{letter[len(bare):]}" if letter != bare else letter
 
 
+def ascii_key(symbol: str) -> str:
+    """The ASCII form of a printed symbol: ``a^n_{CB}`` is ``an_CB``, ``ω_2`` is ``omega_2``."""
+    return symbol.translate(_ASCII)
+
+
+_ASCII = str.maketrans({"^": None, "{": None, "}": None, "ω": "omega", "α": "alpha", "′": "'"})
+
+
 def parse_rel(text: str) -> Rel:
     """Read an ASCII key such as ``v_E``, ``ak_B3B2``, ``omega_2``.
 

@@ -11,8 +11,10 @@ from typing import Any, cast
 
 import numpy as np
 
+from .amend import Length, Spot, amend, found_all
 from .answer import YES_NO, Answer, bearing, line_of
 from .arguments import of_kind
+from .board.amended import Amended
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
 from .board.sizes import unfit
@@ -100,34 +102,40 @@ class Solution:
         return to_svg(sheets(self.construction, way=self.problem.orientation)[0].scene, self.problem.title.zh)
 
 
-def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True) -> Solution:
+def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True,
+          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
+    readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by somebody else: the
+    construction goes on with them, and all that follows is drawn anew.
+
     precise: also find how many digits the exact values keep; else that is done only where something is suspect.
-    Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
+    Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     truth = Exact(problem)
     values = truth.values  # first: its refusals know the range of the input that does assemble
     size = sizes(problem, values)
     off = noise(problem, truth, size) if precise else dict.fromkeys(values, 0.0)
-    drawn = _constructed(problem, hand(by, seed=seed, repeats=repeats))
-    readings, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
+    amended = amend(readings, points)
+    drawn = _constructed(problem, hand(by, seed=seed, repeats=repeats), amended)
+    found_all(amended, drawn.construction.acts)
+    read, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
     ideal, true, _ = comparable(drawn.ideal, values, {})
-    reached = {key: _expected(spread[key]) for key in readings}
+    reached = {key: _expected(spread[key]) for key in read}
     scatters = by == "pencil"
-    limit = {key: alarm_at(reached[key], spread[key], scatters=scatters) for key in readings}
+    limit = {key: alarm_at(reached[key], spread[key], scatters=scatters) for key in read}
     turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
     asked = {ask.rel.key: ask.rel for ask in problem.asks}
     answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
                             _weighed(reading, exact[key], ideal[key], true[key], reach=limit[key] if repeats else nan, noise=off[key], size=size[key], steady=not scatters))
-               for key, reading in readings.items()}
+               for key, reading in read.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
-        return solve(problem, by=by, seed=seed, repeats=repeats)
+        return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
     told = (*problem.warnings, *idle(problem), *unfit(drawn.construction.figures, _given(problem)))
-    return Solution(problem, replace(drawn.construction, readings=readings, warning=warning(wrong)), answers, told)
+    return Solution(problem, replace(drawn.construction, readings=read, warning=warning(wrong)), answers, told)
 
 
 def _given(problem: Problem) -> tuple[View, ...]:
@@ -147,14 +155,14 @@ def fewer_digits(solution: Solution) -> Words | None:
                  f"So near to a dead point (change point) the exact values keep only a few digits: {en}.")
 
 
-def _constructed(problem: Problem, by: Hand) -> Drawn:
+def _constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
     """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
     if isinstance(problem.subject, Device):
-        return construct_device(problem, by, {})
+        return construct_device(problem, by, {}, amended)
     if problem.loads is not None:
-        return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View})
+        return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View}, amended=amended)
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"))
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"), amended)
 
 
 def _expected(scalars: Any) -> float:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .marks import Dot, Mark, Role
-from .place import Place
+from .place import Place, called
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,6 +40,11 @@ class Done:
     def key(self) -> str:
         """What it stands for."""
         return self.head.key
+
+    @property
+    def figure(self) -> str:
+        """The figure it was done on: ``velocity``, ``force 23``."""
+        return "" if self.head.place is None else called(self.head.place)
 
     @property
     def inputs(self) -> tuple[int, ...]:

@@ -6,11 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
+import numpy as np
+
 from ..frozen import FrozenMap
-from ..plane import Points, Reals, nominal
-from .place import Place, view_of
+from ..plane import Points, Reals
+from ..plane.traced import acts_of, bare, traced
+from .place import Place, called
 
 T = TypeVar("T")
+V = TypeVar("V", Points, Reals)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,22 +30,32 @@ class Amended:
     def reading(self, place: Place | None, letters: str, read: Reals) -> Reals:
         """The length to go on with."""
         own = _of(self.readings, place, plain_letters(letters), plain_letters(" ".join(reversed(letters.split()))))
-        return read if own is None else read + (own - float(nominal(read)))
+        return read if own is None else _moved(read, own)
 
     def point(self, place: Place, letter: str, at: Points) -> Points:
         """The point to go on with."""
-        own = _of(self.points, place, letter)
-        return at if own is None else at + (own - complex(nominal(at)))
+        own = _of(self.points, place, plain_letters(letter))
+        return at if own is None else _moved(at, own)
 
 
 AS_DRAWN = Amended()
+
+
+def _moved(found: V, own: complex) -> V:
+    """What was found by every hand, moved so that the nominal sheet has somebody's own."""
+    alone = bare(found)
+    if np.ndim(alone) == 0:
+        return traced(type(alone)(own), acts_of(found))  # type: ignore[no-any-return]
+    moved = alone + (own - alone[0])
+    moved[0] = own
+    return traced(moved, acts_of(found))  # type: ignore[no-any-return]
 
 
 def _of(given: Mapping[str, T], place: Place | None, *letters: str) -> T | None:
     """The value given under any of these letters, with the figure before them or without."""
     if not given:
         return None
-    figure = "" if place is None else f"{view_of(place).value}:"
+    figure = "" if place is None else f"{called(place)}:"
     return next((given[key] for name in letters for key in (f"{figure}{name}", name) if key in given), None)
 
 

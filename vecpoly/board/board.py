@@ -15,15 +15,17 @@ import numpy as np
 
 from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
 from ..formula import Node, Row, row
+from ..names import ascii_key
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
 from ..plane.geometry import dot, inclined
-from ..plane.traced import acts_of, traced
+from ..plane.traced import Acts, acts_of, traced
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
 from . import acts as done
 from .amended import AS_DRAWN, Amended, plain_letters
-from .construction import Scale
+from .construction import Reading, Scale
 from .hand import Hand
+from .hand import hand as hand_of
 from .log import Log
 from .marks import Dot, Role, Vector
 from .place import Place, View
@@ -43,7 +45,13 @@ class Board(Log):
         super().__init__(scales)
         self.hand = hand
         self.amended = amended
+        self.readings: dict[str, Reading] = {}  # what was found of the quantities: each in one place, as it is read
+        self.found: dict[str, Reals] = {}  # the same by every hand
         self._ruler = Ruler(hand)
+
+    def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
+        """Scratch paper for an exact hand: its acts are not remembered, and what it gives came from where its inputs came from."""
+        return _Scratch(hand_of("exact"), scales or self.scales)
 
     # -- acts that leave ink ----------------------------------------------------------------------------------
 
@@ -96,7 +104,7 @@ class Board(Log):
     def locate(self, view: Place, letter: str, at: Points) -> Points:
         """From now on the point has this letter; goes on with a point of somebody's own where there is one."""
         at = self.amended.point(view, letter, at)
-        return traced(at, self.log(done.Locate(head=self.head(at, on=view, key=letter), at=spot(at))))
+        return traced(at, self.log(done.Locate(head=self.head(at, on=view, key=plain_letters(letter)), at=spot(at))))
 
     def turn(self, along: Points) -> Points:
         """Carry a direction to another place with the set square."""
@@ -207,19 +215,46 @@ class Board(Log):
         return paper(letters_node(letters), mm)
 
     def _measured(self, read: Reals, a: Points, b: Points, letters: str) -> Reals:
-        place = next((act.head.place for n in sorted(acts_of(a, b), reverse=True) if (act := self.acts[n]).head.place is not None), None)
+        place = next((act.head.place for n in sorted(acts_of(a, b), reverse=True) if (act := self._act(n)) is not None and act.head.place is not None), None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
         return traced(mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=float(nominal(mm)))))
+
+    def _act(self, number: int) -> done.Act | None:
+        return self.acts[number] if number < len(self.acts) else None  # scratch paper remembers none
 
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
         return self._ruler.bearing(a, b, lambda read: traced(read, self.log(done.Gauge(head=self.head(a, b), angle=float(np.angle(nominal(read)))))))
 
+    def gauge(self, a: Points, b: Points) -> Reals:
+        """The angle of the direction from a to b as the protractor shows it (rad)."""
+        read = self.hand.gauge(np.angle(b - a))
+        return traced(read, self.log(done.Gauge(head=self.head(a, b), angle=float(nominal(read)))))
+
+    def coordinates(self, at: Points, letter: str) -> Points:
+        """How far a point lies to the right of the origin and above it, both read off the rule (mm)."""
+        read = self.hand.read(at.real) + 1j * self.hand.read(at.imag)
+        act = done.Measure(head=self.head(at, key=plain_letters(letter)), a=0j, b=spot(at), mm=abs(spot(read)))
+        return traced(read, self.log(act))
+
+    def keep(self, reading: Reading, value: Reals) -> None:
+        """Keep an answer, as it is read and by every hand."""
+        self.readings[reading.key], self.found[reading.key] = reading, value
+        self.answer(reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value)
+
+    def answer(self, key: str, value: complex, unit: str, *found: Points | Reals) -> None:
+        """Write down what was found of a quantity (SI), and from what."""
+        self.log(done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
+
+    def conclude(self, key: str, value: Reals, unit: str) -> Reals:
+        """A value follows from others (SI): ω of a link, with its sense."""
+        return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=float(nominal(value)), unit=unit)))
+
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result."""
         value = expr.value
-        act = self.log(done.Compute(head=self.head(value, key=symbol), value=float(nominal(value)), unit=unit_text))
+        act = self.log(done.Compute(head=self.head(value, key=ascii_key(symbol)), value=float(nominal(value)), unit=unit_text))
         result = magnitude(symbol, traced(value, act), unit_text)
         self.write(worked(result.node, expr, unit_text))
         return result
@@ -227,6 +262,14 @@ class Board(Log):
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""
         self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
+
+
+class _Scratch(Board):
+    """Paper that is thrown away."""
+
+    def log(self, act: done.Act) -> Acts:
+        self.ink(act)
+        return frozenset(act.inputs)
 
 
 def spot(at: Points) -> complex:

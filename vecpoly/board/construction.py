@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from ..formula import Node
 from ..frozen import FrozenMap
 from ..words import Words
+from .acts import Act
+from .chain import following, keys_of, needed, numbers
 from .marks import Mark
 from .place import Pane, Place, View, view_of
 
@@ -118,6 +120,14 @@ class Construction:
     def __post_init__(self) -> None:
         for name in ("readings", "forces"):
             object.__setattr__(self, name, FrozenMap(getattr(self, name)))
+
+    def depends(self, key: str) -> tuple[str, ...]:
+        """The keys of all that this rests on, in the order in which they were found: letters, readings, quantities."""
+        return keys_of(self.acts, needed(self.acts, numbers(self.acts, key)), key)
+
+    def dependents(self, key: str) -> tuple[str, ...]:
+        """The keys of all that rests on this, in the order in which they were found."""
+        return keys_of(self.acts, following(self.acts, numbers(self.acts, key)), key)
 
     def figure(self, place: Place) -> Figure | None:
         """The figure at this place (the first of a view), if drawn."""

@@ -18,6 +18,7 @@ from ..arguments import whole_number
 from ..errors import UnknownNameError
 from ..limits import REPEATS, SEED
 from ..plane import Points, Reals
+from ..plane.traced import acts_of, bare, traced
 from ..words import Words
 
 HandName = Literal["exact", "drafting", "pencil"]
@@ -86,14 +87,15 @@ class Hand:
         return noise
 
     def _graduated(self, value: Reals, of: Callable[[Skill], float]) -> Reals:
+        value, acts = bare(value), acts_of(value)
         if not self.repeats:
-            return _round_to(value, of(self.nominal))
+            return traced(_round_to(value, of(self.nominal)), acts) if acts else _round_to(value, of(self.nominal))
         full = np.broadcast_to(np.asarray(value, dtype=float), (self.repeats + 1,)).copy()
         step = of(self.repeated)
         jitter = self.rng.uniform(-0.5, 0.5, self.repeats) * step
         full[1:] = _round_to(full[1:] + jitter, step)
         full[0] = _round_to(full[0], of(self.nominal))
-        return full
+        return traced(full, acts) if acts else full
 
 
 def _round_to(value: Reals, step: float) -> Reals:

@@ -61,11 +61,15 @@ class Log:
     def log(self, act: Act) -> Acts:
         """Remember an act, and leave its marks; what it gave is known by its number."""
         self.acts.append(act)
+        self.ink(act)
+        return frozenset((act.number,))
+
+    def ink(self, act: Act) -> None:
+        """Leave the marks of an act on its figure."""
         left = marks_of(act)
         if left:
             assert act.head.place is not None
             self._marks[act.head.place] += left
-        return frozenset((act.number,))
 
     def mark(self, view: Place, *marks: Mark, key: str = "", owner: str = "") -> None:
         """Draw symbols: of links, joints, loads, bodies."""

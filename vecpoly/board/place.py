@@ -27,6 +27,11 @@ class Pane:
 Place = View | Pane  # where a mark stands: the only figure of its kind, or one of several
 
 
+def called(place: Place) -> str:
+    """The figure in a key: its kind, and its name where there are several, ``velocity``, ``force 23``."""
+    return f"{place.view.value} {place.name}" if isinstance(place, Pane) else place.value
+
+
 def view_of(place: Place) -> View:
     """The kind of figure."""
     return place.view if isinstance(place, Pane) else place

@@ -34,13 +34,11 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 
 def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
     """What the force analysis or the instant centres gave: a load, a reaction, a centre; raises NoMethodError where it was not found."""
-    if named.key in desk.central:
-        return desk.central[named.key], desk.central_repeats[named.key]
-    if named.key not in desk.named:
+    if named.key not in desk.board.readings:
         raise NoMethodError(Words(
             f"图上没有作出 {named.key}：现有图解法对此机构求不出此量",
             f"{named.key} was not found on the drawing: no method on file gives it for this mechanism"))
-    return desk.named[named.key], desk.named_repeats[named.key]
+    return desk.board.readings[named.key], desk.board.found[named.key]
 
 
 def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
@@ -52,6 +50,7 @@ def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
     value = float(nominal(turn.value))
+    desk.board.answer(rel.key, value, rel.kind.unit, turn.value)
     return Reading(key=rel.key, symbol=name, unit=rel.kind.unit, scalar=value, remark=remark,
                    formula=stated(magnitude(name, value, rel.kind.unit))), turn.value
 
@@ -59,10 +58,10 @@ def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     name = str(rel.to)
     place: Points = desk.at[name] if name in desk.at else desk.at[rel.to.point]
-    read = desk.board.hand.read(np.asarray(place).real) + 1j * desk.board.hand.read(np.asarray(place).imag)
     scale = desk.board.scales[View.MECHANISM]
-    metres = read * scale.value
+    metres = desk.board.coordinates(place, name) * scale.value
     vector = complex(nominal(metres))
+    desk.board.answer(rel.key, vector, "m", metres)
     text = Row((sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
     return (Reading(key=rel.key, symbol=name[0] + (f"_{{{name[1:]}}}" if name[1:] else ""), unit="m", scalar=abs(vector),
                     vector=vector, scale=scale.symbol, formula=text), np.abs(metres))
@@ -73,10 +72,11 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     board, scale = desk.board, desk.board.scales[view]
     known = computed(desk, rel)
     on_paper = board.measure(start, end, line) if known is None else paper(letters_node(line), board.hand.read(board.to_paper(view, known.value)))
-    direction = board.hand.gauge(np.angle(end - start))
+    direction = board.gauge(start, end)
     size = on_paper.value * scale.value if known is None else known.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
+    board.answer(rel.key, 0j if exact_zero else complex(nominal(values)), rel.kind.unit, start, end, size, direction)
     symbol = sym(rel.symbol)
     reading = Reading(
         key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),

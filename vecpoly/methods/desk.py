@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..board.board import Board
-from ..board.construction import Reading, View
+from ..board.construction import View
 from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Rolling, Side
 from ..names import At, Kind, Rel, subscripted
 from ..plane import Line, Points, Reals, foot, unit
@@ -54,11 +54,8 @@ class Desk:
     sizes: dict[str, Quantity] = field(default_factory=dict)  # of vectors that were computed, then laid off: they are not read again
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
-    named: dict[str, Reading] = field(default_factory=dict)  # answers of the force analysis
-    named_repeats: dict[str, Reals] = field(default_factory=dict)
+    forces: tuple[str, ...] = ()  # keys of what a force analysis found
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
-    central: dict[str, Reading] = field(default_factory=dict)  # answers that instant centres gave
-    central_repeats: dict[str, Reals] = field(default_factory=dict)
     slides: dict[tuple[str, str], Rel] = field(default_factory=dict)  # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
@@ -124,6 +121,16 @@ class Desk:
         """Paper direction of the link's x axis."""
         return 1 + 0j if link == FRAME else self.pose[link].along
 
+    def letter(self, name: str, at: Points) -> None:
+        """A point of the diagram is found: it has its letter."""
+        self.at[name] = self.board.locate(View.MECHANISM, name, at)
+
+    def put_tip(self, view: View, at: At, tip: Points) -> Points:
+        """A point's vector ends here on its polygon, at the point's letter."""
+        own = self.canonical(at)
+        self.tips[view, own] = self.board.locate(view, self.tip_label(view, own), tip)
+        return self.tips[view, own]
+
     def settle(self, link: str, points: tuple[str, str]) -> None:
         """Take the link's pose from two of its points, already drawn."""
         body = self.mech.link(link)
@@ -142,7 +149,7 @@ class Desk:
         """Letter the link's further points."""
         for name, local in self.mech.link(link).points.items():
             if name not in self.at:
-                self.at[name] = self.place(link, local)
+                self.letter(name, self.place(link, local))
 
     def guide_line(self, joint: Prismatic) -> Line:
         """The guide of a sliding pair as drawn, found from whichever of its two links is drawn."""

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..board.amended import AS_DRAWN, Amended
 from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.extent import extent, figured
@@ -59,23 +60,23 @@ NOTHING: Mapping[Stage, Words] = {}
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
-def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None) -> Drawn:
+def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None, amended: Amended = AS_DRAWN) -> Drawn:
     """Solve the problem on a board.
 
     slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet; they are drawn
-    as large as it allows.
+    as large as it allows. amended: what is done otherwise than this hand would; the ideal hand, and the choice of scales, know nothing of it.
     Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
         exchange = exchanged(problem.mechanism, stages(problem))
         problem = replace(problem, subject=exchange.mech)
         scales, sketch = _choose_scales(problem, slots, fit)
-        desk = _draw(problem, by, scales, exchange.said)
+        desk = _draw(problem, by, scales, exchange.said, amended)
         readings, repeats = _answers(desk, problem)
         plain = sketch or _draw(problem, hand("exact"), scales)
         ideal, _ = _answers(plain, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
-                                steps=tuple(desk.board.steps), acts=tuple(desk.board.acts), readings=readings, forces=desk.named)
+                                steps=tuple(desk.board.steps), acts=tuple(desk.board.acts), readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
     return Drawn(construction, repeats, ideal, motion_of(plain))
 
 
@@ -140,12 +141,13 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING) -> Desk:
+def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
-    desk = Desk(board=Board(by, scales), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None)
-    desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
+    desk = Desk(board=Board(by, scales, amended), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None)
+    for name, at in mech.frame.items():
+        desk.letter(name, at * desk.mm(1.0))
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
         if stage in said:
@@ -157,8 +159,9 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mappin
         elif stage is Stage.FORCE:
             from .forces.plan import force_pass
 
-            statics = force_pass(desk, problem)
-            desk.named, desk.named_repeats = statics.readings, statics.repeats
+            before = set(desk.board.readings)
+            force_pass(desk, problem)
+            desk.forces = tuple(key for key in desk.board.readings if key not in before)
         else:
             _pass(desk, problem, stage, groups)
     return desk
@@ -215,7 +218,7 @@ def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]
     readings: dict[str, Reading] = {}
     repeats: Repeats = {}
     for ask in problem.asks:
-        if isinstance(ask, AskNamed) or ask.rel.key in desk.central:
+        if isinstance(ask, AskNamed) or ask.rel.key in desk.board.readings:
             reading, scalars = named_answer(desk, ask.rel)
         else:
             reading, scalars = answer(desk, ask.rel)

@@ -33,17 +33,17 @@ class Closed:
     meeting: Points
 
 
-def close(board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None) -> Closed:
+def close(board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None, *, to: str = "") -> Closed:
     """Draw the equation as a polygon from the pole (without a right side: back to it) and give the ends of all its vectors.
 
-    choose: which of two arc meetings is meant (cases with an unknown direction).
+    choose: which of two arc meetings is meant (cases with an unknown direction). to: the letter of the point where the chains meet.
     """
     ends: Ends = {}
     left, open_left = _known_chain(board, view, pole, eq.left, ends)
     right, open_right = _known_chain(board, view, pole, eq.right, ends)
     unknown = [(t, True) for t in open_left] + [(t, False) for t in open_right]
     if len(unknown) == 1:
-        return _closing_side(board, view, left, right, unknown[0], ends)
+        return _closing_side(board, view, left, right, unknown[0], ends, to)
     (one, on_left), (two, also_left) = unknown
     if on_left == also_left:  # both at the end of one side: walk to the other side's end
         start, end = (left, right) if on_left else (right, left)
@@ -52,6 +52,8 @@ def close(board: Board, view: Place, pole: Points, eq: Equation, choose: Choice 
         meeting = end
     else:
         corner = _corner(board, view, (one, left), (two, right), str(eq), choose)
+        if to:
+            corner = board.locate(view, to, corner)
         ends[one.rel.key], ends[two.rel.key] = (left, corner), (right, corner)
         meeting = corner
     for term, _ in unknown:
@@ -94,6 +96,8 @@ def _known_chain(
         else:
             assert term.along is not None and term.mm is not None
             tip = board.lay_off(here, term.along, term.mm, key=term.rel.key)
+        if term.tip and not term.drawn:
+            tip = board.locate(view, term.tip, tip)
         ends[term.rel.key] = (here, tip)
         if not term.drawn:
             _arrow(board, view, term, ends, Role.GIVEN)
@@ -104,10 +108,12 @@ def _known_chain(
 
 
 def _closing_side(
-    board: Board, view: Place, left: Points, right: Points, unknown: tuple[Term, bool], ends: Ends
+    board: Board, view: Place, left: Points, right: Points, unknown: tuple[Term, bool], ends: Ends, to: str
 ) -> Closed:
     """One vector unknown altogether: it joins the ends of the two chains."""
     term, on_left = unknown
+    if to:
+        left, right = (left, board.locate(view, to, right)) if on_left else (board.locate(view, to, left), right)
     ends[term.rel.key] = (left, right) if on_left else (right, left)
     _arrow(board, view, term, ends, Role.RESULT)
     return Closed(ends, right if on_left else left)

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ...board.board import Board
 from ...board.construction import View
-from ...board.hand import hand
 from ...board.marks import AngleMark, Dot, Mark, Point, Role, Segment
 from ...mechanism.assur import Group
 from ...problem.problem import Problem
@@ -20,7 +18,7 @@ FEW = 4  # links: with more, the letters of the points would crowd those of the 
 
 def mechanism_marks(desk: Desk, problem: Problem, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Mark]:
     """Frame and links as in the position diagram, reduced; without their construction lines, and of many links without letters."""
-    scratch = Desk(board=Board(hand("exact"), {View.MECHANISM: paper.scale}), mech=desk.mech, coincident=desk.coincident)
+    scratch = Desk(board=desk.board.scratch({View.MECHANISM: paper.scale}), mech=desk.mech, coincident=desk.coincident)
     shapes = problem.given.shapes
     scratch.at = {name: desk.at[name] * paper.factor for name in desk.mech.frame}
     for number, links in enumerate(((desk.mech.drive.link,), *(group.links for group in groups))):

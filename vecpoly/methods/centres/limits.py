@@ -46,8 +46,7 @@ def find_limit(desk: Desk, named: Named) -> None:
     degrees = float(nominal(angle)) % 360.0
     _draw(desk, pane, (pin, led, rod), (b, c), "′" if extended else "″", degrees)
     board.write(Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°"))))
-    desk.central[named.key] = Reading(key=named.key, symbol=named.symbol, unit="deg", scalar=degrees, formula=Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°"))))
-    desk.central_repeats[named.key] = degrees + (angle - float(nominal(angle)) + 180.0) % 360.0 - 180.0
+    board.keep(Reading(key=named.key, symbol=named.symbol, unit="deg", scalar=degrees, formula=Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°")))), degrees + (angle - float(nominal(angle)) + 180.0) % 360.0 - 180.0)
 
 
 def _meetings(desk: Desk, rod: str, led: str, reach: float) -> tuple[Points, Points]:

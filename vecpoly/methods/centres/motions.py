@@ -151,8 +151,7 @@ class Motions:
         name, size = f"ω_{{{link}}}", float(nominal(value))
         remark = Words("该构件作平动", "the link only translates") if expr is None else None
         formula = worked(sym(name), expr if expr is not None else magnitude(name, 0.0, "rad/s"), "rad/s")
-        self.fig.desk.central[rel.key] = Reading(key=rel.key, symbol=name, unit="rad/s", scalar=size, formula=formula, remark=remark)
-        self.fig.desk.central_repeats[rel.key] = np.asarray(value, dtype=float)
+        self.fig.board.keep(Reading(key=rel.key, symbol=name, unit="rad/s", scalar=size, formula=formula, remark=remark), value)
 
 
 def _length(p: Spot, q: Spot) -> str:

@@ -74,7 +74,7 @@ def _sparing(fig: CentreFigure) -> Words:
 
 def _limit_positions(desk: Desk, problem: Problem) -> None:
     for ask in problem.asks:
-        if isinstance(ask, AskNamed) and ask.rel.key not in desk.central and ask.rel.sort is Sort.LIMIT:
+        if isinstance(ask, AskNamed) and ask.rel.key not in desk.board.readings and ask.rel.sort is Sort.LIMIT:
             find(Stage.CENTRES, "limit positions").draw(desk, ask.rel)
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ...board.construction import Reading
 from ...errors import NoMethodError
 from ...formula import named as as_symbol
@@ -40,11 +38,10 @@ def read_ratio(motions: Motions, pair: Pair) -> None:
         outside = float(nominal(dot(common.at - one.at, common.at - two.at))) > 0
         fig.board.step(_words(fig.mech.number(i), fig.mech.number(j), common.letter, one.letter, two.letter, outside), fig.pane)
         expr = measured(fig, two, common) / measured(fig, one, common)
-        value = expr.value if outside else -1.0 * np.asarray(expr.value)
+        value = expr.value if outside else -1.0 * expr.value
     node = as_symbol(name.symbol)
     fig.board.write(worked(node, expr, ""))
-    fig.desk.central[name.key] = Reading(key=name.key, symbol=name.symbol, unit="", scalar=float(nominal(value)), formula=worked(node, expr, ""))
-    fig.desk.central_repeats[name.key] = np.asarray(value, dtype=float)
+    fig.board.keep(Reading(key=name.key, symbol=name.symbol, unit="", scalar=float(nominal(value)), formula=worked(node, expr, "")), value)
 
 
 def _words(i: str, j: str, common: str, one: str, two: str, outside: bool) -> Words:

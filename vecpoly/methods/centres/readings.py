@@ -46,10 +46,9 @@ def _read_turn(motions: Motions, rel: Rel) -> None:
     if link == FRAME:
         raise NoMethodError(Words("机架不转动", "the frame does not turn"))
     motions.find(link)
-    if rel.key not in desk.central:
+    if rel.key not in desk.board.readings:
         value = motions.turns[link]
-        desk.central[rel.key] = Reading(key=rel.key, symbol=rel.symbol, unit=rel.unit, scalar=float(nominal(value)), formula=worked(sym(rel.symbol), motions.sizes[link], rel.unit))
-        desk.central_repeats[rel.key] = np.asarray(value, dtype=float)
+        desk.board.keep(Reading(key=rel.key, symbol=rel.symbol, unit=rel.unit, scalar=float(nominal(value)), formula=worked(sym(rel.symbol), motions.sizes[link], rel.unit)), value)
 
 
 def _read_named(motions: Motions, key: str) -> list[tuple[str, Points, Points] | None]:
@@ -104,7 +103,7 @@ def _far_place(fig: CentreFigure, pair: Pair) -> Points:
 
 def _upright(angle: Reals) -> Reals:
     """A direction without sense, 0 to 180°; its repetitions without a jump."""
-    degrees = np.degrees(np.asarray(angle))
+    degrees = np.degrees(angle)
     first = float(nominal(degrees)) % 180.0
     first = 0.0 if 180.0 - first < 1e-7 else first
     near: Reals = first + (degrees - first + 90.0) % 180.0 - 90.0
@@ -112,5 +111,4 @@ def _upright(angle: Reals) -> Reals:
 
 
 def _keep(fig: CentreFigure, reading: Reading, scalars: Reals) -> None:
-    fig.desk.central[reading.key] = reading
-    fig.desk.central_repeats[reading.key] = np.asarray(scalars, dtype=float)
+    fig.board.keep(reading, scalars)

@@ -36,12 +36,10 @@ def find_slowest(motions: Motions, ask: AskPoint) -> None:
     at = foot(Line(ends[0], along), centre.at)
     motions.places[ask.name] = at
     _draw(motions, at, ends, centre.at, name)
-    read = fig.board.hand.read
-    metres = (read(np.asarray(at).real) + 1j * read(np.asarray(at).imag)) * fig.paper.scale.value
+    metres = fig.board.coordinates(at, ask.name) * fig.paper.scale.value
     vector = complex(nominal(metres))
     text = Row((*row(name).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-    fig.desk.central[ask.rel.key] = Reading(key=ask.rel.key, symbol=name, unit="m", scalar=abs(vector), vector=vector, scale=fig.paper.scale.symbol, formula=text)
-    fig.desk.central_repeats[ask.rel.key] = np.asarray(np.abs(metres), dtype=float)
+    fig.board.keep(Reading(key=ask.rel.key, symbol=name, unit="m", scalar=abs(vector), vector=vector, scale=fig.paper.scale.symbol, formula=text), np.abs(metres))
 
 
 def _draw(motions: Motions, at: Points, ends: list[Points], centre: Points, name: str) -> None:

@@ -57,8 +57,7 @@ def _speed(motions: Motions, link: str, spot: Spot, key: str, symbol: str) -> Dr
     motions.find(link)
     reading, vector = (_gliding if link in motions.glides else _turning)(motions, link, spot, Reading(key=key, symbol=symbol, unit="m/s", scalar=0.0))
     motions.fig.board.write(reading.formula or sym(symbol))
-    motions.fig.desk.central[key] = replace(reading, scalar=float(nominal(np.abs(vector))), vector=complex(nominal(vector)))
-    motions.fig.desk.central_repeats[key] = np.asarray(np.abs(vector), dtype=float)
+    motions.fig.board.keep(replace(reading, scalar=float(nominal(np.abs(vector))), vector=complex(nominal(vector))), np.abs(vector))
     return symbol, spot.at, vector
 
 

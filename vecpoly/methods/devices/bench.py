@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,8 +23,6 @@ class Bench:
     """The state of one solution of a device."""
 
     board: Board
-    readings: dict[str, Reading] = field(default_factory=dict)
-    repeats: dict[str, Reals] = field(default_factory=dict)
 
     def measured(self, named: Named, place: Place, start: Points, end: Points, letters: str,
                  acts: LineOfAction | None = None, told: bool = True) -> Quantity:
@@ -36,7 +34,7 @@ class Bench:
         vector: complex | None = None
         if named.is_vector:
             zero = abs(complex(nominal(end - start))) < NO_LENGTH
-            vector = 0j if zero else complex(nominal(size * np.exp(1j * board.hand.gauge(np.angle(end - start)))))
+            vector = 0j if zero else complex(nominal(size * np.exp(1j * board.gauge(start, end))))
         if told:
             board.write(formula)
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(size)), vector=vector,
@@ -53,7 +51,7 @@ class Bench:
     def read_off(self, named: Named, place: Place, on_paper: Quantity, letters: str) -> None:
         """Note the length on paper from which a quantity was computed."""
         mm, scale = float(nominal(on_paper.value)), self.board.scale_of(place).symbol
-        self.readings[named.key] = replace(self.readings[named.key], mm=mm, line=letters, scale=scale)
+        self.board.readings[named.key] = replace(self.board.readings[named.key], mm=mm, line=letters, scale=scale)
 
     def stated(self, named: Named, value: Reals, formula: Node | None = None) -> Quantity:
         """Keep a value found in another way: by formula given here, or as it stands."""
@@ -66,9 +64,8 @@ class Bench:
     def judged(self, named: Named, yes: Reals, remark: Words) -> None:
         """Keep the answer to a question, 1 yes and 0 no; the sentence that answers it goes into the step."""
         self.board.remark(remark)
-        value = np.where(np.asarray(yes), 1.0, 0.0)
+        value = np.where(yes, 1.0, 0.0)
         self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), remark=remark), value)
 
     def _keep(self, reading: Reading, values: Reals) -> None:
-        self.readings[reading.key] = reading
-        self.repeats[reading.key] = np.asarray(values, dtype=float)
+        self.board.keep(reading, values)

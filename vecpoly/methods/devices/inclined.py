@@ -209,7 +209,7 @@ def signed(bench: Bench, named: Named, place: Pane, ends: tuple[Points, Points],
     sign = np.where(dot(end - start, along) < 0, -1.0, 1.0)
     board = bench.board
     size = board.mu(place) * board.measure(start, end, letters)
-    value = size.value * (sign if np.ndim(size.value) else float(sign))
+    value = size.value * sign[()]
     minus = Row((sym(named.symbol), Txt(" = −"), size.symbol(), Txt(" = −"), size.numbers(), Txt(f" = {number(float(nominal(value)))} {named.unit}")))
     return bench.stated(named, value, minus)
 

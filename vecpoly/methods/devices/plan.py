@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ...board.amended import AS_DRAWN, Amended
 from ...board.board import Board
 from ...board.construction import Construction, Scale, View
 from ...board.extent import extent
@@ -24,20 +25,20 @@ TITLES = {view: Words("", "") for view in View} | {
 SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
 
 
-def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]]) -> Drawn:
+def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], amended: Amended = AS_DRAWN) -> Drawn:
     """Solve a device on a board."""
     device = problem.device
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         scales, sketch = _scales(problem, slots)
-        bench = _draw(device, by, scales)
+        bench = _draw(device, by, scales, amended)
     keys = [ask.rel.key for ask in problem.asks]
     construction = Construction(problem=problem.id, hand=by.name, figures=bench.board.figures(TITLES),
-                                steps=tuple(bench.board.steps), acts=tuple(bench.board.acts), readings={key: bench.readings[key] for key in keys})
-    return Drawn(construction, {key: bench.repeats[key] for key in keys}, {key: sketch.readings[key] for key in keys})
+                                steps=tuple(bench.board.steps), acts=tuple(bench.board.acts), readings={key: bench.board.readings[key] for key in keys})
+    return Drawn(construction, {key: np.asarray(bench.board.found[key], dtype=float) for key in keys}, {key: sketch.board.readings[key] for key in keys})
 
 
-def _draw(device: Device, by: Hand, scales: Mapping[View, Scale]) -> Bench:
-    bench = Bench(Board(by, scales))
+def _draw(device: Device, by: Hand, scales: Mapping[View, Scale], amended: Amended = AS_DRAWN) -> Bench:
+    bench = Bench(Board(by, scales, amended))
     find_device(device).draw(bench, device)
     return bench
 

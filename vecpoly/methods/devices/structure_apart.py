@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from ...board.construction import Reading, View
 from ...devices.structure import Structure, class_, groups
 from ...devices.structure_pairs import Chain
@@ -37,9 +35,8 @@ def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[s
 def no_groups(bench: Bench, drivers: tuple[str, ...]) -> None:
     """Drivers and freedoms differ in number: nothing can be taken apart, and both answers are 0."""
     for named in (groups(drivers), class_(drivers)):
-        bench.readings[named.key] = Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=0.0, remark=Words(
-            f"以构件 {'、'.join(drivers)} 为原动件时，原动件数与自由度不等，不能拆分杆组", f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving, drivers and freedoms differ in number: there are no groups to be taken off"))
-        bench.repeats[named.key] = np.zeros(())
+        bench.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=0.0, remark=Words(
+            f"以构件 {'、'.join(drivers)} 为原动件时，原动件数与自由度不等，不能拆分杆组", f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving, drivers and freedoms differ in number: there are no groups to be taken off")), 0.0)
 
 
 def _title(group: Group, drivers: tuple[str, ...], several: bool) -> Words:
@@ -82,4 +79,4 @@ def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
         name = Words(f"以构件 {told} 为原动件时，剩下的构件不能组成杆组", f"with {', '.join(drivers)} driving the remaining links form no Assur groups")
     key = class_(drivers).key
     bench.stated(class_(drivers), float(rank))
-    bench.readings[key] = replace(bench.readings[key], remark=name)
+    bench.board.readings[key] = replace(bench.board.readings[key], remark=name)

@@ -40,7 +40,7 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     sense = st.moment_sense(pin, held.parent, link)
     u = line.along
     if st.ideal is None:  # the sense follows from the couple
-        u = u * np.where(np.asarray(moment) * (np.conj(line.at - centre) * u).imag > 0, -1, 1)
+        u = u * np.where(moment * (np.conj(line.at - centre) * u).imag > 0, -1, 1)
     at = st.touch(pin, -u, sense)
     across = foot(Line(line.at, u), at)
     turning = (np.conj(across - at) * u).imag  # of the couple that u at `across` and −u at `at` form, per mm of force
@@ -48,11 +48,11 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
         raise EquilibriumError(Words(
             f"构件 {number}：{one.key} 的作用线过 {pin}，不能平衡力偶；请另取原动件位置",
             f"link {number}: the line of {one.key} passes through {pin}, so it balances no couple; choose another input position"))
-    if float(nominal(turning * np.asarray(moment))) > 0:
+    if float(nominal(turning * moment)) > 0:
         raise LockedError(Words(
             f"构件 {number}：考虑摩擦后 {one.key} 的作用线位于 {pin} 的另一侧，沿此线的力不能平衡该力偶；请减小 f 或 ρ",
             f"link {number}: with friction the line of {one.key} passes on the other side of {pin}; no force along it balances the couple; lower f or ρ"))
-    _close(st, (held, by), (Line(line.at, u), at, np.asarray(across)[()]), sense)
+    _close(st, (held, by), (Line(line.at, u), at, across), sense)
 
 
 def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points], sense: int) -> None:

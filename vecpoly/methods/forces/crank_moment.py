@@ -66,7 +66,7 @@ def _couple(st: Statics, held: Held, load: Resultant, at: Points, drawn: Drawn |
     """M_b against the couple of the two parallel forces."""
     line = load.line
     across = foot(line, at)  # from the frame's line square across to the other
-    couple = np.asarray((np.conj(across - at) * load.vector).imag)
+    couple = (np.conj(across - at) * load.vector).imag
     if abs(nominal(across - at)) < NO_LENGTH:
         _through_pin(st, load.symbols.zh)
         return

@@ -43,7 +43,7 @@ def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tu
     point, turning = about
     vector, pin = drawn.end - drawn.start, st.desk.at[point]
     if no_force(st, drawn):
-        couple = -np.asarray(turning.value)[()] if turning.way else 0.0
+        couple = -turning.value if turning.way else 0.0
         _say_couple(st, by, on, couple)
         st.keep_reaction(by, on, Acting(named=st.named(by, on), vector=vector, at=pin, drawn=drawn, couple=couple))
         return

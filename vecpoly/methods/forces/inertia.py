@@ -54,7 +54,7 @@ def _inertia(st: Statics, mass: Mass) -> None:
     couple, sense = _couple(st, mass)
     if force is None:
         if sense:
-            st.inertia_couples[link] = np.asarray(st.repeats[f"M_I{link}"])
+            st.inertia_couples[link] = st.board.found[f"M_I{link}"]
         return
     _join(st, mass, force, couple, sense)
 
@@ -95,7 +95,7 @@ def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
         way = TURN[sense]
         board.remark(Words(f"惯性力矩 $M_{{I{link}}}$ 与 $α_{link}$ 转向相反，为{way.zh}。",
                            f" The inertia couple $M_{{I{link}}}$ turns against $α_{link}$, {way.en}."))
-    signed = -mass.inertia * np.asarray(rate, dtype=float)[()]
+    signed = -mass.inertia * rate
     st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(signed)), formula=formula), signed)
     return couple, sense
 
@@ -116,10 +116,10 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
     if float(nominal(arm.value)) > st.mech.scale:
         board.remark(Words(f"$h_{link}$ 大于机构尺寸，$F_{{I{link}}}$ 与 $M_{{I{link}}}$ 不再合成。",
                            f" $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart."))
-        st.inertia_couples[link] = np.asarray(st.repeats[f"M_I{link}"])
+        st.inertia_couples[link] = st.board.found[f"M_I{link}"]
         _draw_force(st, force.named.symbol, s, along)
         return
-    turning = np.sign(np.asarray(st.repeats[f"M_I{link}"]))
+    turning = np.sign(st.board.found[f"M_I{link}"])
     at = board.lay_off(s, -1j * along * turning, board.to_paper(View.MECHANISM, arm.value))
     board.remark(Words(f"将 $F_{{I{link}}}$ 平移 $h_{link}$，使其对 $ {st.desk.name(At(mass.centre))}$ 之矩与 $M_{{I{link}}}$ 同向，合成为一个总惯性力。",
                        f" Displaced by $h_{link}$ to the side where its moment about ${st.desk.name(At(mass.centre))}$ has the sense of $M_{{I{link}}}$, the force replaces both."))
@@ -143,7 +143,7 @@ def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -
     scale = st.board.scales[View.MECHANISM].value
     acting = Acting(named=named, vector=vector, at=at, direction=Words.same("✓"), size=f"$m_{mass.link} a_{{{mass.centre}}}$")
     st.inertia[mass.link] = [acting]
-    st.readings[named.key] = replace(st.readings[named.key], acts=LineOfAction(point=complex(nominal(at)) * scale))
+    st.board.readings[named.key] = replace(st.board.readings[named.key], acts=LineOfAction(point=complex(nominal(at)) * scale))
     return acting
 
 

@@ -74,7 +74,7 @@ def _given(st: Statics, pane: Pane, tips: Tips) -> list[Sum]:
         for acting in st.inertia.get(mass.link, []):
             size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
             found += _moment(size, _force_arm(st, pane, tips, At(mass.centre, mass.link), unit(acting.vector), acting.named))
-        couple = np.asarray(st.repeats.get(f"M_I{mass.link}", 0.0), dtype=float)[()]
+        couple = st.board.found.get(f"M_I{mass.link}", 0.0)
         if nominal(couple):
             inertia = Moment(name=f"M_I{mass.link}", link=mass.link)
             found += _term(st, pane, tips, inertia, np.abs(couple), int(np.sign(nominal(couple))))

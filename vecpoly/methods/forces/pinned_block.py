@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from ...board.construction import View
 from ...board.marks import Dot, Role
 from ...mechanism.model import Prismatic, Revolute
@@ -41,5 +39,5 @@ def line_of_block(st: Statics, two: TwoForce) -> Line:
     st.board.join(View.MECHANISM, at - u * 22.0, at + u * 22.0, Role.DIRECTION)
     st.board.plot(View.MECHANISM, at + u * 22.0, st.named(slid, two.link).symbol, Dot.NONE)
     on_loaded = u if pinned == two.on else -u
-    return Line(at, np.asarray(on_loaded)[()])
+    return Line(at, on_loaded)
 

@@ -97,9 +97,9 @@ def _power_first(st: Statics) -> Held:
                                   f"{name} acts on link {link}, which is not joined to the frame: with friction no graphical method on file balances it there; let it act on a "
                                   f"link joined to the frame, leave out the friction, or use 'vecpoly exact'"), code="no-method", numbers={"link": link})
     find(Stage.FORCE, "virtual power").draw(st, None)
-    found, key = st.readings[f"{name}_power"], load_named(st.unknown).key
-    st.keep(replace(found, key=key, symbol=load_named(st.unknown).symbol), st.repeats[f"{name}_power"])
-    st.balance, st.balanced = st.repeats[f"{name}_power"], True
+    found, key = st.board.readings[f"{name}_power"], load_named(st.unknown).key
+    st.keep(replace(found, key=key, symbol=load_named(st.unknown).symbol), st.board.found[f"{name}_power"])
+    st.balance, st.balanced = st.board.found[f"{name}_power"], True
     return Held(link=driver, parent=FRAME, joint=joint)
 
 
@@ -123,8 +123,7 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
     desk = ideal.desk
     desk.board.section(REAL)
     _circles(ideal)
-    st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples,
-                 readings=dict(ideal.readings), repeats=dict(ideal.repeats))
+    st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples)
     _walk(st, groups, held)
     _refuse_locked(ideal, st)
     read_reactions(st, desk.mech)

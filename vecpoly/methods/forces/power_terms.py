@@ -83,7 +83,7 @@ def rate_of(st: Statics, load: Load) -> Rate:
 
 def turning(st: Statics, link: str) -> Rate:
     """ω of a link."""
-    value = np.asarray(st.desk.turns[omega(link)].value, dtype=float)[()]
+    value = st.desk.turns[omega(link)].value
     still = abs(nominal(value)) <= STILL * st.speed / st.mech.scale
     return Rate(expr=magnitude(f"ω_{link}", np.abs(value), "rad/s"), sign=0.0 if still else np.sign(value))
 
@@ -119,7 +119,7 @@ def _mass_works(st: Statics, link: str, centre: str) -> Iterator[Work]:
         rate = along_force(st, At(centre, link), unit(acting.vector), acting.named.symbol)
         size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
         yield Work(named=acting.named, expr=size * rate.expr, sign=rate.sign, rate=rate, inertia=acting.named.key == f"F_I{link}")
-    couple = np.asarray(st.repeats.get(f"M_I{link}", 0.0), dtype=float)[()]
+    couple = st.board.found.get(f"M_I{link}", 0.0)
     if nominal(couple):
         rate, named = turning(st, link), Named(f"M_I{link}", f"M_{{I{link}}}", "N·m")
         yield Work(named=named, expr=magnitude(named.symbol, np.abs(couple), "N·m") * rate.expr, sign=np.sign(couple) * rate.sign, rate=rate, inertia=True)

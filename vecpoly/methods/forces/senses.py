@@ -48,7 +48,7 @@ def velocity_of(st: Statics, link: str, place: Points) -> Points:
     _, at = known_tips(desk, View.VELOCITY, link)[0]
     turn = desk.turns[omega(link)]
     per_mm = st.board.scales[View.MECHANISM].value / st.board.scales[View.VELOCITY].value
-    return desk.tip(View.VELOCITY, at) + 1j * np.asarray(turn.value) * (place - desk.where(at)) * per_mm
+    return desk.tip(View.VELOCITY, at) + 1j * turn.value * (place - desk.where(at)) * per_mm
 
 
 def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words | str) -> Points:

@@ -12,8 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...board.board import NO_LENGTH, Board
-from ...board.hand import hand
+from ...board.board import NO_LENGTH
 from ...errors import LockedError
 from ...mechanism.assur import Group
 from ...mechanism.model import Revolute
@@ -34,7 +33,7 @@ def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk) -> tuple[Stat
 
     Raises LockedError where none is found: with this friction nothing moves.
     """
-    scratch = replace(ideal.desk, board=Board(hand("exact"), ideal.desk.board.scales))
+    scratch = replace(ideal.desk, board=ideal.board.scratch())
     scratch.board.step(Words.same(""))
     start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples)
     shares = SHARES if ideal.by_moments else (1.0,)
@@ -68,7 +67,7 @@ def _fixed(start: Statics, groups: tuple[Group, ...], walk: Walk, couples: Coupl
 
 
 def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:
-    st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set(), readings={}, repeats={})
+    st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set())
     walk(st)
     return st
 
@@ -122,6 +121,6 @@ def _secant(couples: Couples, after: Couples, slope: np.ndarray) -> dict[tuple[s
     """x − (G − 1)⁻¹ (g(x) − x), by every hand."""
     if not couples:
         return {}
-    rest = np.stack(np.broadcast_arrays(*[np.asarray(after[k] - couples[k], dtype=float) for k in couples]))
+    rest = np.stack(np.broadcast_arrays(*[after[k] - couples[k] for k in couples]))
     move = np.linalg.solve(slope - np.eye(len(couples)), rest.reshape(len(couples), -1)).reshape(rest.shape)
-    return {key: (np.asarray(couples[key]) - move[i])[()] for i, key in enumerate(couples)}
+    return {key: (couples[key] - move[i])[()] for i, key in enumerate(couples)}

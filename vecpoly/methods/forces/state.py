@@ -42,8 +42,6 @@ class Statics:
     share: float = 1.0  # of the friction, while it is raised
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
     balanced: bool = False  # whether it was found before the reactions
-    readings: dict[str, Reading] = field(default_factory=dict)
-    repeats: dict[str, Reals] = field(default_factory=dict)
 
     # -- names ------------------------------------------------------------------------------------------------
 
@@ -133,7 +131,7 @@ class Statics:
 
     def keep(self, reading: Reading, value: Reals) -> None:
         """Keep an answer, as it is read and by every hand."""
-        self.readings[reading.key], self.repeats[reading.key] = reading, np.asarray(value, dtype=float)
+        self.board.keep(reading, value)
 
     def known(self, link: str) -> list[Acting]:
         """All known forces on a link: loads, inertia force, weight, reactions already found."""

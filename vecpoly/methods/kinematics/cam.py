@@ -38,7 +38,7 @@ def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
     """Find the points of contact, once both links are drawn."""
     for contact in desk.mech.contacts:
         if set(links) & {*contact.links, contact.substitute} and set(contact.links) <= set(desk.pose):
-            desk.at[contact.point] = desk.contact_of(contact)
+            desk.letter(contact.point, desk.contact_of(contact))
             desk.board.remark(_found(contact))
 
 

@@ -53,11 +53,11 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     """Write the equation into the step, draw it, letter the meeting point, keep the ends of all its vectors."""
     board = desk.board
     board.equate(eq.table())
-    closed = close(board, view, 0j, eq)
+    closed = close(board, view, 0j, eq, to=desk.tip_label(view, to))
     write_lengths(desk, view, eq)
     desk.tips[view, desk.canonical(to)] = closed.meeting
     board.plot(view, closed.meeting, desk.tip_label(view, to))
-    board.arrow_once(view, 0j, closed.meeting)
+    board.arrow_once(view, 0j, closed.meeting, key=Rel(VECTOR[view], desk.canonical(to)).key)
     desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
     return closed
 

@@ -27,9 +27,9 @@ def draw_components(desk: Desk, rel: Rel) -> None:
     board.step(Words(f"将 ${whole}$ 分解为 ${parts[0]}$ 和 ${parts[1]}$。", f"Resolve ${whole}$ into ${parts[0]}$ and ${parts[1]}$."), _VIEW)
     term = normal(desk, to, about, link)
     assert term.along is not None and term.mm is not None
-    foot = board.lay_off(start, term.along, term.mm)
-    board.arrow(_VIEW, start, foot, Role.GIVEN)
-    board.arrow(_VIEW, foot, end, Role.RESULT)
+    foot = board.lay_off(start, term.along, term.mm, key=keys[0])
+    board.arrow(_VIEW, start, foot, Role.GIVEN, key=keys[0])
+    board.arrow(_VIEW, foot, end, Role.RESULT, key=keys[1])
     if term.tip:
         board.plot(_VIEW, foot, term.tip)
     desk.ends |= {keys[0]: (_VIEW, start, foot), keys[1]: (_VIEW, foot, end)}

@@ -129,16 +129,15 @@ def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple
     """C_n on the polygon: the given vectors, laid off first, are shifted to the end of the one that was sought."""
     board, under = desk.board, At(ram.inner.point, ram.near)
     start, end = closed.ends[along[0].rel.key][0], closed.ends[along[-1].rel.key][1]
-    foot, corner = start, closed.meeting - (end - start)
-    desk.tips[view, under] = corner
+    foot, corner = start, desk.put_tip(view, under, closed.meeting - (end - start))
     board.remark(Words(f"将所给矢量平移，使其终点落在 ${desk.tip_label(view, At(ram.inner.point))}$，其起点即 ${desk.tip_label(view, under)}$。",
                        f" Shifted so that they end at ${desk.tip_label(view, At(ram.inner.point))}$, the given vectors start at ${desk.tip_label(view, under)}$."))
     board.plot(view, corner, desk.tip_label(view, under))
-    board.arrow(view, foot, corner, Role.RESULT)
+    board.arrow(view, foot, corner, Role.RESULT, key=turning.rel.key)
     moved: Ends = {turning.rel.key: (foot, corner)}
     if len(along) == 1:
         moved[along[0].rel.key] = (corner, closed.meeting)
-        board.arrow(view, corner, closed.meeting, Role.GIVEN)
+        board.arrow(view, corner, closed.meeting, Role.GIVEN, key=along[0].rel.key)
     else:  # a^k + a^r, shifted as one
         board.join(view, corner, closed.meeting, Role.DIRECTION)
     desk.ends |= {key: (view, a, b) for key, (a, b) in moved.items()}

@@ -69,12 +69,13 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
-        end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))
-        board.arrow(View.ACCELERATION, tip, end, Role.GIVEN)
+        parts = [Rel(kind, At(b)).key for kind in (Kind.AT, Kind.A)]
+        end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value), key=parts[0])
+        end = desk.put_tip(View.ACCELERATION, At(b), end)
+        board.arrow(View.ACCELERATION, tip, end, Role.GIVEN, key=parts[0])
         board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
-        board.arrow(View.ACCELERATION, 0j, end, Role.RESULT)
+        board.arrow(View.ACCELERATION, 0j, end, Role.RESULT, key=parts[1])
         desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
-        desk.tips[View.ACCELERATION, At(b)] = end
     images_of_link(desk, View.ACCELERATION, drive.link)
 
 
@@ -106,7 +107,11 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
 def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, last: bool = True) -> None:
     """Lay the first vector off from the pole."""
     board = desk.board
-    tip = board.lay_off(0j, along, board.to_paper(view, size))
-    board.arrow(view, 0j, tip, Role.GIVEN)
+    key = Rel(VECTOR[view] if last else Kind.AN, At(b)).key
+    tip = board.lay_off(0j, along, board.to_paper(view, size), key=key)
+    if last:
+        tip = desk.put_tip(view, At(b), tip)
+    else:
+        tip = desk.tips[view, At(b)] = board.locate(view, "n′", tip)
+    board.arrow(view, 0j, tip, Role.GIVEN, key=key)
     board.plot(view, tip, desk.tip_label(view, At(b)) if last else "n′")
-    desk.tips[view, At(b)] = tip

@@ -34,7 +34,7 @@ def velocity_gear(desk: Desk, group: Group) -> None:
     rel = Rel(Kind.V, At(c), ref)
     ends = desk.tip(view, At(h)), desk.tip(view, At(c))
     desk.ends[rel.key] = (view, *ends)
-    desk.board.arrow_once(view, *ends)
+    desk.board.arrow_once(view, *ends, key=rel.key)
     angular_velocity(desk, gear, h, c, ends, letters(desk, view, ref, At(c)), symbol(desk, rel))
     image_circle(desk, gear, c, h)
     images_of_link(desk, view, gear)

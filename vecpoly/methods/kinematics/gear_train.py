@@ -90,7 +90,7 @@ def _from_two(desk: Desk, view: View, link: str) -> None:
         ref = None if desk.at_rest(view, p_at) else p_at
         rel = Rel(Kind.V, q_at, ref)
         both = desk.tip(view, p_at), desk.tip(view, q_at)
-        desk.board.arrow_once(view, *both)
+        desk.board.arrow_once(view, *both, key=rel.key)
         desk.ends[rel.key] = (view, *both)
         angular_velocity(desk, link, p, q, both, letters(desk, view, ref, q_at), symbol(desk, rel))
     else:

@@ -38,13 +38,13 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     tip = board.to_paper(view, 1.0) * wanted
     letter = desk.tip_label(view, ask.at)
     board.step(_words(ask, view, p, q, [desk.tip_label(view, a) for a in (p_at, q_at)], letter), view)
-    desk.at[ask.name] = similar(tips[0], tips[1], tip, desk.at[p], desk.at[q]) + board.hand.carry(0.0)
-    desk.tips[view, ask.at] = tip
+    desk.letter(ask.name, similar(tips[0], tips[1], tip, desk.at[p], desk.at[q]) + board.hand.carry(0.0))
+    tip = desk.put_tip(view, ask.at, tip)
     for corner in (p, q):
         board.join(View.MECHANISM, desk.at[corner], desk.at[ask.name], Role.HIDDEN)
     board.plot(View.MECHANISM, desk.at[ask.name], f"{ask.name[0]}_{ask.name[1:]}", Dot.POINT)
     if wanted:
-        board.arrow(view, 0j, tip, Role.RESULT)
+        board.arrow(view, 0j, tip, Role.RESULT, key=Rel(VECTOR[view], ask.at).key)
     board.plot(view, tip, letter)
     desk.ends[Rel(VECTOR[view], ask.at).key] = (view, 0j, tip)
 

@@ -38,7 +38,7 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
     held = known_tips(desk, view, link)
     turn = desk.turns[omega(link)]
     if turn.never and held:
-        desk.tips[view, at] = desk.tip(view, held[0][1])
+        desk.put_tip(view, at, desk.tip(view, held[0][1]))
     elif len(held) >= 2:
         _by_image(desk, view, link, at, held)
     elif held:
@@ -77,14 +77,13 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     corners = desk.where(p_at), desk.where(q_at), desk.where(at)
     spread = abs(complex(nominal(tips[1] - tips[0])))
-    desk.tips[view, at] = similar(*corners, *tips) if spread < NO_LENGTH else board.image(corners, tips)
-    corner = desk.tips[view, at]
+    corner = desk.put_tip(view, at, similar(*corners, *tips) if spread < NO_LENGTH else board.image(corners, tips))
     for tip in tips:
         board.join(view, tip, corner, Role.DIRECTION)
     board.join(view, tips[0], tips[1], Role.DIRECTION)
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
-    board.arrow(view, 0j, corner, Role.RESULT)
+    board.arrow(view, 0j, corner, Role.RESULT, key=Rel(VECTOR[view], at).key)
 
 
 def letter_at_pole(desk: Desk, view: View, *points: At) -> None:
@@ -111,7 +110,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     eq = Equation(left=(left,), right=terms)
     if len(terms) > 1:
         board.equate(eq.table())
-    closed = close(board, view, 0j, eq)
+    closed = close(board, view, 0j, eq, to=label)
     write_lengths(desk, view, eq)
     desk.tips[view, at] = closed.meeting
     desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
@@ -142,5 +141,5 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
     desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
-                along=along if np.ndim(along) else complex(along), mm=desk.board.to_paper(view, size))
+                along=along[()], mm=desk.board.to_paper(view, size))
 

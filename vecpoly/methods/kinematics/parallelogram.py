@@ -38,7 +38,7 @@ def step_off(desk: Desk, d: Dyad) -> bool:
     board, length = desk.board, desk.mm(abs(desk.body(d.link_j).points[c] - desk.body(d.link_j).points[b]))
     board.step(Words(f"${corner}{b}{c}{end}$ 为平行四边形：过 ${b}$ 作 ${corner}{end}$ 的平行线，量取 ${b}{c} = {corner}{end}$，得 ${c}$。",
                      f"${corner}{b}{c}{end}$ is a parallelogram: through ${b}$ draw a line parallel to ${corner}{end}$ and step off ${b}{c} = {corner}{end}$ on it."), View.MECHANISM)
-    desk.at[c] = board.lay_off(desk.at[b], desk.towards(corner, end), length)
+    desk.letter(c, board.lay_off(desk.at[b], desk.towards(corner, end), length))
     board.join(View.MECHANISM, desk.at[b], desk.at[c], Role.CONSTRUCTION)
     desk.settle(d.link_j, (b, c))
     desk.settle(d.link_k, (end, c))

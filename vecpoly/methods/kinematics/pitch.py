@@ -41,7 +41,7 @@ def wheel(joint: Rolling, link: str) -> Circle | Rack:
 def letter_pitch_points(desk: Desk, joints: Iterable[Joint]) -> None:
     """Find the pitch points on the diagram, and take the pitch radii over as lengths."""
     for joint in rolling_in(joints):
-        desk.at[joint.point] = desk.contact(joint)
+        desk.letter(joint.point, desk.contact(joint))
         for circle in (joint.gear, joint.on):
             if isinstance(circle, Circle):
                 desk.lengths[frozenset((joint.point, circle.centre))] = _radius(circle)
@@ -74,15 +74,15 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
     if base:
         eq = Equation(left=(Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?"),), right=(*base, term))
         board.equate(eq.table())
-        closed = close(board, view, 0j, eq)
+        closed = close(board, view, 0j, eq, to=desk.tip_label(view, own))
         write_lengths(desk, view, eq)
         desk.tips[view, own] = closed.meeting
         desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
     else:
         if term.rel.key in desk.sizes and term.magnitude != "0":
             board.write_length(view, f"{POLE[view]} {desk.tip_label(view, own)}", desk.sizes[term.rel.key])
-        desk.tips[view, own] = board.lay_off(0j, _along(term), _mm(term))
-        board.arrow_once(view, 0j, desk.tips[view, own])
+        desk.put_tip(view, own, board.lay_off(0j, _along(term), _mm(term), key=rel.key))
+        board.arrow_once(view, 0j, desk.tips[view, own], key=rel.key)
         desk.known_as[view, own] = (term.direction, term.magnitude)
         desk.ends[rel.key] = (view, 0j, desk.tips[view, own])
     board.plot(view, desk.tips[view, own], desk.tip_label(view, own))

@@ -75,7 +75,8 @@ def _settle(desk: Desk, ram: Ram, pair: tuple[Points, Points], reach: float) -> 
     c, d = ram.inner.point, ram.outer.point
     if reach < 1e-9:
         raise AssemblyError(Words(f"油缸 {ram.near}-{ram.far} 的长度为零，方向不定；请改变其长度", f"the cylinder {ram.near}-{ram.far} has no length here, and so no direction; change its length"), code="no-length")
-    desk.at[c], why = choose(desk, c, (ram.link, ram.near, ram.far), pair)
+    found, why = choose(desk, c, (ram.link, ram.near, ram.far), pair)
+    desk.letter(c, found)
     desk.board.remark(said(why) + Words("。", "."))
     desk.board.swing(View.MECHANISM, desk.at[d], reach, desk.at[c])
     ray = _ray(desk, ram)

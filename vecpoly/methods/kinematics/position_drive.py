@@ -38,7 +38,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
     for name in others:
         base = desk.place(drive.link, link.points[name])
-        desk.at[name] = base + along * board.hand.carry(0.0)
+        desk.letter(name, base + along * board.hand.carry(0.0))
     desk.settle_rest(drive.link)
     _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))
 
@@ -58,7 +58,7 @@ def position_slide(desk: Desk, drive: Drive) -> None:
         View.MECHANISM,
     )
     line = desk.locus(joint, drive.link, joint.pin)
-    desk.at[joint.pin] = board.lay_off(line.at, line.along, desk.mm(drive.position))
+    desk.letter(joint.pin, board.lay_off(line.at, line.along, desk.mm(drive.position)))
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
 
 

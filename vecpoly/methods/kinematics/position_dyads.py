@@ -35,7 +35,8 @@ def position_rrr(desk: Desk, d: Dyad) -> None:
     )
     radii = [desk.mm(length) for length in lengths]
     pair = board.arcs(desk.at[p], radii[0], desk.at[q], radii[1], Words(f"构件 {d.link_j} 与 {d.link_k} 在 {c} 处", f"links {d.link_j} and {d.link_k} at {c}"))
-    desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), pair)
+    found, why = choose(desk, c, (d.link_j, d.link_k), pair)
+    desk.letter(c, found)
     board.remark(said(why) + Words("。", "."))
     board.swing(View.MECHANISM, desk.at[p], radii[0], desk.at[c])
     board.swing(View.MECHANISM, desk.at[q], radii[1], desk.at[c])
@@ -57,7 +58,8 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
     )
     line = desk.locus(d.outer_k, d.link_k, c)
     pair = board.arc_on_line(line, desk.at[p], radius, Words(f"构件 {d.link_j} 在 {c} 处", f"link {d.link_j} at {c}"))
-    desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), pair)
+    found, why = choose(desk, c, (d.link_j, d.link_k), pair)
+    desk.letter(c, found)
     board.remark(said(why) + Words("。", "."))
     board.swing(View.MECHANISM, desk.at[p], radius, desk.at[c])
     desk.settle(d.link_j, (p, c))
@@ -72,7 +74,7 @@ def position_prp(desk: Desk, d: Dyad) -> None:
     b, board = d.inner.point, desk.board
     board.step(Words(f"两导路线的交点为 ${b}$。", f"The two guide lines cross at ${b}$."), View.MECHANISM)
     lines = [desk.locus(joint, link, b) for joint, link in ((d.outer_j, d.link_j), (d.outer_k, d.link_k))]
-    desk.at[b] = board.meet(lines[0], lines[1], Words(f"构件 {d.link_j} 与 {d.link_k} 的导路", f"guides of links {d.link_j} and {d.link_k}"))
+    desk.letter(b, board.meet(lines[0], lines[1], Words(f"构件 {d.link_j} 与 {d.link_k} 的导路", f"guides of links {d.link_j} and {d.link_k}")))
     for joint, link, line in zip((d.outer_j, d.outer_k), (d.link_j, d.link_k), lines, strict=True):
         desk.settle_turned(link, b, slider_axis(desk, joint, link, line))
 
@@ -93,7 +95,7 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     slot = axis * np.exp(1j * own)
     path = desk.locus(outer, d.link_k, r)
     side = desk.mm(desk.offset(inner, d.link_j, b) - desk.offset(inner, d.link_k, r))
-    desk.at[r] = desk.board.meet(path, Line(desk.at[b] - 1j * slot * side, slot), f"guides of links {d.link_j} and {d.link_k}")
+    desk.letter(r, desk.board.meet(path, Line(desk.at[b] - 1j * slot * side, slot), f"guides of links {d.link_j} and {d.link_k}"))
     desk.settle_turned(d.link_k, r, axis)
     desk.settle_turned(d.link_j, b, slider_axis(desk, inner, d.link_j, Line(desk.at[b], slot)))
 

@@ -42,13 +42,13 @@ def position_rack(desk: Desk, group: Group) -> None:
     line = desk.guide_line(slide)
     if slide.block == rack:
         foot = desk.board.lay_off(line.at, line.along, desk.mm(travel))
-        desk.at[pin] = foot + 1j * line.along * desk.mm(slide.offset)
+        desk.letter(pin, foot + 1j * line.along * desk.mm(slide.offset))
         desk.settle_turned(rack, pin, line.along * np.exp(1j * slide.turn))
     else:
         origin = desk.at[pin] - 1j * line.along * desk.mm(slide.offset) - line.along * desk.mm(travel)
         first, local = next(iter(desk.body(rack).points.items()))
         axis = line.along * np.exp(-1j * slide.direction)
-        desk.at[first] = origin + axis * desk.mm(1.0) * (local - slide.origin)
+        desk.letter(first, origin + axis * desk.mm(1.0) * (local - slide.origin))
         desk.settle_turned(rack, first, axis)
     letter_pitch_points(desk, (joint,))
 

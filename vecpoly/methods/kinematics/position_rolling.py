@@ -62,10 +62,11 @@ def _located(desk: Desk, d: Dyad) -> None:
     board.step(Words("；".join(w.zh for w in told) + f"；两者交于 ${c}$", "; ".join(w.en for w in told) + f"; they meet at ${c}$"), View.MECHANISM)
     one, two = (locus_of(desk, joint, link, c) for joint, link, _ in sides)
     if isinstance(one, Line) and isinstance(two, Line):
-        desk.at[c] = board.meet(one, two, _at(d, c))
+        desk.letter(c, board.meet(one, two, _at(d, c)))
         board.remark(Words("。", "."))
     else:
-        desk.at[c], why = choose(desk, c, (d.link_j, d.link_k), crossings(desk, one, two, _at(d, c)))
+        found, why = choose(desk, c, (d.link_j, d.link_k), crossings(desk, one, two, _at(d, c)))
+        desk.letter(c, found)
         board.remark(said(why) + Words("。", "."))
     for locus in (one, two):
         if isinstance(locus, Round):

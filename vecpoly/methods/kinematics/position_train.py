@@ -69,7 +69,8 @@ def _arced(desk: Desk, group: Group, waiting: list[str]) -> bool:
         told = [led(desk, joint, link, c) for joint, link in sides]
         desk.board.remark(Words("；".join(w.zh for w in told) + f"；两者交于 ${c}$", " " + "; ".join(w.en for w in told).capitalize() + f"; they meet at ${c}$"))
         loci = [locus_of(desk, joint, link, c) for joint, link in sides]
-        desk.at[c], why = choose(desk, c, (one, two), crossings(desk, loci[0], loci[1], Words(f"构件 {one}、{two} 在 {c} 处", f"links {one} and {two} at {c}")))
+        found, why = choose(desk, c, (one, two), crossings(desk, loci[0], loci[1], Words(f"构件 {one}、{two} 在 {c} 处", f"links {one} and {two} at {c}")))
+        desk.letter(c, found)
         desk.board.remark(said(why) + Words("。", "."))
         for (joint, link), locus in zip(sides, loci, strict=True):
             settle_on(desk, joint, link, c, locus)

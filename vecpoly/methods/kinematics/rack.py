@@ -31,7 +31,7 @@ def velocity_rack(desk: Desk, group: Group) -> None:
     pitch_velocity(desk, joint, rack)
     h = joint.point
     own, base = At(h, rack), At(h, led)
-    desk.tips[view, own] = desk.tip(view, At(h))
+    desk.put_tip(view, own, desk.tip(view, At(h)))
     if led == FRAME:
         desk.board.step(Words(f"齿条 {rack} 沿固定导路移动，其上各点的速度都等于啮合点 ${h}$ 的速度 $v_{h}$。",
                               f"Rack {rack} slides along its fixed guide: all its points have the velocity $v_{h}$ of the pitch point ${h}$."), view)

@@ -125,8 +125,8 @@ def _turned(vector: Points, turn: Turn) -> Points:
     """The unit vector turned by 90° in the sense of ω."""
     size = np.abs(vector)
     along = np.where(size > NO_LENGTH, vector / np.maximum(size, NO_LENGTH), 1.0)
-    result = 1j * np.where(np.asarray(turn.value) < 0, -1, 1) * along
-    return result if np.ndim(vector) else complex(result)
+    result = 1j * np.where(turn.value < 0, -1, 1) * along
+    return result[()]
 
 
 def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Words:

@@ -15,13 +15,15 @@ from ..desk import Desk, Turn
 
 def angular_velocity(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
     """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper."""
-    desk.turns[omega(link)] = Turn(_rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters))
+    rate = _rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters)
+    desk.turns[omega(link)] = Turn(desk.board.conclude(omega(link).key, rate, "rad/s"))
     desk.board.remark(_sense(f"ω_{link}", symbol, point, nominal(desk.turns[omega(link)].value)))
 
 
 def angular_acceleration(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
     """α = a^t / l from the tangential acceleration of `point` about `about`."""
-    desk.turns[alpha(link)] = Turn(_rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, letters))
+    rate = _rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, letters)
+    desk.turns[alpha(link)] = Turn(desk.board.conclude(alpha(link).key, rate, "rad/s^2"))
     desk.board.remark(_sense(f"α_{link}", symbol, point, nominal(desk.turns[alpha(link)].value)))
 
 

@@ -57,7 +57,7 @@ def assemblies(desk: Desk, star: Star) -> list[Assembly]:
 def bare(desk: Desk) -> Desk:
     """A copy of what is drawn, by the nominal hand alone."""
     return Desk(
-        board=desk.board,
+        board=desk.board.scratch(),
         mech=desk.mech,
         at={name: complex(nominal(at)) for name, at in desk.at.items()},
         pose={

@@ -115,7 +115,7 @@ def put(desk: Desk, star: Star, at: Points, u: Points) -> None:
                 desk.settle_turned(link, q, turned(slide, link, along_of(star, slide, u)))
             case Parallel(link=link, guide=guide, slide=slide):
                 point = next(iter(desk.body(link).points))
-                desk.at[point] = lines_meet(desk.locus(guide, link, point), desk.locus(slide, link, point))
+                desk.letter(point, lines_meet(desk.locus(guide, link, point), desk.locus(slide, link, point)))
                 desk.settle_turned(link, point, turned(guide, link, desk.guide_line(guide).along))
             case _:
                 assert_never(leg)

@@ -181,7 +181,7 @@ def _leg(desk: Desk, view: View, star: Star, leg: Axial, chain: Chain) -> None:
     assert isinstance(last, Rel)
     ends = (_known_end(desk, view, chain), desk.tip(view, to))
     desk.ends[last.key] = (view, *ends)
-    desk.board.arrow_once(view, *ends)
+    desk.board.arrow_once(view, *ends, key=last.key)
     match leg:
         case Hinged(link=link, outer=o):
             turn_of_link(desk, view, {last.key: ends}, to, o, link)

@@ -58,7 +58,7 @@ def find_special(desk: Desk, star: Star, special: Special) -> None:
     one, two = (axis_of(desk, leg) for leg in special.pair)
     desk.board.step(_words(star, special), View.MECHANISM)
     lines = [desk.board.parallel(line.at, line.along) for line in (one, two)]
-    desk.at[special.at.point] = desk.board.meet(
+    found = desk.board.meet(
         lines[0],
         lines[1],
         Words(
@@ -66,6 +66,7 @@ def find_special(desk: Desk, star: Star, special: Special) -> None:
             f"axes of links {special.pair[0].link} and {special.pair[1].link}",
         ),
     )
+    desk.letter(special.at.point, found)
     here = complex(nominal(desk.at[special.at.point]))
     if _reach(desk, star, here) > FAR:
         desk.board.remark(

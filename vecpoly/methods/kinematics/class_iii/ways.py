@@ -78,7 +78,7 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
         symbol=symbol(desk, rel),
         direction=Words.same(f"⊥$ {ref.point}{to.point}$"),
         magnitude=f"$ {greek}_{plate} l_{ref.point}{to.point}$",
-        along=along if np.ndim(along) else complex(along),
+        along=along[()],
         mm=desk.board.to_paper(view, np.abs(rates.value) * length.value),
     )
     return (*front, laid)

@@ -1,0 +1,56 @@
+"""Somebody's own readings and points, as they are handed in: a student's, with whom the construction goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
+
+from .board.acts import Act, Locate, Measure
+from .board.amended import Amended, plain_letters
+from .errors import ArgumentError, UnknownNameError
+from .frozen import FrozenMap
+from .units import Dim, read
+from .words import Words
+
+Length = float | str  # mm on paper, or with its unit: "38 mm"
+Spot = complex | tuple[Length, Length]  # mm on paper, right and up from where the figure has its origin: the pole of a polygon
+
+
+def amend(readings: Mapping[str, Length] | None, points: Mapping[str, Spot] | None) -> Amended:
+    """The amendments as the board takes them (mm); raises FaultError for what is no length."""
+    return Amended(readings=FrozenMap({_plain(key): _mm(value) for key, value in (readings or {}).items()}),
+                   points=FrozenMap({_plain(key): _spot(key, value) for key, value in (points or {}).items()}))
+
+
+def found_all(amended: Amended, acts: Sequence[Act]) -> None:
+    """Raise UnknownNameError for an amendment that nothing on the sheet answers to, or more than one figure."""
+    _known(amended.readings, [act for act in acts if isinstance(act, Measure)], Words("读数", "length read"))
+    _known(amended.points, [act for act in acts if isinstance(act, Locate)], Words("点", "point"))
+
+
+def _known(given: Iterable[str], acts: Sequence[Act], what: Words) -> None:
+    for key in given:
+        figures = sorted({act.figure for act in acts if key in (act.key, f"{act.figure}:{act.key}")})
+        if not figures:
+            there = list(dict.fromkeys(act.key for act in acts))
+            near = get_close_matches(key, there, n=3, cutoff=0.4) or there
+            raise UnknownNameError(Words(f"图上没有名为 {key} 的{what.zh}；有 {'、'.join(near)}", f"there is no {what.en} '{key}' on the sheet; there are {', '.join(near)}"), code="unknown-act")
+        if len(figures) > 1:
+            raise UnknownNameError(Words(f"{what.zh} {key} 在几个图上都有；请写 {'、'.join(f'{figure}:{key}' for figure in figures)}",
+                                         f"the {what.en} '{key}' stands on several figures; write {', '.join(f'{figure}:{key}' for figure in figures)}"), code="ambiguous-act")
+
+
+def _plain(key: str) -> str:
+    return f"{key.rpartition(':')[0]}{key.rpartition(':')[1]}{plain_letters(key.rpartition(':')[2])}"
+
+
+def _mm(value: Length) -> float:
+    return read(value, Dim.LENGTH).si * 1000.0 if isinstance(value, str) else float(value)
+
+
+def _spot(key: str, value: Spot) -> complex:
+    if isinstance(value, int | float | complex):
+        return complex(value)
+    if len(value) != 2:
+        raise ArgumentError(Words(f"点 {key} 需要两个坐标 (x, y)，而不是 {value!r}", f"the point {key} needs two coordinates (x, y), not {value!r}"), code="point")
+    return complex(_mm(value[0]), _mm(value[1]))
