@@ -7,6 +7,7 @@ from difflib import get_close_matches
 
 from .board.acts import Act, Locate, Measure
 from .board.amended import Amended, plain_letters
+from .board.slip import Slip
 from .errors import ArgumentError, UnknownNameError
 from .frozen import FrozenMap
 from .units import Dim, read
@@ -16,15 +17,19 @@ Length = float | str  # mm on paper, or with its unit: "38 mm"
 Spot = complex | tuple[Length, Length]  # mm on paper, right and up from where the figure has its origin: the pole of a polygon
 
 
-def amend(readings: Mapping[str, Length] | None, points: Mapping[str, Spot] | None) -> Amended:
+def amend(readings: Mapping[str, Length] | None, points: Mapping[str, Spot] | None, slip: Slip | None = None) -> Amended:
     """The amendments as the board takes them (mm); raises FaultError for what is no length."""
     return Amended(readings=FrozenMap({_plain(key): _mm(value) for key, value in (readings or {}).items()}),
-                   points=FrozenMap({_plain(key): _spot(key, value) for key, value in (points or {}).items()}))
+                   points=FrozenMap({_plain(key): _spot(key, value) for key, value in (points or {}).items()}), slip=slip)
 
 
 def found_all(amended: Amended, acts: Sequence[Act]) -> None:
     """Raise UnknownNameError for an amendment that nothing on the sheet answers to, or more than one figure."""
     _known(amended.readings, [act for act in acts if isinstance(act, Measure)], Words("读数", "length read"))
+    if amended.slip is not None:
+        key = amended.slip.key
+        if not any(key in (act.key, f"{act.figure}:{act.key}") for act in acts if act.key):
+            raise UnknownNameError(Words(f"图上没有 {key}，不能在此出错", f"there is no {key} on the sheet to make a mistake with"), code="unknown-act")
     _known(amended.points, [act for act in acts if isinstance(act, Locate)], Words("点", "point"))
 
 

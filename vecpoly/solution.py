@@ -18,6 +18,7 @@ from .board.amended import Amended
 from .board.construction import Construction, LineOfAction, Reading, View
 from .board.hand import Hand, hand
 from .board.sizes import unfit
+from .board.slip import Slip
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.exact import ActsAt, Exact
 from .check.idle import idle
@@ -103,11 +104,11 @@ class Solution:
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True,
-          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None) -> Solution:
+          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None, slip: Slip | None = None) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
     readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by somebody else: the
-    construction goes on with them, and all that follows is drawn anew.
+    construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this mistake.
 
     precise: also find how many digits the exact values keep; else that is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
@@ -117,8 +118,8 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     values = truth.values  # first: its refusals know the range of the input that does assemble
     size = sizes(problem, values)
     off = noise(problem, truth, size) if precise else dict.fromkeys(values, 0.0)
-    amended = amend(readings, points)
-    drawn = _constructed(problem, hand(by, seed=seed, repeats=repeats), amended)
+    amended = amend(readings, points, slip)
+    drawn = constructed(problem, hand(by, seed=seed, repeats=repeats), amended)
     found_all(amended, drawn.construction.acts)
     read, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
     ideal, true, _ = comparable(drawn.ideal, values, {})
@@ -131,7 +132,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
                             _weighed(reading, exact[key], ideal[key], true[key], reach=limit[key] if repeats else nan, noise=off[key], size=size[key], steady=not scatters))
                for key, reading in read.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
-        return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points)
+        return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
     told = (*problem.warnings, *idle(problem), *unfit(drawn.construction.figures, _given(problem)))
@@ -155,7 +156,7 @@ def fewer_digits(solution: Solution) -> Words | None:
                  f"So near to a dead point (change point) the exact values keep only a few digits: {en}.")
 
 
-def _constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
+def constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
     """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
     if isinstance(problem.subject, Device):
         return construct_device(problem, by, {}, amended)

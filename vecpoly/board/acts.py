@@ -122,6 +122,13 @@ class LayOff(Done):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Follow(Done):
+    """Go along a vector (key) that stands on the polygon already."""
+
+    by: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Transfer(Done):
     """Carry a length, or a whole vector, to another place with the dividers."""
 
@@ -148,10 +155,10 @@ class Meet(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Touch(Done):
-    """A line of action that touches one friction circle, or two: its direction, and that of the tangent not taken."""
+    """A line of action (key: its force) that touches one friction circle, or two; free: there is no circle, the radius is zero."""
 
     along: complex
-    other: complex
+    free: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -217,6 +224,6 @@ class Depict(Done):
 
 
 Act = (
-    Locate | Plot | Join | Arrow | Turn | Parallel | Rule | LayOff | Transfer | Swing | Meet | Touch | Image | Corner | Tint
+    Locate | Plot | Join | Arrow | Turn | Parallel | Rule | LayOff | Follow | Transfer | Swing | Meet | Touch | Image | Corner | Tint
     | Measure | Gauge | Compute | Answer | Depict
 )

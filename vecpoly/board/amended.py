@@ -12,6 +12,7 @@ from ..frozen import FrozenMap
 from ..plane import Points, Reals
 from ..plane.traced import acts_of, bare, traced
 from .place import Place, called
+from .slip import Mistake, Slip
 
 T = TypeVar("T")
 V = TypeVar("V", Points, Reals)
@@ -21,11 +22,12 @@ V = TypeVar("V", Points, Reals)
 class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its place in mm.
 
-    A reading, or a point, by many hands keeps its scatter: all are moved together.
+    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake.
     """
 
     readings: Mapping[str, float] = FrozenMap({})
     points: Mapping[str, complex] = FrozenMap({})
+    slip: Slip | None = None
 
     def reading(self, place: Place | None, letters: str, read: Reals) -> Reals:
         """The length to go on with."""
@@ -36,6 +38,12 @@ class Amended:
         """The point to go on with."""
         own = _of(self.points, place, plain_letters(letter))
         return at if own is None else _moved(at, own)
+
+
+    def mistake(self, place: Place | None, key: str) -> Mistake | None:
+        """What is done wrongly with this quantity, or at this letter."""
+        slip = self.slip
+        return slip.mistake if slip is not None and key and slip.key in named(place, key) else None
 
 
 AS_DRAWN = Amended()
@@ -55,8 +63,12 @@ def _of(given: Mapping[str, T], place: Place | None, *letters: str) -> T | None:
     """The value given under any of these letters, with the figure before them or without."""
     if not given:
         return None
-    figure = "" if place is None else f"{called(place)}:"
-    return next((given[key] for name in letters for key in (f"{figure}{name}", name) if key in given), None)
+    return next((given[key] for name in letters for key in named(place, name) if key in given), None)
+
+
+def named(place: Place | None, key: str) -> tuple[str, ...]:
+    """The names of something on a figure: with the figure before it, and without."""
+    return (key,) if place is None else (f"{called(place)}:{key}", key)
 
 
 def plain_letters(letters: str) -> str:

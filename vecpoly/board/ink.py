@@ -46,7 +46,7 @@ def _ink(act: Act) -> tuple[Mark, ...]:
             return (ImageOf(points=act.points),)
         case done.Depict():
             return act.marks
-        case (done.Locate() | done.Turn() | done.Parallel() | done.LayOff() | done.Transfer() | done.Meet() | done.Touch() | done.Image()
+        case (done.Locate() | done.Turn() | done.Parallel() | done.LayOff() | done.Follow() | done.Transfer() | done.Meet() | done.Touch() | done.Image()
               | done.Measure() | done.Gauge() | done.Compute() | done.Answer()):
             return ()
         case _:

@@ -11,11 +11,11 @@ from typing import Any
 from .. import formula, words
 from ..errors import VecpolyError
 from ..words import Words
-from . import construction, marks
+from . import acts, construction, marks, place
 from .construction import Construction
 
 _CLASSES = {
-    name: kind for module in (formula, words, construction, marks) for name, kind in vars(module).items()
+    name: kind for module in (formula, words, place, marks, acts, construction) for name, kind in vars(module).items()
     if isinstance(kind, type) and (is_dataclass(kind) or issubclass(kind, Enum))
 }
 

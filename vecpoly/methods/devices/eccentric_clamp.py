@@ -112,7 +112,7 @@ def _three(bench: Bench, plan: Pane, clamp: Clamp, size: float, up: Points, rho:
         raise EquilibriumError(Words(
             "F 与 R_21 的作用线平行，三力在图上不能汇交；请略微改变 F 的方向",
             "F and R_21 act along parallel lines, so the three forces meet in no point of any sheet; turn the direction of F a little")) from None
-    along = board.tangent_from(meet, 0j, rho, moment, -(clamp.pull + up))
+    along = board.tangent_from(meet, 0j, rho, moment, -(clamp.pull + up), key=names[2].key)
     press_on, push, hold = names
     force = sought(push, clamp.pull, Words("✓", "✓"))
     closed = balance(bench, plan, 0j, given(bench, plan, press_on, size, up), force,

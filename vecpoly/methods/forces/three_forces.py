@@ -72,7 +72,7 @@ def direction_through(st: Statics, joint: Joint, by: str, on: str, x: Points) ->
     centre = st.desk.at[joint.point]
     sense = st.moment_sense(joint.point, by, on)
     before = st.pushed_before(by, on)
-    return st.board.tangent_from(x, centre, st.rho(joint.point), sense, centre - x if before is None else before), sense
+    return st.board.tangent_from(x, centre, st.rho(joint.point), sense, centre - x if before is None else before, key=st.named(by, on).key), sense
 
 
 def polygon(st: Statics, held: Held, load: Resultant, known_line: tuple[str, Points, Points], through: tuple[Points, Points, int]) -> None:

@@ -39,7 +39,7 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     board.remark(pin_words(st, q, two.by, two.link))
     board.remark(pin_words(st, p, two.on, two.link))
     line = board.tangent_to_both(at_p, st.rho(p), st.moment_sense(p, two.on, two.link),
-                                 at_q, st.rho(q), st.moment_sense(q, two.by, two.link), 1 if compressed else -1)
+                                 at_q, st.rho(q), st.moment_sense(q, two.by, two.link), 1 if compressed else -1, key=st.named(two.on, two.link).key)
     board.remark(_tangent(st, (p, st.moment_sense(p, two.on, two.link)), (q, st.moment_sense(q, two.by, two.link))))
     _draw(st, line, (at_p, at_q), st.named(two.on, two.link).symbol)
     return Line(line.at, -line.along)

@@ -134,12 +134,11 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     """A vector perpendicular to PX of known magnitude and sense: ω l or α l."""
     length = desk.length(p, x)
     way = np.sign(rate)
-    size = np.abs(rate) * length.value
     along = 1j * way * desk.towards(p, x)
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
+    desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit, key=rel.key)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
-                along=along[()], mm=desk.board.to_paper(view, size))
+                along=along[()], mm=desk.board.to_paper(view, desk.sizes[rel.key].value))
 

@@ -84,11 +84,13 @@ def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
+    value = size.value
     if not at_rest:
-        desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
+        desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2", key=rel.key)
+        value = desk.sizes[rel.key].value
     return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
                 magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
-                mm=desk.board.to_paper(View.ACCELERATION, size.value), tip="" if at_rest else tip)
+                mm=desk.board.to_paper(View.ACCELERATION, value), tip="" if at_rest else tip)
 
 
 def tangential(desk: Desk, at: At, about: At, link: str) -> Term:
@@ -105,13 +107,13 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
     vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
-    desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2")
+    desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2", key=rel.key)
     vanishes = abs(nominal(expr.value)) < 1e-12
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
     return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
                 direction=ABSENT if vanishes else Words.same(f"⊥$ {plain_symbol(vr)}$"),
-                along=along, mm=board.to_paper(View.ACCELERATION, expr.value), tip="" if vanishes else desk.k_tip(rel))
+                along=along, mm=board.to_paper(View.ACCELERATION, desk.sizes[rel.key].value), tip="" if vanishes else desk.k_tip(rel))
 
 
 def plain_symbol(quantity: Quantity) -> str:

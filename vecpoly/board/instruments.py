@@ -1,0 +1,170 @@
+"""The acts that give points and directions: laying off, ruling parallels, meeting, touching, similar figures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import asin, degrees
+from typing import Any
+
+import numpy as np
+
+from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
+from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
+from ..plane.geometry import dot, inclined
+from ..plane.traced import acts_of, traced
+from ..words import Words
+from . import acts as done
+from .amended import AS_DRAWN, Amended, plain_letters
+from .construction import Scale
+from .hand import Hand
+from .place import Place, View
+from .slip import Mistake
+from .strokes import NO_LENGTH, Strokes, spot
+from .wrongly import as_taken, before
+
+PARALLEL = 1e-9  # sine below which two ruled lines do not meet
+GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
+
+
+class Instruments(Strokes):
+    """Rule, compass and set square in a hand."""
+
+    def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN) -> None:
+        super().__init__(scales)
+        self.hand = hand
+        self.amended = amended
+        self.spots: dict[tuple[Place, str], Points] = {}  # what has a letter
+        self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
+        self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
+
+    def locate(self, view: Place, letter: str, at: Points) -> Points:
+        """From now on the point has this letter; goes on with a point of somebody's own where there is one."""
+        if self.amended.mistake(view, plain_letters(letter)) is Mistake.OTHER_MEETING:
+            at = next((self._others[n] for n in acts_of(at) if n in self._others), at)
+        at = self.amended.point(view, letter, at)
+        self.spots[view, plain_letters(letter)] = traced(at, self.log(done.Locate(head=self.head(at, on=view, key=plain_letters(letter)), at=spot(at))))
+        return self.spots[view, plain_letters(letter)]
+
+    def turn(self, along: Points) -> Points:
+        """Carry a direction to another place with the set square."""
+        carried = self.hand.tilt(along)
+        return traced(carried, self.log(done.Turn(head=self.head(along), along=spot(carried))))
+
+    def follow(self, view: Place, vector: Points, key: str) -> Points:
+        """Go along a vector that stands on the polygon already."""
+        vector = self._wrongly(view, key, vector)
+        return traced(vector, self.log(done.Follow(head=self.head(vector, on=view, key=key), by=spot(vector))))
+
+    def transfer(self, view: Place, vector: Points, key: str) -> Points:
+        """Carry a whole vector to another place with the dividers."""
+        carried = self.hand.carry_vector(self._wrongly(view, key, vector))
+        return traced(carried, self.log(done.Transfer(head=self.head(vector, on=view, key=key), by=spot(carried))))
+
+    def lay_off(self, start: Points, along: Points, mm: Reals, *, key: str = "") -> Points:
+        """Lay off a length from a point in a direction carried by set square."""
+        view = self.steps[-1].view if self.steps else None
+        along = along if key in self._slipped else self._wrongly(view, key, along)
+        at = start + self.hand.tilt(along) * self.hand.carry(mm)
+        act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=float(nominal(mm)))
+        return traced(at, self.log(act))
+
+    def parallel(self, at: Points, along: Points, *, key: str = "") -> Line:
+        """Rule a line through a point parallel to a drawn direction, that of the vector `key`."""
+        turned = self.amended.mistake(self.steps[-1].view if self.steps else None, key) is Mistake.TURNED
+        carried = self.hand.tilt(1j * along if turned else along)
+        act = self.log(done.Parallel(head=self.head(at, along, key=key), at=spot(at), along=spot(carried)))
+        return Line(traced(at, act), traced(carried, act))
+
+    def meet(self, g: Line, h: Line, what: Words | str) -> Points:
+        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both start at their meeting point."""
+        sine = abs(float(nominal(cross(g.along, h.along))))
+        if sine < PARALLEL:
+            raise DeadPointError(
+                bilingual(what) + Words(
+                "：两方向线平行，多边形不能闭合于一点；此为死点或转折点位置，请另取原动件位置",
+                ": the two direction lines are parallel, the polygon does not close at one point; this is a dead point or change point, choose another input position")
+            )
+        if sine < GRAZING and abs(spot(g.at - h.at)) > NO_LENGTH:
+            angle = degrees(asin(sine))
+            self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
+        at = lines_meet(g, h)
+        return traced(at, self.log(done.Meet(head=self.head(g, h), at=spot(at))))
+
+    def arcs(self, c1: Points, r1: Reals, c2: Points, r2: Reals, what: Words | str) -> tuple[Points, Points]:
+        """Two compass arcs: both meeting points, the one left of c1 → c2 first."""
+        a, b = circles_meet(c1, self.hand.carry(r1), c2, self.hand.carry(r2))
+        if not np.isfinite(nominal(a)):
+            d, s = float(nominal(abs(c2 - c1))), float(nominal(r1)) + float(nominal(r2))
+            raise AssemblyError(bilingual(what) + Words(
+                f"：半径 {nominal(r1):.2f} mm 与 {nominal(r2):.2f} mm 的两弧圆心相距 {d:.2f} mm，不相交（半径之和 {s:.2f} mm）",
+                f": the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart do not meet (sum {s:.2f} mm)"))
+        return self._both(a, b, c1, r1, c2, r2)
+
+    def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
+        """A compass arc on a ruled line: both meeting points, the one further along the line first."""
+        a, b = line_circle_meet(line, centre, self.hand.carry(radius))
+        if not np.isfinite(nominal(a)):
+            gap = abs(float(nominal(cross(line.along, centre - line.at))))
+            raise AssemblyError(bilingual(what) + Words(f"：半径 {nominal(radius):.2f} mm 的弧达不到相距 {gap:.2f} mm 的直线", f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away"))
+        return self._both(a, b, line, centre, radius)
+
+    def _both(self, a: Points, b: Points, *inputs: Any) -> tuple[Points, Points]:
+        """Both meetings of an arc, each an act that knows the other."""
+        here = self.log(done.Meet(head=self.head(*inputs), at=spot(a), other=spot(b)))
+        there = self.log(done.Meet(head=self.head(*inputs), at=spot(b), other=spot(a)))
+        one, two = traced(a, here), traced(b, there)
+        self._others |= dict.fromkeys(here, two) | dict.fromkeys(there, one)
+        return one, two
+
+    def tangent_from(self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points, *, key: str = "") -> Points:
+        """Direction u of a force through x tangent to a friction circle: u · towards > 0, moment about the centre of sign `moment`.
+
+        The foot of the arm is centre − i u moment radius. Raises EquilibriumError where x lies inside the circle.
+        """
+        away, size = float(nominal(np.abs(x - centre))), float(nominal(radius))
+        if away <= max(size * abs(moment), NO_LENGTH):
+            raise EquilibriumError(Words(
+                f"作用线须过距摩擦圆圆心 {away:.2f} mm 的一点，而摩擦圆半径为 {size:.2f} mm，该点在圆内，无切线，在此摩擦下不能平衡；请减小 f 或 ρ",
+                f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius {size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ"))
+        moment *= self._side(key)
+        ahead, behind = inclined(x - centre, moment * radius / np.abs(x - centre))
+        taken = self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
+        return self._touching(taken, key, not size, x, centre, radius, towards)
+
+    def tangent_to_both(self, p: Points, rho_p: Reals, moment_p: float, q: Points, rho_q: Reals, moment_q: float, sense: float,
+                        *, key: str = "") -> Line:
+        """Line of action of a two-force body: its force along u at p, along −u at q, each with a moment of the given sign about its pin.
+
+        sense +1: u points from p towards q, −1 the other way. The line starts where it touches p's circle. Raises EquilibriumError
+        where the circles overlap too far.
+        """
+        moment_p, moment_q = (self._side(key) * moment for moment in (moment_p, moment_q))
+        span, arms = np.abs(q - p), moment_p * rho_p + moment_q * rho_q
+        if abs(float(nominal(arms))) >= float(nominal(span)):
+            raise EquilibriumError(Words(
+                f"两转动副相距 {float(nominal(span)):.2f} mm，摩擦圆半径为 {float(nominal(rho_p)):.2f} mm 和 {float(nominal(rho_q)):.2f} mm，无公切线，力不能经此构件传递；请减小 f 或 ρ",
+                f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and {float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ"))
+        u = inclined(q - p, arms / span)[0 if sense > 0 else 1]
+        free = not nominal(rho_p) and not nominal(rho_q)
+        return Line(p - 1j * u * moment_p * rho_p, self._touching(self.hand.tilt(u), key, free, p, rho_p, q, rho_q))
+
+    def _side(self, key: str) -> int:
+        """On which side of the circles: −1 for somebody who takes the other tangent."""
+        return -1 if self.amended.mistake(None, key) is Mistake.OTHER_TANGENT else 1
+
+    def _touching(self, taken: Points, key: str, free: bool, *inputs: Any) -> Points:
+        return traced(taken, self.log(done.Touch(head=self.head(*inputs, key=key), along=spot(taken), free=free)))
+
+    def image(self, of: tuple[Points, Points, Points], on: tuple[Points, Points]) -> Points:
+        """The third corner of the similar figure on `on` that keeps the letter order of `of`."""
+        at = similar(*of, *on) + self.hand.carry(0.0) + 1j * self.hand.carry(0.0)
+        return traced(at, self.log(done.Image(head=self.head(of, on), at=spot(at))))
+
+    def _wrongly(self, place: Place | None, key: str, vector: Points) -> Points:
+        """A known vector as somebody takes it who makes a mistake with it."""
+        mistake = self.amended.mistake(place, key)
+        if mistake is None or place is None or self.amended.slip is None:
+            return vector
+        if mistake is Mistake.COINCIDENT:
+            return self.spots.get((place, self.amended.slip.instead), vector)
+        return as_taken(mistake, vector, self.scale_of(place).value / self.scale_of(before(place)).value)

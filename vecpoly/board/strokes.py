@@ -1,0 +1,68 @@
+"""The acts that leave ink: letters, lines, vectors, arcs, right angles, tints."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..plane import Line, Points, Reals, nominal
+from . import acts as done
+from .log import Log
+from .marks import Dot, Role, Vector
+from .place import Place
+
+OVERRUN = 6.0  # mm a ruled line runs past its meeting point
+NO_ARROW = 1e-6  # mm: shorter vectors are not drawn
+NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direction to each other
+
+
+def spot(at: Points) -> complex:
+    """The point on the nominal sheet."""
+    return complex(nominal(at))
+
+
+class Strokes(Log):
+    """The pen."""
+
+    def plot(self, view: Place, at: Points, label: str, dot: Dot = Dot.POINT) -> None:
+        """Letter a point."""
+        self.log(done.Plot(head=self.head(at, on=view), at=spot(at), label=label, dot=dot))
+
+    def join(self, view: Place, a: Points, b: Points, role: Role) -> None:
+        """Rule a line from a to b."""
+        self.log(done.Join(head=self.head(a, b, on=view), a=spot(a), b=spot(b), role=role))
+
+    def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
+        """Draw the vector `key` from a to b; one without length leaves no ink."""
+        start, end = spot(a), spot(b)
+        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=role, label=label, shown=abs(end - start) > NO_ARROW))
+
+    def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
+        """Draw the result vector from a to b unless a vector stands there already."""
+        start, end = spot(a), spot(b)
+        there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < NO_ARROW for m in self._marks[view])
+        shown = not there and abs(end - start) > NO_ARROW
+        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=Role.RESULT, shown=shown))
+
+    def right_angle(self, view: Place, at: Points, u: Points, v: Points) -> None:
+        """Mark a right angle."""
+        self.log(done.Corner(head=self.head(at, u, v, on=view), at=spot(at), u=spot(u), v=spot(v)))
+
+    def rule(self, view: Place, line: Line, to: Points, label: str = "") -> None:
+        """Leave a direction line on the paper, from its start to a little past `to`, as a ruler leaves it."""
+        start, end = spot(line.at), spot(to)
+        along = spot(line.along)
+        past = along if abs(end - start) < NO_LENGTH else (end - start) / abs(end - start)
+        back = 0.0 if abs(end - start) > 2 * OVERRUN else OVERRUN
+        self.log(done.Rule(head=self.head(line, to, on=view), a=start - past * back, b=end + past * OVERRUN, label=label))
+
+    def swing(self, view: Place, centre: Points, radius: Reals, through: Points) -> None:
+        """Leave the short compass arc about a centre near the point it passes."""
+        c, p = spot(centre), spot(through)
+        size = float(nominal(radius))
+        half = min(0.5, 7.0 / max(size, 1e-6))
+        start = float(np.angle(p - c)) - half
+        self.log(done.Swing(head=self.head(centre, radius, through, on=view), centre=c, radius=size, start=start, sweep=2 * half))
+
+    def tint(self, view: Place, points: tuple[Points, ...]) -> None:
+        """Tint the image of a link."""
+        self.log(done.Tint(head=self.head(points, on=view), points=tuple(spot(p) for p in points)))

@@ -1,0 +1,59 @@
+"""The mistakes that can be made with a problem: read off the acts of its solution, with no code for any problem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from .board.acts import Act, Follow, LayOff, Locate, Meet, Parallel, Touch, Transfer
+from .board.amended import AS_DRAWN
+from .board.hand import hand
+from .board.slip import Mistake, Slip
+from .plane.traced import NO_ACTS
+from .problem.problem import Problem
+from .solution import constructed
+
+NOTHING = 1e-6  # mm: a vector of no length cannot be drawn wrongly
+KNOWN = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.HALVED, Mistake.DOUBLED, Mistake.SCALED)
+
+
+def slips(problem: Problem) -> tuple[Slip, ...]:
+    """Every mistake that can be made in the solution, each once; `solve(problem, slip=...)` draws the solution of one who makes it."""
+    acts = constructed(problem, hand("exact"), AS_DRAWN).construction.acts
+    return tuple(dict.fromkeys(slip for act in acts for slip in _of(act, acts)))
+
+
+def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
+    """The mistakes that can be made with one act."""
+    match act:
+        case LayOff(mm=mm) if act.key and mm > NOTHING:
+            yield from (Slip(mistake, _name(act, acts)) for mistake in KNOWN)
+        case Transfer(by=by) if act.key and abs(by) > NOTHING:
+            yield from (Slip(mistake, _name(act, acts)) for mistake in KNOWN)
+        case Follow(by=by) if abs(by) > NOTHING:
+            yield from (Slip(mistake, _name(act, acts)) for mistake in (Mistake.REVERSED, Mistake.DROPPED))
+            yield from (Slip(Mistake.COINCIDENT, _name(act, acts), letter) for letter in _coincident(act, acts))
+        case Parallel() if act.key:
+            yield Slip(Mistake.TURNED, _name(act, acts))
+        case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs or NO_ACTS):
+            yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
+        case Touch(free=False) if act.key:
+            yield Slip(Mistake.OTHER_TANGENT, act.key)
+        case _:
+            return
+
+
+def _name(act: Act, acts: Sequence[Act]) -> str:
+    """The act's key, with its figure where the same key stands on several."""
+    figures = {one.figure for one in acts if one.key == act.key and type(one) is type(act)}
+    return act.key if len(figures) < 2 else f"{act.figure}:{act.key}"
+
+
+def _coincident(act: Follow, acts: Sequence[Act]) -> Iterator[str]:
+    """The letters, on this polygon, of other links' points at the same place: b₃ for b₂."""
+    tip = next((one for n in act.inputs if isinstance(one := acts[n], Locate)), None)
+    if tip is None:
+        return
+    base = tip.key[:1]
+    for one in acts[:act.number]:
+        if isinstance(one, Locate) and one.figure == tip.figure and one.key[:1] == base and one.key != tip.key and abs(one.at - tip.at) > NOTHING:
+            yield one.key
