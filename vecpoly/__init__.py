@@ -12,9 +12,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .board.slip import Mistake, Slip
     from .check.printed import PrintedCheck, check_problem
     from .check.table import TableCheck, check_table
     from .errors import VecpolyError
+    from .mistakes import slips
     from .problem.assignment import Assignment, load_assignment
     from .problem.load import load, loads
     from .problem.problem import Problem
@@ -26,8 +28,10 @@ __version__ = "0.1.0"
 _HOMES = {
     "Answer": ("solution", "Answer"),
     "Assignment": ("problem.assignment", "Assignment"),
+    "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("problem.problem", "Problem"),
+    "Slip": ("board.slip", "Slip"),
     "Solution": ("solution", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
@@ -36,6 +40,7 @@ _HOMES = {
     "load": ("problem.load", "load"),
     "load_assignment": ("problem.assignment", "load_assignment"),
     "loads": ("problem.load", "loads"),
+    "slips": ("mistakes", "slips"),
     "solve": ("solution", "solve"),
     "write_report": ("report.document", "write_report"),
 }
@@ -43,8 +48,10 @@ _HOMES = {
 __all__ = [
     "Answer",
     "Assignment",
+    "Mistake",
     "PrintedCheck",
     "Problem",
+    "Slip",
     "Solution",
     "TableCheck",
     "VecpolyError",
@@ -53,6 +60,7 @@ __all__ = [
     "load",
     "load_assignment",
     "loads",
+    "slips",
     "solve",
     "write_report",
 ]

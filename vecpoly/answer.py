@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import degrees, isfinite, isnan, nan
 from typing import Any
@@ -11,7 +12,9 @@ from .board.construction import LineOfAction, Reading
 from .check.alarm import Cause, Weighed
 from .check.precision import PLENTY, digits
 from .names import Key, is_place
+from .words import Lang
 
+_HEAD = {"zh": ("量", "图解", "精确", "单位", "预期误差"), "en": ("symbol", "drawn", "exact", "unit", "expected")}
 YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 
 
@@ -130,3 +133,15 @@ def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:
         return {}
     couple = {} if acts.couple is None else {f"{which}couple": acts.couple}
     return {f"{which}point": place_of(acts.point), f"{which}tangent": acts.tangent or None} | couple
+
+
+def small_table(answers: Iterable[Answer], lang: Lang) -> str:
+    """Symbol, drawn and exact value, unit and expected drawing error of each answer, in columns."""
+    rows = [_HEAD[lang], *(_row(answer) for answer in answers)]
+    wide = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)).rstrip() for row in rows)
+
+
+def _row(answer: Answer) -> tuple[str, str, str, str, str]:
+    flag = " !" if answer.suspect else ""
+    return (answer.key, f"{answer.drawn:.5g}{flag}", f"{answer.exact:.5g}", answer.reading.unit, f"±{answer.expected_error:.2g}")

@@ -12,7 +12,7 @@ from typing import Any, cast
 import numpy as np
 
 from .amend import Length, Spot, amend, found_all
-from .answer import YES_NO, Answer, bearing, line_of
+from .answer import YES_NO, Answer, bearing, line_of, small_table
 from .arguments import of_kind
 from .board.amended import Amended
 from .board.construction import Construction, LineOfAction, Reading, View
@@ -34,7 +34,7 @@ from .methods.passes import needs_centres, stages
 from .methods.plan import construct
 from .names import Key
 from .problem.problem import Problem
-from .words import Lang, Words
+from .words import Lang, Words, language
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
 
@@ -79,6 +79,10 @@ class Solution:
     def suspect(self) -> bool:
         """Whether an answer, or what it was found by, must not be taken for right."""
         return self.construction.warning is not None
+
+    def __str__(self) -> str:
+        """The answers as a small table."""
+        return small_table(self.answers.values(), language())
 
     def as_json(self) -> dict[str, Any]:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import dataclass
 from typing import Literal
@@ -27,6 +28,11 @@ class Words:
 
     def __add__(self, other: Words) -> Words:
         return Words(self.zh + other.zh, self.en + other.en)
+
+
+def language() -> Lang:
+    """The reader's language: what VECPOLY_LANG says, English else."""
+    return "zh" if os.environ.get("VECPOLY_LANG") == "zh" else "en"
 
 
 def label(problem_id: str) -> Words:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from ..formula import Node
 from ..frozen import FrozenMap
-from ..words import Words
+from ..words import Words, language
 from .acts import Act
 from .chain import following, keys_of, needed, numbers
 from .marks import Mark
@@ -120,6 +120,12 @@ class Construction:
     def __post_init__(self) -> None:
         for name in ("readings", "forces"):
             object.__setattr__(self, name, FrozenMap(getattr(self, name)))
+
+    def __str__(self) -> str:
+        """The steps, and under each its acts with what they gave and what they needed."""
+        from .told import told
+
+        return told(self, language())
 
     def depends(self, key: str) -> tuple[str, ...]:
         """The keys of all that this rests on, in the order in which they were found: letters, readings, quantities."""

@@ -79,7 +79,7 @@ def _right_angle(board: Board, view: Place, term: Term, ends: Ends) -> None:
 def _arrow(board: Board, view: Place, term: Term, ends: Ends, role: Role) -> None:
     """Draw the vector; a force carries its symbol, a velocity or an acceleration is told by its letters."""
     start, end = ends[term.rel.key]
-    board.arrow(view, start, end, role, key=term.rel.key, label=term.symbol if isinstance(term.rel, Named) else "")
+    board.arrow(view, start, end, role, key=term.key, label=term.symbol if isinstance(term.rel, Named) else "")
 
 
 def _known_chain(
@@ -92,10 +92,10 @@ def _known_chain(
             waiting.append(term)
             continue
         if term.vector is not None:
-            tip = here + (board.follow if term.drawn else board.transfer)(view, term.vector, term.rel.key)
+            tip = here + (board.follow if term.drawn else board.transfer)(view, term.vector, term.key)
         else:
             assert term.along is not None and term.mm is not None
-            tip = board.lay_off(here, term.along, term.mm, key=term.rel.key)
+            tip = board.lay_off(here, term.along, term.mm, key=term.key)
         if term.tip and not term.drawn:
             tip = board.locate(view, term.tip, tip)
         ends[term.rel.key] = (here, tip)
@@ -125,7 +125,7 @@ def _corner(
     """The common corner of the two unknown vectors drawn from their known ends."""
     (t1, p1), (t2, p2) = one, two
     if t1.along is not None and t2.along is not None:
-        g, h = board.parallel(p1, t1.along, key=t1.rel.key), board.parallel(p2, t2.along, key=t2.rel.key)
+        g, h = board.parallel(p1, t1.along, key=t1.key), board.parallel(p2, t2.along, key=t2.key)
         corner = _meet(board, g, h, t1, what)
         board.rule(view, g, corner, _lettered(t1))
         board.rule(view, h, corner, _lettered(t2))
@@ -136,7 +136,7 @@ def _corner(
     else:
         (line_term, at), (arc_term, centre) = (one, two) if t1.along is not None else (two, one)
         assert line_term.along is not None and arc_term.mm is not None
-        line: Line = board.parallel(at, line_term.along, key=line_term.rel.key)
+        line: Line = board.parallel(at, line_term.along, key=line_term.key)
         pair = board.arc_on_line(line, centre, arc_term.mm, what)
     corner = (choose or _first)(*pair)
     for term, start in (one, two):

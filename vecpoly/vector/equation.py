@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from ..board.construction import EquationTable
 from ..errors import EquationError
-from ..names import At, Key, Kind, Named, Rel
+from ..names import At, Key, Kind, Named, Rel, ascii_key
 from ..plane import Points, Reals
 from ..words import Words
 
@@ -44,6 +44,11 @@ class Term:
     tip: str = ""
     drawn: bool = False
     summed: tuple[Rel, ...] = ()
+
+    @property
+    def key(self) -> str:
+        """The key of its acts: of a force its own, else the ASCII form of the printed symbol, ``ak_C2C3``."""
+        return self.rel.key if isinstance(self.rel, Named) else ascii_key(self.symbol)
 
     @property
     def unknowns(self) -> int:

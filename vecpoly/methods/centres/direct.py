@@ -54,7 +54,7 @@ def _pins(desk: Desk) -> list[Direct]:
 
 
 def _slides(desk: Desk) -> list[Direct]:
-    across = [(joint, desk.board.hand.tilt(1j * desk.guide_line(joint).along)) for joint in sliding_pairs(desk.mech)]
+    across = [(joint, desk.board.turn(1j * desk.guide_line(joint).along)) for joint in sliding_pairs(desk.mech)]
     return [Direct(pair=pair_of(desk.mech, joint.guide, joint.block), where=joint.pin, joint=joint, centre=Centre(along=along)) for joint, along in across]
 
 
@@ -65,7 +65,7 @@ def _slots(desk: Desk) -> list[Direct]:
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and joint.pin_in_slot and joint.block not in real | thought and joint.guide in real:
             carrier = next(name for name in desk.mech.links_at(joint.pin) if name in real)
-            normal = Line(desk.at[joint.pin], desk.board.hand.tilt(1j * desk.guide_line(joint).along))
+            normal = Line(desk.at[joint.pin], desk.board.turn(1j * desk.guide_line(joint).along))
             out.append(Direct(pair=pair_of(desk.mech, carrier, joint.guide), where=joint.pin, joint=joint, normal=normal))
     return out
 
@@ -77,7 +77,7 @@ def _rolling(desk: Desk) -> list[Direct]:
 
 def _contacts(desk: Desk) -> list[Direct]:
     return [Direct(pair=pair_of(desk.mech, *contact.links), where=contact.point, joint=contact,
-                   normal=Line(desk.contact_of(contact), desk.board.hand.tilt(desk.normal_of(contact)))) for contact in desk.mech.contacts]
+                   normal=Line(desk.contact_of(contact), desk.board.turn(desk.normal_of(contact)))) for contact in desk.mech.contacts]
 
 
 def fixed(pair: Pair) -> bool:

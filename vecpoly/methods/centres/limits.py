@@ -42,7 +42,7 @@ def find_limit(desk: Desk, named: Named) -> None:
             f"{named.key}：曲柄与连杆共线的位置不属于此装配方式",
             f"{named.key}: crank and rod in one line do not belong to this assembly"))
     c, b = fitting[0]
-    angle = np.degrees(board.hand.gauge(np.angle(b - a)))
+    angle = np.degrees(board.gauge(a, b))
     degrees = float(nominal(angle)) % 360.0
     _draw(desk, pane, (pin, led, rod), (b, c), "′" if extended else "″", degrees)
     board.write(Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°"))))

@@ -67,7 +67,7 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
     """Place in m on the diagram's axes; at infinity the direction in deg."""
     named, found = centre(fig.mech, *pair), fig.known.of(*pair)
     if found.along is not None:
-        angle = _upright(fig.board.hand.gauge(np.angle(found.along)))
+        angle = _upright(fig.board.gauge(0j, found.along))
         text = Row((sym(named.symbol), Txt(f" → ∞, {float(nominal(angle)):.4g}°")))
         _keep(fig, Reading(key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text), angle)
         return
@@ -80,8 +80,8 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
 
 def _near_place(fig: CentreFigure, pair: Pair) -> Points:
     """Both coordinates read off the rule (mm)."""
-    at, read = spot_of(fig, *pair).at, fig.board.hand.read
-    return read(np.asarray(at).real) + 1j * read(np.asarray(at).imag)
+    spot = spot_of(fig, *pair)
+    return fig.board.coordinates(spot.at, spot.letter)
 
 
 def _far_place(fig: CentreFigure, pair: Pair) -> Points:
@@ -96,9 +96,8 @@ def _far_place(fig: CentreFigure, pair: Pair) -> Points:
     start = max(near, key=lambda spot: abs(float(nominal(np.imag(np.conj(unit(far.at - spot.at)) * another_line(fig, spot, far).along)))))
     fig.board.step(Words(f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",
                          f"${far.letter}$ is off the paper: measure the direction of ${start.letter}{far.letter}$; its length follows from proportional segments:"), fig.pane)
-    way = np.exp(1j * fig.board.hand.gauge(np.angle(far.at - start.at)))
-    read = fig.board.hand.read
-    return read(np.asarray(start.at).real) + 1j * read(np.asarray(start.at).imag) + way * measured(fig, start, far).value
+    way = np.exp(1j * fig.board.gauge(start.at, far.at))
+    return fig.board.coordinates(start.at, start.letter) + way * measured(fig, start, far).value
 
 
 def _upright(angle: Reals) -> Reals:

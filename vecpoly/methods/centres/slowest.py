@@ -32,7 +32,7 @@ def find_slowest(motions: Motions, ask: AskPoint) -> None:
     fig.board.step(Words(f"构件 {ask.link} 上各点速度与到 ${centre.letter}$ 的距离成正比：过 ${centre.letter}$ 作 ${p}{q}$ 的垂线，垂足 ${name}$ 为直线 ${p}{q}$ 上速度最小的点。",
                          f"The velocities of link {ask.link} grow with the distance from ${centre.letter}$: the foot ${name}$ of the perpendicular from ${centre.letter}$ to ${p}{q}$ is the slowest point of this line."),
                    fig.pane)
-    along = fig.board.hand.tilt(unit(ends[1] - ends[0]))
+    along = fig.board.turn(unit(ends[1] - ends[0]))
     at = foot(Line(ends[0], along), centre.at)
     motions.places[ask.name] = at
     _draw(motions, at, ends, centre.at, name)

@@ -83,7 +83,7 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
     if apart(own, spot) < CLOSE:
         return reading, 0j
     way = 1j * unit(spot.at - own.at) * np.sign(nominal(motions.turns[link]))
-    return reading, expr.value * np.exp(1j * board.hand.gauge(np.angle(way)))
+    return reading, expr.value * np.exp(1j * board.gauge(0j, way))
 
 
 def _where(motions: Motions, at: At) -> tuple[str, Points]:

@@ -149,7 +149,7 @@ def _released(bench: Bench, device: EccentricClamp, clamp: Clamp) -> None:
                      "With $F$ removed the disc tends to turn back: friction at $K$ is reversed and $R′_{21}$ is turned to the other side of the normal $n$. Only $R′_{21}$ and the reaction $R′_{31}$ of the pin "
                      "act on the disc; they must be collinear, and $R′_{31}$ passes $A$ at $ρ$ at most. So where $R′_{21}$ cuts or touches the friction circle (or passes on the closing side) "
                      "the disc does not turn back however large $R′_{21}$ is: it is self-locking. Drop the perpendicular $AC$ from $A$ and compare the arm $h$ (positive where it opens the clamp) with $ρ$."), place)
-    back = board.hand.tilt(leaned(1j, complex(-turn), clamp.phi))
+    back = board.turn(leaned(1j, complex(-turn), clamp.phi))
     line, opening = Line(large.k, back), 1j * back * turn
     near = foot(line, 0j)
     draw_released(bench, place, large, back, near)

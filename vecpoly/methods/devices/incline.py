@@ -107,7 +107,7 @@ def _limit(bench: Bench, phi: Quantity) -> None:
     board.section(Words("自锁条件（去掉 $F$）", "Self-locking: $F$ removed"))
     place = board.open_pane(View.BODY, "limit", Words("自锁极限", "Limit of self-locking"))
     normal = 1j * np.exp(1j * np.radians(phi.value))
-    along = board.hand.tilt(-1j * normal)
+    along = board.turn(-1j * normal)
     board.step(Words("去掉 $F$ 后滑块只受 $Q$ 和总反力 $R_21$，静止时二力共线，$R_21$ 竖直向上，与法线 $n$ 的夹角等于 $α$；而此夹角不能大于 $φ$。故 $α ≤ φ$，即 $Q$ 的作用线落在以 $n$ 为轴、"
                      "顶角为 $2φ$ 的摩擦锥内时，无论 $Q$ 多大滑块都不会下滑，即自锁。作极限位置：自竖直线量 $φ$ 得法线 $n$，作其垂线为斜面，量其倾角：",
                      "Without $F$ only $Q$ and the total reaction $R_21$ act on the block. At rest they are collinear: $R_21$ is vertical and makes the angle $α$ with "

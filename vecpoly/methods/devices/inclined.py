@@ -117,7 +117,7 @@ def between(bench: Bench, place: Place, at: Points, one: Points, other: Points, 
 
 def gauged(bench: Bench, one: Points, other: Points) -> Reals:
     """The angle from one direction to another read with the protractor, in degrees."""
-    return np.degrees(bench.board.hand.gauge(np.angle(other / one)))
+    return np.degrees(bench.board.gauge(0j, other / one))
 
 
 def cone(bench: Bench, place: Place, at: Points, axis: Points, phi: Reals, length: float, label: str, angle: str = "φ") -> None:

@@ -150,7 +150,7 @@ def _limits(bench: Bench, device: RingSpring, phi: Quantity) -> None:
     board.section(Words("不自锁的条件", "Conditions against self-locking"))
     place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))
     turn = np.exp(1j * np.radians(phi.value))
-    push, release = board.hand.tilt(1j / turn), board.hand.tilt(turn)
+    push, release = board.turn(1j / turn), board.turn(turn)
     board.step(Words("压缩行程的极限：$R_12$、$R_42$ 竖直（与 $F$ 平行），没有水平分力与 $Q$ 平衡，无论 $F$ 多大都压不动。自竖直线量 $φ$ 得法线 $n$，它与 $F$ 的夹角为 $α$ 的下限。"
                      "由 $η = tan(α − φ)/tan α > 0$ 同样得 $α > φ$。",
                      "The limit of compression: $R_12$ and $R_42$ are vertical, along $F$; they have no horizontal component to balance $Q$, and no $F$ moves the wedges. Set off $φ$ from the "

@@ -105,7 +105,7 @@ def _by_geometry(bench: Bench, device: WedgeClamp, slope: Points, phi: Quantity)
                      "The limit: both reactions are inclined by $φ$ and just collinear. Set off $φ$ to either side of the common line to get the normals; the faces are perpendicular "
                      "to them. Read the angle between the faces:"), limit)
     turn = np.exp(1j * np.radians(phi.value))
-    one, other = board.hand.tilt(1j * turn), board.hand.tilt(1j / turn)
+    one, other = board.turn(1j * turn), board.turn(1j / turn)
     for along, length, label in ((1j, 46.0, "R_{13} = −R_{23}"), (one, 38.0, "n_{13}"), (other, 38.0, "−n_{23}")):
         ray(bench, limit, 0j, along, length, label)
     for face in (one, other):

@@ -45,7 +45,7 @@ def limits(bench: Bench, it: Shapes, phi: Mapping[str, float]) -> None:
 
 def _half(bench: Bench, place: Pane, normals: dict[str, Points], pair: tuple[str, str], named: Named, common: str) -> float:
     """Bisect the angle between two normals, read it with the protractor, and halve it (deg)."""
-    one, other = (bench.board.hand.tilt(normals[name]) for name in pair)
+    one, other = (bench.board.turn(normals[name]) for name in pair)
     between = gauged(bench, one, other)
     start, whole = float(np.angle(nominal(one))), float(np.angle(nominal(other / one)))
     middle = np.exp(1j * (start + whole / 2)) * LINE

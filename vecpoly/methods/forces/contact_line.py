@@ -36,7 +36,7 @@ def line_of_contact(st: Statics, two: TwoForce) -> Line:
     else:
         symbol = st.named(two.by, two.on).symbol
         st.board.step(Words(f"不计摩擦，接触点 ${contact.point}$ 处的反力 ${symbol}$ 沿公法线 $n–n$。", f"Without friction the reaction ${symbol}$ at the contact ${contact.point}$ acts along the common normal $n–n$."), View.MECHANISM)
-    u = st.board.hand.tilt(u)
+    u = st.board.turn(u)
     if not st.preliminary:
         st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, Role.DIRECTION)
         st.board.plot(View.MECHANISM, k + u * 22.0, st.named(two.by, two.on).symbol, Dot.NONE)

@@ -73,7 +73,7 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     expr = magnitude(f"m_{link}", mass.mass, "kg") * accel
     size = board.compute(named.symbol, expr, "N")
     vector = -unit(tip) * st.mm(size.value)
-    direction = board.hand.gauge(np.angle(-tip))
+    direction = board.gauge(tip, 0j)
     reading = Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size.value)),
                       vector=complex(nominal(size.value * np.exp(1j * direction))), mm=float(nominal(on_paper.value)), line=letters,
                       scale=board.scales[View.ACCELERATION].symbol, formula=worked(size.node, expr, "N"))

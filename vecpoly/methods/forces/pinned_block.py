@@ -33,7 +33,7 @@ def line_of_block(st: Statics, two: TwoForce) -> Line:
         return Line(st.desk.at[pin.point], 1j * st.desk.guide_line(slide).along)
     st.board.remark(slide_words(st, slide, slid, two.link))
     st.board.remark(pin_words(st, pin.point, pinned, two.link))
-    u = st.board.hand.tilt(inclined(st, slide, slid, two.link))  # force of the guide's link on the block
+    u = st.board.turn(inclined(st, slide, slid, two.link))  # force of the guide's link on the block
     sense = st.moment_sense(pin.point, pinned, two.link)
     at = st.touch(pin.point, -u, sense)  # the pin's force on the block is along −u
     st.board.join(View.MECHANISM, at - u * 22.0, at + u * 22.0, Role.DIRECTION)

@@ -10,7 +10,7 @@ from ...vector.equation import Equation, Term
 from ..desk import VECTOR, Desk, Turn
 from .image import imaged
 from .lengths import write_lengths
-from .terms import across, coriolis, known, normal, ref_at, sliding, tangential
+from .terms import across, coriolis, key, known, normal, ref_at, sliding, tangential
 
 _STILL = Turn(0.0, never=True)
 
@@ -57,8 +57,8 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     write_lengths(desk, view, eq)
     desk.tips[view, desk.canonical(to)] = closed.meeting
     board.plot(view, closed.meeting, desk.tip_label(view, to))
-    board.arrow_once(view, 0j, closed.meeting, key=Rel(VECTOR[view], desk.canonical(to)).key)
-    desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
+    board.arrow_once(view, 0j, closed.meeting, key=key(desk, Rel(VECTOR[view], desk.canonical(to))))
+    desk.ends |= {name: (view, a, b) for name, (a, b) in closed.ends.items()}
     return closed
 
 

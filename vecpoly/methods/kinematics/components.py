@@ -8,7 +8,7 @@ from ...mechanism.model import FRAME
 from ...names import At, Kind, Rel, omega
 from ...words import Words
 from ..desk import Desk
-from .terms import normal, ref_at, symbol
+from .terms import key, normal, ref_at, symbol
 
 _VIEW = View.ACCELERATION
 
@@ -19,7 +19,8 @@ def draw_components(desk: Desk, rel: Rel) -> None:
     to = desk.canonical(rel.to)
     known = link and about is not None and omega(link) in desk.turns and desk.has_tip(_VIEW, to) and desk.has_tip(_VIEW, about)
     ref = None if about is None else ref_at(desk, _VIEW, about, link)
-    keys = [Rel(kind, to, ref).key for kind in (Kind.AN, Kind.AT)]
+    parts_of = [Rel(kind, to, ref) for kind in (Kind.AN, Kind.AT)]
+    keys = [rel.key for rel in parts_of]
     if not known or about is None or set(keys) <= set(desk.ends) or to.point == about.point:
         return
     board, start, end = desk.board, desk.tip(_VIEW, about), desk.tip(_VIEW, to)
@@ -27,9 +28,9 @@ def draw_components(desk: Desk, rel: Rel) -> None:
     board.step(Words(f"将 ${whole}$ 分解为 ${parts[0]}$ 和 ${parts[1]}$。", f"Resolve ${whole}$ into ${parts[0]}$ and ${parts[1]}$."), _VIEW)
     term = normal(desk, to, about, link)
     assert term.along is not None and term.mm is not None
-    foot = board.lay_off(start, term.along, term.mm, key=keys[0])
-    board.arrow(_VIEW, start, foot, Role.GIVEN, key=keys[0])
-    board.arrow(_VIEW, foot, end, Role.RESULT, key=keys[1])
+    foot = board.lay_off(start, term.along, term.mm, key=key(desk, parts_of[0]))
+    board.arrow(_VIEW, start, foot, Role.GIVEN, key=key(desk, parts_of[0]))
+    board.arrow(_VIEW, foot, end, Role.RESULT, key=key(desk, parts_of[1]))
     if term.tip:
         board.plot(_VIEW, foot, term.tip)
     desk.ends |= {keys[0]: (_VIEW, start, foot), keys[1]: (_VIEW, foot, end)}

@@ -133,11 +133,11 @@ def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple
     board.remark(Words(f"将所给矢量平移，使其终点落在 ${desk.tip_label(view, At(ram.inner.point))}$，其起点即 ${desk.tip_label(view, under)}$。",
                        f" Shifted so that they end at ${desk.tip_label(view, At(ram.inner.point))}$, the given vectors start at ${desk.tip_label(view, under)}$."))
     board.plot(view, corner, desk.tip_label(view, under))
-    board.arrow(view, foot, corner, Role.RESULT, key=turning.rel.key)
+    board.arrow(view, foot, corner, Role.RESULT, key=turning.key)
     moved: Ends = {turning.rel.key: (foot, corner)}
     if len(along) == 1:
         moved[along[0].rel.key] = (corner, closed.meeting)
-        board.arrow(view, corner, closed.meeting, Role.GIVEN, key=along[0].rel.key)
+        board.arrow(view, corner, closed.meeting, Role.GIVEN, key=along[0].key)
     else:  # a^k + a^r, shifted as one
         board.join(view, corner, closed.meeting, Role.DIRECTION)
     desk.ends |= {key: (view, a, b) for key, (a, b) in moved.items()}

@@ -15,6 +15,7 @@ from ..desk import POLE, VECTOR, Desk, Turn
 from ..registry import Stage, method
 from .chains import never_turns
 from .image import images_of_link
+from .terms import key
 
 _SOURCE = "机械原理, kinematic analysis by the vector equation method"
 _TITLE = Words("原动件的运动", "Motion of the driving link")
@@ -69,7 +70,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
-        parts = [Rel(kind, At(b)).key for kind in (Kind.AT, Kind.A)]
+        parts = [key(desk, Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value), key=parts[0])
         end = desk.put_tip(View.ACCELERATION, At(b), end)
         board.arrow(View.ACCELERATION, tip, end, Role.GIVEN, key=parts[0])
@@ -107,11 +108,11 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
 def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, last: bool = True) -> None:
     """Lay the first vector off from the pole."""
     board = desk.board
-    key = Rel(VECTOR[view] if last else Kind.AN, At(b)).key
-    tip = board.lay_off(0j, along, board.to_paper(view, size), key=key)
+    name = key(desk, Rel(VECTOR[view] if last else Kind.AN, At(b)))
+    tip = board.lay_off(0j, along, board.to_paper(view, size), key=name)
     if last:
         tip = desk.put_tip(view, At(b), tip)
     else:
         tip = desk.tips[view, At(b)] = board.locate(view, "n′", tip)
-    board.arrow(view, 0j, tip, Role.GIVEN, key=key)
+    board.arrow(view, 0j, tip, Role.GIVEN, key=name)
     board.plot(view, tip, desk.tip_label(view, At(b)) if last else "n′")

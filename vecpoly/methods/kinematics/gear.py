@@ -15,7 +15,7 @@ from .image import found_tip, images_of_link
 from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, wheel
 from .rolled import image_circle
 from .rrr import total
-from .terms import known, normal, symbol
+from .terms import key, known, normal, symbol
 from .turning import angular_acceleration, angular_velocity
 
 _SOURCE = "机械原理, pure rolling: the pitch point is the relative instant centre"
@@ -34,7 +34,7 @@ def velocity_gear(desk: Desk, group: Group) -> None:
     rel = Rel(Kind.V, At(c), ref)
     ends = desk.tip(view, At(h)), desk.tip(view, At(c))
     desk.ends[rel.key] = (view, *ends)
-    desk.board.arrow_once(view, *ends, key=rel.key)
+    desk.board.arrow_once(view, *ends, key=key(desk, rel))
     angular_velocity(desk, gear, h, c, ends, letters(desk, view, ref, At(c)), symbol(desk, rel))
     image_circle(desk, gear, c, h)
     images_of_link(desk, view, gear)

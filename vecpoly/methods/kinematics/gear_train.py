@@ -27,7 +27,7 @@ from .image import images_of_link, known_tips
 from .pitch import rolling_in, rolling_term
 from .rrg import imaged_wheel, seat
 from .rrr import hinge_polygon, opening, total, turn_of_link
-from .terms import across, known, symbol
+from .terms import across, key, known, symbol
 from .turning import angular_acceleration, angular_velocity
 
 _SOURCE = "机械原理, planetary gear trains; pure rolling: the pitch point is the relative instant centre"
@@ -90,7 +90,7 @@ def _from_two(desk: Desk, view: View, link: str) -> None:
         ref = None if desk.at_rest(view, p_at) else p_at
         rel = Rel(Kind.V, q_at, ref)
         both = desk.tip(view, p_at), desk.tip(view, q_at)
-        desk.board.arrow_once(view, *both, key=rel.key)
+        desk.board.arrow_once(view, *both, key=key(desk, rel))
         desk.ends[rel.key] = (view, *both)
         angular_velocity(desk, link, p, q, both, letters(desk, view, ref, q_at), symbol(desk, rel))
     else:

@@ -15,7 +15,7 @@ from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
 from .lengths import write_lengths
-from .terms import known, normal, ref_at, symbol
+from .terms import key, known, normal, ref_at, symbol
 
 
 def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
@@ -83,7 +83,7 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board.join(view, tips[0], tips[1], Role.DIRECTION)
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
-    board.arrow(view, 0j, corner, Role.RESULT, key=Rel(VECTOR[view], at).key)
+    board.arrow(view, 0j, corner, Role.RESULT, key=key(desk, Rel(VECTOR[view], at)))
 
 
 def letter_at_pole(desk: Desk, view: View, *points: At) -> None:
@@ -138,7 +138,7 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit, key=rel.key)
+    desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
     return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
                 along=along[()], mm=desk.board.to_paper(view, desk.sizes[rel.key].value))
 

@@ -20,7 +20,7 @@ from ...words import Words
 from ..desk import POLE, Desk
 from .image import imaged
 from .lengths import write_lengths
-from .terms import ABSENT, known, symbol
+from .terms import ABSENT, key, known, symbol
 
 
 def rolling_in(joints: Iterable[Joint]) -> tuple[Rolling, ...]:
@@ -81,8 +81,8 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
     else:
         if term.rel.key in desk.sizes and term.magnitude != "0":
             board.write_length(view, f"{POLE[view]} {desk.tip_label(view, own)}", desk.sizes[term.rel.key])
-        desk.put_tip(view, own, board.lay_off(0j, _along(term), _mm(term), key=rel.key))
-        board.arrow_once(view, 0j, desk.tips[view, own], key=rel.key)
+        desk.put_tip(view, own, board.lay_off(0j, _along(term), _mm(term), key=key(desk, rel)))
+        board.arrow_once(view, 0j, desk.tips[view, own], key=key(desk, rel))
         desk.known_as[view, own] = (term.direction, term.magnitude)
         desk.ends[rel.key] = (view, 0j, desk.tips[view, own])
     board.plot(view, desk.tips[view, own], desk.tip_label(view, own))

@@ -33,7 +33,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
               f"Place the fixed point{'s' if len(desk.mech.frame) > 1 else ''} ${fixed_en}$ to the scale $μ_l$; through the fixed pivot ${pivot}$ draw link {drive.link} at $φ_{drive.link}$ = {phi}° to the $x$ axis{length_en}."),
         View.MECHANISM,
     )
-    along = board.hand.tilt(complex(np.exp(1j * drive.position)))
+    along = board.turn(complex(np.exp(1j * drive.position)))
     local = link.points[pivot]
     desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
     for name in others:

@@ -38,7 +38,7 @@ def position_rgr(desk: Desk, d: Dyad) -> None:
     if float(nominal(span)) <= abs(left) + 1e-9:
         raise AssemblyError(Words(f"构件 {rack.link} 与 {gear}：图上 {p}{c} = {nominal(span):.3f} mm，不大于 {abs(left):.3f} mm，作不出切线；请改变原动件位置或尺寸",
                                   f"links {rack.link} and {gear}: {p}{c} is {nominal(span):.3f} mm on paper, not longer than {abs(left):.3f} mm, so there is no tangent; choose another input position or other lengths"))
-    along = desk.board.hand.tilt(unit(desk.at[c] - desk.at[p]) * np.exp(-1j * np.arcsin(left / span)))
+    along = desk.board.turn(unit(desk.at[c] - desk.at[p]) * np.exp(-1j * np.arcsin(left / span)))
     desk.settle_turned(rack.link, p, along * np.exp(-1j * rack.direction))
     letter_pitch_points(desk, (joint,))
     desk.board.join(View.MECHANISM, desk.at[c], desk.at[joint.point], Role.CONSTRUCTION)

@@ -44,7 +44,7 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     desk.board.step(words, View.MECHANISM)
     direct, why = choose_way(desk, joint, q, p, _directions(desk.at[p] - desk.at[q], offset))
     desk.board.remark(said(why))
-    along = desk.board.hand.tilt(direct)
+    along = desk.board.turn(direct)
     if abs(offset) > 1e-9:
         _offset_circle(desk, q, p, abs(offset), along)
     desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))

@@ -33,7 +33,7 @@ def standing(desk: Desk, link: str) -> Points:
         raise NoMethodError(Words(f"构件 {link} 的角度自 {ray} 量起，而 {ray} 此时尚未画出；请改自 x 轴或连心线量起",
                                   f"the angle of link {link} counts from {ray}, which is not drawn before that link; count it from the x axis or the line of centres"))
     zero: Points = desk.towards(*start.ray) if start.ray else 1 + 0j
-    return desk.board.hand.tilt(zero * np.exp(1j * start.value))
+    return desk.board.turn(zero * np.exp(1j * start.value))
 
 
 def said_standing(desk: Desk, link: str) -> Words:

@@ -7,7 +7,7 @@ import numpy as np
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
-from ...names import At, Kind, Rel, omega
+from ...names import At, Kind, Rel, ascii_key, omega
 from ...plane import Points, nominal
 from ...quantity import Quantity, Times, magnitude
 from ...vector.equation import KNOWN, Term
@@ -22,6 +22,11 @@ def symbol(desk: Desk, rel: Rel) -> str:
     to = desk.show(rel.to)
     ref = desk.show(rel.ref) if rel.ref else ""
     return f"{rel.kind.stem}_{{{to}{ref}}}"
+
+
+def key(desk: Desk, rel: Rel) -> str:
+    """The key of its acts: the ASCII form of the printed symbol."""
+    return ascii_key(symbol(desk, rel))
 
 
 def known(desk: Desk, view: View, at: At) -> Term:
@@ -86,7 +91,7 @@ def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
     size = w.squared() * length
     value = size.value
     if not at_rest:
-        desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2", key=rel.key)
+        desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
         value = desk.sizes[rel.key].value
     return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
                 magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
@@ -107,7 +112,7 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
     vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
-    desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2", key=rel.key)
+    desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))

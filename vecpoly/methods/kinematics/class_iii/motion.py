@@ -23,7 +23,7 @@ from ...registry import Stage, method
 from ..chains import coincident_tip, letters, never_turns, sliding_chain, solve
 from ..image import imaged, images_of_link
 from ..rrr import opening, total, turn_of_link
-from ..terms import known, symbol
+from ..terms import key, known, symbol
 from ..turning import angular_acceleration, angular_velocity, same_turn
 from .special import Special, find_special, special_of
 from .star import Axial, Guided, Hinged, Parallel, Slotted, Star, point_of, star_of
@@ -181,7 +181,7 @@ def _leg(desk: Desk, view: View, star: Star, leg: Axial, chain: Chain) -> None:
     assert isinstance(last, Rel)
     ends = (_known_end(desk, view, chain), desk.tip(view, to))
     desk.ends[last.key] = (view, *ends)
-    desk.board.arrow_once(view, *ends, key=last.key)
+    desk.board.arrow_once(view, *ends, key=key(desk, last))
     match leg:
         case Hinged(link=link, outer=o):
             turn_of_link(desk, view, {last.key: ends}, to, o, link)

@@ -43,7 +43,7 @@ def position_class_iii(desk: Desk, group: Group) -> None:
     u = orientation(desk, star, star.parallel) if star.parallel else np.exp(1j * settled(desk, star, found))
     if not star.parallel:
         _draw_trials(desk, star, found)
-    u = desk.board.hand.tilt(u)
+    u = desk.board.turn(u)
     put(desk, star, _laid(desk, star, found, u), u)
     for leg in found.legs:
         _draw_locus(desk, star, leg)
