@@ -64,7 +64,7 @@ class Hand:
         size = np.abs(vector)
         with np.errstate(invalid="ignore", divide="ignore"):
             stretched = np.where(size > 0, vector * (1 + self._scatter(lambda skill: skill.dividers) / size), vector)
-        return self.tilt(stretched if np.ndim(stretched) else complex(stretched))
+        return self.tilt(stretched[()])
 
     def tilt(self, along: Points) -> Points:
         """A direction transferred with the set square."""
