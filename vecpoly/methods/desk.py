@@ -172,10 +172,6 @@ class Desk:
         line = self.guide_line(joint)
         return Line(line.at + 1j * line.along * self.mm(self.offset(joint, link, point)), line.along)
 
-    def body(self, name: str) -> Link:
-        """The link of this name."""
-        return self.mech.link(name)
-
     def contact(self, joint: Rolling) -> Points:
         """Pitch point of a rolling pair as drawn: foot on the rack, or on the line of centres."""
         centre = self.at[joint.gear.centre]

@@ -55,7 +55,7 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
-        st.board.mark(pane, *(_long_enough(st, name, mark) for mark in link_alone(st.desk, name, problem.given.shapes)))
+        st.board.mark(pane, *(_long_enough(st, name, mark) for mark in link_alone(st.desk, name, problem.given.shapes)), owner=f"link {name}")
         st.board.mark(pane, *_circles(st, name))
         pressing = inside.get(name, [])
         forces = [*(force for force in (*st.known(name), *_balance(st, name)) if force.named.key not in thrusts), *pressing]

@@ -39,7 +39,7 @@ def draw_contacts(desk: Desk) -> None:
     done = {m.label for m in desk.board.marks(View.MECHANISM) if isinstance(m, Point)}
     for contact in desk.mech.contacts:
         if contact.point in desk.at and contact.point not in done:
-            desk.board.mark(View.MECHANISM, *_contact(desk, contact))
+            desk.board.mark(View.MECHANISM, *_contact(desk, contact), owner=f"joint {contact.point}")
             desk.board.plot(View.MECHANISM, desk.at[contact.point], contact.point, Dot.POINT)
 
 

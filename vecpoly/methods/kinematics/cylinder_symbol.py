@@ -51,7 +51,7 @@ def _axis(desk: Desk, joint: Prismatic) -> tuple[complex, complex, float]:
     line = desk.guide_line(joint)
     at, along = complex(nominal(line.at)), complex(nominal(line.along))
     feet = [at + along * float((np.conj(along) * (complex(nominal(desk.at[pin])) - at)).real)
-            for pin in (next(iter(desk.body(joint.guide).points)), joint.pin)]
+            for pin in (next(iter(desk.mech.link(joint.guide).points)), joint.pin)]
     reach = max(abs(feet[1] - feet[0]), 1e-6)
     return feet[0], (feet[1] - feet[0]) / reach, reach
 
@@ -77,7 +77,7 @@ def _lugs(desk: Desk, link: str, joint: Prismatic) -> Iterator[Mark]:
     """Points of the link beside the cylinder's line are joined to it."""
     line = desk.guide_line(joint)
     at, along = complex(nominal(line.at)), complex(nominal(line.along))
-    for letter in desk.body(link).points:
+    for letter in desk.mech.link(link).points:
         spot = complex(nominal(desk.at[letter]))
         ray = np.conj(along) * (spot - at)
         if abs(ray.imag) > HALF:

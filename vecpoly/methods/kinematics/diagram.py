@@ -41,7 +41,7 @@ def draw_frame(desk: Desk, shapes: Mapping[str, Shape]) -> None:
     pinned = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
     for name, at in desk.mech.frame.items():
         if name in pinned:
-            desk.board.mark(View.MECHANISM, Ground(at=at * desk.mm(1.0), down=-1j))
+            desk.board.mark(View.MECHANISM, Ground(at=at * desk.mm(1.0), down=-1j), owner="frame")
             desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, Dot.JOINT)
 
 
@@ -49,20 +49,21 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
     """The links of one group, once they are located."""
     for name in links:
         body = desk.mech.link(name)
-        desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)))
+        desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)), owner=f"link {name}")
     for late in _late_guides(desk, links):
         body, shape = desk.mech.link(late.guide), shapes.get(late.guide, Shape.SLOT)
         shape = Shape.SLOT if shape is Shape.BAR and _is_slot(desk, body, late) else shape
-        desk.board.mark(View.MECHANISM, *_guide_body(desk, body, late, shape))
+        desk.board.mark(View.MECHANISM, *_guide_body(desk, body, late, shape), owner=f"link {body.name}")
         if len(body.points) == 1:
-            desk.board.mark(View.MECHANISM, _number(desk, body, shape, late))
+            desk.board.mark(View.MECHANISM, _number(desk, body, shape, late), owner=f"link {body.name}")
     for joint in desk.mech.joints:
         if isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links) and is_cylinder(joint, shapes):
-            desk.board.mark(View.MECHANISM, *cylinder_part(desk, joint.guide, joint), *cylinder_part(desk, joint.block, joint))
+            for part in (joint.guide, joint.block):
+                desk.board.mark(View.MECHANISM, *cylinder_part(desk, part, joint), owner=f"link {part}")
         elif isinstance(joint, Prismatic) and {joint.guide, joint.block} & set(links):
             drawn = {joint.guide, joint.block} <= {*desk.pose, FRAME} and shapes.get(joint.block) is not Shape.PIN
             if drawn and not guided_follower(desk, joint) and (joint.guide != FRAME or guided_rack(desk, joint.block) is None):
-                desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes))
+                desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes), owner=f"link {joint.block}")
     draw_gears(desk, links, shapes)
     draw_contacts(desk)
     _letters(desk, links)

@@ -20,7 +20,7 @@ SWING, SMALL = 13.0, 0.05  # mm radius of the pressure angle's mark; rad below w
 
 def face_marks(desk: Desk, contact: Contact) -> Iterator[Mark]:
     """A flat face with its lever: the link's points stand on the face, or beside it on short welded arms."""
-    line, link = desk.face_line(contact), desk.body(contact.on.link)
+    line, link = desk.face_line(contact), desk.mech.link(contact.on.link)
     at, along = complex(nominal(line.at)), complex(nominal(line.along))
     own = [_spot(desk, p) for p in link.points]
     travels = [float((np.conj(along) * (s - at)).real) for s in own]

@@ -25,10 +25,10 @@ def draw_gears(desk: Desk, links: tuple[str, ...], shapes: Mapping[str, Shape]) 
     for joint in (j for j in desk.mech.joints if isinstance(j, Rolling)):
         for circle in (joint.gear, joint.on):
             if isinstance(circle, Circle) and (circle.link in links or (circle.link == FRAME and joint.gear.link in links)):
-                desk.board.mark(View.MECHANISM, *_gear(desk, circle, joint, shapes))
+                desk.board.mark(View.MECHANISM, *_gear(desk, circle, joint, shapes), owner=f"link {circle.link}")
         both = {joint.gear.link, joint.on.link}
         if isinstance(joint.on, Rack) and both & set(links) and both <= {*desk.pose, FRAME}:
-            desk.board.mark(View.MECHANISM, *_rack(desk, joint, joint.on))
+            desk.board.mark(View.MECHANISM, *_rack(desk, joint, joint.on), owner=f"link {joint.on.link}")
 
 
 def _gear(desk: Desk, circle: Circle, joint: Rolling, shapes: Mapping[str, Shape]) -> Iterator[Mark]:

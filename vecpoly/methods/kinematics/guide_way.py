@@ -46,14 +46,14 @@ def _with_way(desk: Desk, joint: Prismatic, q: str, p: str, way: complex) -> Pla
     """Every letter that would be known if the guide pointed so."""
     places = {name: complex(nominal(at)) for name, at in desk.at.items()}
     for link, held, axis in _poses(joint, q, p, way):
-        points = desk.body(link).points
+        points = desk.mech.link(link).points
         places |= {name: places[held] + axis * desk.mm(1.0) * (local - points[held]) for name, local in points.items() if name not in desk.at}
     return places
 
 
 def _travel(desk: Desk, joint: Prismatic, q: str, p: str, way: complex) -> float:
     """How far (mm) the sliding pin lies ahead of the letter from which the guide's line is set out; else of the guide's pivot."""
-    guide, block = (desk.body(link).points for link in (joint.guide, joint.block))
+    guide, block = (desk.mech.link(link).points for link in (joint.guide, joint.block))
     (_, _, turned), (_, _, axis) = _poses(joint, q, p, way)
     start = joint.origin - guide[q] if joint.through else 0j
     pin = block[joint.pin] - block[p] if joint.through else 0j

@@ -35,7 +35,7 @@ def step_off(desk: Desk, d: Dyad) -> bool:
     if corner is None or not _is_said(desk, d):
         return False
     b, c, end = _pins(d)
-    board, length = desk.board, desk.mm(abs(desk.body(d.link_j).points[c] - desk.body(d.link_j).points[b]))
+    board, length = desk.board, desk.mm(abs(desk.mech.link(d.link_j).points[c] - desk.mech.link(d.link_j).points[b]))
     board.step(Words(f"${corner}{b}{c}{end}$ 为平行四边形：过 ${b}$ 作 ${corner}{end}$ 的平行线，量取 ${b}{c} = {corner}{end}$，得 ${c}$。",
                      f"${corner}{b}{c}{end}$ is a parallelogram: through ${b}$ draw a line parallel to ${corner}{end}$ and step off ${b}{c} = {corner}{end}$ on it."), View.MECHANISM)
     desk.letter(c, board.lay_off(desk.at[b], desk.towards(corner, end), length))
@@ -70,7 +70,7 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
     _reach(desk, view, coupler, c)
     for link in (d.link_j, d.link_k):
         images_of_link(desk, view, link)
-    for further in [p for p in desk.body(coupler).points if fixed and p not in (b, c, end)]:
+    for further in [p for p in desk.mech.link(coupler).points if fixed and p not in (b, c, end)]:
         desk.board.plot(view, desk.tip(view, At(further)), desk.tip_label(view, At(further)))
 
 

@@ -59,14 +59,14 @@ def _ray(desk: Desk, ram: Ram) -> complex:
     pair = ram.pair
     travel = next(drive.position for drive in desk.mech.drives if drive.pair == {ram.near, ram.far})
     guided, sliding = (ram.outer, ram.inner) if ram.near == pair.guide else (ram.inner, ram.outer)
-    foot = (desk.body(pair.guide).points[guided.point] - pair.origin) * complex(np.exp(-1j * pair.direction))
-    body = desk.body(pair.block).points
+    foot = (desk.mech.link(pair.guide).points[guided.point] - pair.origin) * complex(np.exp(-1j * pair.direction))
+    body = desk.mech.link(pair.block).points
     head = travel + 1j * pair.offset + (body[sliding.point] - body[pair.pin]) * complex(np.exp(1j * pair.turn))
     return head - foot if ram.near == pair.guide else foot - head
 
 
 def _distance(desk: Desk, link: str, p: str, q: str) -> float:
-    points = desk.body(link).points
+    points = desk.mech.link(link).points
     return desk.mm(abs(points[p] - points[q]))
 
 

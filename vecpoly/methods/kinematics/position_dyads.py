@@ -26,7 +26,7 @@ def position_rrr(desk: Desk, d: Dyad) -> None:
     if step_off(desk, d):
         return
     c, p, q, board = d.inner.point, d.outer_j.point, d.outer_k.point, desk.board
-    lengths = [abs(desk.body(li).points[c] - desk.body(li).points[o]) for li, o in ((d.link_j, p), (d.link_k, q))]
+    lengths = [abs(desk.mech.link(li).points[c] - desk.mech.link(li).points[o]) for li, o in ((d.link_j, p), (d.link_k, q))]
     bars = desk.bar(d.link_j, p, c), desk.bar(d.link_k, q, c)
     board.step(
         Words(f"分别以 ${p}$、${q}$ 为圆心，以 $l_{bars[0]}/μ_l$、$l_{bars[1]}/μ_l$ 为半径画弧，交点为 ${c}$",
@@ -50,7 +50,7 @@ def position_rrp(desk: Desk, d: Dyad) -> None:
     """One arc and the guide: C is where the arc of l_j about P cuts the line on which C is led."""
     assert isinstance(d.inner, Revolute) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Prismatic)
     c, p, board = d.inner.point, d.outer_j.point, desk.board
-    radius = desk.mm(abs(desk.body(d.link_j).points[c] - desk.body(d.link_j).points[p]))
+    radius = desk.mm(abs(desk.mech.link(d.link_j).points[c] - desk.mech.link(d.link_j).points[p]))
     board.step(
         Words(f"以 ${p}$ 为圆心、$l_{desk.bar(d.link_j, p, c)}/μ_l$ 为半径画弧，与 ${c}$ 的导路线交于 ${c}$",
               f"The arc about ${p}$ with radius $l_{desk.bar(d.link_j, p, c)}/μ_l$ cuts the guide line of ${c}$ at ${c}$"),
@@ -86,7 +86,7 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
     inner, outer = d.inner, d.outer_k
     assert isinstance(d.outer_j, Revolute) and isinstance(inner, Prismatic) and isinstance(outer, Prismatic)
     b = d.outer_j.point
-    r = next(iter(desk.body(d.link_k).points))
+    r = next(iter(desk.mech.link(d.link_k).points))
     cam = tangent_words(desk, inner)
     desk.board.step(_slid_words(d, inner, b, r) if cam is None else cam + Words("。", "."), View.MECHANISM)
     guide = desk.guide_line(outer)

@@ -46,7 +46,7 @@ def position_rack(desk: Desk, group: Group) -> None:
         desk.settle_turned(rack, pin, line.along * np.exp(1j * slide.turn))
     else:
         origin = desk.at[pin] - 1j * line.along * desk.mm(slide.offset) - line.along * desk.mm(travel)
-        first, local = next(iter(desk.body(rack).points.items()))
+        first, local = next(iter(desk.mech.link(rack).points.items()))
         axis = line.along * np.exp(-1j * slide.direction)
         desk.letter(first, origin + axis * desk.mm(1.0) * (local - slide.origin))
         desk.settle_turned(rack, first, axis)

@@ -32,7 +32,7 @@ def position_rgr(desk: Desk, d: Dyad) -> None:
     desk.board.step(_words(rack.link, gear, c, p, joint.point), View.MECHANISM)
     desk.settle_turned(gear, q, standing(desk, gear))
     desk.board.remark(said_standing(desk, gear))
-    beside = float((np.exp(-1j * rack.direction) * (desk.body(rack.link).points[p] - rack.origin)).imag)
+    beside = float((np.exp(-1j * rack.direction) * (desk.mech.link(rack.link).points[p] - rack.origin)).imag)
     left = desk.mm((1 if joint.side is Side.LEFT else -1) * joint.gear.radius - beside)
     span = distance(desk.at[p], desk.at[c])
     if float(nominal(span)) <= abs(left) + 1e-9:

@@ -93,7 +93,7 @@ def locus_of(desk: Desk, joint: Joint, link: str, c: str) -> Locus:
     """Where the outer joint leaves the hinge to lie."""
     match joint:
         case Revolute():
-            points = desk.body(link).points
+            points = desk.mech.link(link).points
             return Round(desk.at[joint.point], desk.mm(abs(points[c] - points[joint.point])))
         case Prismatic():
             return desk.locus(joint, link, c)
@@ -106,7 +106,7 @@ def _rolled(desk: Desk, joint: Rolling, link: str, c: str) -> Locus:
     mine = wheel(joint, link)
     if not isinstance(mine, Circle):
         raise NoMethodError(Words(f"铰链 {c} 在齿条 {link} 上，而该齿条没有导路：没有相应的图解法", f"the hinge {c} is on rack {link}, which has no guide: no graphical method on file locates it"))
-    points = desk.body(link).points
+    points = desk.mech.link(link).points
     arm = desk.mm(1.0) * (points[c] - points[mine.centre])
     turned = _with_centres(desk, joint, link, c)
     shift = 0j if turned or arm == 0 else standing(desk, link) * arm
@@ -130,7 +130,7 @@ def _out(desk: Desk, joint: Rolling, link: str, c: str) -> complex:
     """The hinge from the other gear's centre, in coordinates along the line of centres (mm)."""
     start, mine = start_of(desk, link), wheel(joint, link)
     assert start is not None and isinstance(mine, Circle)
-    points, sign = desk.body(link).points, 1 if start.ray[1] == mine.centre else -1
+    points, sign = desk.mech.link(link).points, 1 if start.ray[1] == mine.centre else -1
     return desk.mm(1.0) * complex(reach(joint) + sign * np.exp(1j * start.value) * (points[c] - points[mine.centre]))
 
 

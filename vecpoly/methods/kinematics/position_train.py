@@ -38,7 +38,7 @@ def position_train(desk: Desk, group: Group) -> None:
 
 def _placed(desk: Desk, group: Group, link: str) -> bool:
     """Place the link from two known points, or from one and its angle."""
-    points = desk.body(link).points
+    points = desk.mech.link(link).points
     drawn = [p for p in points if p in desk.at]
     if len(drawn) > 1:
         desk.settle(link, (drawn[0], drawn[1]))
@@ -81,7 +81,7 @@ def _arced(desk: Desk, group: Group, waiting: list[str]) -> bool:
 
 def _lead(desk: Desk, group: Group, link: str) -> Joint | None:
     """What leads the link: a hinge already drawn, else a slide or a rolling pair on a known link."""
-    drawn = next((p for p in desk.body(link).points if p in desk.at), None)
+    drawn = next((p for p in desk.mech.link(link).points if p in desk.at), None)
     if drawn is not None:
         return Revolute(point=drawn, a="", b=link)
     outer = [out.joint for out in group.outer if out.link == link]

@@ -73,7 +73,7 @@ def _lettered(desk: Desk, view: View, rack: str) -> None:
     """The rack's own points; on one that only translates they all lie at one tip, which gets their letters."""
     images_of_link(desk, view, rack)
     if desk.turns[omega(rack)].never:
-        for letter in desk.body(rack).points:
+        for letter in desk.mech.link(rack).points:
             desk.board.plot(view, desk.tip(view, At(letter)), desk.tip_label(view, At(letter)), Dot.NONE)
 
 

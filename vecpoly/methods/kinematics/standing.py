@@ -39,7 +39,7 @@ def standing(desk: Desk, link: str) -> Points:
 def said_standing(desk: Desk, link: str) -> Words:
     """The sentence that tells how the gear's (or arm's) further point is set out; empty where nothing is told."""
     start = start_of(desk, link)
-    body = desk.body(link)
+    body = desk.mech.link(link)
     first = pivot(desk, body)
     other = next((p for p in body.points if p != first), "")
     if start is None or not other:

@@ -30,10 +30,10 @@ Locus = Ring | Line
 
 def locus_of(desk: Desk, star: Star, leg: Axial, u: Points) -> Locus:
     """On what the origin of the central link lies, as far as this leg tells, in the orientation u."""
-    body = desk.body(star.plate).points
+    body = desk.mech.link(star.plate).points
     match leg:
         case Hinged(link=link, outer=o, inner=b):
-            held = desk.body(link).points
+            held = desk.mech.link(link).points
             return Ring(desk.at[o] - u * desk.mm(1.0) * body[b], desk.mm(abs(held[b] - held[o])))
         case Guided(link=link, slide=slide, inner=b):
             path = desk.locus(slide, link, b)
@@ -58,7 +58,7 @@ def _origin_left(desk: Desk, star: Star, slide: Prismatic) -> float:
     """How far (m) the central link's origin lies to the left of one of its slides."""
     if slide.guide == star.plate:
         return float((np.exp(-1j * slide.direction) * (0 - slide.origin)).imag)
-    pin = desk.body(star.plate).points[slide.pin]
+    pin = desk.mech.link(star.plate).points[slide.pin]
     return slide.offset + float((np.exp(1j * slide.turn) * (0 - pin)).imag)
 
 
@@ -114,7 +114,7 @@ def put(desk: Desk, star: Star, at: Points, u: Points) -> None:
             case Slotted(link=link, slide=slide, outer=q):
                 desk.settle_turned(link, q, turned(slide, link, along_of(star, slide, u)))
             case Parallel(link=link, guide=guide, slide=slide):
-                point = next(iter(desk.body(link).points))
+                point = next(iter(desk.mech.link(link).points))
                 desk.letter(point, lines_meet(desk.locus(guide, link, point), desk.locus(slide, link, point)))
                 desk.settle_turned(link, point, turned(guide, link, desk.guide_line(guide).along))
             case _:

@@ -161,7 +161,7 @@ def _without_turning(desk: Desk, view: View, star: Star, leg: Parallel) -> dict[
 
 def _slider_between(desk: Desk, view: View, star: Star, leg: Parallel) -> None:
     """The leg with two slides: its own point by both of its guides."""
-    at = At(next(iter(desk.body(leg.link).points)))
+    at = At(next(iter(desk.mech.link(leg.link).points)))
     bases = [coincident_tip(desk, view, at.point, name) for name in (leg.parent, star.plate)]
     desk.board.step(opening(view, at.point, leg.link), view)
     sides = [

@@ -89,7 +89,7 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
 
 def _which(desk: Desk, star: Star, after: list[dict[str, complex]], fits: bool) -> Words:
     """The assemblies there are, by the places of the central link's points."""
-    letters = list(desk.body(star.plate).points)[:2]
+    letters = list(desk.mech.link(star.plate).points)[:2]
     mm = 1e3 / desk.mm(1.0)
     told = "; ".join(
         "{" + ", ".join(f"{p}: [{at[p].real * mm:.4g} mm, {at[p].imag * mm:.4g} mm]" for p in letters) + "}"
@@ -121,7 +121,7 @@ def _laid(desk: Desk, star: Star, found: Assembly, u: Points) -> Points:
 def _draw_locus(desk: Desk, star: Star, leg: Axial) -> None:
     """The arc of a bar about its pin; a guide is drawn with its slider."""
     if isinstance(leg, Hinged):
-        held = desk.body(leg.link).points
+        held = desk.mech.link(leg.link).points
         desk.board.swing(
             View.MECHANISM, desk.at[leg.outer], desk.mm(abs(held[leg.inner] - held[leg.outer])), desk.at[leg.inner]
         )
@@ -133,7 +133,7 @@ def _draw_trials(desk: Desk, star: Star, found: Assembly) -> None:
     if isinstance(leg, Slotted):
         return
     theta = found.theta + SHOWN
-    local = desk.body(star.plate).points[leg.inner]
+    local = desk.mech.link(star.plate).points[leg.inner]
     path = trial(bare(desk), star, found.legs, found.first, theta) + np.exp(1j * theta) * desk.mm(1.0) * local
     seen = [complex(at) for at in np.asarray(path) if np.isfinite(at)]
     desk.board.mark(View.MECHANISM, *(Segment(a=p, b=q, role=Role.CONSTRUCTION) for p, q in pairwise(seen)))
