@@ -26,7 +26,7 @@ def by_every_hand(name: str) -> tuple[dict[str, np.ndarray], list[tuple[str, str
         desk = _draw(problem, hand("pencil", repeats=HANDS), _choose_scales(problem, {}, None)[0])
     mech = problem.mechanism
     keys = [(reaction(mech.number(a), mech.number(b)).key, reaction(mech.number(b), mech.number(a)).key) for a, b in pairs(mech)]
-    return {key: np.asarray(value) for key, value in desk.named_repeats.items()}, keys
+    return {key: np.asarray(value) for key, value in desk.board.found.items()}, keys
 
 
 @pytest.mark.parametrize("name", LOADED)
