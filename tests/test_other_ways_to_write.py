@@ -8,6 +8,7 @@ import pytest
 
 from vecpoly.errors import ProblemFileError
 from vecpoly.problem.load import loads
+
 FOUR_BAR = """
 id: t
 title: t
