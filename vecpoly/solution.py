@@ -114,7 +114,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by somebody else: the
     construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this mistake.
 
-    precise: also find how many digits the exact values keep; else that is done only where something is suspect.
+    precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
@@ -139,7 +139,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
         return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
-    told = (*problem.warnings, *idle(problem), *unfit(drawn.construction.figures, _given(problem)))
+    told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, _given(problem)))
     return Solution(problem, replace(drawn.construction, readings=read, warning=warning(wrong)), answers, told)
 
 
