@@ -24,8 +24,8 @@ def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
         return Words.same("")
     symbol, way, against = st.named(by, on).symbol, TURN[-sense], TURN[sense]
     rate, turns = relative_omega(st, by, on)
-    return Words(f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，故 ${symbol}$ 切于 ${point}$ 处摩擦圆的相应一侧。",
-                 f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is {against.en}, which tells the side on which ${symbol}$ touches the friction circle.")
+    return Words(f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，由此确定 ${symbol}$ 切于 ${point}$ 处摩擦圆的哪一侧。",
+                 f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is {against.en}, which determines the side on which ${symbol}$ touches the friction circle.")
 
 
 def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
