@@ -56,6 +56,7 @@ class Desk:
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     named: dict[str, Reading] = field(default_factory=dict)  # answers of the force analysis
     named_repeats: dict[str, Reals] = field(default_factory=dict)
+    thought: bool = False  # whether the driving link is only thought to drive, the input acting between two moving links
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
     central: dict[str, Reading] = field(default_factory=dict)  # answers that instant centres gave
     central_repeats: dict[str, Reals] = field(default_factory=dict)

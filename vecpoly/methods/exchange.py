@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from math import degrees, pi
+from math import degrees, floor, log10, pi
 
 import numpy as np
 
@@ -217,9 +217,10 @@ def _said(trial: _Trial, rated: Drive) -> dict[Stage, Words]:
 
 
 def _tried(trial: _Trial, rated: Drive) -> tuple[str, str]:
-    """Two of the trials, to either side of the place found."""
-    step = 0.05 * trial.mech.scale if rated.slide else pi / 36
-    shown = [(at, trial.gap(at)) for at in (rated.position - step, rated.position + step)]
+    """Two of the trials, at round places to either side of the one found."""
+    step = 10.0 ** floor(log10(0.1 * trial.mech.scale)) if rated.slide else pi / 36
+    near = step * round(rated.position / step)
+    shown = [(at, trial.gap(at)) for at in (near - step, near + step)]
     told = [(_shown(at, rated.slide), _shown(trial.drive.position + gap, trial.drive.slide)) for at, gap in shown if np.isfinite(gap)]
     if not told:
         return "", ""
@@ -227,5 +228,5 @@ def _tried(trial: _Trial, rated: Drive) -> tuple[str, str]:
 
 
 def _shown(position: float, slide: bool) -> str:
-    """620 mm, or 52.5°."""
-    return f"{number(1e3 * position, 6)} mm" if slide else f"{number(degrees(position), 6)}°"
+    """620 mm, or 52.5°: as near as paper shows it."""
+    return f"{number(1e3 * position, 4)} mm" if slide else f"{number(degrees(position), 4)}°"

@@ -95,11 +95,27 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
     joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
     along = desk.guide_line(joint).along * (np.sign(value) or 1)
     pole, b = POLE[view], joint.pin
-    desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${stem}_{b}$：",
-                          f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${stem}_{b}$:"), view)
+    if not value:
+        _no_vector(desk, view, drive, b)
+        return
+    tip = desk.tip_label(view, At(b))
+    desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${pole}{tip}$ 代表 ${stem}_{b}$：",
+                          f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${pole}{tip}$ for ${stem}_{b}$:"), view)
     size = desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
+    desk.board.write_length(view, f"{pole} {tip}", size)
     desk.sizes[Rel(VECTOR[view], At(b)).key] = size
     _first_vector(desk, view, b, along, abs(value))
+    images_of_link(desk, view, drive.link)
+
+
+def _no_vector(desk: Desk, view: View, drive: Drive, b: str) -> None:
+    """A slider at constant speed, or at rest: its point is at the pole."""
+    rel, pole = Rel(VECTOR[view], At(b)), POLE[view]
+    tip, why = desk.tip_label(view, At(b)), Words("作匀速移动", "moves at constant speed") if view is View.ACCELERATION else Words("静止", "is at rest")
+    desk.board.step(Words(f"滑块 {drive.link} {why.zh}，${rel.symbol}$ = 0，${tip}$ 与极点 ${pole}$ 重合。",
+                          f"Slider {drive.link} {why.en}: ${rel.symbol}$ = 0, and ${tip}$ lies at the pole ${pole}$."), view)
+    desk.sizes[rel.key] = magnitude(rel.symbol, 0.0, rel.kind.unit)
+    _first_vector(desk, view, b, 1 + 0j, 0.0)
     images_of_link(desk, view, drive.link)
 
 

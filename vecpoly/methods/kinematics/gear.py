@@ -12,7 +12,7 @@ from ..desk import Desk
 from ..registry import Stage, method
 from .chains import letters, solve
 from .image import found_tip, images_of_link
-from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, wheel
+from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, tangents_agree, wheel
 from .rolled import image_circle
 from .rrr import total
 from .terms import known, normal, symbol
@@ -49,8 +49,7 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
     h = joint.point
     own, rest = At(h, gear), desk.at_rest(view, At(c))
     base = partner_acceleration(desk, joint, gear)
-    desk.board.step(Words(f"啮合点 ${h}$：两构件在 ${h}$ 处的切向加速度相等，加速度只差沿公法线的分量，列方程求 $α_{gear}$：",
-                          f"Pitch point ${h}$: both bodies have one tangential acceleration there, their accelerations differ along the common normal alone; for $α_{gear}$:"), view)
+    desk.board.step(tangents_agree(joint) + Words(f"，列方程求 $α_{gear}$：", f"; for $α_{gear}$:"), view)
     rel = Rel(Kind.AT, own, None if rest else At(c))
     tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
     left = (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)

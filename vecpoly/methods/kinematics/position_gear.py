@@ -7,6 +7,7 @@ import numpy as np
 from ...board.construction import View
 from ...mechanism.assur import Group
 from ...mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
+from ...mechanism.travel import counted_from
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
@@ -37,8 +38,8 @@ def position_rack(desk: Desk, group: Group) -> None:
     slide = next(outer.joint for outer in group.outer if isinstance(outer.joint, Prismatic))
     travel = next((one.value for one in desk.mech.starts if one.link == rack and one.slide), 0.0)
     pin, c, h = slide.pin, joint.gear.centre, joint.point
-    desk.board.step(Words(f"齿条 {rack} 沿其导路移动：按给定的 $s_{rack}/μ_l$ 定出 ${pin}$；自 ${c}$ 向齿条节线作垂线，垂足为啮合点 ${h}$。",
-                          f"Rack {rack} slides along its guide: step off the given $s_{rack}/μ_l$ to ${pin}$; the foot of ${c}$ on its pitch line is the pitch point ${h}$."), View.MECHANISM)
+    desk.board.step(Words(f"齿条 {rack} 沿其导路移动：{counted_from(slide).zh}按给定的 $s_{rack}/μ_l$ 定出 ${pin}$；自 ${c}$ 向齿条节线作垂线，垂足为啮合点 ${h}$。",
+                          f"Rack {rack} slides along its guide: step off the given $s_{rack}/μ_l$ {counted_from(slide).en} to ${pin}$; the foot of ${c}$ on its pitch line is the pitch point ${h}$."), View.MECHANISM)
     line = desk.guide_line(slide)
     if slide.block == rack:
         foot = desk.board.lay_off(line.at, line.along, desk.mm(travel))

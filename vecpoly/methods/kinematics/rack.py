@@ -14,7 +14,7 @@ from ..desk import Desk
 from ..registry import Stage, method
 from .chains import coincident_tip, never_turns, sliding_chain, solve
 from .image import images_of_link
-from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in
+from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, tangents_agree
 from .rrr import total
 from .terms import known, symbol
 from .turning import same_turn
@@ -59,8 +59,7 @@ def acceleration_rack(desk: Desk, group: Group) -> None:
     own = At(h, rack)
     base = partner_acceleration(desk, joint, rack)
     coincident_tip(desk, view, h, led)
-    desk.board.step(Words(f"啮合点 ${h}$：齿轮与齿条 {rack} 在 ${h}$ 处的切向加速度相等，加速度只差沿公法线的分量：",
-                          f"Pitch point ${h}$: gear and rack {rack} have one tangential acceleration there, their accelerations differ along the common normal alone:"), view)
+    desk.board.step(tangents_agree(joint) + Words("：", ":"), view)
     left = sliding_chain(desk, view, own, At(h, led), slide, led)
     front = total(desk, view, own, len(left)) if len(left) > 1 and base else ""
     solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, rack)), total=front), own)
