@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from ...board.construction import View
 from ...board.marks import Dot
+from ...mechanism.assur import Group
 from ...mechanism.model import FRAME, Circle, Joint, Rack, Rolling
 from ...names import At, Kind, Rel, omega
 from ...plane import Points, nominal
@@ -27,6 +28,11 @@ from .terms import ABSENT, known, symbol
 def rolling_in(joints: Iterable[Joint]) -> tuple[Rolling, ...]:
     """The rolling pairs among these joints."""
     return tuple(joint for joint in joints if isinstance(joint, Rolling))
+
+
+def rolling_of(group: Group) -> Rolling:
+    """The (first) rolling pair of a gear or a rack with the link that drives it."""
+    return rolling_in(outer.joint for outer in group.outer)[0]
 
 
 def partner(joint: Rolling, link: str) -> str:
@@ -68,13 +74,6 @@ def normal_words(joint: Rolling) -> Words:
     if isinstance(joint.on, Rack):
         return Words("垂直于节线的", "square to the pitch line")
     return Words(f"沿连心线 ${joint.on.centre}{joint.gear.centre}$ 的", f"along the line of centres ${joint.on.centre}{joint.gear.centre}$")
-
-
-def tangents_agree(joint: Rolling) -> Words:
-    """What pure rolling says of the accelerations at the pitch point."""
-    h, way = joint.point, normal_words(joint)
-    return Words(f"啮合点 ${h}$：两构件在 ${h}$ 处的切向加速度相等，加速度只差{way.zh}分量",
-                 f"Pitch point ${h}$: both bodies have the same tangential acceleration there, and their accelerations differ {way.en} only")
 
 
 def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
