@@ -29,7 +29,7 @@ def welded(mech: Mechanism) -> Words:
         return Words.same("")
     zh = "、".join(f"滚子 {roller} 与构件 {host}" for roller, host in mech.welded)
     en = " and ".join(f"roller {roller} to link {host}" for roller, host in mech.welded)
-    return Words(f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。", f"A roller that turns about its own pin is a local freedom, without effect on the other links; weld {en}. ")
+    return Words(f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。", f"A roller that turns about its own pin is a passive degree of freedom, without effect on the other links; weld {en}. ")
 
 
 def numbering(problem: Problem) -> Words:
@@ -49,7 +49,7 @@ def carried_pins(mech: Mechanism) -> Words:
     zh = "；".join(f"${point}$ 处的销轴属于{_carrier(mech, link).zh}" for point, link in found.items())
     en = "; ".join(f"the pin at ${point}$ belongs to {_carrier(mech, link).en}" for point, link in found.items())
     return Words(f"复合铰链{zh}，铰接于该处的其他构件只与它相互作用，彼此间无反力。",
-                 f" At compound hinges one link carries the pin, the others press on it and not on each other: {en}.")
+                 f" At multiple joints one link carries the pin, the others press on it and not on each other: {en}.")
 
 
 def _carrier(mech: Mechanism, link: str) -> Words:

@@ -87,7 +87,7 @@ def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
         return Words(f"${symbol}$ 垂直于导路。", f" ${symbol}$ is normal to the guide.")
     way = sliding_way(st, joint, by, on)
     return Words(f"由速度多边形，构件 {j} 相对构件 {i} 沿导路{way.zh}滑动（$v_{{{j}{i}}}$），摩擦力与之反向，故 ${symbol}$ 自导路法线偏转 $φ$ 角，与 $v_{{{j}{i}}}$ 成 90° + $φ$。",
-                 f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); friction opposes it, so ${symbol}$ leans by $φ$ from the normal of the guide "
+                 f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); friction opposes it, so ${symbol}$ is inclined at $φ$ to the normal of the guide "
                  f"and makes 90° + $φ$ with $v_{{{j}{i}}}$.")
 
 

@@ -54,9 +54,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     b = others[0]
     shown = desk.show(At(b))
     name = f"a^n_{{{shown}}}" if drive.accel else f"a_{{{shown}}}"
-    even = "" if drive.accel else "（$α$ = 0）"
-    board.step(Words(f"原动件{even}的法向加速度由 ${b}$ 指向 ${pivot}$；取极点 $p′$：",
-                     f"The normal acceleration of the driving link{'' if drive.accel else ' ($α$ = 0)'} points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
+    board.step(_turned(desk, drive, pivot, b), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = desk.sizes[Rel(Kind.AN if drive.accel else Kind.A, At(b)).key] = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
     board.write_length(View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size)
@@ -69,6 +67,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
+        board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value))
         board.arrow(View.ACCELERATION, tip, end, Role.GIVEN)
         board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
@@ -76,6 +75,16 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
         desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
         desk.tips[View.ACCELERATION, At(b)] = end
     images_of_link(desk, View.ACCELERATION, drive.link)
+
+
+def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
+    """The directions of a_B^n and a_B^t, or of a_B at constant speed."""
+    tip, link = desk.tip_label(View.ACCELERATION, At(b)), drive.link
+    if drive.accel:
+        return Words(f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；取极点 $p′$，依次作 $p′n′$、$n′{tip}$：",
+                     f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the pole $p′$ lay off $p′n′$ and $n′{tip}$:")
+    return Words(f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；取极点 $p′$，作 $p′{tip}$：",
+                 f"The driving link rotates uniformly ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ has its normal component alone, from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:")
 
 
 @method(stage=Stage.VELOCITY, group="slide", title=_TITLE, source=_SOURCE, example="")

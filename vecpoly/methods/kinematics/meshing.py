@@ -1,6 +1,6 @@
 """The acceleration at a pitch point of which both bodies' motions are led: the tangential parts agree, the rest is along the common normal.
 
-    a_Hk (as the link k is led) = a_Hm + a_HkHm,    a_HkHm along the line of centres, or square to a rack's pitch line
+    a_Hk (as the link k is led) = a_Hm + a_HkHm,    a_HkHm along the line of centres, or perpendicular to a rack's pitch line
 """
 
 from __future__ import annotations
@@ -33,4 +33,4 @@ def _tangents_agree(joint: Rolling) -> Words:
     """What pure rolling says of the accelerations at the pitch point."""
     h, way = joint.point, normal_words(joint)
     return Words(f"啮合点 ${h}$：两构件在 ${h}$ 处的切向加速度相等，加速度只差{way.zh}分量",
-                 f"Pitch point ${h}$: both bodies have the same tangential acceleration there, and their accelerations differ {way.en} only")
+                 f"Pitch point ${h}$: both bodies have the same tangential acceleration there; their accelerations differ only by a component {way.en}")

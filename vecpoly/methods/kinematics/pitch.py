@@ -72,7 +72,7 @@ def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
 def normal_words(joint: Rolling) -> Words:
     """The line along which the accelerations at a pitch point differ: the line of centres, or the normal of a rack's pitch line."""
     if isinstance(joint.on, Rack):
-        return Words("垂直于节线的", "square to the pitch line")
+        return Words("垂直于节线的", "perpendicular to the pitch line")
     return Words(f"沿连心线 ${joint.on.centre}{joint.gear.centre}$ 的", f"along the line of centres ${joint.on.centre}{joint.gear.centre}$")
 
 
@@ -84,7 +84,7 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
         return
     base = partner_acceleration(desk, joint, link)
     board.step(Words(f"啮合点 ${h}$ 处作纯滚动：构件 {link} 与{_called(other).zh}在 ${h}$ 处的加速度只相差{normal_words(joint).zh}分量，其大小由相对角速度确定。",
-                     f"Pure rolling at ${h}$: the accelerations of link {link} and {_called(other).en} at ${h}$ differ only {normal_words(joint).en}, by an amount that the relative angular velocity gives."), view)
+                     f"Pure rolling at ${h}$: the accelerations of link {link} and {_called(other).en} at ${h}$ differ only by a component {normal_words(joint).en}, whose size the relative angular velocity gives."), view)
     term = rolling_term(desk, joint, link)
     rel = Rel(Kind.A, own)
     if base:
