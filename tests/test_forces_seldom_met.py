@@ -107,7 +107,7 @@ def test_a_force_on_the_crank_balances_through_one_point(way: str, more: str) ->
                       f'P: {{on: 1, at: S, size: "?", direction: {way}}}')
     agree(solution)
     stand_alike(solution)
-    assert "meet in a point; the frame's reaction $R_{41" in told(solution)
+    assert "three forces in equilibrium are concurrent, so the frame's reaction $R_{41" in told(solution)
 
 
 @pytest.mark.parametrize("more", ["", RUBBING])

@@ -101,7 +101,7 @@ def test_no_load_but_the_unknown_one_reaches_the_crank() -> None:
     ("M_q: {on: 1, size: 7 N*m}", "only couples"),
     ("F: {on: 1, at: B, size: 100 N, direction: 33 deg}", "are parallel"),
     ("F: {on: 1, at: B, size: 100 N, direction: 33.2 deg}", "off the sheet"),
-    ("F: {on: 1, at: B, size: 100 N, direction: 100 deg}", "meet in a point"),
+    ("F: {on: 1, at: B, size: 100 N, direction: 100 deg}", "are concurrent"),
 ])
 def test_a_balancing_force_on_the_crank_by_the_way_that_the_loads_allow(acting: str, said: str) -> None:
     found = solved(CRANK, acting, 'F_b: {on: 1, at: G, size: "?", direction: 33 deg}')

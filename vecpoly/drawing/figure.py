@@ -85,8 +85,14 @@ def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
 def scale_box(scale: Scale) -> Box:
     """A scale in type: ``μ_v = 0.006 (m/s)/mm``."""
     name = row(f"{scale.symbol} = ")
-    value = Txt(f"{scale.value:.6g} ")
+    value = Txt(f"{_plain(scale.value)} ")
     return layout(Row((*name.items, value, *unit_per_mm(scale.unit))), NOTE * 1.15)
+
+
+def _plain(value: float) -> str:
+    """A scale's number in full: 0.0000625, not 6.25e-05."""
+    text = f"{value:.6g}"
+    return text if "e" not in text else f"{value:.12f}".rstrip("0").rstrip(".")
 
 
 def unit_per_mm(unit: str) -> tuple[Txt | Power, ...]:

@@ -11,7 +11,7 @@ from ..board.marks import Role
 
 LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.18
 SYMBOL = 0.35  # outline of joints, grounds, guides
-JOINT_RADIUS, POLE_RADIUS, DOT_RADIUS = 1.25, 0.6, 0.4
+JOINT_RADIUS, POLE_RADIUS, DOT_RADIUS = 1.25, 0.6, 0.55
 HEAD_LENGTH, HEAD_WIDTH = 3.0, 1.0
 LETTER, TITLE, NOTE = 4.4, 4.6, 3.2  # em; capitals are two thirds of it high
 

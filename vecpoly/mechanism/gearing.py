@@ -67,3 +67,9 @@ def fitted(mech: Mechanism, rolling: Rolling) -> Rolling:
 
 def _scaled(circle: Circle, more: float) -> Circle:
     return circle if abs(more - 1) < 1e-12 else replace(circle, radius=circle.radius * more)
+
+
+def pitch_circles(mech: Mechanism) -> tuple[Circle, ...]:
+    """The pitch circles of all gears, those of the frame included."""
+    rolling = [joint for joint in mech.joints if isinstance(joint, Rolling)]
+    return tuple(circle for joint in rolling for circle in (joint.gear, joint.on) if isinstance(circle, Circle))

@@ -55,6 +55,7 @@ class Desk:
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     forces: tuple[str, ...] = ()  # keys of what a force analysis found
+    thought: bool = False  # whether the driving link is only thought to drive, the input acting between two moving links
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
     slides: dict[tuple[str, str], Rel] = field(default_factory=dict)  # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration

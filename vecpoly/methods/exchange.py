@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from math import degrees, pi
+from math import degrees, floor, log10, pi
 
 import numpy as np
 
@@ -226,19 +226,20 @@ def _said(trial: _Trial, rated: Drive) -> dict[Stage, Words]:
     tried, tried_en = _tried(trial, rated)
     first = Words(f"输入加在活动构件 {drive.on}、{drive.link} 之间：改取构件 {link} 为假想原动件，取一系列 ${symbol}_{link}$ 逐组作图试凑{tried}，当 ${symbol}_{link}$ = {place} 时输入恰为给定的 {_shown(drive.position, drive.slide)}。",
                   f"The input acts between the moving links {drive.on} and {drive.link}: let link {link} drive instead and draw the groups for trial values of ${symbol}_{link}${tried_en}; with ${symbol}_{link}$ = {place} the input has its given {_shown(drive.position, drive.slide)}.")
-    ratio = f"{number(factor, 5)} {given[0]}", f"{number(drive.rate, 5)} {given[0]}", f"${rates[0]}_{link}$ = {number(rated.rate, 5)} {own[0]}"
+    ratio = f"{number(factor, 4)} {given[0]}", f"{number(drive.rate, 4)} {given[0]}", f"${rates[0]}_{link}$ = {number(rated.rate, 4)} {own[0]}"
     second = Words(f"各速度与 ${rates[0]}_{link}$ 成正比：先取 ${rates[0]}_{link}$ = 1 {own[0]} 试作速度多边形，得输入的速度为 {ratio[0]}；实际为 {ratio[1]}，故 {ratio[2]}。",
                    f"All velocities are proportional to ${rates[0]}_{link}$: a trial polygon with ${rates[0]}_{link}$ = 1 {own[0]} gives the input the rate {ratio[0]}; it is {ratio[1]}, so {ratio[2]}.")
-    even = f"{number(drive.accel - rated.accel * factor, 5)} {given[1]}", f"{number(drive.accel, 5)} {given[1]}", f"${rates[1]}_{link}$ = {number(rated.accel, 5)} {own[1]}"
+    even = f"{number(drive.accel - rated.accel * factor, 4)} {given[1]}", f"{number(drive.accel, 4)} {given[1]}", f"${rates[1]}_{link}$ = {number(rated.accel, 4)} {own[1]}"
     third = Words(f"先取 ${rates[1]}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {even[0]}，实际为 {even[1]}；差额与 ${rates[1]}_{link}$ 成正比（比例同速度），故 {even[2]}。",
                   f"A trial polygon with ${rates[1]}_{link}$ = 0 gives the input the acceleration {even[0]}; it is {even[1]}. The rest is proportional to ${rates[1]}_{link}$ by the factor of the velocities, so {even[2]}.")
     return {Stage.POSITION: first, Stage.VELOCITY: second, Stage.ACCELERATION: third}
 
 
 def _tried(trial: _Trial, rated: Drive) -> tuple[str, str]:
-    """Two of the trials, to either side of the place found."""
-    step = 0.05 * trial.mech.scale if rated.slide else pi / 36
-    shown = [(at, trial.gap(at)) for at in (rated.position - step, rated.position + step)]
+    """Two of the trials, at round places to either side of the one found."""
+    step = 10.0 ** floor(log10(0.1 * trial.mech.scale)) if rated.slide else pi / 36
+    near = step * round(rated.position / step)
+    shown = [(at, trial.gap(at)) for at in (near - step, near + step)]
     told = [(_shown(at, rated.slide), _shown(trial.drive.position + gap, trial.drive.slide)) for at, gap in shown if np.isfinite(gap)]
     if not told:
         return "", ""
@@ -246,5 +247,5 @@ def _tried(trial: _Trial, rated: Drive) -> tuple[str, str]:
 
 
 def _shown(position: float, slide: bool) -> str:
-    """620 mm, or 52.5°."""
-    return f"{number(1e3 * position, 6)} mm" if slide else f"{number(degrees(position), 6)}°"
+    """620 mm, or 52.5°: as near as paper shows it."""
+    return f"{number(1e3 * position, 4)} mm" if slide else f"{number(degrees(position), 4)}°"

@@ -33,6 +33,7 @@ from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
 from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.position_drive import say_fixed_points, say_welded
+from .kinematics.standing import told_point
 from .kinematics.wanted import draw_wanted
 from .passes import stages
 from .registry import Stage, find
@@ -145,7 +146,7 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mappin
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
-    desk = Desk(board=Board(by, scales, amended), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None)
+    desk = Desk(board=Board(by, scales, amended), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
     for name, at in mech.frame.items():
         desk.letter(name, at * desk.mm(1.0))
     for stage in stages(problem):
@@ -204,7 +205,7 @@ def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] =
         placed = [p.point for p in link.placements]
         if set(placed) & set(found):  # a pin was given on a longer bar, whose other end follows
             placed += [p for p in link.points if p not in (*placed, *found, *desk.mech.frame)]
-        points = [subscripted(p) for p in placed if p not in found]
+        points = [subscripted(p) for p in placed if p not in (*found, told_point(desk, name))]
         parts += [(name, points)] if points else []
     if parts:
         zh = "、".join(f"构件 {name} 上的 ${'$、$'.join(points)}$" for name, points in parts)

@@ -36,6 +36,7 @@ from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
 from .source import Tree
 from .standing import check_starts, geared
+from .starts import say_travels
 from .tables import read_tables
 from .validate import validate
 from .wanted import CENTRAL, default_asks, plottable, read_find, read_point, read_printed, read_scales
@@ -86,6 +87,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
     """The mechanism, of use only where no fault was found, and the data of its input."""
     joints = _joints(spec, bodies, faults)
+    say_travels(bodies.drafts.values(), joints)
     drives, motion = _inputs(spec, bodies, joints, faults)
     branches = _branches(spec, bodies, faults)
     guesses = _points("guesses", spec.guesses, faults, bodies.letters())

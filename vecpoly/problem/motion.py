@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
 from ..mechanism.model import FRAME, Drive, Joint, Prismatic
+from ..mechanism.travel import travel_words
 from ..names import Kind
 from ..units import Dim, Quantity, read
 from ..words import Words
@@ -124,7 +125,8 @@ def _angle(text: str, frame: Mapping[str, complex]) -> tuple[Quantity, float]:
 
 
 def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
-    if not any(isinstance(j, Prismatic) and j.guide == FRAME and j.block == draft.name for j in joints):
+    guide = next((j for j in joints if isinstance(j, Prismatic) and j.guide == FRAME and j.block == draft.name), None)
+    if guide is None:
         raise _on_no_fixed_guide(draft.name, joints)
     if spec.s is None or spec.v is None:
         raise FaultError(Words(
@@ -138,6 +140,7 @@ def _sliding(spec: InputSpec, draft: Draft, joints: Iterable[Joint]) -> tuple[Dr
     name = draft.name
     data = [
         Datum(symbol=f"s_{name}", si=travel.si, text=travel.text),
+        Datum(words=travel_words(name, guide)),
         Datum(symbol=f"v_{name}", si=rate.si, text=rate.text),
     ]
     if spec.a is not None:

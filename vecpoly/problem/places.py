@@ -82,9 +82,14 @@ def _note_offsets(
 ) -> None:
     """l_BD = 50 mm on the ray; l_DE = 40 mm where a point D is the foot of E; words otherwise."""
     side = "left" if "left" in data else "right"
+    beside = side in data and read(data[side], Dim.LENGTH).si != 0.0
+    produced = Words("的反向延长线上", " produced backwards") if at.si < 0 else Words("上", "")
+    distance = at.text.lstrip("-−+ ")
     below = next((letter for letter, place in draft.points.items() if abs(place - foot) < 1e-12), "")
-    if side not in data:
-        draft.note(f"l_{origin}{point}", at.si, at.text)
+    if not beside:
+        draft.note(f"l_{origin}{point}", abs(at.si), distance)
+        if at.si < 0:
+            draft.say(Words(f"${subscripted(point)}$ 在 ${data['along']}$ {produced.zh}", f"${subscripted(point)}$ lies on ${data['along']}${produced.en}"))
     elif below:
         draft.note(f"l_{below}{point}", read(data[side], Dim.LENGTH).si, str(data[side]))
     else:
@@ -92,8 +97,8 @@ def _note_offsets(
         line, line_en = (f"导槽中线（自 ${along}$ 起）", f"the slot's line from ${along}$") if len(along) == 1 else (f"${along}$", f"${along}$")
         draft.say(
             Words(
-                f"${point}$ 在{line}上的垂足距 ${origin}$ {at.text}，${point}$ 在该线{zh}侧 {data[side]}",
-                f"the foot of ${point}$ on {line_en} is {at.text} from ${origin}$ and ${point}$ lies {data[side]} to its {side}",
+                f"${point}$ 在{line}{produced.zh}的垂足距 ${origin}$ {distance}，${point}$ 在该线{zh}侧 {data[side]}",
+                f"the foot of ${point}$ on {line_en}{produced.en} is {distance} from ${origin}$ and ${point}$ lies {data[side]} to its {side}",
             )
         )
 

@@ -1,4 +1,4 @@
-"""Rollers written as links of their own: turning about their pin is a local freedom (局部自由度), so they are welded to the link that carries them."""
+"""Rollers written as links of their own: turning about their pin is a passive degree of freedom (局部自由度), so they are welded to the link that carries them."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:
     (pin,) = draft.points
     host.disc = replace(draft.disc, link=host.name)
     host.lengths += [replace(datum, symbol=f"r_{host.name}") if datum.symbol == f"r_{draft.name}" else datum for datum in draft.lengths]
-    host.say(Words(f"滚子 {draft.name} 绕 ${pin}$ 的转动为局部自由度，计算时将其与构件 {host.name} 视为焊成一体",
-                   f"the turning of roller {draft.name} about ${pin}$ is a local freedom: it is taken as welded to link {host.name}"))
+    host.say(Words(f"滚子 {draft.name} 绕 ${pin}$ 的转动为局部自由度，计算时将其与构件 {host.name} 视为焊成一体，其半径记为 $r_{host.name}$",
+                   f"the turning of roller {draft.name} about ${pin}$ is a passive degree of freedom: it is taken as welded to link {host.name}, and its radius is called $r_{host.name}$"))
     del bodies.drafts[draft.name]
     bodies.welded[draft.name] = host.name

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
+from ..mechanism.model import Joint, Prismatic
 from ..mechanism.start import Start
+from ..mechanism.travel import travel_words
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
 from .draft import LETTER, Draft
@@ -44,6 +46,15 @@ def _turned(draft: Draft, text: str) -> None:
     lean = cmath.phase(other - draft.points[start])
     draft.start = Start(link=draft.name, value=angle.si - lean, ray=ray)
     draft.note(f"φ_{draft.name}", angle.si, text)
+
+
+def say_travels(drafts: Iterable[Draft], joints: Iterable[Joint]) -> None:
+    """Tell from where the given travels of links that do not drive are counted."""
+    slides = [joint for joint in joints if isinstance(joint, Prismatic)]
+    for draft in drafts:
+        slide = next((joint for joint in slides if draft.name in (joint.block, joint.guide)), None)
+        if draft.start is not None and draft.start.slide and slide is not None:
+            draft.say(travel_words(draft.name, slide))
 
 
 def is_phased(draft: Draft, text: str) -> bool:

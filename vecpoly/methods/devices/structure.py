@@ -79,9 +79,9 @@ def _freedom(bench: Bench, device: Structure, found: Count) -> None:
     for pair in found.compound:
         told = [device.number(link) for link in pair.links]
         board.step(Words(f"${subscripted(pair.letter)}$ 处有 {len(told)} 个构件（{'、'.join(told)}）在同一轴线上铰接，是复合铰链，按 {len(told)} − 1 = {pair.count} 个转动副计。",
-                         f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned on one axis: a compound hinge, which counts as {len(told)} − 1 = {pair.count} hinges."))
+                         f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned on one axis: a multiple joint, which counts as {len(told)} − 1 = {pair.count} hinges."))
     board.step(Words("活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
-                     "The numbers of moving links, of lower pairs (hinges and slides, compound hinges as said) and of high pairs:"))
+                     "The numbers of moving links, of lower pairs (hinges and slides, multiple joints counted as above) and of high pairs:"))
     n, low, high = bench.stated(N, float(len(chain.links))), bench.stated(P_L, float(chain.lower)), bench.stated(P_H, float(chain.higher))
     local, redundant = _local(bench, device, found), _redundant(bench, found)
     board.step(Words("机构的自由度为：", "The degree of freedom:"))
@@ -92,7 +92,7 @@ def _freedom(bench: Bench, device: Structure, found: Count) -> None:
         en = " and ".join(["the rollers welded"] * bool(found.rollers) + ["the redundant part taken away"] * bool(found.repeated))
         board.step(Words(f"校核：{zh}后，剩下 {len(rest.links)} 个活动构件、{rest.lower} 个低副、{rest.higher} 个高副，不再有局部自由度和虚约束，自由度为：",
                          f"Check: with {en} there remain {len(rest.links)} moving links, {rest.lower} lower and {rest.higher} high pairs, "
-                         f"without local freedoms and redundant constraints:"))
+                         f"without passive degrees of freedom and redundant constraints:"))
         board.compute("F", _gruebler(float(len(rest.links)), float(rest.lower), float(rest.higher)), "")
 
 
@@ -108,9 +108,9 @@ def _local(bench: Bench, device: Structure, found: Count) -> Quantity:
             bench.board.step(Words(f"构件 {roller.link} 是滚子：它只以转动副 ${subscripted(roller.pin.letter)}$ 与构件 {carrier} 相连，只以高副 ${subscripted(roller.contact.letter)}$ 与别的构件接触，"
                                    f"公法线通过其转动中心，它绕 ${subscripted(roller.pin.letter)}$ 的转动不影响其他构件的运动，是局部自由度。",
                                    f"Link {roller.link} is a roller: it is pinned only at ${subscripted(roller.pin.letter)}$, to link {carrier}, and touches only at ${subscripted(roller.contact.letter)}$; "
-                                   f"the common normal passes through its pin. Its turning about ${subscripted(roller.pin.letter)}$ moves nothing else: a local freedom."))
+                                   f"the common normal passes through its pin. Its turning about ${subscripted(roller.pin.letter)}$ moves nothing else: a passive degree of freedom."))
     else:
-        bench.board.step(Words("没有公法线通过自身转动中心的滚子，无局部自由度：", "There is no roller whose common normal passes through its own pin, and so no local freedom:"))
+        bench.board.step(Words("没有公法线通过自身转动中心的滚子，无局部自由度：", "There is no roller whose common normal passes through its own pin, and so no passive degree of freedom:"))
     return bench.stated(F_LOCAL, float(len(found.rollers)))
 
 

@@ -50,7 +50,7 @@ def remedies(bench: Bench, device: Structure, found: Count) -> None:
 
 def _counted(chain: Chain) -> Words:
     rolls = len(count(chain).rollers)
-    turns = Words("，滚子的转动为局部自由度", "; the roller's turning is a local freedom") if rolls else Words.same("")
+    turns = Words("，滚子的转动为局部自由度", "; the roller's turning is a passive degree of freedom") if rolls else Words.same("")
     return turns + Words("。自由度为：", ". Its degree of freedom:")
 
 

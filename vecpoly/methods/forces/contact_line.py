@@ -50,4 +50,4 @@ def _say(st: Statics, i: str, j: str, point: str, slip: Points, normal: Points) 
     st.board.step(Words(f"由 $ω_{i}$、$ω_{j}$ 知两构件在接触点 ${point}$ 的速度之差 ${there}$ 沿公切线；面向 $R_{{{i}{j}}}$ 的指向看，构件 {j} 相对构件 {i} 向{side}滑动。"
                         f"摩擦力与之反向，故 $R_{{{i}{j}}}$ 自公法线偏转 $φ$ 角，与 ${there}$ 成 90° + $φ$。",
                         f"By $ω_{i}$ and $ω_{j}$ the velocities of the two links at the contact ${point}$ differ by ${there}$ along the common tangent: looking along $R_{{{i}{j}}}$, "
-                        f"link {j} slides to the {side_en} past link {i}. Friction opposes it, so $R_{{{i}{j}}}$ leans by $φ$ from the common normal and makes 90° + $φ$ with ${there}$."), View.MECHANISM)
+                        f"link {j} slides to the {side_en} past link {i}. Friction opposes it, so $R_{{{i}{j}}}$ is inclined at $φ$ to the common normal and makes 90° + $φ$ with ${there}$."), View.MECHANISM)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...board.construction import View
 from ...mechanism.loads import Force
 from ...mechanism.model import FRAME, Revolute
-from ...plane import Line, cross, nominal
+from ...plane import Line, cross, lines_meet, nominal
 from ...words import Words
 from ..registry import Stage, method
 from .balancing_force import close_polygon, keep_force, nothing_acts
+from .meeting import RESULTANT, draw_meeting, draw_resultant, in_point, known_forces, meeting_letter
 from .parallel_forces import PARALLEL, about_pin, keep_pin, off_sheet
 from .pieces import Held
 from .resultant import Resultant, resultant
@@ -39,12 +41,20 @@ def force_on_crank(st: Statics, held: Held) -> None:
 
 def _by_meeting(st: Statics, held: Held, load: Resultant, line: Line) -> None:
     """The lines of P and F meet; R_frame passes through that point."""
-    number, joined, joined_en = st.mech.number(held.link), *(("", "") if len(load.forces) == 1 else (" 的合力", " (joined)"))
-    st.board.step(Words(f"取构件 {number} 为分离体：{load.symbols.zh}{joined}与 ${st.unknown_named.symbol}$ 的作用线交于一点，机架反力 ${st.named(FRAME, held.link).symbol}$ 过此点。",
-                        f"Isolate link {number}: the lines of {load.symbols.en}{joined_en} and of ${st.unknown_named.symbol}$ meet in a point; the frame's reaction ${st.named(FRAME, held.link).symbol}$ passes through it."))
+    assert isinstance(held.joint, Revolute)
+    number, frame, pin = st.mech.number(held.link), st.named(FRAME, held.link), st.desk.at[held.joint.point]
+    letter, known, sought = meeting_letter(st, lines_meet(load.line, line), pin), known_forces(load), f"${st.unknown_named.symbol}$"
+    spot, short = in_point(letter), known if len(load.forces) == 1 else Words.same(f"${RESULTANT}$")
+    there = Words(f" ${letter}$" if letter else "此点", f"${letter}$" if letter else "it")
+    joined = Words("", "") if len(load.forces) == 1 else Words(f"先求{known.zh}；", f"find {known.en}; ")
+    st.board.step(Words(f"取构件 {number} 为分离体：{joined.zh}{short.zh} 与 {sought} 的作用线交{spot.zh}，三力必汇交于一点，故机架反力 ${frame.symbol}$ 过{there.zh}。",
+                        f"Isolate link {number}: {joined.en}the lines of {short.en} and {sought} cross {spot.en}; three forces in equilibrium are concurrent, so the frame's reaction ${frame.symbol}$ passes through {there.en}."), View.MECHANISM)
+    draw_resultant(st, load)
     x = st.board.meet(load.line, line, f"link {number}: load and balancing force")
     u, sense = direction_through(st, held.joint, FRAME, held.link, x)
-    close_polygon(st, held, load, line, (u, st.at_joint(held.joint, Line(x, u)), sense))
+    touch = st.at_joint(held.joint, Line(x, u))
+    draw_meeting(st, x, (load.at, line.at), (u, touch), (letter, frame.symbol))
+    close_polygon(st, held, load, line, (u, touch, sense))
 
 
 def _by_moments(st: Statics, held: Held, load: Resultant, line: Line) -> None:

@@ -159,22 +159,35 @@ def _nothing(st: Statics, d: Dyad) -> Corners:
 def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Drawn]:
     """R_pj, R_kj and R_qk as sides and diagonals of the polygon, named in the step."""
     names = [st.named(by, on).symbol for by, on in ((d.parent_j, d.link_j), (d.link_k, d.link_j), (d.parent_k, d.link_k))]
-    if corners.x[0] != "—":
-        st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
     found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
+    if corners.x[0] != "—":
+        _say_measured(st, tuple(zip(names, found, strict=True)))
     for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
         _name(st, drawn, by, on)
     return found
+
+
+def _say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
+    """Which reactions are measured, and which are zero since the letters of their ends coincide."""
+    none = [(name, drawn) for name, drawn in sides if abs(complex(nominal(drawn.end - drawn.start))) < SAME]
+    names = [name for name, drawn in sides if (name, drawn) not in none]
+    if names:
+        st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
+    if none:
+        first, last = none[0][1].letters.split()
+        zeros = "".join(f"${name}$ = " for name, _ in none)
+        why = Words("", "") if first == last else Words(f"${first}$ 与 ${last}$ 重合，故 ", f" ${first}$ and ${last}$ coincide, so")
+        st.board.remark(why + Words(f"{zeros}0。", f" {zeros}0."))
 
 
 def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
     """Draw a reaction on the polygon and write what is measured between its letters."""
     named = st.named(by, on)
     start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))
-    if start == end:
+    if abs(end - start) < SAME:
         return
     there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
-    if abs(end - start) > SAME and not there:
+    if not there:
         st.board.mark(drawn.place, Vector(a=start, b=end, role=Role.RESULT, label=named.symbol))
     st.board.write(worked(sym(named.symbol), measured(st, drawn), "N"))
 

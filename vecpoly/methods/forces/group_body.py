@@ -51,7 +51,7 @@ def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting
 
 
 def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Acting]) -> None:
-    """All forces on the group, as far apart as their lines allow, and the given couples; once, for later rounds only repeat them."""
+    """All outer forces and couples on the group, as far apart as their lines allow; once, for later rounds only repeat them."""
     if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
         return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]
@@ -59,7 +59,7 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
     say_far(st, forces, spots)
     for link in links:
         pivot = complex(nominal(st.desk.at[next(iter(st.mech.link(link).points))]))
-        for turn, (symbol, size) in enumerate((symbol, size) for symbol, size in couples_on(st, link) if nominal(size)):
+        for turn, (symbol, size) in enumerate((symbol, size) for symbol, size in couples_on(st, link, within=links) if nominal(size)):
             st.board.mark(pane, TurnArrow(at=pivot, radius=COUPLE + 3 * turn, start=2.2, ccw=bool(nominal(size) > 0), label=symbol))
 
 

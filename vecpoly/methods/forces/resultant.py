@@ -7,12 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...board.board import NO_LENGTH
-from ...plane import Line, Points, Reals, cross, lines_meet, nominal
+from ...plane import Line, Points, Reals, cross, lines_meet, nominal, unit
 from ...words import Words
 from .acting import Acting, summed
 from .state import Statics
 
 NEARLY = 1e-2  # sine below which the meeting point of two lines of action is of no use
+LONG = 25.0  # mm: longest force laid off on the diagram
+Side = tuple[Points, Points]  # from, to
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,6 +25,7 @@ class Resultant:
     vector: Points  # mm on the polygon
     at: Points  # mm on the diagram
     couple: Reals = 0.0
+    interchanged: tuple[Side, Side] | None = None  # two parallel forces, each laid off at the other's point, one of them reversed
 
     @property
     def is_couple(self) -> bool:
@@ -39,6 +42,9 @@ class Resultant:
         """How its line was found, in both languages: by the meeting point of two lines, or by moments."""
         if _concurrent(self.forces) and _on(self.line, self.forces[0].at):
             return "过各力的公共作用点", "through their common point"
+        if self.interchanged is not None:
+            return ("两力平行：在两力作用点互换截取两力，其一反向，两端点连线与两作用点连线的交点在合力作用线上",
+                    "they are parallel: lay each off at the other's point, one of them reversed; the line of their ends crosses that of the points on the resultant")
         if len(self.forces) == 2 and all(_on(f.line, self.at) for f in self.forces):
             return "过两力作用线的交点", "through the crossing of their lines"
         couple = ("（连同力偶）", " (couples included)") if len(self.forces) == 1 else ("", "")
@@ -54,14 +60,28 @@ class Resultant:
 def resultant(st: Statics, link: str) -> Resultant:
     """Join all known forces and couples of a link.
 
-    Two forces meet in a point of the resultant's line; parallel ones, and couples, are joined by moments: M = Σ r × F.
+    Two forces meet in a point of the resultant's line; two parallel ones
+    are laid off interchanged; more than two, and couples, are joined by moments: M = Σ r × F.
     """
     forces = tuple(f for f in st.known(link) if abs(nominal(f.vector)) > 1e-9)
     moment = st.moment(link)
     total: Points = sum((f.vector for f in forces), 0j)
+    sides = _interchanged(forces) if not np.any(moment) else None
     if not forces or abs(nominal(total)) < 1e-9:
         return Resultant(forces=forces, vector=0j, at=0j, couple=summed([moment, *(st.newton_metres(cross(f.at, f.vector)) for f in forces)]))
+    if sides is not None:
+        (one, one_end), (two, two_end) = sides
+        return Resultant(forces=forces, vector=total, at=lines_meet(Line(one, unit(two - one)), Line(one_end, unit(two_end - one_end))), interchanged=sides)
     return Resultant(forces=forces, vector=total, at=_place(st, forces, total, moment))
+
+
+def _interchanged(forces: tuple[Acting, ...]) -> tuple[Side, Side] | None:
+    """Two parallel forces on different lines, each laid off from the other's point, the second one reversed: both shortened alike if they are long."""
+    if len(forces) != 2 or _cross(*forces) or _on(forces[0].line, forces[1].at):
+        return None
+    one, two = forces
+    shorter = min(1.0, LONG / max(abs(float(nominal(np.abs(force.vector)))) for force in forces))
+    return (one.at, one.at + two.vector * shorter), (two.at, two.at - one.vector * shorter)
 
 
 def _place(st: Statics, forces: tuple[Acting, ...], total: Points, moment: Reals) -> Points:

@@ -24,8 +24,8 @@ def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
         return Words.same("")
     symbol, way, against = st.named(by, on).symbol, TURN[-sense], TURN[sense]
     rate, turns = relative_omega(st, by, on)
-    return Words(f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，故 ${symbol}$ 切于 ${point}$ 处摩擦圆的相应一侧。",
-                 f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is {against.en}, which tells the side on which ${symbol}$ touches the friction circle.")
+    return Words(f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，由此确定 ${symbol}$ 切于 ${point}$ 处摩擦圆的哪一侧。",
+                 f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is {against.en}, which determines the side on which ${symbol}$ touches the friction circle.")
 
 
 def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
@@ -84,10 +84,10 @@ def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
     """Why the reaction of a slide leans as it does."""
     i, j, symbol = st.mech.number(by), st.mech.number(on), st.named(by, on).symbol
     if not st.phi(joint):
-        return Words(f"${symbol}$ 垂直于导路。", f" ${symbol}$ is normal to the guide.")
+        return Words(f"${symbol}$ 垂直于构件 {i}、{j} 间的导路。", f" ${symbol}$ is normal to the guide of links {i} and {j}.")
     way = sliding_way(st, joint, by, on)
     return Words(f"由速度多边形，构件 {j} 相对构件 {i} 沿导路{way.zh}滑动（$v_{{{j}{i}}}$），摩擦力与之反向，故 ${symbol}$ 自导路法线偏转 $φ$ 角，与 $v_{{{j}{i}}}$ 成 90° + $φ$。",
-                 f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); friction opposes it, so ${symbol}$ leans by $φ$ from the normal of the guide "
+                 f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); friction opposes it, so ${symbol}$ is inclined at $φ$ to the normal of the guide "
                  f"and makes 90° + $φ$ with $v_{{{j}{i}}}$.")
 
 

@@ -6,19 +6,19 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import View
-from ...board.marks import Dot, Role
 from ...errors import NoMethodError
 from ...mechanism.model import Joint, Prismatic, Revolute
-from ...plane import Line, Points, cross, dot, nominal, unit
+from ...plane import Line, Points, cross, lines_meet, nominal
 from ...vector.equation import Term
 from ...words import Words
 from .link_polygon import draw_polygon, pane_of
+from .meeting import RESULTANT, draw_meeting, draw_resultant, known_forces, meeting_letter
 from .parallel_forces import PARALLEL, balance_parallel, off_sheet
 from .pieces import Held
 from .readings import write_sizes
 from .resultant import Resultant
 from .senses import inclined, pin_words, slide_words
-from .state import OFF_SHEET, Statics
+from .state import Statics
 
 
 def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
@@ -28,29 +28,36 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     if parallel or (isinstance(held.joint, Revolute) and off_sheet(load, line, st.desk.at[held.joint.point])):
         balance_parallel(st, held, load, line, by)
         return
-    st.board.step(_taken(st, held, load, line, by), View.MECHANISM)
+    letter = meeting_letter(st, lines_meet(load.line, line), line.at)
+    st.board.step(_taken(st, held, load, line, by, letter), View.MECHANISM)
+    draw_resultant(st, load)
     x = st.board.meet(load.line, line, Words(
         f"构件 {st.mech.number(link)}：载荷与 R_{st.mech.number(by)}{st.mech.number(link)} 的作用线",
         f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}"))
     u, sense = direction_through(st, held.joint, held.parent, link, x)
-    _draw(st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), st.named(held.parent, link).symbol)
+    lettered = letter if not _pin(st, held, load, line) else ""
+    draw_meeting(st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), (lettered, st.named(held.parent, link).symbol))
     polygon(st, held, load, (by, line.along, line.at), (u, x, sense))
 
 
-def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> Words:
+def _taken(st: Statics, held: Held, load: Resultant, line: Line, by: str, letter: str) -> Words:
     """Three forces balance: they meet in one point, which may be a pin already; several known ones are joined first."""
-    number, known = st.mech.number(held.link), load.symbols
-    one, two = f"${st.named(by, held.link).symbol}$", f"${st.named(held.parent, held.link).symbol}$"
-    pin = _pin_at(st, held.link, load.at) if abs(complex(nominal(load.at - line.at))) < NO_LENGTH else ""
-    if pin:
+    number, one, two = st.mech.number(held.link), f"${st.named(by, held.link).symbol}$", f"${st.named(held.parent, held.link).symbol}$"
+    if pin := _pin(st, held, load, line):
+        known = load.symbols
         return Words(f"取构件 {number} 为分离体：{known.zh}、{one}、{two} 平衡；{known.zh}、{one} 均过 ${pin}$，故 {two} 必过 ${pin}$。",
                      f"Isolate link {number}: {known.en}, {one} and {two} are in equilibrium; {known.en} and {one} pass through ${pin}$, so {two} must pass through it too.")
-    if len(load.forces) == 1 and not np.any(st.moment(held.link)):
-        return Words(f"取构件 {number} 为分离体：受 {known.zh}、{one}、{two} 三力而平衡，三力必汇交于一点；先求 {known.zh} 与 {one} 作用线的交点，{two} 过此点。",
-                     f"Isolate link {number}: three forces, {known.en}, {one} and {two}, balance, so they meet in one point: where the lines of {known.en} and {one} cross; {two} passes through it.")
-    joined, joined_en = load.found
-    return Words(f"取构件 {number} 为分离体：已知力 {known.zh} 合成为一合力，{joined}；合力、{one}、{two} 三力平衡，必汇交于一点，即合力与 {one} 作用线的交点，{two} 过此点。",
-                 f"Isolate link {number}: {known.en} join into one force, {joined_en}. It, {one} and {two} balance, so they meet in one point: where its line crosses that of {one}; {two} passes through it.")
+    known, single = known_forces(load), len(load.forces) == 1 and not np.any(st.moment(held.link))
+    short = known if single else Words.same(f"${RESULTANT}$")
+    spot = f" ${letter}$" if letter else ""
+    point = Words(spot or "此点", spot.strip() or "it")
+    return Words(f"取构件 {number} 为分离体：受{' ' if single else ''}{known.zh}、{one}、{two} 三力而平衡，三力必汇交于一点；先求 {short.zh} 与 {one} 作用线的交点{spot}，{two} 过{point.zh}。",
+                 f"Isolate link {number}: three forces, {known.en}, {one} and {two}, are in equilibrium and therefore concurrent: the lines of {short.en} and {one} cross{' in' + spot if spot else ''}; {two} passes through {point.en}.")
+
+
+def _pin(st: Statics, held: Held, load: Resultant, line: Line) -> str:
+    """The letter of the pin in which the lines of the load and of the reaction of known line start both, if they do."""
+    return _pin_at(st, held.link, load.at) if abs(complex(nominal(load.at - line.at))) < NO_LENGTH else ""
 
 
 def _pin_at(st: Statics, link: str, at: Points) -> str:
@@ -98,19 +105,3 @@ def _lies(st: Statics, held: Held) -> Words:
     if isinstance(held.joint, Revolute) and st.rho(held.joint.point):
         return Words("过交点，切于摩擦圆", "through the point, tangent")
     return Words("过交点", "through the point")
-
-
-def _draw(st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], symbol: str) -> None:
-    """The meeting point, and the lines that pass through it, on the diagram: the reaction's from the meeting point to its pin."""
-    if st.preliminary or abs(complex(nominal(x - third[1]))) > OFF_SHEET:
-        return
-    board, (u, touch) = st.board, third
-    reach = float(nominal(dot(u, touch - x)))
-    low, high = (min(0.0, reach) - 12.0, max(0.0, reach) + 12.0) if abs(reach) < 260.0 else (-22.0, 22.0)
-    board.join(View.MECHANISM, x + u * low, x + u * high, Role.DIRECTION)
-    board.plot(View.MECHANISM, x, "", Dot.POINT)
-    board.plot(View.MECHANISM, x + u * (low if abs(low) > abs(high) else high), symbol, Dot.NONE)
-    for at in others:
-        if 1.0 < abs(nominal(at - x)) < 260.0:
-            board.join(View.MECHANISM, at, x + unit(x - at) * 6.0, Role.DIRECTION)
-

@@ -12,6 +12,7 @@ from ...mechanism.model import Circle, Contact, Mechanism, Prismatic
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage
+from .follower import pressure_angle
 
 
 def contact_replaced(mech: Mechanism, substitute: str) -> Contact | None:
@@ -25,13 +26,13 @@ def contacts_of(mech: Mechanism, link: str) -> tuple[Contact, ...]:
 
 
 def say_replaced(desk: Desk, stage: Stage, group: Group) -> None:
-    """A step for each contact that the group's motion depends on: what stands for it, and which group arises."""
+    """A step for each contact that the group's motion depends on: what stands for it, and that its accelerations are the same."""
     for name in group.links:
         contact = contact_replaced(desk.mech, name)
         if contact is not None and stage is Stage.POSITION:
             desk.board.step(_bar(contact, group) if isinstance(contact.on, Circle) else _block(contact, group), View.MECHANISM)
-        elif contact is not None and stage in (Stage.VELOCITY, Stage.ACCELERATION):
-            desk.board.step(_again(contact, group, stage), View(stage.value))
+        elif contact is not None and stage is Stage.ACCELERATION:
+            desk.board.step(_same_motion(contact, group), View.ACCELERATION)
 
 
 def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
@@ -40,6 +41,9 @@ def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
         if set(links) & {*contact.links, contact.substitute} and set(contact.links) <= set(desk.pose):
             desk.letter(contact.point, desk.contact_of(contact))
             desk.board.remark(_found(contact))
+            if not desk.loaded and any(pressure_angle(desk, contact)):
+                desk.board.remark(Words("公法线与从动件受力点运动方向所夹的锐角 $α$ 为压力角。",
+                                        " The acute angle $α$ between the common normal and the way in which the follower can go is the pressure angle."))
 
 
 def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
@@ -57,8 +61,8 @@ def _bar(contact: Contact, group: Group) -> Words:
     bar, one, two = contact.substitute, contact.disc.link, contact.on.link
     length = f"r_{two} − r_{one}" if contact.internal else f"r_{one} + r_{two}"
     real = _real(group, contact)
-    return Words(f"高副低代：凸轮廓线与构件 {real} 在 ${contact.point}$ 接触处的曲率中心为 ${contact.disc.centre}$、${contact.on.centre}$，以连心线 ${bar}$ 为杆长（$l_{{{bar}}} = {length}$），"
-                 f"用 {group.kind} 杆组代替高副 ${contact.point}$。",
+    return Words(f"高副低代：接触点 ${contact.point}$ 处两廓线的曲率中心为 ${contact.disc.centre}$、${contact.on.centre}$，以连心线 ${bar}$ 为杆长（$l_{{{bar}}} = {length}$），"
+                 f"用一杆两转动副代替高副 ${contact.point}$，与构件 {real} 组成 {group.kind} 杆组。",
                  f"Replace the higher pair: the centres of curvature at the contact ${contact.point}$ are ${contact.disc.centre}$ and ${contact.on.centre}$; a bar ${bar}$ along the line of centres "
                  f"($l_{{{bar}}} = {length}$) stands for the contact, and link {real} becomes part of an {group.kind} group.")
 
@@ -71,19 +75,10 @@ def _block(contact: Contact, group: Group) -> Words:
                  f"stands for the contact ${contact.point}$, and with link {real} makes an {group.kind} group.")
 
 
-def _again(contact: Contact, group: Group, stage: Stage) -> Words:
-    """The same in the polygons: the substitute moves as the contact does."""
-    k, real = contact.point, _real(group, contact)
-    if isinstance(contact.on, Circle):
-        what = Words(f"以连心线 ${contact.substitute}$ 为杆长，用 {group.kind} 杆组代替高副 ${k}$",
-                     f"the bar ${contact.substitute}$ along the line of centres and link {real}, an {group.kind} group, stand for the contact ${k}$")
-    else:
-        what = Words(f"以圆心 ${contact.disc.centre}$ 处的滑块代替高副 ${k}$，与构件 {real} 组成 {group.kind} 杆组",
-                     f"the block at ${contact.disc.centre}$ and link {real}, an {group.kind} group, stand for the contact ${k}$")
-    if stage is Stage.VELOCITY:
-        return Words("高副低代：", "The higher pair replaced: ") + what + Words("。", ".")
-    return (Words("高副低代：", "The higher pair replaced: ") + what
-            + Words("；曲率半径为常数，代替前后的加速度也相同。", "; the radii are constant, so that accelerations are the same too."))
+def _same_motion(contact: Contact, group: Group) -> Words:
+    """Why the substitute serves for accelerations too."""
+    return Words(f"接触处两廓线的曲率半径为常数，高副低代后加速度也不变，仍用该 {group.kind} 杆组求解。",
+                 f"The radii of curvature at ${contact.point}$ are constant, so that the {group.kind} group has the same accelerations as the higher pair.")
 
 
 def _real(group: Group, contact: Contact) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -31,7 +31,18 @@ def cam_body(desk: Desk, body: Link) -> Iterator[Mark]:
     elif fixed_guide(desk, body.name) is None and discs:
         spots = [_spot(desk, p) for p in body.points]
         yield from bar(spots) if len(spots) > 1 else ()
+        yield from _roller(desk, body, discs)
         yield LinkNumber(a=spots[0], b=spots[1 % len(spots)], number=body.name)
+
+
+def _roller(desk: Desk, body: Link, discs: Mapping[str, float]) -> Iterator[Mark]:
+    """The number of a roller that is taken as part of its link, inside its disc and off the link's line."""
+    for roller, _ in (pair for pair in desk.mech.welded if pair[1] == body.name):
+        centre, radius = next(iter(discs.items()))
+        other = next((p for p in body.points if p != centre), centre)
+        arm = _spot(desk, centre) - _spot(desk, other)
+        spot = _spot(desk, centre) + (0.5 * desk.mm(radius) * arm / abs(arm) if arm else 0)
+        yield LinkNumber(a=spot, b=spot, number=roller)
 
 
 def draw_contacts(desk: Desk) -> None:

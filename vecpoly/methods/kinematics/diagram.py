@@ -37,12 +37,12 @@ HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
 
 
 def draw_frame(desk: Desk, shapes: Mapping[str, Shape]) -> None:
-    """What is there before anything moves: fixed pivots, fixed guides, racks."""
+    """What is there before anything moves: fixed pivots, and points of the frame from which guides are set out."""
     pinned = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
     for name, at in desk.mech.frame.items():
         if name in pinned:
             desk.board.mark(View.MECHANISM, Ground(at=at * desk.mm(1.0), down=-1j), owner="frame")
-            desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, Dot.JOINT)
+        desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, Dot.JOINT if name in pinned else Dot.POINT)
 
 
 def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) -> None:

@@ -16,9 +16,9 @@ APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
 def draw_drive_arrow(desk: Desk) -> None:
-    """The curved arrow with ω at the pivot of each driving link."""
+    """The curved arrow with ω at the pivot of each driving link; none where that link is only thought to drive."""
     for drive in desk.mech.drives:
-        if not drive.slide:
+        if not drive.slide and not desk.thought:
             _draw(desk, drive)
 
 

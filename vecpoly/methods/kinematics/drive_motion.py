@@ -55,9 +55,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     b = others[0]
     shown = desk.show(At(b))
     name = f"a^n_{{{shown}}}" if drive.accel else f"a_{{{shown}}}"
-    even = "" if drive.accel else "（$α$ = 0）"
-    board.step(Words(f"原动件{even}的法向加速度由 ${b}$ 指向 ${pivot}$；取极点 $p′$：",
-                     f"The normal acceleration of the driving link{'' if drive.accel else ' ($α$ = 0)'} points from ${b}$ to ${pivot}$; from the pole $p′$:"), View.ACCELERATION)
+    board.step(_turned(desk, drive, pivot, b), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     size = desk.sizes[Rel(Kind.AN if drive.accel else Kind.A, At(b)).key] = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
     board.write_length(View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size)
@@ -70,6 +68,7 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
         size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
+        board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
         parts = [key(desk, Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
         end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value), key=parts[0])
         end = desk.put_tip(View.ACCELERATION, At(b), end)
@@ -78,6 +77,16 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
         board.arrow(View.ACCELERATION, 0j, end, Role.RESULT, key=parts[1])
         desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
     images_of_link(desk, View.ACCELERATION, drive.link)
+
+
+def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
+    """The directions of a_B^n and a_B^t, or of a_B at constant speed."""
+    tip, link = desk.tip_label(View.ACCELERATION, At(b)), drive.link
+    if drive.accel:
+        return Words(f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；取极点 $p′$，依次作 $p′n′$、$n′{tip}$：",
+                     f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the pole $p′$ lay off $p′n′$ and $n′{tip}$:")
+    return Words(f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；取极点 $p′$，作 $p′{tip}$：",
+                 f"The driving link rotates uniformly ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ has its normal component alone, from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:")
 
 
 @method(stage=Stage.VELOCITY, group="slide", title=_TITLE, source=_SOURCE, example="")
@@ -97,11 +106,27 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
     joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
     along = desk.guide_line(joint).along * (np.sign(value) or 1)
     pole, b = POLE[view], joint.pin
-    desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${stem}_{b}$：",
-                          f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${stem}_{b}$:"), view)
+    if not value:
+        _no_vector(desk, view, drive, b)
+        return
+    tip = desk.tip_label(view, At(b))
+    desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${pole}{tip}$ 代表 ${stem}_{b}$：",
+                          f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${pole}{tip}$ for ${stem}_{b}$:"), view)
     size = desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
+    desk.board.write_length(view, f"{pole} {tip}", size)
     desk.sizes[Rel(VECTOR[view], At(b)).key] = size
     _first_vector(desk, view, b, along, abs(value))
+    images_of_link(desk, view, drive.link)
+
+
+def _no_vector(desk: Desk, view: View, drive: Drive, b: str) -> None:
+    """A slider at constant speed, or at rest: its point is at the pole."""
+    rel, pole = Rel(VECTOR[view], At(b)), POLE[view]
+    tip, why = desk.tip_label(view, At(b)), Words("作匀速移动", "moves at constant speed") if view is View.ACCELERATION else Words("静止", "is at rest")
+    desk.board.step(Words(f"滑块 {drive.link} {why.zh}，${rel.symbol}$ = 0，${tip}$ 与极点 ${pole}$ 重合。",
+                          f"Slider {drive.link} {why.en}: ${rel.symbol}$ = 0, and ${tip}$ lies at the pole ${pole}$."), view)
+    desk.sizes[rel.key] = magnitude(rel.symbol, 0.0, rel.kind.unit)
+    _first_vector(desk, view, b, 1 + 0j, 0.0)
     images_of_link(desk, view, drive.link)
 
 

@@ -6,15 +6,15 @@ from ...board.construction import View
 from ...mechanism.assur import Group
 from ...mechanism.model import Circle, Rolling
 from ...names import At, Kind, Rel
-from ...vector.equation import Equation, Term
+from ...vector.equation import Term
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
-from .chains import letters, solve
+from .chains import letters
 from .image import found_tip, images_of_link
-from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in, wheel
+from .meshing import mesh
+from .pitch import pitch_velocity, rolling_of, wheel
 from .rolled import image_circle
-from .rrr import total
 from .terms import key, known, normal, symbol
 from .turning import angular_acceleration, angular_velocity
 
@@ -46,23 +46,22 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
     """a_C + a^n_HC + a^t_HC = a_Hm + a_HkHm (along the line of centres): the tangential accelerations agree, which gives α."""
     view, gear = View.ACCELERATION, group.links[0]
     joint, c = _pair(group)
-    h = joint.point
-    own, rest = At(h, gear), desk.at_rest(view, At(c))
-    base = partner_acceleration(desk, joint, gear)
-    desk.board.step(Words(f"啮合点 ${h}$：两构件在 ${h}$ 处的切向加速度相等，加速度只差沿公法线的分量，列方程求 $α_{gear}$：",
-                          f"Pitch point ${h}$: both bodies have one tangential acceleration there, their accelerations differ along the common normal alone; for $α_{gear}$:"), view)
+    h, own = joint.point, At(joint.point, gear)
+    rest = desk.at_rest(view, At(c))
     rel = Rel(Kind.AT, own, None if rest else At(c))
-    tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
-    left = (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)
-    eq = Equation(left=left, right=(*base, along_normal(desk, joint, gear)), total=total(desk, view, own, len(left)) if base else "")
-    closed = solve(desk, view, eq, own)
+
+    def led() -> tuple[Term, ...]:
+        tangent = Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {h}{c}$"), magnitude="?", along=1j * desk.towards(c, h))
+        return (*(() if rest else (known(desk, view, At(c)),)), normal(desk, own, At(c), gear), tangent)
+
+    closed = mesh(desk, joint, gear, led, Words(f"，列方程求 $α_{gear}$：", f"; for $α_{gear}$:"))
     angular_acceleration(desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", symbol(desk, rel))
     images_of_link(desk, view, gear)
 
 
 def _pair(group: Group) -> tuple[Rolling, str]:
     """The rolling pair, and the letter of the gear's centre."""
-    joint = rolling_in(outer.joint for outer in group.outer)[0]
+    joint = rolling_of(group)
     mine = wheel(joint, group.links[0])
     assert isinstance(mine, Circle)
     return joint, mine.centre

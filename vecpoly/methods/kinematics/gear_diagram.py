@@ -17,6 +17,7 @@ from ..desk import Desk
 HALF = 1.3  # of the gear's radius: the rack to either side of the pitch point
 HALF_HATCH = 15.0  # mm: the hatching of a fixed gear to either side
 DEEP = 7.2  # mm from the pitch line to the underside of a rack
+RIM = 2.0  # mm from a ring to its number
 BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
 
 
@@ -45,7 +46,19 @@ def _gear(desk: Desk, circle: Circle, joint: Rolling, shapes: Mapping[str, Shape
         pins = [_spot(desk, p) for p in desk.mech.link(circle.link).points if p != circle.centre]
         yield from (Segment(a=centre, b=pin, role=Role.LINK) for pin in pins if abs(pin - centre) > BESIDE)
         if not any(isinstance(m, LinkNumber) and m.number == circle.link for m in drawn):
-            yield LinkNumber(a=centre, b=pins[0] if pins else centre, number=circle.link)
+            spot = pins[0] if pins else _beside_ring(centre, radius) if _is_ring(circle, joint) else centre
+            yield LinkNumber(a=centre if pins else spot, b=spot, number=circle.link)
+
+
+def _is_ring(circle: Circle, joint: Rolling) -> bool:
+    """Whether the circle is the inner teeth of a ring, inside which others are drawn."""
+    other = joint.on if circle is joint.gear else joint.gear
+    return joint.internal and isinstance(other, Circle) and circle.radius > other.radius
+
+
+def _beside_ring(centre: complex, radius: float) -> complex:
+    """A place for a ring's number: just outside, below on the left."""
+    return centre + (radius + RIM) * complex(np.exp(-0.75j * np.pi))
 
 
 def _rack(desk: Desk, joint: Rolling, rack: Rack) -> Iterator[Mark]:

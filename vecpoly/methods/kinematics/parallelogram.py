@@ -59,7 +59,7 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
         turning = (d.link_k, d.parent_j) if coupler == d.link_j else (d.link_j, d.parent_k)
         vectors = [symbol(desk, Rel(VECTOR[view], desk.canonical(At(p)))) for p in (c, held)]
         words += Words(f"连杆 {coupler} 作平动，各点{QUANTITY[view].zh}相同：${vectors[0]}$ = ${vectors[1]}$；$ {letter}_{turning[0]}$ = $ {letter}_{turning[1]}$。",
-                       f"link {coupler} translates, so all its points have one {QUANTITY[view].en}, ${vectors[0]}$ = ${vectors[1]}$, and $ {letter}_{turning[0]}$ = $ {letter}_{turning[1]}$.")
+                       f"link {coupler} translates, so all its points have the same {QUANTITY[view].en}, ${vectors[0]}$ = ${vectors[1]}$, and $ {letter}_{turning[0]}$ = $ {letter}_{turning[1]}$.")
     else:
         coupler = d.link_j
         words += Words(f"故 $ {letter}_{d.link_j}$ = $ {letter}_{d.parent_k}$，$ {letter}_{d.link_k}$ = $ {letter}_{d.parent_j}$。",

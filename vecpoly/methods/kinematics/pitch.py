@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ...board.construction import View
+from ...board.marks import Dot
+from ...mechanism.assur import Group
 from ...mechanism.model import FRAME, Circle, Joint, Rack, Rolling
 from ...names import At, Kind, Rel, omega
 from ...plane import Points, nominal
@@ -26,6 +28,11 @@ from .terms import ABSENT, key, known, symbol
 def rolling_in(joints: Iterable[Joint]) -> tuple[Rolling, ...]:
     """The rolling pairs among these joints."""
     return tuple(joint for joint in joints if isinstance(joint, Rolling))
+
+
+def rolling_of(group: Group) -> Rolling:
+    """The (first) rolling pair of a gear or a rack with the link that drives it."""
+    return rolling_in(outer.joint for outer in group.outer)[0]
 
 
 def partner(joint: Rolling, link: str) -> str:
@@ -58,6 +65,15 @@ def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
                                   f"Gear {link} rolls on {on.en}: its contact ${h}$ has no velocity (instant centre), ${h.lower()}$ lies at the pole $p$."), View.VELOCITY)
     elif not desk.has_tip(View.VELOCITY, At(h)):
         imaged(desk, View.VELOCITY, other, At(h))
+        if desk.turns[omega(other)].never:
+            desk.board.plot(View.VELOCITY, desk.tip(View.VELOCITY, At(h)), desk.tip_label(View.VELOCITY, At(h)), Dot.NONE)
+
+
+def normal_words(joint: Rolling) -> Words:
+    """The line along which the accelerations at a pitch point differ: the line of centres, or the normal of a rack's pitch line."""
+    if isinstance(joint.on, Rack):
+        return Words("垂直于节线的", "perpendicular to the pitch line")
+    return Words(f"沿连心线 ${joint.on.centre}{joint.gear.centre}$ 的", f"along the line of centres ${joint.on.centre}{joint.gear.centre}$")
 
 
 def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
@@ -67,8 +83,8 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
     if desk.has_tip(view, own):
         return
     base = partner_acceleration(desk, joint, link)
-    board.step(Words(f"啮合点 ${h}$ 处作纯滚动：构件 {link} 与{_called(other).zh}在 ${h}$ 处的加速度只相差沿公法线的分量，其大小由相对角速度确定。",
-                     f"Pure rolling at ${h}$: the accelerations of link {link} and {_called(other).en} at ${h}$ differ only along the common normal, by an amount that the relative angular velocity tells."), view)
+    board.step(Words(f"啮合点 ${h}$ 处作纯滚动：构件 {link} 与{_called(other).zh}在 ${h}$ 处的加速度只相差{normal_words(joint).zh}分量，其大小由相对角速度确定。",
+                     f"Pure rolling at ${h}$: the accelerations of link {link} and {_called(other).en} at ${h}$ differ only by a component {normal_words(joint).en}, whose size the relative angular velocity gives."), view)
     term = rolling_term(desk, joint, link)
     rel = Rel(Kind.A, own)
     if base:
@@ -96,6 +112,8 @@ def partner_acceleration(desk: Desk, joint: Rolling, link: str) -> tuple[Term, .
     base = At(joint.point, other)
     if not desk.has_tip(View.ACCELERATION, base):
         imaged(desk, View.ACCELERATION, other, base)
+        if desk.turns[omega(other)].never:
+            desk.board.plot(View.ACCELERATION, desk.tip(View.ACCELERATION, base), desk.tip_label(View.ACCELERATION, base), Dot.NONE)
     return (known(desk, View.ACCELERATION, base),)
 
 

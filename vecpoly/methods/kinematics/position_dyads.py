@@ -6,7 +6,7 @@ import numpy as np
 
 from ...board.construction import View
 from ...mechanism.assur import Dyad
-from ...mechanism.model import Prismatic, Revolute
+from ...mechanism.model import FRAME, Prismatic, Revolute
 from ...plane import Line, Points
 from ...words import Words
 from ..desk import Desk
@@ -103,8 +103,9 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
 def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
     """How the sliding link is found: its own slot brought over the pin, or the guide that is pinned there drawn in its direction."""
     if inner.guide == d.link_k:
-        return Words(f"构件 {d.link_k} 只能沿其导路移动：沿导路推移，使其导槽通过 ${b}$。",
-                     f"Link {d.link_k} can only move along its guide: shift it until its slot passes through ${b}$.")
+        on = Words.same("") if d.parent_k == FRAME else Words(f"相对构件 {d.parent_k} ", f" on link {d.parent_k}")
+        return Words(f"构件 {d.link_k} {on.zh}只能沿其导路移动，方位已定：沿该导路推移，使其导槽通过 ${b}$。",
+                     f"Link {d.link_k} can only move along its guide{on.en}, which fixes its orientation: shift it until its slot passes through ${b}$.")
     return Words(f"构件 {d.link_j} 与 {d.link_k} 之间不能相对转动，其导路方向已定：过 ${b}$ 按此方向作构件 {d.link_j} 的导路，与构件 {d.link_k} 的另一导路相交，定出 ${r}$。",
                  f"Links {d.link_j} and {d.link_k} cannot turn against each other, so the direction of the guide on link {d.link_j} is known: "
                  f"drawn through ${b}$, it meets the other guide of link {d.link_k} and so gives ${r}$.")

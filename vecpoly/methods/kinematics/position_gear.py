@@ -7,10 +7,11 @@ import numpy as np
 from ...board.construction import View
 from ...mechanism.assur import Group
 from ...mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
+from ...mechanism.travel import counted_from
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
-from .pitch import letter_pitch_points, partner, rolling_in, wheel
+from .pitch import letter_pitch_points, partner, rolling_of, wheel
 from .standing import said_standing, standing
 
 _SOURCE = "机械原理, pure rolling: the pitch point lies on the line of centres"
@@ -20,7 +21,7 @@ _SOURCE = "机械原理, pure rolling: the pitch point lies on the line of centr
         title=Words("齿轮（行星轮）的位置", "Position of a gear on a held centre"))
 def position_gear(desk: Desk, group: Group) -> None:
     """The centre C is drawn already; the pitch point H lies on the line of centres, or is the foot of C on the rack."""
-    joint, gear = rolling_in(outer.joint for outer in group.outer)[0], group.links[0]
+    joint, gear = rolling_of(group), group.links[0]
     mine = wheel(joint, gear)
     assert isinstance(mine, Circle)
     desk.board.step(_words(gear, mine.centre, joint.point, _partner(joint, partner(joint, gear))), View.MECHANISM)
@@ -33,12 +34,12 @@ def position_gear(desk: Desk, group: Group) -> None:
         title=Words("齿条的位置", "Position of a driven rack"))
 def position_rack(desk: Desk, group: Group) -> None:
     """The rack's travel along its guide is given; the pitch point is the foot of the gear's centre on its pitch line."""
-    joint, rack = rolling_in(outer.joint for outer in group.outer)[0], group.links[0]
+    joint, rack = rolling_of(group), group.links[0]
     slide = next(outer.joint for outer in group.outer if isinstance(outer.joint, Prismatic))
     travel = next((one.value for one in desk.mech.starts if one.link == rack and one.slide), 0.0)
     pin, c, h = slide.pin, joint.gear.centre, joint.point
-    desk.board.step(Words(f"齿条 {rack} 沿其导路移动：按给定的 $s_{rack}/μ_l$ 定出 ${pin}$；自 ${c}$ 向齿条节线作垂线，垂足为啮合点 ${h}$。",
-                          f"Rack {rack} slides along its guide: step off the given $s_{rack}/μ_l$ to ${pin}$; the foot of ${c}$ on its pitch line is the pitch point ${h}$."), View.MECHANISM)
+    desk.board.step(Words(f"齿条 {rack} 沿其导路移动：{counted_from(slide).zh}按给定的 $s_{rack}/μ_l$ 定出 ${pin}$；自 ${c}$ 向齿条节线作垂线，垂足为啮合点 ${h}$。",
+                          f"Rack {rack} slides along its guide: step off the given $s_{rack}/μ_l$ {counted_from(slide).en} to ${pin}$; the foot of ${c}$ on its pitch line is the pitch point ${h}$."), View.MECHANISM)
     line = desk.guide_line(slide)
     if slide.block == rack:
         foot = desk.board.lay_off(line.at, line.along, desk.mm(travel))

@@ -37,13 +37,13 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
     if (cam := tangent_words(desk, joint)) is not None:
         words = cam + _tangent(q, p, offset)
     elif abs(offset) < 1e-9:
-        words = Words(f"连接 ${q}$、${p}$，得构件 {joint.guide} 的导路方向。", f"Join ${q}$ and ${p}$: the guide of link {joint.guide}.")
+        words = Words(f"连接 ${q}$、${p}$，得构件 {joint.guide} 的导路方向", f"Join ${q}$ and ${p}$: the guide of link {joint.guide}")
     else:
-        words = Words(f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向。",
-                      f"The tangent from ${q}$ to the circle about ${p}$ with the offset $e/μ_l$ as radius is the guide of link {joint.guide}.")
+        words = Words(f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向",
+                      f"The tangent from ${q}$ to the circle about ${p}$ with the offset $e/μ_l$ as radius is the guide of link {joint.guide}")
     desk.board.step(words, View.MECHANISM)
     direct, why = choose_way(desk, joint, q, p, _directions(desk.at[p] - desk.at[q], offset))
-    desk.board.remark(said(why))
+    desk.board.remark((Words.same("") if why is None else said(why)) + Words("。", "."))
     along = desk.board.turn(direct)
     if abs(offset) > 1e-9:
         _offset_circle(desk, q, p, abs(offset), along)
@@ -60,9 +60,9 @@ def _directions(ray: Points, offset: float) -> tuple[Points, Points]:
 def _tangent(q: str, p: str, offset: float) -> Words:
     """How the guide's direction is found for a flat face: the tangent from its pivot, or the line through it."""
     if abs(offset) < 1e-9:
-        return Words(f"，即连线 ${q}{p}$。", f": the line ${q}{p}$.")
-    return Words(f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作圆，过 ${q}$ 作其切线，得平底的方向。",
-                 f": the tangent from ${q}$ to the circle about ${p}$ whose radius is the distance of that guide from ${q}$ gives the direction of the face.")
+        return Words(f"，即连线 ${q}{p}$", f": the line ${q}{p}$")
+    return Words(f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作圆，过 ${q}$ 作其切线，得平底的方向",
+                 f": the tangent from ${q}$ to the circle about ${p}$ whose radius is the distance of that guide from ${q}$ gives the direction of the face")
 
 
 def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> None:

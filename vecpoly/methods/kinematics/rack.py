@@ -12,10 +12,10 @@ from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage, method
-from .chains import coincident_tip, never_turns, sliding_chain, solve
+from .chains import coincident_tip, never_turns, sliding_chain
 from .image import images_of_link
-from .pitch import along_normal, partner_acceleration, pitch_velocity, rolling_in
-from .rrr import total
+from .meshing import mesh
+from .pitch import pitch_velocity, rolling_of
 from .terms import known, symbol
 from .turning import same_turn
 
@@ -56,14 +56,8 @@ def acceleration_rack(desk: Desk, group: Group) -> None:
     view, rack = View.ACCELERATION, group.links[0]
     joint, slide, led = _pairs(group)
     h = joint.point
-    own = At(h, rack)
-    base = partner_acceleration(desk, joint, rack)
     coincident_tip(desk, view, h, led)
-    desk.board.step(Words(f"啮合点 ${h}$：齿轮与齿条 {rack} 在 ${h}$ 处的切向加速度相等，加速度只差沿公法线的分量：",
-                          f"Pitch point ${h}$: gear and rack {rack} have one tangential acceleration there, their accelerations differ along the common normal alone:"), view)
-    left = sliding_chain(desk, view, own, At(h, led), slide, led)
-    front = total(desk, view, own, len(left)) if len(left) > 1 and base else ""
-    solve(desk, view, Equation(left=left, right=(*base, along_normal(desk, joint, rack)), total=front), own)
+    mesh(desk, joint, rack, lambda: sliding_chain(desk, view, At(h, rack), At(h, led), slide, led), Words("：", ":"))
     if led != FRAME:
         same_turn(desk, rack, led, view)
     _lettered(desk, view, rack)
@@ -79,6 +73,6 @@ def _lettered(desk: Desk, view: View, rack: str) -> None:
 
 def _pairs(group: Group) -> tuple[Rolling, Prismatic, str]:
     """The rolling pair, the slide, and the link along which the rack slides."""
-    joint = rolling_in(outer.joint for outer in group.outer)[0]
+    joint = rolling_of(group)
     slide = next(outer.joint for outer in group.outer if isinstance(outer.joint, Prismatic))
     return joint, slide, next(name for name in ends(slide) if name != group.links[0])

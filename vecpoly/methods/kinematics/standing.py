@@ -38,16 +38,20 @@ def standing(desk: Desk, link: str) -> Points:
 
 def said_standing(desk: Desk, link: str) -> Words:
     """The sentence that tells how the gear's (or arm's) further point is set out; empty where nothing is told."""
-    start = start_of(desk, link)
-    body = desk.mech.link(link)
-    first = pivot(desk, body)
-    other = next((p for p in body.points if p != first), "")
+    start, body, other = start_of(desk, link), desk.mech.link(link), told_point(desk, link)
     if start is None or not other:
         return Words("", "")
+    first = pivot(desk, body)
     lean = float(np.angle(body.points[other] - body.points[first]))
     angle = number((degrees(start.value + lean) + 180) % 360 - 180, 6)
     zero, zero_en = (f" ${''.join(start.ray)}$ ", f"${''.join(start.ray)}$") if start.ray else (" $x$ 轴", "the $x$ axis")
     return Words(f"按图示位置 ${first}{other}$ 与{zero}成 {angle}° 定出 ${other}$。", f" ${other}$ is set out with ${first}{other}$ at {angle}° to {zero_en}, as given.")
+
+
+def told_point(desk: Desk, link: str) -> str:
+    """The point that `said_standing` sets out; none of a link whose angle is no datum."""
+    body = desk.mech.link(link)
+    return "" if start_of(desk, link) is None else next((p for p in body.points if p != pivot(desk, body)), "")
 
 
 def pivot(desk: Desk, body: Link) -> str:

@@ -37,7 +37,7 @@ def special(study: Study) -> Iterator[Words]:
                     f"{en} is a higher pair; for the kinematics it is replaced by a link hinged at both centres of curvature (or sliding on the flat face). ")
     if mech.welded:
         yield welded(mech)
-    absent = [*([] if compound else [Words("复合铰链", "compound hinge")]), *([] if mech.contacts else [Words("局部自由度", "local freedom")]), Words("虚约束", "redundant constraint")]
+    absent = [*([] if compound else [Words("复合铰链", "multiple joint")]), *([] if mech.contacts else [Words("局部自由度", "passive degree of freedom")]), Words("虚约束", "redundant constraint")]
     yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is no {', no '.join(w.en for w in absent)}.")
 
 

@@ -46,7 +46,7 @@ def _joints(study: Study, press: Press) -> str:
     thought = study.mech.substitutes
     for point, names in sorted(hinges(study.mech).items()):
         real = [name for name in names if name not in thought]
-        kind = Words("转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）", "revolute" if len(real) < 3 else f"compound hinge, {len(real) - 1} revolutes")
+        kind = Words("转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）", "revolute" if len(real) < 3 else f"multiple joint, {len(real) - 1} revolutes")
         if len(real) > 1:
             rows.append((f"${point}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in real)))
     for joint in study.mech.joints:

@@ -39,7 +39,8 @@ def position_class_iii(desk: Desk, group: Group) -> None:
     star = star_of(group)
     found, deciding = _chosen(desk, star, assemblies(desk, star))
     desk.board.step(led_words(star, found.legs) if star.parallel else trial_words(star, found.legs), View.MECHANISM)
-    desk.board.remark(said(deciding))
+    which = Words("（取与题给装配形式相符的一种）", " (of the assemblies, the one given)") if deciding is None else said(deciding)
+    desk.board.remark(which + Words("。", "."))
     u = orientation(desk, star, star.parallel) if star.parallel else np.exp(1j * settled(desk, star, found))
     if not star.parallel:
         _draw_trials(desk, star, found)

@@ -72,7 +72,7 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
     desk.sizes[rel.key] = desk.board.compute(
         symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit
     )
-    along = 1j * np.where(np.asarray(rates.value) < 0, -1.0, 1.0) * desk.towards(ref.point, to.point)
+    along = 1j * np.where(rates.value < 0, -1.0, 1.0) * desk.towards(ref.point, to.point)
     laid = Term(
         rel=rel,
         symbol=symbol(desk, rel),

@@ -39,7 +39,6 @@ def led_words(star: Star, legs: tuple[Axial, ...]) -> Words:
         + one
         + Words("，且", " and ")
         + two
-        + Words("。", ".")
     )
 
 
@@ -67,18 +66,18 @@ def tried(star: Star, leg: Axial) -> Words:
     match leg:
         case Hinged(outer=o, inner=b):
             return Words(
-                f"，描出 ${b}$ 的轨迹；它与以 ${o}$ 为圆心、$l_{o}{b}/μ_l$ 为半径的弧的交点即为 ${b}$。",
-                f"; trace the path of ${b}$. Where it cuts the arc about ${o}$ with the radius $l_{o}{b}/μ_l$ is ${b}$.",
+                f"，描出 ${b}$ 的轨迹；它与以 ${o}$ 为圆心、$l_{o}{b}/μ_l$ 为半径的弧的交点即为 ${b}$",
+                f"; trace the path of ${b}$. Where it cuts the arc about ${o}$ with the radius $l_{o}{b}/μ_l$ is ${b}$",
             )
         case Guided(inner=b):
             return Words(
-                f"，描出 ${b}$ 的轨迹；它与 ${b}$ 的导路线的交点即为 ${b}$。",
-                f"; trace the path of ${b}$. Where it cuts the guide line of ${b}$ is ${b}$.",
+                f"，描出 ${b}$ 的轨迹；它与 ${b}$ 的导路线的交点即为 ${b}$",
+                f"; trace the path of ${b}$. Where it cuts the guide line of ${b}$ is ${b}$",
             )
         case Slotted(outer=q):
             return Words(
-                f"；直到构件 {star.plate} 与构件 {leg.link} 间的导路也通过 ${q}$（或与 ${q}$ 保持偏距）为止。",
-                f", until its slide on link {leg.link} passes ${q}$ too (at the given offset, if any).",
+                f"；直到构件 {star.plate} 与构件 {leg.link} 间的导路也通过 ${q}$（或与 ${q}$ 保持偏距）为止",
+                f", until its slide on link {leg.link} passes ${q}$ too (at the given offset, if any)",
             )
         case _:
             assert_never(leg)
