@@ -10,6 +10,7 @@ from collections.abc import Generator
 from typing import TypeVar
 
 import pytest
+from _pytest.assertion import util
 from hypothesis import settings
 
 Report = TypeVar("Report", pytest.TestReport, pytest.CollectReport)
@@ -36,9 +37,21 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     item.stash[LAST] = item.config.getini("enable_assertion_pass_hook") and (nextitem is None or _function(nextitem) != _function(item))
 
 
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """What is known to assert is no longer watched."""
+    if _function(item) in ASSERTED:
+        _look_away()
+
+
 def pytest_assertion_pass(item: pytest.Item) -> None:
-    """An assertion was reached, and held."""
+    """An assertion was reached, and held: one is enough."""
     ASSERTED.add(_function(item))
+    _look_away()
+
+
+def _look_away() -> None:
+    """Until the next test: telling of an assertion that holds writes out all its values, which takes half the time of the suite."""
+    util._assertion_pass = None
 
 
 def _function(item: pytest.Item) -> str:
