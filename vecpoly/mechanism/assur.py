@@ -206,8 +206,8 @@ def _joints(
             continue
         parent = next((name for name in known if name in names), None)
         if parent is not None:
-            pins = (Revolute(point=point, a=parent, b=name) for name in mine)
-            outer += [Outer(joint=pin, link=pin.b, parent=parent) for pin in pins]
+            hung = (Revolute(point=point, a=parent, b=name) for name in mine)
+            outer += [Outer(joint=pin, link=pin.b, parent=parent) for pin in hung]
         else:
             inner += [Revolute(point=point, a=a, b=b) for a, b in pairwise(mine)]
     for joint in mech.joints:
