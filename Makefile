@@ -15,6 +15,7 @@ test: $(VENV)/installed-dev
 soak: $(VENV)/installed-dev
 	$(BIN)/python -m tests.generators --count 300 --seed 1 --jobs 2
 	$(BIN)/python -m tests.fuzz --files 20000 --kills 200 --seed 1
+	HYPOTHESIS_PROFILE=soak $(BIN)/pytest -n 2 --dist loadfile  # every law twenty times as long as in `make test`
 
 bench: $(VENV)/installed-dev
 	$(BIN)/python -m benchmarks

@@ -10,11 +10,13 @@ from collections.abc import Generator
 from typing import TypeVar
 
 import pytest
+from _pytest.assertion import util
 from hypothesis import settings
 
 Report = TypeVar("Report", pytest.TestReport, pytest.CollectReport)
-settings.register_profile("house", deadline=None)
-settings.load_profile("house")
+settings.register_profile("house", deadline=None, max_examples=50)
+settings.register_profile("soak", deadline=None, max_examples=1000)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "house"))
 
 
 ASSERTED: set[str] = set()  # test functions that reached an assertion, for one of their parameters at least
@@ -36,9 +38,21 @@ def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> 
     item.stash[LAST] = item.config.getini("enable_assertion_pass_hook") and (nextitem is None or _function(nextitem) != _function(item))
 
 
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """What is known to assert is no longer watched."""
+    if _function(item) in ASSERTED:
+        _look_away()
+
+
 def pytest_assertion_pass(item: pytest.Item) -> None:
-    """An assertion was reached, and held."""
+    """An assertion was reached, and held: one is enough."""
     ASSERTED.add(_function(item))
+    _look_away()
+
+
+def _look_away() -> None:
+    """Until the next test: telling of an assertion that holds writes out all its values, which takes half the time of the suite."""
+    util._assertion_pass = None
 
 
 def _function(item: pytest.Item) -> str:

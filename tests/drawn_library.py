@@ -48,7 +48,7 @@ def drawn(name: str) -> Drawn:
     problem = load(name)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(plan, "_draw", watched)
-        solution = solve(problem, by="exact", repeats=0)
+        solution = solve(problem, by="exact", repeats=0, precise=False)
     return Drawn(problem, solution.construction, desks[-1] if desks else None)
 
 

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
+from contextlib import closing
 from functools import cache
 from pathlib import Path
 
 import numpy as np
-import pdfplumber
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pypdf import PdfReader
+from pypdfium2 import PdfDocument
 from texts import CLASS_III
 
 from vecpoly import oracle
@@ -42,8 +43,8 @@ def studied(name: str) -> Study:
 
 def text_of(path: Path) -> str:
     """All text without blanks."""
-    with pdfplumber.open(path) as document:
-        return "".join(re.sub(r"\s", "", page.extract_text()) for page in document.pages)
+    with closing(PdfDocument(path)) as document:
+        return "".join(re.sub(r"\s", "", page.get_textpage().get_text_range()) for page in document)
 
 
 @cache

@@ -6,12 +6,13 @@ import cmath
 import json
 import re
 from collections.abc import Iterator
+from contextlib import closing
 from dataclasses import replace
 from functools import cache
 from math import isfinite, radians
 from pathlib import Path
 
-import pdfplumber
+import pypdfium2
 import pytest
 
 from vecpoly.board.construction import View
@@ -35,8 +36,8 @@ def solved(name: str) -> Solution:
 
 
 def text_of(path: Path) -> str:
-    with pdfplumber.open(path) as document:
-        return "\n".join(page.extract_text() for page in document.pages)
+    with closing(pypdfium2.PdfDocument(path)) as document:
+        return "\n".join(page.get_textpage().get_text_range().replace("\r\n", "\n") for page in document)
 
 
 @pytest.fixture(scope="module")

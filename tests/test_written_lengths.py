@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import re
 
+from drawn_library import drawn
+
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.marks import Point
-from vecpoly.errors import VecpolyError
 from vecpoly.formula import plain
 from vecpoly.problem.library import library
-from vecpoly.problem.load import load
-from vecpoly.solution import solve
 
 LENGTH = re.compile(r"([a-z][^=]*) = .*/.*= ([\d.]+) mm$")
 Letter = tuple[str, str, int]  # the letter, its index, its primes
@@ -34,10 +33,7 @@ def lettered(construction: Construction, view: View) -> dict[Letter, list[comple
 def test_every_length_that_is_written_lies_between_its_letters() -> None:
     written, other = 0, []
     for entry in library():
-        try:
-            construction = solve(load(entry.id), by="exact", repeats=0).construction
-        except VecpolyError:
-            continue
+        construction = drawn(entry.id).construction
         places = {view: lettered(construction, view) for view in (View.VELOCITY, View.ACCELERATION)}
         for step in construction.steps:
             for line in (plain(node) for node in step.formulas if step.view in places):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 from math import floor, isnan, log10
 
 import numpy as np
@@ -59,7 +60,7 @@ def noise(problem: Problem, truth: Exact, size: Mapping[str, float]) -> dict[str
     """
     if isinstance(problem.subject, Device):
         return dict.fromkeys(truth.values, 0.0)
-    found = _noise(problem, truth)
+    found = {key: _scatter(key, value, _nearby(problem)) for key, value in truth.values.items()}
     for key, off in found.items():
         if off > size[key] * 10.0**-FEWEST:
             raise _lost(key, off, size[key])
@@ -71,11 +72,17 @@ def digits(noise: float, size: float) -> int:
     return 15 if noise == 0 else max(0, min(15, floor(-log10(noise / size))))
 
 
-def _noise(problem: Problem, truth: Exact) -> dict[str, float]:
+def _scatter(key: str, value: complex | float, near: tuple[Values, ...]) -> float:
+    """The farthest from the exact value that the nudged data bring it; nothing where it is 0/0."""
+    return 0.0 if isnan(abs(value)) else max((abs(values[key] - value) for values in near if key in values), default=0.0)
+
+
+@lru_cache(maxsize=512)
+def _nearby(problem: Problem) -> tuple[Values, ...]:
+    """The exact values with nudged data: the same whatever hand draws the problem, so they are found once."""
     rng = np.random.default_rng(0)
-    near = [values for _ in range(TRIALS) if (values := _values(replace(problem, subject=nudged(problem.mechanism, rng)))) is not None]
-    return {key: max((abs(values[key] - value) for values in near if key in values), default=0.0) for key, value in truth.values.items() if not isnan(abs(value))} | {
-        key: 0.0 for key, value in truth.values.items() if isnan(abs(value))}
+    nudges = [replace(problem, subject=nudged(problem.mechanism, rng)) for _ in range(TRIALS)]
+    return tuple(values for one in nudges if (values := _values(one)) is not None)
 
 
 def nudged(mech: Mechanism, rng: np.random.Generator) -> Mechanism:

@@ -77,6 +77,7 @@ class _Table:
     """All candidate places of all labels with what each costs by itself."""
 
     wants: tuple[Want, ...]
+    half: tuple[complex, ...]  # half the width and height of each label
     spots: tuple[Spots, ...]
     hard: tuple[Floats, ...]  # what a place stands on
     total: tuple[Floats, ...]  # with preference
@@ -84,48 +85,51 @@ class _Table:
     @classmethod
     def of(cls, wanted: tuple[Want, ...], obstacles: Obstacles, drawn: Rect, frame: Rect | None) -> _Table:
         """Every label's candidates, priced against the lines of the figure."""
+        half = tuple(complex(want.width / 2, want.height / 2) for want in wanted)
         found = tuple(spots(want, drawn.centre) for want in wanted)
         hard = tuple(_price(w, s, obstacles, frame, wanted) for w, s in zip(wanted, found, strict=True))
         total = tuple(h + s.cost + OUTSIDE * _beyond(w, s, drawn) for w, s, h in zip(wanted, found, hard, strict=True))
-        return cls(wanted, found, hard, total)
+        return cls(wanted, half, found, hard, total)
 
     def solve(self) -> list[int]:
         """The most constrained label chooses first; then each reconsiders until none moves."""
         n = len(self.wants)
-        chosen = [-1] * n
+        chosen, seen = [-1] * n, [[-1] * n for _ in range(n)]
+        price = [np.zeros((len(here.centre), n)) for here in self.spots]  # of each place, for each other label where it was last seen
         freedom = [int((cost < cost.min() + 6.0).sum()) for cost in self.total]
         order = sorted(range(n), key=lambda i: (freedom[i], i))
         for _ in range(PASSES):
             before = list(chosen)
             for i in order:
-                chosen[i] = int(np.argmin(self.total[i] + self.clashes(i, chosen)))
+                moved = [j for j in range(n) if j != i and chosen[j] != seen[i][j]]
+                price[i][:, moved] = self.clashes(i, slice(None), moved, chosen)
+                seen[i] = list(chosen)
+                chosen[i] = int(np.argmin(self.total[i] + price[i].sum(axis=1)))
             if chosen == before:
                 break
         return chosen
 
-    def clashes(self, i: int, chosen: list[int]) -> Floats:
-        """What each place of label i costs for the places the other labels have now."""
-        others = [j for j, k in enumerate(chosen) if j != i and k >= 0]
-        want, here = self.wants[i], self.spots[i]
-        if not others:
-            return np.zeros(len(here.centre))
-        c = np.array([self.spots[j].centre[chosen[j]] for j in others])
-        f = np.array([self.spots[j].foot[chosen[j]] for j in others])
-        w = np.array([self.wants[j].width / 2 for j in others])
-        h = np.array([self.wants[j].height / 2 for j in others])
-        mine = here.centre[:, None]
-        dx = w + want.width / 2 + APART - np.abs((mine - c).real)
-        dy = h + want.height / 2 + APART - np.abs((mine - c).imag)
-        cost = np.where((dx > 0) & (dy > 0), OVERLAP + PER_AREA * dx * dy, 0.0)
+    def clashes(self, i: int, which: slice, others: list[int], chosen: list[int]) -> Floats:
+        """What some places of label i cost for each of the other labels where it is now; shape (places, others)."""
+        here, half = self.spots[i], self.half[i]
+        mine, led = here.centre[which, None], here.foot[which, None]
+        c = np.array([self.spots[j].centre[chosen[j]] for j in others], dtype=complex)
+        f = np.array([self.spots[j].foot[chosen[j]] for j in others], dtype=complex)
+        size = np.array([self.half[j] for j in others], dtype=complex)
+        apart = mine - c
+        dx = size.real + half.real + APART - np.abs(apart.real)
+        dy = size.imag + half.imag + APART - np.abs(apart.imag)
+        cost: Floats = np.where((dx > 0) & (dy > 0), OVERLAP + PER_AREA * dx * dy, 0.0)
         cost += np.where((dx <= 0) & (dx > APART - AS_ONE) & (dy > 0), MISREAD, 0.0)
-        cost += LEADER_ON_LABEL * _struck(here.foot[:, None], mine, c, w + 0.4, h + 0.4)
-        cost += LEADER_ON_LABEL * _struck(f, c, mine, want.width / 2 + 0.4, want.height / 2 + 0.4)
-        result: Floats = cost.sum(axis=1)
-        return result
+        own, theirs = ~np.isnan(led[:, 0].real), ~np.isnan(f.real)
+        cost[own] += LEADER_ON_LABEL * _struck(led[own], mine[own], c, size)
+        cost[:, theirs] += LEADER_ON_LABEL * _struck(f[theirs], c[theirs], mine, half)
+        return cost
 
     def trouble(self, i: int, chosen: list[int]) -> float:
         """What label i stands on, lines and other labels."""
-        return float(self.hard[i][chosen[i]] + self.clashes(i, chosen)[chosen[i]])
+        others, k = [j for j in range(len(chosen)) if j != i], chosen[i]
+        return float(self.hard[i][k] + self.clashes(i, slice(k, k + 1), others, chosen).sum())
 
     def placed(self, i: int, chosen: list[int]) -> Placed:
         """Label i at its chosen place."""
@@ -155,11 +159,7 @@ def _beyond(want: Want, found: Spots, rect: Rect) -> Floats:
     return total
 
 
-def _struck(foot: Complexes, end: Complexes, centre: Complexes, w: Floats | float, h: Floats | float) -> Floats:
-    """1 where a leader from foot to end runs through a label, else 0 (no leader: nan, never struck)."""
-    foot, end, centre = np.broadcast_arrays(foot, end, centre)
-    live = ~np.isnan(foot.real)
-    _, hit = clip(np.where(live, foot, 0), np.where(live, end, 0), centre, w, h)
-    return np.where(live & hit, 1.0, 0.0)
-
-
+def _struck(foot: Complexes, end: Complexes, centre: Complexes, half: Complexes | complex) -> Floats:
+    """1 where a leader from foot to end runs through a label, else 0."""
+    _, hit = clip(foot, end, centre, half.real + 0.4, half.imag + 0.4)
+    return np.where(hit, 1.0, 0.0)

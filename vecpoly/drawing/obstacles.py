@@ -71,10 +71,11 @@ class Obstacles:
         box, piece = self.lines.query(_boxes(centre, width, height, reach))
         if len(box):
             a, b, half = self.a[piece], self.b[piece], self.half[piece]
-            near, _ = clip(a, b, centre[box], width / 2 + half + GAP + ROOM, height / 2 + half + GAP + ROOM)
-            near = np.where(_along(a, b, *own), 0.0, near)
-            inside, hit = clip(a, b, centre[box], width / 2 + half + GAP, height / 2 + half + GAP)
-            price = NEARBY * near + np.where(hit, self.weight[piece] * (ON_LINE + PER_MM * inside), 0.0)
+            near, close = clip(a, b, centre[box], width / 2 + half + GAP + ROOM, height / 2 + half + GAP + ROOM)
+            price = NEARBY * np.where(_along(a, b, *own), 0.0, near)
+            a, b, half = a[close], b[close], half[close]
+            inside, hit = clip(a, b, centre[box[close]], width / 2 + half + GAP, height / 2 + half + GAP)
+            price[close] += np.where(hit, self.weight[piece[close]] * (ON_LINE + PER_MM * inside), 0.0)
             np.add.at(total, box, price)
         box, polygon = self.areas.query(_boxes(centre, width, height, 0.3), predicate="intersects")
         np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))

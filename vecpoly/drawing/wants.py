@@ -97,28 +97,24 @@ class Spots:
 
 def spots(want: Want, middle: complex) -> Spots:
     """All the places to be tried for a label; `middle`: of the figure, from which letters tend away."""
-    centre: list[Complexes] = []
-    cost: list[Floats] = []
-    foot: list[Complexes] = []
-    half = complex(want.width / 2, want.height / 2)
-    for number, (at, normal) in enumerate(zip(want.feet, want.normals, strict=True)):
-        away = at - middle
-        away = away / abs(away) if abs(away) > 1 else 0j
-        sides = DIRECTIONS if normal == 0 else np.array([normal] if want.one_sided else [normal, -normal])
-        base = PER_FRACTION * abs(number) / max(1, len(want.feet)) + 1.0 * (1 - (sides * away.conjugate()).real)
-        for gap in GAPS:
-            centre.append(at + _offset(sides, want.radius + gap, half, normal == 0))
-            cost.append(base + PER_DISTANCE * gap)
-            foot.append(np.full(len(sides), complex(math.nan, math.nan)))
-    at, outer = want.feet[0], DIRECTIONS
-    for gap in FAR:
-        centre.append(at + _offset(outer, want.radius + gap, half, True))
-        cost.append(np.full(len(outer), LEADER + PER_DISTANCE * gap))
-        foot.append(at + outer * (want.radius if want.normals[0] == 0 else 0.0))
-    return Spots(np.concatenate(centre), np.concatenate(cost), np.concatenate(foot))
+    half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
+    feet, number = np.array(want.feet)[:, None], np.arange(len(want.feet))[:, None] / len(want.feet)
+    normals = np.array(want.normals)[:, None]
+    sides = DIRECTIONS[None] if all_round else normals if want.one_sided else np.hstack([normals, -normals])
+    away, reach = feet - middle, np.abs(feet - middle)
+    away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
+    base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
+    gap, far = np.array(GAPS)[:, None], np.array(FAR)[:, None]
+    near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
+    led = want.feet[0] + _offset(DIRECTIONS, want.radius + far, half, True)
+    at = np.broadcast_to(want.feet[0] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
+    return Spots(
+        np.concatenate([near.ravel(), led.ravel()]),
+        np.concatenate([(base[:, None] + PER_DISTANCE * gap).ravel(), np.broadcast_to(LEADER + PER_DISTANCE * far, led.shape).ravel()]),
+        np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]))
 
 
-def _offset(u: Complexes, distance: float, half: complex, round_point: bool) -> Complexes:
+def _offset(u: Complexes, distance: Floats, half: complex, round_point: bool) -> Complexes:
     """From a point to the middle of a box that stands clear of it by `distance` in direction u."""
     if round_point:  # the box slides round the point
         x, y = np.clip(u.real * 1.42, -1, 1), np.clip(u.imag * 1.42, -1, 1)

@@ -8,7 +8,7 @@ coordinates (contact and no slip), or one where links hold the gear's centre (`i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
@@ -88,9 +88,10 @@ def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     """
     known = [FRAME, *(drive.link for drive in mech.drives if not drive.between)]
     rest = list(units(mech))
+    pins = {} if pressing else hinges(mech)
     groups: list[Group] = []
     while rest:
-        group = next(_candidates(mech, tuple(rest), tuple(known), pressing), None)
+        group = next(_candidates(mech, tuple(rest), tuple(known), pins, pressing), None)
         if group is None:
             left = ", ".join(name for unit in rest for name in unit if name[0].isdigit())  # a pin's own block has no number
             raise MobilityError(Words(
@@ -150,18 +151,21 @@ def holders(mech: Mechanism, rolling: Rolling) -> tuple[str, ...]:
     return tuple(name for name in (*(link.name for link in mech.links), FRAME) if name in both)
 
 
-def _candidates(mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...], pressing: bool) -> Iterator[Group]:
+Pins = Mapping[str, tuple[str, ...]]  # letter of a hinge -> the links pinned there
+
+
+def _candidates(mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...], pins: Pins, pressing: bool) -> Iterator[Group]:
     """Groups that the known links determine, the smallest first, in the order of the links; links joined by a drive count as one."""
     for size in range(1, len(rest) + 1):
         for chosen in combinations(rest, size):
-            group = _group(mech, tuple(name for unit in chosen for name in unit), known, pressing)
+            group = _group(mech, tuple(name for unit in chosen for name in unit), known, pins, pressing)
             if group is not None:
                 yield group
 
 
-def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool) -> Group | None:
+def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pins: Pins, pressing: bool) -> Group | None:
     """The group of just these links, or None where they are not one."""
-    inner, outer = _joints(mech, links, known, pressing)
+    inner, outer = _joints(mech, links, known, pins, pressing)
     drives = drives_within(mech, links)
     constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer))) + len(drives)
     if constraints != 3 * len(links) or not _connected(links, inner):
@@ -192,17 +196,19 @@ def _constraints(mech: Mechanism, joint: Joint) -> int:
 
 
 def _joints(
-    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pressing: bool
+    mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pins: Pins, pressing: bool
 ) -> tuple[tuple[Joint, ...], tuple[Outer, ...]]:
-    """Joints within the links, and joints from them to known links."""
+    """Joints within the links, and joints from them to known links; `pins`: the hinges, none where links are joined as they press."""
     inner: list[Joint] = []
     outer: list[Outer] = []
-    for point, names in () if pressing else hinges(mech).items():
+    for point, names in pins.items():
         mine = [name for name in links if name in names]
+        if not mine:
+            continue
         parent = next((name for name in known if name in names), None)
         if parent is not None:
-            pins = (Revolute(point=point, a=parent, b=name) for name in mine)
-            outer += [Outer(joint=pin, link=pin.b, parent=parent) for pin in pins]
+            hung = (Revolute(point=point, a=parent, b=name) for name in mine)
+            outer += [Outer(joint=pin, link=pin.b, parent=parent) for pin in hung]
         else:
             inner += [Revolute(point=point, a=a, b=b) for a, b in pairwise(mine)]
     for joint in mech.joints:

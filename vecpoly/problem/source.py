@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path as FilePath
 from pathlib import PurePath
 from typing import Any
@@ -17,6 +18,7 @@ from .text.misread import misread
 from .text.narrow import Narrowed, narrowed
 
 PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
+_SHORT = 50_000  # signs; a problem file has a few thousand
 
 Value = Any  # str | None | list[Value] | dict[str, Value]; what is in a file is known only after validation
 
@@ -60,6 +62,17 @@ def read(path: FilePath) -> Tree:
 
 def parse(text: str, name: str) -> Tree:
     """Text to values with places. Raises ProblemFileError for anything that is no plain YAML mapping."""
+    tree = _kept(text, name) if len(text) < _SHORT else _parsed(text, name)
+    return Tree(name, _copied(tree.data), dict(tree.places), text)
+
+
+@lru_cache(maxsize=256)
+def _kept(text: str, name: str) -> Tree:
+    """What a text says does not change: `extends`, assignments and a second look need not read it again."""
+    return _parsed(text, name)
+
+
+def _parsed(text: str, name: str) -> Tree:
     refuse_unwanted(text, name)
     plain = narrowed(text, name)
     node = _compose(plain, name)
@@ -72,6 +85,17 @@ def parse(text: str, name: str) -> Tree:
         raise _refused(Place(name, 1), Words(f"文件应为映射（键: 值），而不是{kind.zh}", f"the file must be a mapping (key: value), not {kind.en}"))
     tree.data = data
     return tree
+
+
+def _copied(value: Value) -> Value:
+    """The same values in mappings and lists of their own, which may be changed."""
+    match value:
+        case dict():
+            return {key: _copied(item) for key, item in value.items()}
+        case list():
+            return [_copied(item) for item in value]
+        case _:
+            return value
 
 
 def _refused(place: Place, words: Words, code: str = "yaml") -> ProblemFileError:
