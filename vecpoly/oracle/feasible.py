@@ -64,7 +64,7 @@ def alone(closes: Closes, at: float, scale: float) -> bool:
 
 def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool = False) -> AssemblyError:
     """The error for links that do not close; alone: they do just before and after."""
-    zh, en = "、".join(step.group.links), " and ".join(step.group.links)
+    zh, en = step.group.told.zh, step.group.told.en
     short, found = bool(np.isfinite(gap) and gap > 0), bool(np.isfinite(gap))
     what = Words(f"原动件位于 {where} 时，构件 {zh} 在 {step.joint} 处不能装配", f"links {en} cannot be joined at {step.joint} where the drive stands at {where}")
     if short:

@@ -15,8 +15,8 @@ from ...board.construction import Pane, Reading, Scale, View
 from ...errors import NoSlipSenseError
 from ...mechanism.loads import Force, Load, Loads, Moment
 from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
-from ...mechanism.quantities import load_named, without_friction
-from ...names import Named, omega, reaction
+from ...mechanism.quantities import load_named, press_named, without_friction
+from ...names import Named, omega
 from ...plane import Line, Points, Reals, foot, nominal
 from ...words import Words
 from ..desk import Desk
@@ -59,7 +59,7 @@ class Statics:
 
     def named(self, by: str, on: str) -> Named:
         """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
-        name = reaction(self.mech.number(by), self.mech.number(on))
+        name = press_named(self.mech, by, on)
         return without_friction(name) if self.preliminary else name
 
     @property
@@ -189,9 +189,9 @@ class Statics:
     def moment_sense(self, point: str, by: str, on: str) -> int:
         """Sense (+1 ccw) of the moment of R_by,on about the pin's centre: against the turning of `on` relative to `by`.
 
-        0 where the pin has no friction. Raises NoSlipSenseError where the links do not turn relative to each other.
+        0 where the pin has no friction, or only runs in a slot. Raises NoSlipSenseError where the links do not turn relative to each other.
         """
-        if not self.rho(point):
+        if not self.rho(point) or {by, on} & self.mech.slot_pins.keys():
             return 0
         rate = self.turning(on, by)
         if abs(rate) <= STILL * self._rate():
