@@ -15,7 +15,7 @@ from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseE
 from ...mechanism.assur import Group, decompose, ends
 from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute
-from ...mechanism.quantities import load_named
+from ...mechanism.quantities import load_named, without_friction
 from ...plane import nominal
 from ...problem.problem import Problem
 from ...words import Words
@@ -28,10 +28,11 @@ from .given_loads import draw_given_loads
 from .group import solve_group
 from .inertia import inertia_forces
 from .pieces import Held
+from .power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
-from .thrust import as_outer_force, read_thrusts, without_cylinders
+from .thrust import as_moved, as_outer_force, is_outer, read_thrusts, without_cylinders
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -43,9 +44,13 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
     """
     assert problem.loads is not None
+    if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
+        return _balance_alone(desk, problem)
     st = Statics(desk=desk, loads=as_outer_force(desk, problem.loads))
     held, groups = _order(desk, st.loads)
     groups = without_cylinders(groups, problem.loads)
+    if not is_drawn(groups):
+        raise refuse_undrawn(st, groups)
     inertia_forces(st)
     draw_given_loads(st)
     if st.loads.friction:
@@ -60,6 +65,28 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem)
     read_efficiency(st)
+    return st
+
+
+def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
+    """Whether all groups are dyads of hinges and slides, and every thrust acts on a link from the frame."""
+    if not all(is_outer(desk.mech, loads, force) for force in loads.forces if force.against):
+        return False
+    moved = replace(loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces))
+    return is_drawn(without_cylinders(_order(desk, moved)[1], loads))
+
+
+def _balance_alone(desk: Desk, problem: Problem) -> Statics:
+    """No reaction is asked for, and not all are drawn: virtual power finds the balancing load, and the lever where it is asked for."""
+    assert problem.loads is not None
+    st = Statics(desk=desk, loads=problem.loads)
+    inertia_forces(st)
+    draw_given_loads(st)
+    power_first(st)
+    desk.board.remark(Words("此法不出现运动副反力，各反力未求。", " No reaction enters here, and none is found."))
+    check_methods(st, problem)
+    named = without_friction(load_named(st.unknown))
+    st.keep(replace(st.readings[load_named(st.unknown).key], key=named.key, symbol=named.symbol), st.balance)
     return st
 
 
@@ -96,10 +123,7 @@ def _power_first(st: Statics) -> Held:
         raise NoMethodError(Words(f"{name} 作用于构件 {link}，该构件不与机架相连；计入摩擦时没有可用的图解法。请令平衡力（矩）作用于与机架相连的构件，或去掉 friction，或用 vecpoly exact",
                                   f"{name} acts on link {link}, which is not joined to the frame: with friction no graphical method on file balances it there; let it act on a "
                                   f"link joined to the frame, leave out the friction, or use 'vecpoly exact'"), code="no-method", numbers={"link": link})
-    find(Stage.FORCE, "virtual power").draw(st, None)
-    found, key = st.readings[f"{name}_power"], load_named(st.unknown).key
-    st.keep(replace(found, key=key, symbol=load_named(st.unknown).symbol), st.repeats[f"{name}_power"])
-    st.balance, st.balanced = st.repeats[f"{name}_power"], True
+    power_first(st)
     return Held(link=driver, parent=FRAME, joint=joint)
 
 

@@ -10,7 +10,7 @@ from ...board.construction import LineOfAction, Reading, View
 from ...errors import NoMethodError
 from ...mechanism.assur import Group
 from ...mechanism.loads import Force, Loads
-from ...mechanism.model import FRAME, Prismatic
+from ...mechanism.model import FRAME, Mechanism, Prismatic
 from ...mechanism.quantities import load_named, load_symbol, without_friction
 from ...names import Named, reaction
 from ...plane import Line, Points, foot, nominal
@@ -24,6 +24,18 @@ from .state import Statics
 def as_outer_force(desk: Desk, loads: Loads) -> Loads:
     """The loads with every thrust as a force on the link at the rod's end, in the direction drawn; NoMethodError where it is no such force."""
     return replace(loads, forces=tuple(_outer(desk, loads, force) if force.against else force for force in loads.forces))
+
+
+def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
+    """Whether the thrust acts on one link alone, from the frame, in a cylinder that carries nothing else."""
+    pair = {force.link, force.against}
+    return (mech.links_at(force.foot)[-1] == FRAME and not any((loads.on(link) and tuple(loads.on(link)) != (force,)) or loads.mass(link) for link in pair)
+            and not _rubs(loads, force) and len([name for name in mech.links_at(force.point) if name not in pair]) == 1)
+
+
+def as_moved(mech: Mechanism, force: Force) -> Force:
+    """The thrust as a load on the link at the rod's end, its direction left open: enough to know which link it balances."""
+    return replace(force, link=next(name for name in mech.links_at(force.point) if name not in (force.link, force.against)), against="", foot="")
 
 
 def _outer(desk: Desk, loads: Loads, force: Force) -> Force:
