@@ -36,7 +36,8 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     if "P" in (joint_letter(two.inner), joint_letter(two.outer)) and "R" not in (joint_letter(two.inner), joint_letter(two.outer)):
         return False
     load, slotted = resultant(st, held.link), two.link in st.mech.slot_pins  # where there is no block, nothing can be taken apart from the loaded link
-    if (load.is_couple and not slotted and (load.forces or not isinstance(held.joint, Revolute))) or (not load.is_couple and _parallel(st, load, two)):
+    rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
+    if (load.is_couple and not slotted and (load.forces or rubbed or not isinstance(held.joint, Revolute))) or (not load.is_couple and _parallel(st, load, two)):
         return False
     line = line_of(st, two)
     by = two.by if two.contact else two.link

@@ -12,9 +12,9 @@ from dataclasses import replace
 from ...board.construction import View
 from ...board.marks import FrictionCircle
 from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
-from ...mechanism.assur import Group, decompose, ends
+from ...mechanism.assur import Group
 from ...mechanism.loads import Loads, Moment
-from ...mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute
+from ...mechanism.model import FRAME, Revolute
 from ...mechanism.quantities import load_named, without_friction
 from ...plane import nominal
 from ...problem.problem import Problem
@@ -26,7 +26,9 @@ from .efficiency import NOTHING, read_efficiency
 from .free_body import draw_free_bodies
 from .given_loads import draw_given_loads
 from .group import solve_group
+from .hubs import hub_couples, hubs_of, joined, say_hubs
 from .inertia import inertia_forces
+from .order import fixed_joint, order_of
 from .pieces import Held
 from .power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .readings import read_reactions
@@ -46,22 +48,25 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     assert problem.loads is not None
     if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
         return _balance_alone(desk, problem)
-    st = Statics(desk=desk, loads=as_outer_force(desk, problem.loads))
-    held, groups = _order(desk, st.loads)
-    groups = without_cylinders(groups, problem.loads)
+    loads = as_outer_force(desk, problem.loads)
+    order = order_of(desk.mech, loads)
+    st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech))
+    held, groups = order.held, without_cylinders(order.groups, problem.loads)
     if not is_drawn(groups):
         raise refuse_undrawn(st, groups)
     inertia_forces(st)
     draw_given_loads(st)
+    say_hubs(st)
     if st.loads.friction:
         desk.board.section(IDEAL)
     if held is None:
         held = _power_first(st)
     _walk(st, groups, held)
+    ideal, st = st, joined(st, desk)
     read_reactions(st, desk.mech)
     check_methods(st, problem)
     if st.loads.friction:
-        st = _with_friction(st, groups, held)
+        st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem)
     read_efficiency(st)
@@ -73,7 +78,7 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
     if not all(is_outer(desk.mech, loads, force) for force in loads.forces if force.against):
         return False
     moved = replace(loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces))
-    return is_drawn(without_cylinders(_order(desk, moved)[1], loads))
+    return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
 
 
 def _balance_alone(desk: Desk, problem: Problem) -> Statics:
@@ -88,28 +93,6 @@ def _balance_alone(desk: Desk, problem: Problem) -> Statics:
     named = without_friction(load_named(st.unknown))
     st.keep(replace(st.readings[load_named(st.unknown).key], key=named.key, symbol=named.symbol), st.balance)
     return st
-
-
-def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:
-    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end.
-
-    No link where that one has no fixed pin (or guide, for a force), or where from it the mechanism comes apart into groups above class II
-    though from the driving link it does not: then the groups end at the driving link.
-    """
-    mech, link = desk.mech, loads.unknown.link
-    joint = fixed_joint(mech, link)
-    if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
-        return None, tuple(reversed(decompose(mech, pressing=True)))
-    own = decompose(replace(mech, drives=(replace(mech.drive, link=link, on=FRAME),)), pressing=True)
-    by_drive = decompose(mech, pressing=True)
-    if not loads.friction and any(group.dyad is None for group in own) and all(group.dyad for group in by_drive):
-        return None, tuple(reversed(by_drive))
-    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(own))
-
-
-def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
-    """The joint of a link to the frame."""
-    return next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
 
 
 def _power_first(st: Statics) -> Held:
@@ -136,10 +119,10 @@ def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
     find(Stage.FORCE, f"{kind}, balanced" if st.balanced else f"{kind}, balancing {load}").draw(st, held)
 
 
-def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Statics:
-    """Settle the senses on scratch paper, then draw."""
+def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: Desk) -> Statics:
+    """Settle the senses on scratch paper, then draw; own: the desk of the problem's own joints."""
     try:
-        guide, couples = settled(ideal, groups, lambda st: _walk(st, groups, held))
+        guide, couples = settled(ideal, groups, lambda st: _walk(st, groups, held), lambda st: hub_couples(st, own))
     except (LockedError, NoSlipSenseError):
         raise
     except EquilibriumError as error:
@@ -148,11 +131,12 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
     desk.board.section(REAL)
     _circles(ideal)
     st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples,
-                 readings=dict(ideal.readings), repeats=dict(ideal.repeats))
+                 readings=dict(ideal.readings), repeats=dict(ideal.repeats), hubs=ideal.hubs)
     _walk(st, groups, held)
     _refuse_locked(ideal, st)
-    read_reactions(st, desk.mech)
-    return replace(st, ideal=ideal)
+    st = joined(st, own)
+    read_reactions(st, own.mech)
+    return replace(st, ideal=replace(ideal, desk=own, hubs=()))
 
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:

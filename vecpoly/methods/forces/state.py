@@ -16,7 +16,7 @@ from ...errors import NoSlipSenseError
 from ...mechanism.loads import Force, Load, Loads, Moment
 from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
 from ...mechanism.quantities import load_named, press_named, without_friction
-from ...names import Named, omega
+from ...names import Named, omega, reaction
 from ...plane import Line, Points, Reals, foot, nominal
 from ...words import Words
 from ..desk import Desk
@@ -24,6 +24,16 @@ from .acting import Acting, Drawn, summed
 
 OFF_SHEET = 300.0  # mm from a joint: a meeting point farther away is on no drawing board
 STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this past each other have no friction sense
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hub:
+    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that meet there."""
+
+    point: str
+    carrier: str
+    hung: str
+    links: tuple[str, ...]
 
 
 @dataclass(slots=True)
@@ -44,6 +54,7 @@ class Statics:
     balanced: bool = False  # whether it was found before the reactions
     readings: dict[str, Reading] = field(default_factory=dict)
     repeats: dict[str, Reals] = field(default_factory=dict)
+    hubs: tuple[Hub, ...] = ()  # pins that are thought by themselves while the groups are solved
 
     # -- names ------------------------------------------------------------------------------------------------
 
@@ -59,7 +70,8 @@ class Statics:
 
     def named(self, by: str, on: str) -> Named:
         """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
-        name = press_named(self.mech, by, on)
+        hub = next((one for one in self.hubs if one.hung in (by, on) and {by, on} <= set(one.links)), None)
+        name = press_named(self.mech, by, on) if hub is None else reaction(*(hub.point if link == hub.hung else self.mech.number(link) for link in (by, on)))
         return without_friction(name) if self.preliminary else name
 
     @property
@@ -171,7 +183,8 @@ class Statics:
 
     def rho(self, point: str) -> float:
         """Radius of the friction circle of a pin on paper (mm); 0 in a pass without friction."""
-        return self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing else 0.0
+        alone = any(hub.point == point for hub in self.hubs)  # there friction acts as couples
+        return self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
 
     def phi(self, joint: Prismatic | Contact) -> float:
         """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
