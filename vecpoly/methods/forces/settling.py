@@ -44,7 +44,8 @@ def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Furt
     def rubbed(st: Statics) -> dict[tuple[str, str], Reals]:
         return pin_couples(st, groups) | further(st)
 
-    couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0) | further(ideal)  # from the first, so that moments solve the groups of hubs
+    couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0)
+    couples |= further(ideal)  # from the first, so that moments solve the groups of hubs
     for share in shares:
         guide, couples = _fixed(replace(start, ideal=guide, share=share), rubbed, walk, couples)
     return guide, couples
@@ -114,12 +115,12 @@ def _gap(before: Couples, after: Couples) -> float:
 
 def _slope(start: Statics, st: Statics, rubbed: Further, walk: Walk, couples: Couples) -> np.ndarray:
     """How the couples that come out change with those put in: one further pass for each, nominal hand."""
-    base = [float(nominal(c)) for c in rubbed(st).values()]
-    stride = max([abs(c) for c in base]) or 1.0
+    base = {key: float(nominal(c)) for key, c in rubbed(st).items()}
+    stride = max([abs(c) for c in base.values()]) or 1.0
     columns = []
     for key in couples:
-        moved = _pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk)
-        columns.append([(float(nominal(c)) - b) / (stride * 1e-3) for c, b in zip(rubbed(moved).values(), base, strict=True)])
+        moved = rubbed(_pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk))
+        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * 1e-3) for k, c in base.items()])
     return np.array(columns).T
 
 
