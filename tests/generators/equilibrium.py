@@ -204,9 +204,9 @@ def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, wa
 
 
 def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
-    """A pin in a slot: the force passes through the pin, and leans like that of a slide. Which of its links carries the pin, the keys tell."""
+    """A pin in a slot: the force passes through the pin, which is fixed in the link beside the thought block, and leans like that of a slide."""
     mech, guide = moving.mech, moving.mech.number(joint.guide)
-    carriers = [name for name in mech.links_at(joint.pin) if name[0].isdigit() or name == FRAME]
+    carriers = [one for j in mech.joints if isinstance(j, Revolute) and joint.block in (j.a, j.b) for one in (j.a, j.b) if one != joint.block]
     keys = {key: name for name in carriers for letter in ("", joint.pin) if (key := f"R_{guide}{mech.number(name)}{letter}{way}") in forces}
     if len(keys) != 1:
         yield f"of pin {joint.pin} in its slot the forces have {', '.join(keys) or 'nothing'}"
