@@ -38,7 +38,7 @@ def hubs_of(mech: Mechanism, hung: Mechanism) -> tuple[Hub, ...]:
     """The hinges at which the problem gives the pin to another link than the groups would."""
     found = ((point, names, seat(mech, point), seat(hung, point)) for point, names in hinges(mech).items())
     thought = {*mech.substitutes, *mech.slot_pins}
-    return tuple(Hub(point=point, carrier=own, hung=other, links=tuple(name for name in names if name not in thought))
+    return tuple(Hub(point=point, carrier=own, hung=other, links=tuple(name for name in names if name not in thought), blocks=tuple(name for name in names if name in mech.slot_pins))
                  for point, names, own, other in found if own is not None and other is not None and own != other)
 
 
@@ -56,13 +56,15 @@ def joined(st: Statics, desk: Desk) -> Statics:
     """The same pass with every pin in its own link: reactions between the carrier and each of the others. desk: that of the problem's own joints."""
     if not st.hubs:
         return st
-    own = replace(st, desk=desk, hubs=(), acting=dict(st.acting))
+    own = replace(st, desk=desk, hubs=(), own=None, acting=dict(st.acting))
     for hub in st.hubs:
-        pushes = {link: force for link in hub.links if link != hub.hung and (force := st.push(hub.hung, link)) is not None}
+        pushes = {link: force for link in (*hub.links, *hub.blocks) if link != hub.hung and (force := st.push(hub.hung, link)) is not None}
         for link in pushes:
             own.acting.pop((hub.hung, link), None)
             own.acting.pop((link, hub.hung), None)
-        for link in (one for one in pushes if one != hub.carrier):
+        for link in (one for one in pushes if one in hub.blocks):
+            own.acting[hub.carrier, link] = replace(pushes[link], named=own.named(hub.carrier, link))
+        for link in (one for one in pushes if one != hub.carrier and one not in hub.blocks):
             _keep(own, hub, link, pushes[link].vector, pushes[link].drawn, pushes[link].computed)
         side = _pin_polygon(st, own, hub, pushes)
         _keep(own, hub, hub.hung, 0j if side is None else side.start - side.end, None if side is None else side.reversed(), None)
@@ -71,11 +73,11 @@ def joined(st: Statics, desk: Desk) -> Statics:
 
 def hub_couples(st: Statics, desk: Desk) -> dict[tuple[str, str], Reals]:
     """Friction couples (N·m) of the carriers on the others, and of these on the carriers: ρ R against the relative turning."""
-    own, found = replace(st, desk=desk, hubs=(), rubbing=True), dict[tuple[str, str], Reals]()
+    own, found = replace(st, desk=desk, hubs=(), own=None, rubbing=True), dict[tuple[str, str], Reals]()
     for hub in st.hubs:
         total: Points = 0j
         sizes: dict[str, Reals] = {}
-        for link in (one for one in hub.links if one != hub.hung):
+        for link in (one for one in (*hub.links, *hub.blocks) if one != hub.hung):
             force = st.push(hub.hung, link)
             vector = 0j if force is None else force.vector
             total, sizes[link] = total - vector, np.abs(vector)

@@ -50,7 +50,7 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
         return _balance_alone(desk, problem)
     loads = as_outer_force(desk, problem.loads)
     order = order_of(desk.mech, loads)
-    st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech))
+    st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech), own=desk.mech)
     held, groups = order.held, without_cylinders(order.groups, problem.loads)
     if not is_drawn(groups):
         raise refuse_undrawn(st, groups)
@@ -131,12 +131,12 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
     desk.board.section(REAL)
     _circles(ideal)
     st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples,
-                 readings=dict(ideal.readings), repeats=dict(ideal.repeats), hubs=ideal.hubs)
+                 readings=dict(ideal.readings), repeats=dict(ideal.repeats), hubs=ideal.hubs, own=ideal.own)
     _walk(st, groups, held)
     _refuse_locked(ideal, st)
     st = joined(st, own)
     read_reactions(st, own.mech)
-    return replace(st, ideal=replace(ideal, desk=own, hubs=()))
+    return replace(st, ideal=replace(ideal, desk=own, hubs=(), own=None))
 
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:

@@ -37,7 +37,7 @@ def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Furt
     """
     scratch = replace(ideal.desk, board=Board(hand("exact"), ideal.desk.board.scales))
     scratch.board.step(Words.same(""))
-    start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, hubs=ideal.hubs)
+    start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, hubs=ideal.hubs, own=ideal.own)
     shares = SHARES if ideal.by_moments or ideal.hubs else (1.0,)
     guide: Statics = ideal
 

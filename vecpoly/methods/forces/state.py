@@ -28,12 +28,16 @@ STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Hub:
-    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that meet there."""
+    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that meet there.
+
+    blocks: those that are thought about the pin, in the slots in which it runs.
+    """
 
     point: str
     carrier: str
     hung: str
     links: tuple[str, ...]
+    blocks: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)
@@ -55,6 +59,7 @@ class Statics:
     readings: dict[str, Reading] = field(default_factory=dict)
     repeats: dict[str, Reals] = field(default_factory=dict)
     hubs: tuple[Hub, ...] = ()  # pins that are thought by themselves while the groups are solved
+    own: Mechanism | None = None  # the problem's mechanism, where hubs are hung otherwise
 
     # -- names ------------------------------------------------------------------------------------------------
 
@@ -70,8 +75,11 @@ class Statics:
 
     def named(self, by: str, on: str) -> Named:
         """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
-        hub = next((one for one in self.hubs if one.hung in (by, on) and {by, on} <= set(one.links)), None)
-        name = press_named(self.mech, by, on) if hub is None else reaction(*(hub.point if link == hub.hung else self.mech.number(link) for link in (by, on)))
+        hub = next((one for one in self.hubs if one.hung in (by, on) and {by, on} <= {*one.links, *one.blocks}), None)
+        if hub is not None and {by, on} & set(hub.blocks):  # the slot presses on the pin of its carrier
+            by, on = (hub.carrier if link == hub.hung else link for link in (by, on))
+            hub = None
+        name = press_named(self.own or self.mech, by, on) if hub is None else reaction(*(hub.point if link == hub.hung else self.mech.number(link) for link in (by, on)))
         return without_friction(name) if self.preliminary else name
 
     @property
