@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from ...errors import MobilityError
 from ...mechanism.assur import Group, decompose, ends
-from ...mechanism.loads import Loads, Moment
+from ...mechanism.loads import Force, Loads, Moment
 from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute
 from .hubs import on_groups
 from .pieces import Held
@@ -37,6 +37,18 @@ def order_of(mech: Mechanism, loads: Loads) -> Order:
     if not loads.friction and not is_drawn(own.groups) and is_drawn(by_drive.groups):
         return by_drive
     return replace(own, held=Held(link=link, parent=FRAME, joint=joint))
+
+
+def order_without(mech: Mechanism, thrust: Force) -> Order:
+    """The order once a cylinder between two moving links has given way to its thrust, which is known: any link on the frame closes."""
+    own = {thrust.link, thrust.against}
+    rest = replace(mech, links=tuple(link for link in mech.links if link.name not in own), joints=tuple(j for j in mech.joints if not own & set(ends(j))))
+    for link in rest.bodies:
+        joint = fixed_joint(rest, link)
+        drive = Drive(link=link, position=0.0, rate=1.0, slide=isinstance(joint, Prismatic))
+        if joint is not None and (groups := _pressing(rest, drive)) is not None and is_drawn(groups):
+            return Order(held=Held(link=link, parent=FRAME, joint=joint), groups=groups, mech=mech)
+    return Order(held=None, groups=decompose(mech), mech=mech)
 
 
 def fixed_joint(mech: Mechanism, link: str) -> Joint | None:

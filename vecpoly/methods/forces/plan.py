@@ -28,13 +28,13 @@ from .given_loads import draw_given_loads
 from .group import solve_group
 from .hubs import hub_couples, hubs_of, joined, say_hubs
 from .inertia import inertia_forces
-from .order import fixed_joint, order_of
+from .order import fixed_joint, order_of, order_without
 from .pieces import Held
 from .power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
-from .thrust import as_moved, as_outer_force, is_outer, read_thrusts, without_cylinders
+from .thrust import as_moved, as_outer_forces, is_floating, is_outer, read_thrusts, without_cylinders
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -48,8 +48,9 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     assert problem.loads is not None
     if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
         return _balance_alone(desk, problem)
-    loads = as_outer_force(desk, problem.loads)
-    order = order_of(desk.mech, loads)
+    loads = as_outer_forces(desk, problem.loads)
+    floating = next((force for force in problem.loads.forces if force.against and force.size is None and is_floating(desk.mech, force)), None)
+    order = order_of(desk.mech, loads) if floating is None else order_without(desk.mech, floating)
     st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech), own=desk.mech)
     held, groups = order.held, without_cylinders(order.groups, problem.loads)
     if not is_drawn(groups):
@@ -59,8 +60,11 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     say_hubs(st)
     if st.loads.friction:
         desk.board.section(IDEAL)
-    if held is None:
+    if floating is not None:
+        power_first(st, problem.loads)
+    elif held is None:
         held = _power_first(st)
+    assert held is not None
     _walk(st, groups, held)
     ideal, st = st, joined(st, desk)
     read_reactions(st, desk.mech)
@@ -77,6 +81,9 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
     """Whether all groups are dyads of hinges and slides, and every thrust acts on a link from the frame."""
     if not all(is_outer(desk.mech, loads, force) for force in loads.forces if force.against):
         return False
+    floating = next((force for force in loads.forces if force.against and force.size is None and is_floating(desk.mech, force)), None)
+    if floating is not None:
+        return order_without(desk.mech, floating).held is not None and is_drawn(order_without(desk.mech, floating).groups)
     moved = replace(loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces))
     return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from ...errors import NoMethodError
 from ...mechanism.assur import Group, joint_letter
+from ...mechanism.loads import Loads
 from ...mechanism.quantities import load_named
 from ...problem.problem import Problem
 from ...words import Words
@@ -25,9 +26,12 @@ def is_drawn(groups: Iterable[Group]) -> bool:
     return all(group.dyad is not None and "G" not in {joint_letter(j) for j in (group.dyad.outer_j, group.dyad.inner, group.dyad.outer_k)} for group in groups)
 
 
-def power_first(st: Statics) -> None:
-    """The balancing load by virtual power, kept as the answer; reactions that follow take it as given."""
-    find(Stage.FORCE, "virtual power").draw(st, None)
+def power_first(st: Statics, loads: Loads | None = None) -> None:
+    """The balancing load by virtual power, kept as the answer; reactions that follow take it as given.
+
+    loads: as the problem has them, with the thrust of a cylinder that is no outer force of one link.
+    """
+    find(Stage.FORCE, "virtual power").draw(st if loads is None else replace(st, loads=loads), None)
     found, named = st.readings[f"{st.unknown.name}_power"], load_named(st.unknown)
     st.keep(replace(found, key=named.key, symbol=named.symbol), st.repeats[f"{st.unknown.name}_power"])
     st.balance, st.balanced = st.repeats[f"{st.unknown.name}_power"], True
