@@ -219,7 +219,7 @@ class Mechanism:
     @property
     def frame_number(self) -> str:
         """The frame's number as printed: one more than the highest of the links."""
-        return str(1 + max((int("".join(filter(str.isdigit, name))) for name in self.bodies if name[0].isdigit()), default=0))
+        return str(1 + max((int("".join(filter(str.isdigit, name))) for name in (*self.bodies, *dict(self.welded)) if name[0].isdigit()), default=0))
 
     def number(self, link: str) -> str:
         """A link's number as printed, the frame's included; the block that is thought about a pin in a slot has that of the pin's link."""

@@ -29,7 +29,7 @@ def written(text: str) -> str:
 
 def frame_number(bodies: Bodies) -> str:
     """The frame's number as printed: one more than the highest of the links."""
-    return str(1 + max(int(m[0]) for name in bodies.drafts if (m := re.match(r"\d+", name))))
+    return str(1 + max(int(m[0]) for name in (*bodies.drafts, *bodies.welded) if (m := re.match(r"\d+", name))))
 
 
 def acts(spec: ProblemSpec) -> bool:

@@ -5,12 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from ..errors import FaultError, MobilityError, UnknownNameError
+from ..errors import FaultError, UnknownNameError
 from ..limits import PAPER
-from ..mechanism.assur import decompose
-from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
-from ..mechanism.quantities import pairs, press_named
 from ..names import At, Key, Kind, Named, Rel, parse_rel
 from ..units import Dim, pure, read, unit_of
 from ..words import Words
@@ -105,28 +102,6 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
         raise FaultError(Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads) if loads else Words(
             f"求“{text}”需要载荷；请在 loads 中写出作用于机构的载荷", f"'{text}' needs loads; say under 'loads' what acts on the mechanism"), code="missing")
     return read_key(text, bodies, named)
-
-
-def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> tuple[AskNamed, ...]:
-    """What is asked where the file does not say: the unknown load, with friction also without it and η, and every reaction.
-
-    Of gears and of groups above class II the reactions are not drawn: there the load alone.
-    """
-    name = loads.unknown.name
-    if not loads.friction and not _of_dyads(mech):
-        return (AskNamed(rel=forces[name]),)
-    keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
-    rams = [{force.link, force.against} for force in loads.forces]  # between a cylinder and its piston there is only the thrust
-    keys += [press_named(mech, by, on).key for by, on in pairs(mech) if {by, on} not in rams]
-    return tuple(AskNamed(rel=forces[key]) for key in keys)
-
-
-def _of_dyads(mech: Mechanism) -> bool:
-    """Whether the mechanism consists of dyads of hinges and slides, and cylinders."""
-    try:
-        return all((group.dyad is not None or group.ram is not None) and "G" not in group.kind for group in decompose(mech))
-    except MobilityError:
-        return True  # what is wrong with it is told elsewhere
 
 
 def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
