@@ -159,14 +159,24 @@ def _vector(found: dict[str, Any]) -> complex:
 def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
     """Loads, weight, inertia of one body."""
     points = moving.mech.link(name).points
-    for load in loads.on(name):
-        yield _load(moving, load, forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size)
+    for load in loads.all:
+        size = 0.0 if name not in (load.link, getattr(load, "against", "")) else forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size
+        if isinstance(load, Force) and load.against and size:
+            yield _thrust(moving, load, size if name == load.link else -size)
+        elif load.link == name:
+            yield _load(moving, load, size)
     mass = loads.mass(name)
     if mass is not None:
         at = moving.place(name, points[mass.centre])
         pull = -moving.acceleration(name, points[mass.centre]) if loads.inertia else 0j
         yield Push(force=mass.mass * (pull - (1j * GRAVITY if loads.weight else 0j)), at=at,
                    couple=-mass.inertia * moving.alpha(name) if loads.inertia and mass.inertia else 0.0)
+
+
+def _thrust(moving: Moving, load: Force, size: float) -> Push:
+    """On the rod away from the barrel's pin, on the barrel (negative) the other way; both in the line of the two pins."""
+    foot, head = (moving.place(link, moving.mech.link(link).points[letter]) for link, letter in ((load.against, load.foot), (load.link, load.point)))
+    return Push(force=size * (head - foot) / abs(head - foot), at=head)
 
 
 def _load(moving: Moving, load: Load, size: float) -> Push:
