@@ -51,7 +51,7 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
     st.board.step(Words("将各构件取为分离体，画出受力图：标明全部力的作用线和指向。", "Draw the free body of every link, with the line and sense of every force on it."), View.BODY)
     assert problem.loads is not None
     inside = in_cylinders(st, problem.loads)
-    thrusts = {force.named.key for forces in inside.values() for force in forces}
+    thrusts = {key for forces in inside.values() for force in forces for key in (force.named.key, f"{force.named.key}′")}
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))

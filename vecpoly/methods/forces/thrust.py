@@ -34,6 +34,11 @@ def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
     return _hindered(mech, loads, force) is None
 
 
+def opposite_name(force: Force) -> str:
+    """F_c′: what a thrust does at the barrel's end; another name than that of the rod's end, for both may stand in one polygon."""
+    return f"{force.name}′"
+
+
 def is_floating(mech: Mechanism, force: Force) -> bool:
     """Whether the barrel hangs on a moving link."""
     return mech.links_at(force.foot)[-1] != FRAME
@@ -69,12 +74,13 @@ def _outer(desk: Desk, loads: Loads, force: Force) -> tuple[Force, ...]:
     (moved,), (base,) = (_beside(mech, force, pin) for pin in (force.point, force.foot))
     along = float(np.angle(complex(nominal(desk.towards(force.foot, force.point)))))
     below, above = (reaction(mech.number(by), mech.number(on)).symbol for by, on in ((base, force.against), (force.link, moved)))
-    opposite = Words("", "") if base == FRAME else Words(f"，并以反力作用于构件 {base} 的 ${force.foot}$ 点", f", and oppositely on link {base} at ${force.foot}$")
+    back = load_symbol(opposite_name(force))
+    opposite = Words("", "") if base == FRAME else Words(f"，并以等值、反向的 ${back}$ 作用于构件 {base} 的 ${force.foot}$ 点", f", and as the equal and opposite ${back}$ on link {base} at ${force.foot}$")
     desk.board.step(Words(f"油缸 {force.against}-{force.link} 不受其他载荷，为二力构件，推力 ${load_symbol(force.name)}$ 沿 ${force.foot}{force.point}$ 作用于构件 {moved} 的 ${force.point}$ 点{opposite.zh}；${force.foot}$、${force.point}$ 两铰链的反力 ${below}$、${above}$ 都等于它。",
                           f"The cylinder {force.against}-{force.link} carries nothing else and is a two-force member: its thrust ${load_symbol(force.name)}$ acts along ${force.foot}{force.point}$ on link {moved} at ${force.point}$"
                           f"{opposite.en}; the reactions ${below}$ at ${force.foot}$ and ${above}$ at ${force.point}$ equal it."), View.MECHANISM)
     push = Force(name=force.name, link=moved, point=force.point, direction=along, size=force.size, role=force.role)
-    return (push,) if base == FRAME else (push, replace(push, link=base, point=force.foot, direction=along + np.pi))
+    return (push,) if base == FRAME else (push, replace(push, name=opposite_name(force), link=base, point=force.foot, direction=along + np.pi))
 
 
 def _rubs(loads: Loads, force: Force) -> bool:
