@@ -38,11 +38,11 @@ def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanis
 
 
 def seat(mech: Mechanism, point: str) -> str | None:
-    """The link that carries the pin of a compound hinge, as its joints say; None at a pin of two links."""
-    thought = {*mech.substitutes, *mech.slot_pins}
-    pins = [joint for joint in mech.joints if isinstance(joint, Revolute) and joint.point == point and not {joint.a, joint.b} & thought]
-    shared = set.intersection(*({joint.a, joint.b} for joint in pins)) if len(pins) > 1 else set()
-    return next(iter(shared), None)
+    """The link that carries the pin of a compound hinge, as its joints say; None at a pin of two links that runs in no slot."""
+    pins = [{joint.a, joint.b} for joint in mech.joints if isinstance(joint, Revolute) and joint.point == point and not {joint.a, joint.b} & mech.substitutes]
+    if len(pins) < 2 or len(set().union(*pins) - mech.slot_pins.keys()) < 2:  # of one link, however many slots its pin runs in
+        return None
+    return next(iter(set.intersection(*pins)), None)
 
 
 def _pins(mech: Mechanism, point: str, names: tuple[str, ...], carrier: str) -> Iterator[Revolute]:
