@@ -72,20 +72,18 @@ class Group:
 
     @property
     def label(self) -> str:
-        """Its links in one word: 23; the block that is thought about a pin in a slot by the pin's letter: 2B."""
+        """Its links in one word: 23; a pin in a slot by its letter: 2B."""
         return "".join(name.removeprefix("pin") for name in self.links)
 
     @property
     def told(self) -> Words:
         """The links in a sentence: 2 and 3; the block that is thought about a pin in a slot is told as that pin."""
-        pins = {name: Words(f"销 {name[3:]}", f"pin {name[3:]}") if name.startswith("pin") else Words.same(name) for name in self.links}
-        return Words("、".join(one.zh for one in pins.values()), " and ".join(one.en for one in pins.values()))
+        return Words("、".join(name.replace("pin", "销 ") for name in self.links), " and ".join(name.replace("pin", "pin ") for name in self.links))
 
     @property
     def name(self) -> Words:
         """For messages: RRR group 2, 3."""
-        number = self.kind.removeprefix("class ")
-        zh = f"{self.kind} 组" if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
+        zh = f"{_CLASS.get(number, number)} 级杆组" if (number := self.kind.removeprefix("class ")) != self.kind else f"{self.kind} 组"
         return Words(f"{zh}（构件 {self.told.zh}）", f"{self.kind} group {self.told.en.replace(' and ', ', ')}")
 
 
