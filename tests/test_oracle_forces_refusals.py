@@ -69,7 +69,7 @@ def test_an_unknown_key_or_pair_is_refused() -> None:
     result = forces(crank(), Loads(forces=(PUSH,), moments=(CRANK,)))
     with pytest.raises(UnknownNameError, match="no quantity R_13 here; known: M_1, eta"):
         result.value("R_13")
-    with pytest.raises(UnknownNameError, match="links 1 and 3 do not touch"):
+    with pytest.raises(UnknownNameError, match="there is no R_13: the two links do not touch"):
         result.line("1", "3")
 
 

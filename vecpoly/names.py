@@ -10,7 +10,7 @@ ASCII forms (the textbook's symbol in brackets):
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from .errors import UnknownNameError
@@ -57,13 +57,17 @@ _STEM = {
 
 @dataclass(frozen=True, slots=True)
 class At:
-    """A point, and on which link it is thought (empty where its letter alone tells)."""
+    """A point, and on which link it is thought (empty where its letter alone tells).
+
+    number: how the link is printed where it is the frame, whose number is one more than the highest.
+    """
 
     point: str
     link: str = ""
+    number: str = field(default="", compare=False)
 
     def __str__(self) -> str:
-        return self.point + self.link
+        return self.point + (self.number or self.link)
 
 
 @dataclass(frozen=True, slots=True)

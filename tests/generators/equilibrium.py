@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import product
 from math import radians
 from typing import Any
 
@@ -126,7 +127,7 @@ def _slack(fine: Moving, coarse: Moving, loads: Loads) -> float:
 def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slack: float) -> Iterator[str]:
     """Bodies that are in no equilibrium."""
     mech = moving.mech
-    pushes = {name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)] for name in mech.bodies}
+    pushes = {name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)] for name in _links(mech)}
     largest = max((abs(p.force) for ps in pushes.values() for p in ps), default=0.0)
     largest = max([largest, *(abs(p.couple) / mech.scale for ps in pushes.values() for p in ps)])
     for name, ps in pushes.items():
@@ -138,9 +139,15 @@ def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slac
             yield f"link {name}{way}: the moments sum to {moment:.6g} N·m"
 
 
+def _links(mech: Mechanism) -> tuple[str, ...]:
+    """The links that the problem has: no blocks that are thought about pins in slots."""
+    return tuple(name for name in mech.bodies if name[0].isdigit())
+
+
 def _reactions(mech: Mechanism, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
-    for other in (*mech.bodies, FRAME):
-        found = forces.get(f"R_{mech.number(other)}{mech.number(name)}{way}")
+    letters = {"", *(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and joint.pin_in_slot)}  # of two pins of one link in slots of another
+    for other, letter in product((*_links(mech), FRAME), letters):
+        found = forces.get(f"R_{mech.number(other)}{mech.number(name)}{letter}{way}")
         if found is not None and "point" in found:
             yield Push(force=_vector(found), at=complex(*found["point"]), couple=found.get("couple") or 0.0)
 
@@ -152,14 +159,24 @@ def _vector(found: dict[str, Any]) -> complex:
 def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
     """Loads, weight, inertia of one body."""
     points = moving.mech.link(name).points
-    for load in loads.on(name):
-        yield _load(moving, load, forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size)
+    for load in loads.all:
+        size = 0.0 if name not in (load.link, getattr(load, "against", "")) else forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size
+        if isinstance(load, Force) and load.against and size:
+            yield _thrust(moving, load, size if name == load.link else -size)
+        elif load.link == name:
+            yield _load(moving, load, size)
     mass = loads.mass(name)
     if mass is not None:
         at = moving.place(name, points[mass.centre])
         pull = -moving.acceleration(name, points[mass.centre]) if loads.inertia else 0j
         yield Push(force=mass.mass * (pull - (1j * GRAVITY if loads.weight else 0j)), at=at,
                    couple=-mass.inertia * moving.alpha(name) if loads.inertia and mass.inertia else 0.0)
+
+
+def _thrust(moving: Moving, load: Force, size: float) -> Push:
+    """On the rod away from the barrel's pin, on the barrel (negative) the other way; both in the line of the two pins."""
+    foot, head = (moving.place(link, moving.mech.link(link).points[letter]) for link, letter in ((load.against, load.foot), (load.link, load.point)))
+    return Push(force=size * (head - foot) / abs(head - foot), at=head)
 
 
 def _load(moving: Moving, load: Load, size: float) -> Push:
@@ -172,9 +189,12 @@ def _laws(moving: Moving, loads: Loads, forces: dict[str, Any], way: str) -> Ite
     """Pins whose reaction does not touch its friction circle as it should, slides in which it does not lean as it should."""
     mech = moving.mech
     for joint in mech.joints:
-        if isinstance(joint, Revolute) and not {joint.a, joint.b} & mech.substitutes:
+        if isinstance(joint, Revolute) and {joint.a, joint.b} <= {*_links(mech), FRAME}:
             rho = 0.0 if way else loads.friction.pins.get(joint.point, 0.0)
             yield from _pin(moving, forces, joint, rho, way)
+        elif isinstance(joint, Prismatic) and joint.pin_in_slot and joint.block not in mech.substitutes:
+            phi = 0.0 if way else loads.friction.slides.get((joint.block, joint.guide), 0.0)
+            yield from _slotted(moving, forces, joint, phi, way)
         elif isinstance(joint, Prismatic) and not {joint.guide, joint.block} & mech.substitutes:
             phi = 0.0 if way else loads.friction.slides.get((joint.block, joint.guide), 0.0)
             yield from _slide(moving, forces, joint, phi, way)
@@ -193,9 +213,26 @@ def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, wa
         yield f"{key} passes {1e3 * arm:.6g} mm from {joint.point}, ρ = {1e3 * rho:g} mm, ω = {rate:.3g} rad/s"
 
 
-def _slide(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
+def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
+    """A pin in a slot: the force passes through the pin, which is fixed in the link beside the thought block, and leans like that of a slide."""
+    mech, guide = moving.mech, moving.mech.number(joint.guide)
+    carriers = [one for j in mech.joints if isinstance(j, Revolute) and joint.block in (j.a, j.b) for one in (j.a, j.b) if one != joint.block]
+    keys = {key: name for name in carriers for letter in ("", joint.pin) if (key := f"R_{guide}{mech.number(name)}{letter}{way}") in forces}
+    if len(keys) != 1:
+        yield f"of pin {joint.pin} in its slot the forces have {', '.join(keys) or 'nothing'}"
+        return
+    (key, carrier), = keys.items()
+    if "point" in forces[key] and forces[key]["drawn"]:
+        place = moving.place(carrier, mech.link(carrier).points[joint.pin])
+        arm = ((complex(*forces[key]["point"]) - place).conjugate() * _vector(forces[key])).imag / forces[key]["drawn"]
+        if not abs(arm) <= 1e-6 * mech.scale:
+            yield f"{key} passes {1e3 * arm:.6g} mm from {joint.pin}"
+    yield from _slide(moving, forces, replace(joint, block=carrier), phi, way, key)
+
+
+def _slide(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str, key: str = "") -> Iterator[str]:
     mech = moving.mech
-    key = f"R_{mech.number(joint.guide)}{mech.number(joint.block)}{way}"
+    key = key or f"R_{mech.number(joint.guide)}{mech.number(joint.block)}{way}"
     found = forces.get(key)
     if found is None or found["direction_deg"] is None or found["drawn"] < 1e-9 * max(abs(one["drawn"]) for one in forces.values() if one["unit"] == "N"):
         return
@@ -213,12 +250,12 @@ def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], sl
     """Σ P = 0 of all that acts from outside."""
     (moving, coarse), parts, largest = both, [], 0.0
     mech = moving.mech
-    for name in mech.bodies:
+    for name in _links(mech):
         for push in _given(moving, loads, forces, name, ""):
             largest = max(largest, abs(push.force), abs(push.couple) / mech.scale)
             parts.append((push.force.conjugate() * moving.velocity(name, moving.local(name, push.at))).real if push.force else 0.0)
             parts.append(push.couple * moving.omega(name))
-    points = [(name, at) for name in mech.bodies for at in mech.link(name).points.values()]
+    points = [(name, at) for name in _links(mech) for at in mech.link(name).points.values()]
     speed, off = max(abs(moving.velocity(*one)) for one in points), max(abs(moving.velocity(*one) - coarse.velocity(*one)) for one in points)
     if not abs(sum(parts)) <= ((AGREE * largest + slack) * speed + 4 * largest * off) * len(parts):
         return f"the powers sum to {sum(parts):.6g} W"

@@ -14,8 +14,8 @@ from ..errors import NotAskedError
 from ..mechanism.assur import hinges
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism, Prismatic
-from ..mechanism.quantities import given_value, pairs
-from ..names import Kind, Rel, reaction
+from ..mechanism.quantities import given_value, pairs, press_named
+from ..names import Kind, Rel
 from ..problem.asks import AskNamed, AskPoint
 from ..problem.problem import Problem
 from ..words import Words
@@ -109,14 +109,13 @@ class Exact:
         mech = self.problem.subject
         found: dict[str, ActsAt] = {}
         for by, on in ((by, on) for a, b in pairs(mech) for by, on in ((a, b), (b, a))):
-            numbers = mech.number(by), mech.number(on)
-            key = reaction(*numbers).key
+            key = press_named(mech, by, on).key
             if key in asked:
-                point, pin = complex(self.balance.line(*numbers)), pin_of(mech, by, on)
+                point, pin = complex(self.balance.line_of(key)), pin_of(mech, by, on)
                 force = complex(self.balance.value(key))
                 if force:
                     found[key] = ActsAt(point, _tangent(point - complex(self.motion.position(pin)), force) if pin else "")
-                elif not pin and (couple := float(self.balance.couple(*numbers))):
+                elif not pin and (couple := float(self.balance.couple_of(key))):
                     found[key] = ActsAt(complex(self.motion.position(_slid(mech, by, on))), couple=couple)
         return found
 

@@ -85,7 +85,7 @@ class Variants:
     @classmethod
     def of(cls, term: Term, motion: Motion, part: Part) -> Variants:
         """All variants that change the term, with up to three slips."""
-        links = [link for link in motion.mech.bodies if link != term.bar.link]
+        links = [link for link in motion.mech.numbered if link != term.bar.link]
         kinds = (MISSING, *((ONCE,) if term.normal else ()), SIGN, TRIG, *links)
         choices = [choice for count in range(MOST_SLIPS + 1) for one in combinations(kinds, count)
                    if len((choice := frozenset(one)) & {*links}) < 2 and not {MISSING, ONCE} <= choice]

@@ -115,7 +115,7 @@ def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism, loads: Loads | No
             mech.drive.slide and name.replace("_", "") == f"s{mech.drive.link}"):
         return Heading(index=i, text=text, target=None, unit=_drive_unit(unit, mech, where))
     target = read_target(name)
-    if target is None or (target.of_link and target.of_link not in mech.bodies):
+    if target is None or (target.of_link and target.of_link not in mech.numbered):
         target = read_other(name, mech, loads) or target
     if target is None:
         if said or get_close_matches(re.sub(r"[_\d]", "", name).lower(), [s for s in STEMS if len(s) > 2], n=1, cutoff=0.75):
@@ -130,10 +130,10 @@ def known(sheet: Sheet, heading: Heading, mech: Mechanism, motion: Motion) -> No
     """TableError where the mechanism has no such link or point."""
     target, where = heading.target, sheet.at(sheet.head_line, heading.index)
     assert target is not None
-    if target.of_link and target.of_link not in mech.bodies:
+    if target.of_link and target.of_link not in mech.numbered:
         raise TableError(where + Words(
-            f"：没有构件 {target.of_link}；已有：{', '.join(mech.bodies)}；请指明是哪个构件，如 --columns {heading.text}={target.on(mech.bodies[-1]).key}",
-            f": there is no link {target.of_link}; known: {', '.join(mech.bodies)}; say which it is, e.g. --columns {heading.text}={target.on(mech.bodies[-1]).key}"))
+            f"：没有构件 {target.of_link}；已有：{', '.join(mech.numbered)}；请指明是哪个构件，如 --columns {heading.text}={target.on(mech.numbered[-1]).key}",
+            f": there is no link {target.of_link}; known: {', '.join(mech.numbered)}; say which it is, e.g. --columns {heading.text}={target.on(mech.numbered[-1]).key}"))
     try:
         target.of(motion)
     except VecpolyError as error:

@@ -22,7 +22,7 @@ def renumbered(columns: Sequence[Values], mech: Mechanism, motion: Motion) -> di
     numbers = sorted({target.of_link for target, _ in columns if target.of_link}, key=lambda name: (int("".join(filter(str.isdigit, name))), name))
     fixed = {drive.link for drive in mech.drives}
     numbers = [number for number in numbers if number not in fixed]
-    links = [link for link in mech.bodies if link not in fixed]
+    links = [link for link in mech.numbered if link not in fixed]
     if set(numbers) <= set(links) or len(numbers) > len(links):
         return {}
     ways = [dict(zip(numbers, chosen, strict=True)) for chosen in combinations(links, len(numbers))]

@@ -215,7 +215,7 @@ def read_target(name: str) -> Target | None:
 
 def others(mech: Mechanism, of: Target) -> list[tuple[Target, Target | None]]:
     """Quantities of the same kind with which a column may have been mixed up; with a second one, their difference."""
-    bodies = mech.bodies
+    bodies = mech.numbered
     if of.other is not None:
         return []
     if of.rel is None:

@@ -134,7 +134,7 @@ def _asked(turn: Cycle, problem: Problem) -> tuple[str, ...]:
     known = {column.key for column in turn.columns}
     asked = [ask.rel.key for ask in problem.asks if ask.rel.key in known]
     turning = [key for key in asked if key.startswith(("omega", "alpha", "M_"))]
-    return tuple(turning or asked or [f"omega_{name}" for name in turn.mech.bodies if name != turn.mech.drive.link])
+    return tuple(turning or asked or [f"omega_{name}" for name in turn.mech.numbered if name != turn.mech.drive.link])
 
 
 def _print(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import typer
+
 from ..words import Words
 from .errors import Tally, about
 from .files import STDOUT, spared, write_json
@@ -13,6 +15,7 @@ from .terminal import add, progress, say, show, table, warn
 from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
 
 if TYPE_CHECKING:
+    from ..answer import Answer
     from ..solution import Solution
 
 _COLUMNS = {
@@ -69,7 +72,18 @@ def _print(solution: Solution, lang: Lang) -> None:
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
         ), alarmed=answer.suspect is not None)  # fmt: skip
     show(made)
+    for answer in solution.answers.values():
+        if answer.reading.acts is not None and answer.reading.acts.couple is not None:
+            typer.echo(bare(_passed_on(answer).of(lang)))
     if not problem.asks:
         say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
     if (few := fewer_digits(solution)) is not None:
         say(bare(few.of(lang)))
+
+
+def _passed_on(answer: Answer) -> Words:
+    """The couple beside a reaction that is zero, as drawn and exact."""
+    acts, truth = answer.reading.acts, answer.exact_acts
+    couple, exactly = acts.couple if acts else None, truth.couple if truth else None
+    told = f"{couple or 0.0:.5g} N·m" + ("" if exactly is None else f" ({exactly:.5g})")
+    return Words(f"{answer.key} = 0，移动副只传递力偶 {told}，逆时针为正，括号内为精确值", f"{answer.key} = 0: the slide passes on a couple alone, {told}, counter-clockwise positive, the exact value in brackets")

@@ -20,7 +20,7 @@ def turns_of(cycle: Cycle) -> dict[str, float] | None:
     if not cycle.whole:
         return None
     ends = np.array([cycle.low, cycle.high])
-    found = {name: np.asarray(cycle.at(f"phi_{name}", ends), np.float64) for name in cycle.mech.bodies}
+    found = {name: np.asarray(cycle.at(f"phi_{name}", ends), np.float64) for name in cycle.mech.numbered}
     return {name: _counted(float(phi[1] - phi[0]) / (2 * np.pi)) for name, phi in found.items() if np.isfinite(phi).all()}
 
 

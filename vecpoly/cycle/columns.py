@@ -15,7 +15,7 @@ from ..errors import EquilibriumError, UnknownNameError
 from ..mechanism.assur import Dyad, decompose, ends
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism, Prismatic
-from ..mechanism.quantities import pairs, quantities
+from ..mechanism.quantities import pairs, press_named, quantities, slide_named
 from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.spelling import did_you_mean
 from ..words import Words
@@ -54,13 +54,13 @@ class Column:
 
 def slides(mech: Mechanism) -> dict[str, Prismatic]:
     """Every sliding joint by the printed numbers of block and guide: 45."""
-    return {mech.number(joint.block) + mech.number(joint.guide): joint for joint in mech.joints
+    return {slide_named(mech, joint): joint for joint in mech.joints
             if isinstance(joint, Prismatic) and {joint.block, joint.guide} <= {*mech.bodies, FRAME}}
 
 
 def dyads(mech: Mechanism) -> dict[str, Dyad]:
-    """Every dyad by its links: 23."""
-    return {"".join(group.links): group.dyad for group in decompose(mech) if group.dyad is not None}
+    """Every dyad by its links: 23; a pin in a slot by its letter: 2B."""
+    return {group.label: group.dyad for group in decompose(mech) if group.dyad is not None}
 
 
 def moving_points(mech: Mechanism) -> tuple[str, ...]:
@@ -71,13 +71,13 @@ def moving_points(mech: Mechanism) -> tuple[str, ...]:
 
 def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | None = None) -> tuple[Column, ...]:
     """The columns of a whole-cycle table: links, points, slides, transmission angles, what balances and what presses."""
-    keys = [f"{stem}_{name}" for name in mech.bodies for stem in ("phi", "omega", "alpha")]
+    keys = [f"{stem}_{name}" for name in mech.numbered for stem in ("phi", "omega", "alpha")]
     keys += [f"{stem}_{letter}" for letter in (moving_points(mech) if points is None else points) for stem in ("p", "v", "a")]
     keys += [f"{stem}_{pair}" for pair in slides(mech) for stem in ("s", "v", "a")]
     keys += [f"gamma_{pair}" for pair, dyad in dyads(mech).items() if "G" not in dyad.kind]
     if loads is not None:
         keys += [loads.unknown.name, *(["eta"] if loads.friction else [])]
-        keys += [f"R_{mech.number(a)}{mech.number(b)}" for a, b in pairs(mech)]
+        keys += [press_named(mech, a, b).key for a, b in pairs(mech)]
     return tuple(column_of(mech, loads, key) for key in keys)
 
 
@@ -87,7 +87,7 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
     if dot:
         return _part(column_of(mech, loads, base), part)
     stem, _, rest = key.partition("_")
-    if stem == "phi" and rest in mech.bodies:
+    if stem == "phi" and rest in mech.numbered:
         return Column(key=key, symbol=f"φ_{{{rest}}}", unit="rad", words=_angle_words(mech, rest), rate=f"omega_{rest}", turns=True)
     if stem in ("s", "v", "a") and rest in slides(mech):
         return _slide(key, stem, rest, *(mech.number(name) for name in reversed(ends(slides(mech)[rest]))))
@@ -167,10 +167,10 @@ def _read(key: str) -> Rel:
 
 def _kinematic(mech: Mechanism, key: str) -> Column:
     rel = _read(key)
-    if not rel.is_vector and rel.to.link not in mech.bodies:
+    if not rel.is_vector and rel.to.link not in mech.numbered:
         raise UnknownNameError(Words(
-            f"没有构件 {rel.to.link}；已有：{', '.join(mech.bodies)}",
-            f"there is no link {rel.to.link}; known: {', '.join(mech.bodies)}"))
+            f"没有构件 {rel.to.link}；已有：{', '.join(mech.numbered)}",
+            f"there is no link {rel.to.link}; known: {', '.join(mech.numbered)}"))
     letters = {*mech.frame, *(p for link in mech.links for p in link.points), *(c.point for c in mech.contacts)}
     for at in (rel.to, rel.ref):
         bare = at.point.rstrip("0123456789") if at else ""

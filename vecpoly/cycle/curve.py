@@ -80,7 +80,7 @@ class Curve:
 
 def _size(cycle: Cycle, key: str) -> float:
     """The natural magnitude of a quantity: below 1e-10 of it, a change is rounding."""
-    spins = np.stack([np.abs(cycle.on_grid(f"omega_{name}")[1]) for name in cycle.mech.bodies])
+    spins = np.stack([np.abs(cycle.on_grid(f"omega_{name}")[1]) for name in cycle.mech.numbered])
     spin = _usual(np.nan_to_num(spins).max(axis=0)) or abs(cycle.mech.drive.rate) / cycle.mech.scale
     match cycle.info(key).unit:
         case "m":

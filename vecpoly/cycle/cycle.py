@@ -107,7 +107,7 @@ class Cycle:
     @property
     def assembled(self) -> NDArray[np.bool_]:
         """Which positions can be assembled and have velocities."""
-        sound: NDArray[np.bool_] = np.logical_and.reduce([np.isfinite(self.column(f"omega_{name}")) for name in self.mech.bodies])
+        sound: NDArray[np.bool_] = np.logical_and.reduce([np.isfinite(self.column(f"omega_{name}")) for name in self.mech.numbered])
         return sound
 
     def info(self, key: str) -> Column:

@@ -116,7 +116,7 @@ def facts(cycle: Cycle) -> Facts:
     changes = tuple(_changes(even))
     strokes = () if changes else tuple(s for e in outputs if (s := _stroke(even, e)))
     return Facts(even.ranges, even.whole, turns_of(even), laps_of(even), unlimited, tuple(e for e in outputs if e.maxima), strokes, told, arms, dead, changes,
-                 tuple(p for name in even.mech.bodies if (p := _peak(even, name, told, arms))))
+                 tuple(p for name in even.mech.numbered if (p := _peak(even, name, told, arms))))
 
 
 def _changes(cycle: Cycle) -> Iterator[tuple[str, tuple[Spot, ...]]]:
@@ -142,7 +142,7 @@ def outputs_of(cycle: Cycle) -> tuple[str, ...]:
     """Keys of the links that are pinned to, or slide on, the frame, without the drive: φ of the rockers, s of the sliders."""
     mech, turns = cycle.mech, turns_of(cycle) or {}
     pinned = {name for names in hinges(mech).values() if FRAME in names for name in names}
-    rockers = [f"phi_{name}" for name in mech.bodies if name in pinned and name != mech.drive.link and not turns.get(name, 0)]
+    rockers = [f"phi_{name}" for name in mech.numbered if name in pinned and name != mech.drive.link and not turns.get(name, 0)]
     frame = mech.frame_number
     sliders = [f"s_{pair}" for pair, joint in slides(mech).items() if FRAME in (joint.guide, joint.block) and pair.removesuffix(frame).removeprefix(frame) != mech.drive.link]
     return (*rockers, *sliders)

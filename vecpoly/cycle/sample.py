@@ -81,7 +81,7 @@ def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
         whole = reader(mech, loads, base)
         return lambda s: _part(whole(s), part)
     stem, _, rest = key.partition("_")
-    if stem == "phi" and rest in mech.bodies:
+    if stem == "phi" and rest in mech.numbered:
         return lambda s: s.motion.angle(rest)
     if stem in ("s", "v", "a") and (joint := slides(mech).get(rest)):
         return lambda s: _full(s, s.slide(stem, joint))

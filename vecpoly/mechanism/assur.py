@@ -71,12 +71,22 @@ class Group:
         return self.dyad or self.ram or self
 
     @property
+    def label(self) -> str:
+        """Its links in one word: 23; a pin in a slot by its letter: 2B."""
+        return "".join(name.removeprefix("pin") for name in self.links)
+
+    @property
+    def told(self) -> Words:
+        """The links in a sentence: 2 and 3; the block that is thought about a pin in a slot is told as that pin."""
+        return Words("、".join(name.replace("pin", "销 ") for name in self.links), " and ".join(name.replace("pin", "pin ") for name in self.links))
+
+    @property
     def name(self) -> Words:
         """For messages: RRR group 2, 3."""
         number = self.kind.removeprefix("class ")
         own = {"driven": "含驱动的杆组", "gear train": "轮系"}
         zh = own.get(self.kind, f"{self.kind} 组") if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
-        return Words(f"{zh}（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
+        return Words(f"{zh}（构件 {self.told.zh}）", f"{self.kind} group {self.told.en.replace(' and ', ', ')}")
 
 
 def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:

@@ -64,7 +64,7 @@ def check(mech: Mechanism) -> Mobility:
     if count.freedom < 1:
         raise MobilityError(said + Words("：机构不能运动；请去掉多余的运动副，或补上缺少的构件", ": nothing can move; remove a redundant joint, or add the missing link"))
     if count.freedom > count.drives:
-        loose = [name for name in mech.bodies if _joints_at(mech, name) < 2]
+        loose = [name for name in mech.numbered if _joints_at(mech, name) < 2]
         hint = f" (links with a single joint: {', '.join(loose)})" if loose else ""
         raise MobilityError(
             said + Words(

@@ -124,6 +124,19 @@ class Contact:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class SlotPin:
+    """A pin, fixed in link `carrier`, that runs in the slot of link `guide` and presses on its side.
+
+    Kinematics puts the massless block `block` between the two; to forces there is no such link.
+    """
+
+    point: str
+    carrier: str
+    guide: str
+    block: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
     """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the frame as a rule.
 
@@ -179,17 +192,39 @@ class Mechanism:
         return frozenset(contact.substitute for contact in self.contacts)
 
     @property
+    def slot_pins(self) -> Mapping[str, SlotPin]:
+        """The pins that run in slots, by the name of the block that is only thought there."""
+        found = {}
+        for joint in self.joints:
+            if isinstance(joint, Prismatic) and joint.pin_in_slot and joint.block not in self.substitutes:
+                found[joint.block] = SlotPin(point=joint.pin, carrier=self._carrier(joint), guide=joint.guide, block=joint.block)
+        return found
+
+    def _carrier(self, slide: Prismatic) -> str:
+        """The link in which the pin is fixed that runs in this slot."""
+        thought = {j.block for j in self.joints if isinstance(j, Prismatic) and j.pin_in_slot}
+        beside = [j.a if j.b == slide.block else j.b for j in self.joints if isinstance(j, Revolute) and slide.block in (j.a, j.b)]
+        return next((name for name in (*beside, *self.links_at(slide.pin)) if name not in thought), slide.block)
+
+    @property
     def bodies(self) -> tuple[str, ...]:
         """Names of the moving links that exist, without the substitutes of higher pairs."""
         return tuple(link.name for link in self.links if link.name not in self.substitutes)
 
     @property
+    def numbered(self) -> tuple[str, ...]:
+        """Names of the moving links that the problem names: the bodies, without the blocks that are thought about pins in slots."""
+        return tuple(name for name in self.bodies if name not in self.slot_pins)
+
+    @property
     def frame_number(self) -> str:
         """The frame's number as printed: one more than the highest of the links."""
-        return str(1 + max(int("".join(filter(str.isdigit, name)) or 0) for name in self.bodies))
+        return str(1 + max((int("".join(filter(str.isdigit, name))) for name in (*self.bodies, *dict(self.welded)) if name[0].isdigit()), default=0))
 
     def number(self, link: str) -> str:
-        """A link's number as printed, the frame's included."""
+        """A link's number as printed, the frame's included; the block that is thought about a pin in a slot has that of the pin's link."""
+        if link[:1].isalpha() and link in (pins := self.slot_pins):
+            link = pins[link].carrier
         return self.frame_number if link == FRAME else link
 
     def named(self, number: str) -> str:

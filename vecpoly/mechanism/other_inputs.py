@@ -23,12 +23,12 @@ def _on_frame(mech: Mechanism) -> Iterator[Drive]:
     """The links hinged to the frame, or sliding on it, that exist."""
     for names in hinges(mech).values():
         yield from (
-            Drive(link=name, position=0.0, rate=1.0) for name in names if FRAME in names and name in mech.bodies
+            Drive(link=name, position=0.0, rate=1.0) for name in names if FRAME in names and name in mech.numbered
         )
     for joint in mech.joints:
         if isinstance(joint, Prismatic) and FRAME in ends(joint):
             name = next(end for end in ends(joint) if end != FRAME)
-            yield from [Drive(link=name, position=0.0, rate=1.0, slide=True)] * (name in mech.bodies)
+            yield from [Drive(link=name, position=0.0, rate=1.0, slide=True)] * (name in mech.numbered)
 
 
 def _all(mech: Mechanism, wanted: Callable[[Group], bool]) -> bool:

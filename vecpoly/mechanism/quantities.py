@@ -14,7 +14,7 @@ from itertools import combinations
 from ..names import Named, reaction
 from .assur import ends, hinges
 from .loads import Force, Load, Loads
-from .model import Mechanism, Revolute
+from .model import Mechanism, Prismatic, Revolute
 
 
 def load_symbol(name: str) -> str:
@@ -38,19 +38,44 @@ def without_friction(named: Named) -> Named:
 def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
     """Links that press on each other in a joint or a contact, as names; each pair once.
 
-    At a compound hinge these are the link that carries the pin and each of the others (`seats`).
+    At a compound hinge these are the link that carries the pin and each of the others (`seats`). A pin in a slot is told by the slot's
+    link and the block that is thought about the pin, for two pins of one link may press on another; `press_named` has the true links.
     """
-    found = [ends(joint) for joint in mech.joints if isinstance(joint, Revolute)]
-    found += [ends(joint) for joint in mech.joints if not isinstance(joint, Revolute)]
+    thought = {*mech.substitutes, *mech.slot_pins}
+    found = [pair for joint in mech.joints if isinstance(joint, Revolute) and not thought & set(pair := ends(joint))]
+    found += [pair for joint in mech.joints if not isinstance(joint, Revolute) and not mech.substitutes & set(pair := ends(joint))]
     found += [contact.links for contact in mech.contacts]
-    return tuple(dict.fromkeys(pair for pair in found if not mech.substitutes & set(pair)))
+    return tuple(dict.fromkeys(found))
+
+
+def press_named(mech: Mechanism, by: str, on: str) -> Named:
+    """R_12 of two links that press on each other; a block that is only thought about a pin in a slot stands for the pin.
+
+    Where two pins of one link run in slots of another, the pin's letter tells the two forces apart: R_12B.
+    """
+    pins = mech.slot_pins
+    pin = pins.get(by) or pins.get(on)
+    if pin is None:
+        return reaction(mech.number(by), mech.number(on))
+    away = (by == pin.block and on != pin.carrier) or by == pin.carrier  # from the pin on the slot
+    named = reaction(*map(mech.number, (pin.carrier, pin.guide) if away else (pin.guide, pin.carrier)))
+    alike = [other for other in pins.values() if {other.carrier, other.guide} == {pin.carrier, pin.guide}]
+    return named if len(alike) == 1 else Named(f"{named.key}{pin.point}", f"{named.symbol[:-1]}{pin.point}}}", named.unit, named.is_vector)
+
+
+def slide_named(mech: Mechanism, joint: Prismatic) -> str:
+    """A slide by the printed numbers of block and guide, 45; a pin in a slot by those of the links, with its letter where there are two such: 12, 12B."""
+    pin, number = mech.slot_pins.get(joint.block), mech.number(joint.block) + mech.number(joint.guide)
+    alike = [] if pin is None else [one for one in mech.slot_pins.values() if (one.carrier, one.guide) == (pin.carrier, pin.guide)]
+    return number + (joint.pin if len(alike) > 1 else "")
 
 
 def apart(mech: Mechanism) -> tuple[tuple[str, str], ...]:
     """Links that share a compound hinge without pressing on each other, since a third one carries the pin: R_ij = 0."""
     press = {frozenset(pair) for pair in pairs(mech)}
+    thought = {*mech.substitutes, *mech.slot_pins}
     found = [pair for names in hinges(mech).values() for pair in combinations(names, 2)]
-    return tuple(dict.fromkeys(pair for pair in found if frozenset(pair) not in press and not mech.substitutes & set(pair)))
+    return tuple(dict.fromkeys(pair for pair in found if frozenset(pair) not in press and not thought & set(pair)))
 
 
 def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
@@ -63,7 +88,7 @@ def quantities(mech: Mechanism, loads: Loads) -> dict[str, Named]:
         found.append(Named("h", "h", "m"))
     for a, b in (*pairs(mech), *apart(mech)):
         for by, on in ((a, b), (b, a)):
-            named = reaction(mech.number(by), mech.number(on))
+            named = press_named(mech, by, on)
             found += [named, without_friction(named)]
     for mass in loads.masses:
         link = mass.link

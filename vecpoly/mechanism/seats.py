@@ -26,8 +26,8 @@ def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanis
     compound = {point: names for point, names in hinges(mech).items() if len(names) > 2}
     if not compound:
         return mech
-    ranks = _ranks(mech)
-    seats = {point: (chosen or {}).get(point) or min((n for n in names if n not in mech.substitutes), key=ranks.__getitem__) for point, names in compound.items()}
+    ranks, thought = _ranks(mech), {*mech.substitutes, *mech.slot_pins}
+    seats = {point: (chosen or {}).get(point) or min((n for n in names if n not in thought), key=ranks.__getitem__) for point, names in compound.items()}
     joints: list[Joint] = []
     for joint in mech.joints:
         if not isinstance(joint, Revolute) or joint.point not in compound:
@@ -38,10 +38,11 @@ def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanis
 
 
 def seat(mech: Mechanism, point: str) -> str | None:
-    """The link that carries the pin of a compound hinge, as its joints say; None at a pin of two links."""
-    pins = [joint for joint in mech.joints if isinstance(joint, Revolute) and joint.point == point and not {joint.a, joint.b} & mech.substitutes]
-    shared = set.intersection(*({joint.a, joint.b} for joint in pins)) if len(pins) > 1 else set()
-    return next(iter(shared), None)
+    """The link that carries the pin of a compound hinge, as its joints say; None at a pin of two links that runs in no slot."""
+    pins = [{joint.a, joint.b} for joint in mech.joints if isinstance(joint, Revolute) and joint.point == point and not {joint.a, joint.b} & mech.substitutes]
+    if len(pins) < 2 or len(set().union(*pins) - mech.slot_pins.keys()) < 2:  # of one link, however many slots its pin runs in
+        return None
+    return next(iter(set.intersection(*pins)), None)
 
 
 def _pins(mech: Mechanism, point: str, names: tuple[str, ...], carrier: str) -> Iterator[Revolute]:

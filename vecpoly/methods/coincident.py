@@ -12,7 +12,9 @@ def coincident_letters(mech: Mechanism, groups: tuple[Group, ...]) -> dict[str, 
 
     P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that carries it.
     """
-    letters = {"P": next(li.name for li in mech.links if "P" in li.points)} if any("P" in li.points for li in mech.links) else {}
+    unseen = mech.slot_pins
+    carriers = [name for name in mech.bodies if name not in unseen and "P" in mech.link(name).points]
+    letters = {"P": carriers[0]} if carriers else {}
     for d in (group.dyad for group in groups if group.dyad is not None):
         if isinstance(d.inner, Prismatic):
             pins = {d.link_j: d.outer_j, d.link_k: d.outer_k}
@@ -25,5 +27,5 @@ def coincident_letters(mech: Mechanism, groups: tuple[Group, ...]) -> dict[str, 
                 letters[d.inner.point] = moving[0]
     for group in groups:
         letters |= letters_on_legs(group) if group.ram is None else {group.ram.inner.point: group.ram.far}
-    unseen = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
-    return {letter: next(n for n in mech.links_at(letter) if n not in unseen) if link in unseen else link for letter, link in letters.items()}
+    substitutes = {j.block for j in mech.joints if isinstance(j, Prismatic) and j.pin_in_slot}
+    return {letter: mech.number(next(n for n in mech.links_at(letter) if n not in substitutes)) if link in substitutes else link for letter, link in letters.items()}

@@ -11,6 +11,9 @@ ROUNDS = 80
 HALVINGS = 45  # towards the end of the curve
 FINER = 24  # further trials where the curve turns back near zero
 
+STRIDE = 1e-7  # of the drive's position: the first secant of the last steps
+POLISHINGS = 6
+
 Curve = Callable[[float], float]
 
 
@@ -64,7 +67,7 @@ def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> 
         x = (a * fb - b * fa) / (fb - fa) if fb != fa else (a + b) / 2
         y = curve(x)
         if y == 0.0 or abs(b - a) < 1e-15 * max(1.0, abs(x)):
-            return x
+            return _polished(curve, x, y)
         if not np.isfinite(y):
             return np.nan
         if y * fb < 0:
@@ -72,4 +75,19 @@ def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> 
         else:
             fa /= 2
         b, fb = x, y
-    return b if abs(fb) < 1e-9 * max(abs(first), abs(last)) else np.nan
+    return _polished(curve, b, fb) if abs(fb) < 1e-9 * max(abs(first), abs(last)) else np.nan
+
+
+def _polished(curve: Curve, x: float, y: float) -> float:
+    """The zero to the last digits: secants through the trial that is nearest so far, as long as they come nearer."""
+    other = x + STRIDE * max(1.0, abs(x))
+    value = curve(other)
+    for _ in range(POLISHINGS):
+        if y == 0.0 or not np.isfinite(value) or value == y:
+            break
+        new = x - y * (other - x) / (value - y)
+        found = curve(new)
+        if not abs(found) < abs(y):
+            break
+        other, value, x, y = x, y, new, found
+    return x

@@ -97,7 +97,7 @@ def _which(mech: Mechanism, group: Group, fits: list[Places]) -> Words:
         for at in fits
     )
     return Words(
-        f"构件 {', '.join(group.links)} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
-        f"links {', '.join(group.links)} can be joined in {len(fits)} ways; say which by `branch`, or by `guesses:`, "
+        f"构件 {group.told.zh} 有 {len(fits)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
+        f"links {group.told.en} can be joined in {len(fits)} ways; say which by `branch`, or by `guesses:`, "
         f"one of these (roughly): {told}",
     )

@@ -57,11 +57,11 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         return parallel(mech, step.group, figure.corners[0])
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
-    names, where = " and ".join(step.group.links), run.text(float(run.q[-1]))
+    names, where = step.group.told.en, run.text(float(run.q[-1]))
     if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
         raise DeadPointError(
             Words(
-            f"原动件位于 {where} 时构件 {'、'.join(step.group.links)} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
+            f"原动件位于 {where} 时构件 {step.group.told.zh} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
             f"links {names} are at a dead point where the drive stands at {where}: their two assemblies coincide and cannot be told apart; choose another position of the drive"))
     told = [s for s in mech.branches if set(s.letters) <= set(after[0]) and not set(s.letters) <= set(before)]
     sure = 1e-9 * mech.scale
@@ -74,13 +74,13 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
             Words(
-            f"原动件位于 {where} 时，构件 {'、'.join(step.group.links)} 的两种装配方式都不满足 {statement}",
+            f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
             f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}") + _advice(mech, step, before, after))
     if isinstance(step, Swinging):
         return _ahead(step, bodies, where)
     raise AssemblyError(
         Words(
-        f"构件 {'、'.join(step.group.links)} 在运动副 {step.joint} 处有两种装配方式",
+        f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
         f"links {names} can be assembled in two ways at joint {step.joint}") + _advice(mech, step, before, after))
 
 

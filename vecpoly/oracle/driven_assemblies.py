@@ -53,13 +53,13 @@ def _off(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> float:
 
 
 def _undecided(mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]], fits: int, where: str) -> AssemblyError:
-    links = ", ".join(step.group.links)
+    zh, links = step.group.told.zh, step.group.told.en
     if not found:
-        return AssemblyError(Words(f"驱动位置为 {where} 时构件 {links} 无法装配；请改变驱动位置或尺寸", f"links {links} cannot be joined where the drive stands at {where}; change its position, or the lengths"), code="no-assembly")
+        return AssemblyError(Words(f"驱动位置为 {where} 时构件 {zh} 无法装配；请改变驱动位置或尺寸", f"links {links} cannot be joined where the drive stands at {where}; change its position, or the lengths"), code="no-assembly")
     if not fits:
-        return AssemblyError(Words(f"驱动位置为 {where} 时，构件 {links} 的 {len(found)} 种装配方式都不符合 branch 中的说明", f"links {links}: none of their {len(found)} assemblies fulfils the branch statements where the drive stands at {where}"), code="no-branch")
+        return AssemblyError(Words(f"驱动位置为 {where} 时，构件 {zh} 的 {len(found)} 种装配方式都不符合 branch 中的说明", f"links {links}: none of their {len(found)} assemblies fulfils the branch statements where the drive stands at {where}"), code="no-branch")
     told = _telling(mech, step, before, found)
-    return AssemblyError(Words(f"构件 {links} 有 {len(found)} 种装配方式，其中 {fits} 种符合说明；请在 branch 中写明，例如 {told}，或以 guesses 给出各点的大致位置",
+    return AssemblyError(Words(f"构件 {zh} 有 {len(found)} 种装配方式，其中 {fits} 种符合说明；请在 branch 中写明，例如 {told}，或以 guesses 给出各点的大致位置",
                                f"links {links} can be assembled in {len(found)} ways, of which {fits} fulfil what is said; say in 'branch' which, e.g. {told}, or give rough places as guesses"),
                          code="undecided-assembly")
 

@@ -64,7 +64,7 @@ def alone(closes: Closes, at: float, scale: float) -> bool:
 
 def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool = False) -> AssemblyError:
     """The error for links that do not close; alone: they do just before and after."""
-    zh, en = "、".join(step.group.links), " and ".join(step.group.links)
+    zh, en = step.group.told.zh, step.group.told.en
     short, found = bool(np.isfinite(gap) and gap > 0), bool(np.isfinite(gap))
     at = (Words(f" 在 {step.joint} 处", f" at {step.joint}") if step.joint
           else Words(f" 在{step.group.name.zh.partition('（')[0]}的回路中", f" in the loops of the {step.group.name.en}"))

@@ -48,7 +48,7 @@ def _links(spec: InputSpec, bodies: Bodies) -> tuple[str, str]:
         names, key = (spec.link, str(spec.on)), "on"
     for name in names:
         if name not in bodies.drafts:
-            raise FaultError(Words(f"没有构件 {name}", f"link '{name}' does not exist") + meant(name, bodies.drafts), key)
+            raise FaultError(Words(f"没有构件 {name}", f"link '{name}' does not exist") + meant(name, bodies.numbers), key)
     return names
 
 

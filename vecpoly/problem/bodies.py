@@ -10,6 +10,7 @@ from ..mechanism.model import Contact
 from ..words import Words
 from .draft import Draft
 from .faults import meant
+from .problem import Shape
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +27,13 @@ class Bodies:
         """The moving link `name`; for a roller the link to which it is welded."""
         name = self.welded.get(name, name)
         if name not in self.drafts:
-            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.drafts), code="unknown-name")
+            raise FaultError(Words(f"构件“{name}”不存在", f"link '{name}' does not exist") + meant(name, self.numbers), code="unknown-name")
         return self.drafts[name]
+
+    @property
+    def numbers(self) -> tuple[str, ...]:
+        """The moving links that the file names, without those that are only thought about pins in slots and at contacts."""
+        return tuple(name for name, draft in self.drafts.items() if draft.shape is not Shape.PIN)
 
     def free(self, name: str) -> str:
         """A name that no link has yet."""

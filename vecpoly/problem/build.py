@@ -38,8 +38,9 @@ from .source import Tree
 from .standing import check_starts, geared
 from .starts import say_travels
 from .tables import read_tables
+from .unasked import default_asks
 from .validate import validate
-from .wanted import CENTRAL, default_asks, plottable, read_find, read_point, read_printed, read_scales
+from .wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
 from .warnings import warnings_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre

@@ -49,7 +49,8 @@ def _slide(one: str, other: str, mech: Mechanism) -> tuple[str, str]:
     for joint in mech.joints:
         if not isinstance(joint, Prismatic) or joint.block in thought:
             continue
-        blocks = [name for name in mech.links_at(joint.pin) if name != joint.block] if joint.pin_in_slot else [joint.block]
+        pin = mech.slot_pins.get(joint.block)
+        blocks = [joint.block] if pin is None else [pin.carrier]
         if any({block, joint.guide} == pair for block in blocks):
             return joint.block, joint.guide
         known += [f"{mech.number(block)}-{mech.number(joint.guide)}" for block in blocks]
@@ -66,6 +67,12 @@ def _pinned(name: str, mech: Mechanism) -> None:
     pins = _pins(mech)
     if name in pins:
         return
+    if slot := next((pin for pin in mech.slot_pins.values() if pin.point == name), None):
+        pair = f"{mech.number(slot.carrier)}-{mech.number(slot.guide)}"
+        raise FaultError(Words(
+            f"销 {name} 不在轴承中转动，而在构件 {mech.number(slot.guide)} 的槽中滑动；请写 {pair}: {{phi: 8 deg}}，若销上套有滑块，请将滑块写成构件（{{block: {name}}}）",
+            f"pin {name} turns in no bearing but slides in the slot of link {mech.number(slot.guide)}; write {pair}: {{phi: 8 deg}}, or, if a block sits on the pin, write the block as a link ({{block: {name}}})"),
+            code="spelling")
     if name in {joint.point for joint in mech.joints if isinstance(joint, Rolling)}:
         raise FaultError(Words(
             f"在 {name} 处两构件作纯滚动，没有摩擦损失；请去掉此项",
@@ -81,8 +88,8 @@ def _pinned(name: str, mech: Mechanism) -> None:
 
 
 def _pins(mech: Mechanism) -> tuple[str, ...]:
-    """Letters of the pins that exist; those of the substitutes of contacts do not."""
-    thought = mech.substitutes
+    """Letters of the pins that turn in a link; those of the substitutes of contacts do not exist, and one may only run in a slot."""
+    thought = {*mech.substitutes, *mech.slot_pins}
     return tuple(letter for letter, names in hinges(mech).items() if len(set(names) - thought) > 1)
 
 

@@ -16,6 +16,6 @@ def nothing_asked(problem: Problem) -> Words:
 
 
 def _worth(mech: Mechanism) -> tuple[str, ...]:
-    driven = [name for name in mech.bodies if name != mech.drive.link]
+    driven = [name for name in mech.numbered if name != mech.drive.link]
     letters = [point for name in driven for point in mech.link(name).points if point not in mech.frame and point not in mech.link(mech.drive.link).points]
     return (*(f"{kind}_{letter}" for letter in letters[:1] for kind in "va"), *(f"{kind}_{driven[-1]}" for kind in ("omega", "alpha") if driven))

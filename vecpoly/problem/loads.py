@@ -29,7 +29,7 @@ def written(text: str) -> str:
 
 def frame_number(bodies: Bodies) -> str:
     """The frame's number as printed: one more than the highest of the links."""
-    return str(1 + max(int(m[0]) for name in bodies.drafts if (m := re.match(r"\d+", name))))
+    return str(1 + max(int(m[0]) for name in (*bodies.drafts, *bodies.welded) if (m := re.match(r"\d+", name))))
 
 
 def acts(spec: ProblemSpec) -> bool:
@@ -86,7 +86,7 @@ def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
         return read_thrust(name, spec, bodies)
     if spec.on is None:
         raise FaultError(Words("缺少载荷所作用的构件；请写 on: 3（油缸推力则写 cylinder: 2-3）", "'on' is missing: on which link does the load act? write on: 3 (the thrust of a cylinder: cylinder: 2-3)"), "on")
-    draft = bodies.drafts.get(spec.on)
+    draft = bodies.drafts.get(spec.on) if spec.on in bodies.numbers else None
     if spec.on in (FRAME, frame_number(bodies)):
         raise FaultError(Words(
             f"构件 {spec.on} 是机架，其上的载荷不影响运动；请加在活动构件上，或去掉",
@@ -94,7 +94,7 @@ def _load(name: str, spec: LoadSpec, bodies: Bodies) -> Load:
     if draft is None:
         raise FaultError(Words(
             f"构件“{spec.on}”不存在",
-            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.drafts), "on", code="unknown-name")
+            f"link '{spec.on}' does not exist") + meant(spec.on, bodies.numbers), "on", code="unknown-name")
     if spec.size is None:
         raise FaultError(Words(
             '缺少大小 size；如写 size: 1000 N；待求的平衡载荷写 size: "?"',

@@ -21,8 +21,9 @@ def read_pins(spec: Mapping[str, str], mech: Mechanism, faults: Faults) -> dict[
 
 
 def _carrier(letter: str, number: str, mech: Mechanism) -> str:
-    names = [name for name in hinges(mech).get(letter, ()) if name not in mech.substitutes]
-    if len(names) < 3:
+    hinged = [name for name in hinges(mech).get(letter, ()) if name not in mech.substitutes]
+    names = [name for name in hinged if name not in mech.slot_pins]
+    if len(names) < 2 or len(hinged) < 3:  # two links, and a slot on which one of them presses, are enough
         raise FaultError(Words(f"{letter} 不是复合铰链（铰接于此的构件：{_numbers(mech, names) or '无'}），其销轴属于哪个构件没有区别；删去此项",
                                f"{letter} is no compound hinge (links pinned there: {_numbers(mech, names) or 'none'}), where it makes no difference which link carries the pin; leave the entry out"))
     if mech.named(number) not in names:

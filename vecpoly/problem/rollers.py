@@ -24,7 +24,7 @@ def weld_rollers(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> None:
         with faults.at("links", name):
             host = _host(draft, bodies)
             if host is not None:
-                _refuse_named(name, host, spec)
+                _refuse_named(name, draft.points, host, spec)
                 _weld(draft, host, bodies)
 
 
@@ -48,15 +48,19 @@ def _host(draft: Draft, bodies: Bodies) -> Draft | None:
     return carriers[0] if carriers and pin not in bodies.frame else None
 
 
-def _refuse_named(name: str, host: Draft, spec: ProblemSpec) -> None:
-    """What asks more of the roller than to roll: its own turning has no single value, and forces count it as a link."""
+def _refuse_named(name: str, draft_points: Iterable[str], host: Draft, spec: ProblemSpec) -> None:
+    """What asks more of the roller than to roll: its own turning has no single value, what acts on it acts on its host, and where it rolls nothing rubs."""
     asked = next((item for item in spec.find if isinstance(item, str) and re.fullmatch(rf"(omega|alpha|ω|α)_{name}", item)), None)
     if asked:
         raise FaultError(Words(f"滚子 {name} 绕其销轴的转动是局部自由度，{asked} 没有确定的值；请勿求它", f"roller {name} turns idly on its pin, so {asked} has no single value; do not ask for it"))
-    if spec.loads or spec.masses or spec.friction:
-        disc = next(iter(host.points))
-        raise FaultError(Words(f"受力分析时滚子 {name} 不能作为单独的构件；请把它写进构件 {host.name}（disc: …, radius: …），并删去构件 {name}",
-                               f"with forces roller {name} cannot be a link of its own: write it into link {host.name} (disc: {disc}, radius: ...) and leave link {name} out"))
+    (pin,), contacts = draft_points, [m[1] for text in spec.joints if re.search(rf"(?:^| ){name} ", text) and (m := re.search(r" at (\w+'?)", text))]
+    if any(load.on == name for load in spec.loads.values()) or name in spec.masses:
+        raise FaultError(Words(f"滚子 {name} 上有载荷或质量，而滚子已与构件 {host.name} 视为焊成一体；请加在构件 {host.name} 上（at: {pin}）",
+                               f"a load or a mass is put on roller {name}, which is taken as welded to link {host.name}; put it on link {host.name}, at {pin}"), code="roller")
+    if rubs := next((key for key in spec.friction if key in (pin, *contacts) or name in re.split(r"\s*[-–]\s*", key)), None):
+        raise FaultError(Words(f"滚子 {name} 在接触处作滚动，焊成一体的滚子不能计入 {rubs} 处的摩擦；请删去 {rubs} 的摩擦，或将滚子写进构件 {host.name}（disc: {pin}, radius: …）而视为滑动的圆弧",
+                               f"roller {name} rolls at its contact, so that as a part of link {host.name} it has no friction at {rubs}; leave that of {rubs} out, or write the disc into link {host.name} (disc: {pin}, radius: ...), as a round tip that slides"),
+                         code="roller")
 
 
 def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:

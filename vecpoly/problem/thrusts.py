@@ -27,7 +27,7 @@ def read_thrust(name: str, spec: LoadSpec, bodies: Bodies) -> Force:
         raise FaultError(Words(f"“{spec.cylinder}” 不是两个构件号；请写 cylinder: 2-3", f"'{spec.cylinder}' is no pair of links; write cylinder: 2-3"), "cylinder")
     for link in m.groups():
         if link not in bodies.drafts:
-            raise FaultError(Words(f"没有构件 {link}", f"link '{link}' does not exist") + meant(link, bodies.drafts), "cylinder")
+            raise FaultError(Words(f"没有构件 {link}", f"link '{link}' does not exist") + meant(link, bodies.numbers), "cylinder")
     shapes = {bodies.drafts[link].shape: link for link in m.groups()}
     if set(shapes) != {Shape.CYLINDER, Shape.PISTON}:
         raise FaultError(Words(f"构件 {m[1]}、{m[2]} 不是缸体与活塞；请写 {{cylinder: …}} 与 {{piston: …}}", f"links {m[1]} and {m[2]} are no cylinder and piston; write them as {{cylinder: ...}} and {{piston: ...}}"), "cylinder")

@@ -7,9 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
 from ..limits import PAPER
-from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism
-from ..mechanism.quantities import pairs
 from ..names import At, Key, Kind, Named, Rel, parse_rel
 from ..units import Dim, pure, read, unit_of
 from ..words import Words
@@ -17,6 +15,7 @@ from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .bodies import Bodies
 from .draft import letters_of
 from .faults import meant
+from .loads import frame_number
 from .problem import Printed, Scales
 from .schema import FindSpec, PrintedSpec, ScalesSpec
 from .spelling import did_you_mean, intended, plain
@@ -104,15 +103,6 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
     return read_key(text, bodies, named)
 
 
-def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> tuple[AskNamed, ...]:
-    """What is asked where the file does not say: the unknown load, with friction also without it and η, and every reaction."""
-    name = loads.unknown.name
-    keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
-    rams = [{force.link, force.against} for force in loads.forces]  # between a cylinder and its piston there is only the thrust
-    keys += [f"R_{mech.number(by)}{mech.number(on)}" for by, on in pairs(mech) if {by, on} not in rams]
-    return tuple(AskNamed(rel=forces[key]) for key in keys)
-
-
 def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
     """A key whose letters and links exist."""
     try:
@@ -128,15 +118,17 @@ def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
 
 
 def _lettered(at: At, bodies: Bodies) -> At:
-    """S2 is the letter S2 where there is one, not a point S thought on link 2."""
-    return At(str(at)) if str(at) in bodies.letters() else at
+    """S2 is the letter S2 where there is one, not a point S thought on link 2; the frame has the number after the highest."""
+    if str(at) in bodies.letters():
+        return At(str(at))
+    return At(at.point, FRAME, at.link) if at.point and at.link == frame_number(bodies) else at
 
 
 def _known(at: At, text: str, bodies: Bodies) -> None:
-    if at.link and at.link != FRAME and at.link not in bodies.drafts:
+    if at.link and at.link != FRAME and at.link not in bodies.numbers:
         raise FaultError(Words(
             f"{text}：构件“{at.link}”不存在",
-            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.drafts), code="unknown-name")
+            f"{text}: link '{at.link}' does not exist") + meant(at.link, bodies.numbers), code="unknown-name")
     letters = (*bodies.letters(), *bodies.pitch)
     if at.point and at.point not in letters:
         raise FaultError(Words(

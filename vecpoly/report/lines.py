@@ -8,7 +8,7 @@ from ..board.construction import LineOfAction
 from ..check.exact import pin_of
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
-from ..mechanism.quantities import pairs
+from ..mechanism.quantities import pairs, press_named
 from ..quantity import number
 from ..solution import Answer, Solution
 from ..words import Lang, Words
@@ -101,4 +101,4 @@ def _off(answer: Answer, acts: LineOfAction) -> str:
 def _links(mech: Mechanism, key: str) -> tuple[str, str] | None:
     """The two links of a reaction's key, by their names."""
     body = key.removeprefix("R_").removesuffix("_0")
-    return next(((a, b) for a, b in pairs(mech) if body in (mech.number(a) + mech.number(b), mech.number(b) + mech.number(a))), None)
+    return next(((a, b) for a, b in pairs(mech) if f"R_{body}" in (press_named(mech, a, b).key, press_named(mech, b, a).key)), None)

@@ -9,12 +9,13 @@ from ...board.construction import View
 from ...board.marks import Role
 from ...errors import EquilibriumError, LockedError
 from ...mechanism.model import Revolute
-from ...plane import Line, Points, foot, nominal
+from ...plane import Line, Points, Reals, foot, nominal
 from ...quantity import magnitude
 from ...words import Words
 from ..registry import Stage, method
 from .letters import arm_about_point
 from .pieces import Held
+from .resultant import resultant
 from .senses import pin_words
 from .state import Statics
 
@@ -33,10 +34,12 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     assert isinstance(held.joint, Revolute)
     link, number, pin = held.link, st.mech.number(held.link), held.joint.point
     one, two = st.named(by, link), st.named(held.parent, link)
-    st.board.step(Words(f"构件 {number} 上只有力偶，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；量得力臂 ${arm_about_point(one.symbol)}$。",
-                        f"Link {number} carries only a couple: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, and balance it; their arm ${arm_about_point(one.symbol)}$ is measured."), View.MECHANISM)
+    load = resultant(st, link)
+    only = Words(f"构件 {number} 上的已知力 {load.symbols.zh} 合成为一力偶", f"On link {number} {load.symbols.en} join into a couple") if load.forces else Words(f"构件 {number} 上只有力偶", f"Link {number} carries only a couple")
+    st.board.step(Words(f"{only.zh}，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；量得力臂 ${arm_about_point(one.symbol)}$。",
+                        f"{only.en}: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, and balance it; their arm ${arm_about_point(one.symbol)}$ is measured."), View.MECHANISM)
     st.board.remark(pin_words(st, pin, held.parent, link))
-    moment, centre = st.moment(link), st.desk.at[pin]
+    moment, centre = load.couple, st.desk.at[pin]
     sense = st.moment_sense(pin, held.parent, link)
     u = line.along
     if st.ideal is None:  # the sense follows from the couple
@@ -52,16 +55,16 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
         raise LockedError(Words(
             f"构件 {number}：考虑摩擦后 {one.key} 的作用线位于 {pin} 的另一侧，沿此线的力不能平衡该力偶；请减小 f 或 ρ",
             f"link {number}: with friction the line of {one.key} passes on the other side of {pin}; no force along it balances the couple; lower f or ρ"))
-    _close(st, (held, by), (Line(line.at, u), at, across), sense)
+    _close(st, (held, by), (Line(line.at, u), at, across), sense, moment)
 
 
-def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points], sense: int) -> None:
+def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points], sense: int, moment: Reals) -> None:
     """The arm measured, R computed, both reactions kept; no polygon: two equal and opposite forces."""
     (held, by), (line, at, across) = who, where
     board, link, named = st.board, held.link, st.named(by, held.link)
     letter = arm_about_point(named.symbol)
     arm = board.compute(letter, board.mu(View.MECHANISM) * board.measure(at, across, letter), "m")
-    size = board.compute(named.symbol, magnitude("M", np.abs(st.moment(link)), "N·m") / arm, "N")
+    size = board.compute(named.symbol, magnitude("M", np.abs(moment), "N·m") / arm, "N")
     vector = line.along * st.mm(size.value)
     if not st.preliminary:
         board.join(View.MECHANISM, at, across, Role.CONSTRUCTION)

@@ -45,13 +45,13 @@ COUPLE = 8.0  # mm, radius of a couple's arrow
 
 def draw_free_bodies(st: Statics, problem: Problem) -> None:
     """One pane for every link; the last step of the drawing."""
-    bodies = [name for name in st.mech.bodies if st.known(name)]
+    bodies = [name for name in st.mech.bodies if name not in st.mech.slot_pins and st.known(name)]
     if not bodies:
         return
     st.board.step(Words("将各构件取为分离体，画出受力图：标明全部力的作用线和指向。", "Draw the free body of every link, with the line and sense of every force on it."), View.BODY)
     assert problem.loads is not None
     inside = in_cylinders(st, problem.loads)
-    thrusts = {force.named.key for forces in inside.values() for force in forces}
+    thrusts = {key for forces in inside.values() for force in forces for key in (force.named.key, f"{force.named.key}′")}
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
@@ -91,6 +91,7 @@ def _displaced(st: Statics, pane: Pane, link: str) -> None:
 def _pressing(st: Statics, link: str) -> set[str]:
     """Reactions of guides and of contacts, which press on the link: they end where they act."""
     pairs = [(j.guide, j.block) for j in st.mech.joints if isinstance(j, Prismatic)] + [c.links for c in st.mech.contacts]
+    pairs += [(pin.block, pin.carrier) for pin in st.mech.slot_pins.values()]
     return {st.named(b if a == link else a, link).symbol for a, b in pairs if link in (a, b)}
 
 
@@ -139,6 +140,8 @@ def _normals(st: Statics, link: str, arrows: Mapping[str, Arrow]) -> Iterator[Ma
         if isinstance(joint, Revolute) or not isinstance(joint, Prismatic | Contact):
             continue
         a, b = joint.links if isinstance(joint, Contact) else (joint.guide, joint.block)
+        if b in st.mech.slot_pins and link == st.mech.slot_pins[b].carrier:
+            a = link
         if link not in (a, b) or not st.phi(joint):
             continue
         force = st.push(b if link == a else a, link)

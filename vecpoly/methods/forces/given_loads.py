@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...board.construction import View
@@ -18,7 +20,11 @@ RADIUS = 13.0  # mm of a curved arrow: outside the one of ω
 def draw_given_loads(st: Statics) -> None:
     """Arrows of the loads of given size; a balancing force along its direction. Its moment's sense is not known yet."""
     for load in st.loads.all:
-        if isinstance(load, Force):
+        if isinstance(load, Force) and load.against:
+            along = float(np.angle(complex(nominal(st.desk.towards(load.foot, load.point)))))
+            _force(st, replace(load, direction=along))
+            _force(st, replace(load, point=load.foot, direction=along + np.pi))
+        elif isinstance(load, Force):
             _force(st, load)
         elif load.size is not None:
             _moment(st, load)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from ...errors import NoMethodError
 from ...mechanism.assur import Group, joint_letter
-from ...mechanism.model import Joint, Revolute
+from ...mechanism.model import Joint, Prismatic, Revolute
 from ...plane import Line, cross, nominal, unit
 from ...words import Words
 from ..registry import Stage, find
-from .parallel_forces import PARALLEL
+from .parallel_forces import PARALLEL, couple_on_guide
 from .pieces import Held, TwoForce, pieces
 from .resultant import Resultant, resultant
 from .state import Statics
@@ -35,12 +35,15 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     """Lines of action and one polygon; False where the load's line does not meet the two-force link's."""
     if "P" in (joint_letter(two.inner), joint_letter(two.outer)) and "R" not in (joint_letter(two.inner), joint_letter(two.outer)):
         return False
-    load = resultant(st, held.link)
-    if (load.is_couple and (load.forces or not isinstance(held.joint, Revolute))) or (not load.is_couple and _parallel(st, load, two)):
+    load, slotted = resultant(st, held.link), two.link in st.mech.slot_pins  # where there is no block, nothing can be taken apart from the loaded link
+    rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
+    if (load.is_couple and not slotted and (load.forces or rubbed or not isinstance(held.joint, Revolute))) or (not load.is_couple and _parallel(st, load, two)):
         return False
     line = line_of(st, two)
     by = two.by if two.contact else two.link
-    if load.is_couple:
+    if load.is_couple and isinstance(held.joint, Prismatic):
+        couple_on_guide(st, held, load, line, by)
+    elif load.is_couple:
         find(Stage.FORCE, "link under a couple").draw(st, (held, line, by))
     else:
         balance(st, held, load, line, by)

@@ -23,9 +23,9 @@ def pane_of(st: Statics, link: str) -> Pane:
     return st.polygon(number, Words(f"构件 {number} 的力多边形", f"Force polygon of link {number}"))
 
 
-def draw_polygon(st: Statics, link: str, load: Resultant, unknown: Sequence[Term]) -> dict[str, Drawn]:
-    """ΣF = 0 drawn into the step that is open: where every unknown force stands, by its key."""
-    pane, n = pane_of(st, link), len(load.forces)
+def draw_polygon(st: Statics, link: str, load: Resultant, unknown: Sequence[Term], figure: Pane | None = None) -> dict[str, Drawn]:
+    """ΣF = 0 drawn into the step that is open: where every unknown force stands, by its key. figure: another than the link's."""
+    pane, n = figure or pane_of(st, link), len(load.forces)
     known = [Term(rel=f.named, symbol=f.named.symbol, direction=f.direction, magnitude=f.size, vector=f.vector, tip=LETTERS[i + 1]) for i, f in enumerate(load.forces)]
     eq = Equation(left=(*known, *unknown), right=())
     st.board.equate(eq.table())

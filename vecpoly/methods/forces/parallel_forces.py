@@ -184,3 +184,14 @@ def _on_guide(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> 
 def keep_couple(st: Statics, by: str, on: str, at: Points, couple: Reals) -> None:
     """A guide's forces that sum to zero and bear a couple (N·m, on link `on`)."""
     st.keep_reaction(by, on, Acting(named=st.named(by, on), vector=0j, at=at, couple=couple))
+
+
+def couple_on_guide(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
+    """A couple on a link that slides on its parent: two forces in lines that are not parallel cannot sum to zero, so the guide bears it alone."""
+    assert isinstance(held.joint, Prismatic)
+    i, j = st.mech.number(held.parent), st.mech.number(held.link)
+    one, two = st.named(by, held.link).symbol, st.named(held.parent, held.link).symbol
+    st.board.step(Words(f"取构件 {j} 为分离体：其上只有力偶，而 ${one}$ 与 ${two}$ 的方向不平行，两者之和为零，故 ${one}$ = ${two}$ = 0；力偶由构件 {i} 与 {j} 间的移动副承受。",
+                        f"Isolate link {j}: only a couple acts on it. ${one}$ and ${two}$, which are not parallel, sum to zero, so ${one}$ = ${two}$ = 0; the slide of links {i} and {j} bears the couple."), View.MECHANISM)
+    st.settle(by, held.link, 0j, line.at)
+    keep_couple(st, held.parent, held.link, st.desk.at[held.joint.pin], -load.couple)

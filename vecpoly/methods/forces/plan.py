@@ -12,10 +12,10 @@ from dataclasses import replace
 from ...board.construction import View
 from ...board.marks import FrictionCircle
 from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
-from ...mechanism.assur import Group, decompose, ends
+from ...mechanism.assur import Group
 from ...mechanism.loads import Loads, Moment
-from ...mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute
-from ...mechanism.quantities import load_named
+from ...mechanism.model import FRAME, Revolute
+from ...mechanism.quantities import load_named, without_friction
 from ...plane import nominal
 from ...problem.problem import Problem
 from ...words import Words
@@ -26,12 +26,15 @@ from .efficiency import NOTHING, read_efficiency
 from .free_body import draw_free_bodies
 from .given_loads import draw_given_loads
 from .group import solve_group
+from .hubs import hub_couples, hubs_of, joined, say_hubs
 from .inertia import inertia_forces
+from .order import fixed_joint, order_of, order_without
 from .pieces import Held
+from .power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
-from .thrust import as_outer_force, read_thrusts, without_cylinders
+from .thrust import as_moved, as_outer_forces, is_floating, is_outer, read_thrusts, without_cylinders
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -43,46 +46,60 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
     """
     assert problem.loads is not None
-    st = Statics(desk=desk, loads=as_outer_force(desk, problem.loads))
-    held, groups = _order(desk, st.loads)
-    groups = without_cylinders(groups, problem.loads)
+    if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
+        return _balance_alone(desk, problem)
+    loads = as_outer_forces(desk, problem.loads)
+    floating = next((force for force in problem.loads.forces if force.against and force.size is None and is_floating(desk.mech, force)), None)
+    order = order_of(desk.mech, loads) if floating is None else order_without(desk.mech, floating)
+    st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech), own=desk.mech)
+    held, groups = order.held, without_cylinders(order.groups, problem.loads)
+    if not is_drawn(groups):
+        raise refuse_undrawn(st, groups)
     inertia_forces(st)
     draw_given_loads(st)
+    say_hubs(st)
     if st.loads.friction:
         desk.board.section(IDEAL)
-    if held is None:
+    if floating is not None:
+        power_first(st, problem.loads)
+    elif held is None:
         held = _power_first(st)
+    assert held is not None
     _walk(st, groups, held)
+    ideal, st = st, joined(st, desk)
     read_reactions(st, desk.mech)
     check_methods(st, problem)
     if st.loads.friction:
-        st = _with_friction(st, groups, held)
+        st = _with_friction(ideal, groups, held, desk)
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem)
     read_efficiency(st)
     return st
 
 
-def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:
-    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end.
-
-    No link where that one has no fixed pin (or guide, for a force), or where from it the mechanism comes apart into groups above class II
-    though from the driving link it does not: then the groups end at the driving link.
-    """
-    mech, link = desk.mech, loads.unknown.link
-    joint = fixed_joint(mech, link)
-    if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
-        return None, tuple(reversed(decompose(mech, pressing=True)))
-    own = decompose(replace(mech, drives=(replace(mech.drive, link=link, on=FRAME),)), pressing=True)
-    by_drive = decompose(mech, pressing=True)
-    if not loads.friction and any(group.dyad is None for group in own) and all(group.dyad for group in by_drive):
-        return None, tuple(reversed(by_drive))
-    return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(own))
+def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
+    """Whether all groups are dyads of hinges and slides, and every thrust acts on a link from the frame."""
+    if not all(is_outer(desk.mech, loads, force) for force in loads.forces if force.against):
+        return False
+    floating = next((force for force in loads.forces if force.against and force.size is None and is_floating(desk.mech, force)), None)
+    if floating is not None:
+        return order_without(desk.mech, floating).held is not None and is_drawn(order_without(desk.mech, floating).groups)
+    moved = replace(loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces))
+    return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
 
 
-def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
-    """The joint of a link to the frame."""
-    return next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
+def _balance_alone(desk: Desk, problem: Problem) -> Statics:
+    """No reaction is asked for, and not all are drawn: virtual power finds the balancing load, and the lever where it is asked for."""
+    assert problem.loads is not None
+    st = Statics(desk=desk, loads=problem.loads)
+    inertia_forces(st)
+    draw_given_loads(st)
+    power_first(st)
+    desk.board.remark(Words("此法不出现运动副反力，各反力未求。", " No reaction enters here, and none is found."))
+    check_methods(st, problem)
+    named = without_friction(load_named(st.unknown))
+    st.keep(replace(st.board.readings[load_named(st.unknown).key], key=named.key, symbol=named.symbol), st.balance)
+    return st
 
 
 def _power_first(st: Statics) -> Held:
@@ -96,10 +113,7 @@ def _power_first(st: Statics) -> Held:
         raise NoMethodError(Words(f"{name} 作用于构件 {link}，该构件不与机架相连；计入摩擦时没有可用的图解法。请令平衡力（矩）作用于与机架相连的构件，或去掉 friction，或用 vecpoly exact",
                                   f"{name} acts on link {link}, which is not joined to the frame: with friction no graphical method on file balances it there; let it act on a "
                                   f"link joined to the frame, leave out the friction, or use 'vecpoly exact'"), code="no-method", numbers={"link": link})
-    find(Stage.FORCE, "virtual power").draw(st, None)
-    found, key = st.board.readings[f"{name}_power"], load_named(st.unknown).key
-    st.keep(replace(found, key=key, symbol=load_named(st.unknown).symbol), st.board.found[f"{name}_power"])
-    st.balance, st.balanced = st.board.found[f"{name}_power"], True
+    power_first(st)
     return Held(link=driver, parent=FRAME, joint=joint)
 
 
@@ -112,10 +126,10 @@ def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
     find(Stage.FORCE, f"{kind}, balanced" if st.balanced else f"{kind}, balancing {load}").draw(st, held)
 
 
-def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Statics:
-    """Settle the senses on scratch paper, then draw."""
+def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: Desk) -> Statics:
+    """Settle the senses on scratch paper, then draw; own: the desk of the problem's own joints."""
     try:
-        guide, couples = settled(ideal, groups, lambda st: _walk(st, groups, held))
+        guide, couples = settled(ideal, groups, lambda st: _walk(st, groups, held), lambda st: hub_couples(st, own))
     except (LockedError, NoSlipSenseError):
         raise
     except EquilibriumError as error:
@@ -123,11 +137,13 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held) -> Sta
     desk = ideal.desk
     desk.board.section(REAL)
     _circles(ideal)
-    st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples)
+    st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples,
+                 hubs=ideal.hubs, own=ideal.own)
     _walk(st, groups, held)
     _refuse_locked(ideal, st)
-    read_reactions(st, desk.mech)
-    return replace(st, ideal=ideal)
+    st = joined(st, own)
+    read_reactions(st, own.mech)
+    return replace(st, ideal=replace(ideal, desk=own, hubs=(), own=None))
 
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:

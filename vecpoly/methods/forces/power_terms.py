@@ -10,7 +10,7 @@ import numpy as np
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...board.marks import Dot, Role
-from ...mechanism.loads import Load, Moment
+from ...mechanism.loads import Force, Load, Moment
 from ...mechanism.quantities import load_named
 from ...names import At, Named, omega
 from ...plane import Points, Reals, dot, nominal, unit
@@ -30,6 +30,7 @@ class Rate:
     letters: str = ""
     tip: Points = 0j  # on the velocity polygon; foot on the load's direction through the pole
     foot: Points = 0j
+    start: Points = 0j  # the pole; of a cylinder the tip of the pin of its barrel
 
     @property
     def way(self) -> int:
@@ -77,6 +78,8 @@ def rate_of(st: Statics, load: Load) -> Rate:
     """v of a force's point along the force, or ω of a moment's link."""
     if isinstance(load, Moment):
         return turning(st, load.link)
+    if load.against:
+        return lengthening(st, load)
     along = complex(np.exp(1j * load.direction))
     return along_force(st, At(load.point, load.link), along, load_named(load).symbol)
 
@@ -101,14 +104,27 @@ def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:
     return Rate(expr=board.mu(View.VELOCITY) * board.measure(0j, foot, letters), sign=sign, letters=letters, tip=tip, foot=foot)
 
 
+def lengthening(st: Statics, thrust: Force) -> Rate:
+    """How fast a cylinder grows longer: the part along it of the velocity of its rod's pin against that of its barrel's."""
+    board, desk = st.board, st.desk
+    along = desk.towards(thrust.foot, thrust.point)
+    head, base = (found_tip(desk, View.VELOCITY, At(letter, link)) for letter, link in ((thrust.point, thrust.link), (thrust.foot, thrust.against)))
+    part = dot(along, head - base)
+    foot = base + along * part
+    start, whole = (desk.start_label(View.VELOCITY, desk.canonical(At(letter, link))) for letter, link in ((thrust.foot, thrust.against), (thrust.point, thrust.link)))
+    letters = f"{start} {whole if abs(nominal(foot - head)) < NO_LENGTH else foot_letter(whole, load_named(thrust).symbol)}"
+    sign = np.where(np.abs(part) < NO_LENGTH, 0, np.sign(part))[()]
+    return Rate(expr=board.mu(View.VELOCITY) * board.measure(base, foot, letters), sign=sign, letters=letters, tip=head, foot=foot, start=base)
+
+
 def draw_rate(st: Statics, rate: Rate) -> None:
     """The perpendicular from the tip to the load's direction through the pole."""
     if not rate.letters or not rate.way or abs(nominal(rate.foot - rate.tip)) < NO_LENGTH:
         return
     board, view = st.board, View.VELOCITY
-    board.join(view, 0j, rate.foot, Role.CONSTRUCTION)
+    board.join(view, rate.start, rate.foot, Role.CONSTRUCTION)
     board.join(view, rate.tip, rate.foot, Role.CONSTRUCTION)
-    board.right_angle(view, rate.foot, -unit(rate.foot), unit(rate.tip - rate.foot))
+    board.right_angle(view, rate.foot, unit(rate.start - rate.foot), unit(rate.tip - rate.foot))
     board.plot(view, rate.foot, rate.letters.split()[1], Dot.POINT)
 
 

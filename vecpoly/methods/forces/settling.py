@@ -23,34 +23,40 @@ from .state import Statics
 
 Couples = Mapping[tuple[str, str], Reals]
 Walk = Callable[[Statics], None]
+Further = Callable[[Statics], dict[tuple[str, str], Reals]]
 ROUNDS = 30  # for each share of the friction
 SHARES = (0.25, 0.5, 0.75, 1.0)
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
 
 
-def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk) -> tuple[Statics, dict[tuple[str, str], Reals]]:
-    """A pass with friction whose senses and pin couples reproduce themselves, and these couples.
+def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Further) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+    """A pass with friction whose senses and pin couples reproduce themselves, and these couples. further: more couples than those of pins in groups.
 
     Raises LockedError where none is found: with this friction nothing moves.
     """
     scratch = replace(ideal.desk, board=ideal.board.scratch())
     scratch.board.step(Words.same(""))
-    start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples)
-    shares = SHARES if ideal.by_moments else (1.0,)
+    start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, hubs=ideal.hubs, own=ideal.own)
+    shares = SHARES if ideal.by_moments or ideal.hubs else (1.0,)
     guide: Statics = ideal
+
+    def rubbed(st: Statics) -> dict[tuple[str, str], Reals]:
+        return pin_couples(st, groups) | further(st)
+
     couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0)
+    couples |= further(ideal)  # from the first, so that moments solve the groups of hubs
     for share in shares:
-        guide, couples = _fixed(replace(start, ideal=guide, share=share), groups, walk, couples)
+        guide, couples = _fixed(replace(start, ideal=guide, share=share), rubbed, walk, couples)
     return guide, couples
 
 
-def _fixed(start: Statics, groups: tuple[Group, ...], walk: Walk, couples: Couples) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+def _fixed(start: Statics, rubbed: Further, walk: Walk, couples: Couples) -> tuple[Statics, dict[tuple[str, str], Reals]]:
     """The fixed point at one share of the friction."""
     guide, slope, last = start.ideal, None, np.inf
     assert guide is not None
     for _ in range(ROUNDS):
         st = _pass(start, guide, couples, walk)
-        after = pin_couples(st, groups)
+        after = rubbed(st)
         if after.keys() != couples.keys():  # friction wakes loads on a link that only passed a force on: now moments solve its group
             couples, guide, slope, last = {key: couples.get(key, 0.0) for key in after}, st, None, np.inf
             continue
@@ -58,7 +64,7 @@ def _fixed(start: Statics, groups: tuple[Group, ...], walk: Walk, couples: Coupl
         if same and gap < SETTLED:
             return st, after
         if slope is None or not same or gap > last / 10:  # another linear piece than the one the secant belongs to
-            slope = _slope(start, st, groups, walk, couples) if couples else np.zeros((0, 0))
+            slope = _slope(start, st, rubbed, walk, couples) if couples else np.zeros((0, 0))
         guide, last = st, gap
         couples = _secant(couples, after, slope)
     raise LockedError(Words(
@@ -106,14 +112,14 @@ def _gap(before: Couples, after: Couples) -> float:
     return max(changes, default=0.0) / largest if largest else 0.0
 
 
-def _slope(start: Statics, st: Statics, groups: tuple[Group, ...], walk: Walk, couples: Couples) -> np.ndarray:
+def _slope(start: Statics, st: Statics, rubbed: Further, walk: Walk, couples: Couples) -> np.ndarray:
     """How the couples that come out change with those put in: one further pass for each, nominal hand."""
-    base = [float(nominal(c)) for c in pin_couples(st, groups).values()]
-    stride = max([abs(c) for c in base]) or 1.0
+    base = {key: float(nominal(c)) for key, c in rubbed(st).items()}
+    stride = max([abs(c) for c in base.values()]) or 1.0
     columns = []
     for key in couples:
-        moved = _pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk)
-        columns.append([(float(nominal(c)) - b) / (stride * 1e-3) for c, b in zip(pin_couples(moved, groups).values(), base, strict=True)])
+        moved = rubbed(_pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk))
+        columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * 1e-3) for k, c in base.items()])
     return np.array(columns).T
 
 

@@ -15,7 +15,7 @@ from ...board.construction import Pane, Reading, Scale, View
 from ...errors import NoSlipSenseError
 from ...mechanism.loads import Force, Load, Loads, Moment
 from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
-from ...mechanism.quantities import load_named, without_friction
+from ...mechanism.quantities import load_named, press_named, without_friction
 from ...names import Named, omega, reaction
 from ...plane import Line, Points, Reals, foot, nominal
 from ...words import Words
@@ -24,6 +24,20 @@ from .acting import Acting, Drawn, summed
 
 OFF_SHEET = 300.0  # mm from a joint: a meeting point farther away is on no drawing board
 STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this past each other have no friction sense
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hub:
+    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that meet there.
+
+    blocks: those that are thought about the pin, in the slots in which it runs.
+    """
+
+    point: str
+    carrier: str
+    hung: str
+    links: tuple[str, ...]
+    blocks: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)
@@ -42,6 +56,8 @@ class Statics:
     share: float = 1.0  # of the friction, while it is raised
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
     balanced: bool = False  # whether it was found before the reactions
+    hubs: tuple[Hub, ...] = ()  # pins that are thought by themselves while the groups are solved
+    own: Mechanism | None = None  # the problem's mechanism, where hubs are hung otherwise
 
     # -- names ------------------------------------------------------------------------------------------------
 
@@ -57,7 +73,11 @@ class Statics:
 
     def named(self, by: str, on: str) -> Named:
         """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
-        name = reaction(self.mech.number(by), self.mech.number(on))
+        hub = next((one for one in self.hubs if one.hung in (by, on) and {by, on} <= {*one.links, *one.blocks}), None)
+        if hub is not None and {by, on} & set(hub.blocks):  # the slot presses on the pin of its carrier
+            by, on = (hub.carrier if link == hub.hung else link for link in (by, on))
+            hub = None
+        name = press_named(self.own or self.mech, by, on) if hub is None else reaction(*(hub.point if link == hub.hung else self.mech.number(link) for link in (by, on)))
         return without_friction(name) if self.preliminary else name
 
     @property
@@ -169,7 +189,8 @@ class Statics:
 
     def rho(self, point: str) -> float:
         """Radius of the friction circle of a pin on paper (mm); 0 in a pass without friction."""
-        return self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing else 0.0
+        alone = any(hub.point == point for hub in self.hubs)  # there friction acts as couples
+        return self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
 
     def phi(self, joint: Prismatic | Contact) -> float:
         """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
@@ -187,9 +208,9 @@ class Statics:
     def moment_sense(self, point: str, by: str, on: str) -> int:
         """Sense (+1 ccw) of the moment of R_by,on about the pin's centre: against the turning of `on` relative to `by`.
 
-        0 where the pin has no friction. Raises NoSlipSenseError where the links do not turn relative to each other.
+        0 where the pin has no friction, or only runs in a slot. Raises NoSlipSenseError where the links do not turn relative to each other.
         """
-        if not self.rho(point):
+        if not self.rho(point) or {by, on} & self.mech.slot_pins.keys():
             return 0
         rate = self.turning(on, by)
         if abs(rate) <= STILL * self._rate():

@@ -32,8 +32,8 @@ def balance(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> No
     st.board.step(_taken(st, held, load, line, by, letter), View.MECHANISM)
     draw_resultant(st, load)
     x = st.board.meet(load.line, line, Words(
-        f"构件 {st.mech.number(link)}：载荷与 R_{st.mech.number(by)}{st.mech.number(link)} 的作用线",
-        f"link {st.mech.number(link)}: line of the load and line of R_{st.mech.number(by)}{st.mech.number(link)}"))
+        f"构件 {st.mech.number(link)}：载荷与 {st.named(by, link).key} 的作用线",
+        f"link {st.mech.number(link)}: line of the load and line of {st.named(by, link).key}"))
     u, sense = direction_through(st, held.joint, held.parent, link, x)
     lettered = letter if not _pin(st, held, load, line) else ""
     draw_meeting(st, x, (load.at, line.at), (u, st.at_joint(held.joint, Line(x, u))), (lettered, st.named(held.parent, link).symbol))

@@ -10,7 +10,7 @@ from ...board.construction import LineOfAction, Reading, View
 from ...errors import NoMethodError
 from ...mechanism.assur import Group
 from ...mechanism.loads import Force, Loads
-from ...mechanism.model import FRAME, Prismatic
+from ...mechanism.model import FRAME, Mechanism, Prismatic
 from ...mechanism.quantities import load_named, load_symbol, without_friction
 from ...names import Named, reaction
 from ...plane import Line, Points, foot, nominal
@@ -21,27 +21,66 @@ from .acting import Acting
 from .state import Statics
 
 
-def as_outer_force(desk: Desk, loads: Loads) -> Loads:
-    """The loads with every thrust as a force on the link at the rod's end, in the direction drawn; NoMethodError where it is no such force."""
-    return replace(loads, forces=tuple(_outer(desk, loads, force) if force.against else force for force in loads.forces))
+def as_outer_forces(desk: Desk, loads: Loads) -> Loads:
+    """The loads with every thrust as a force on the link at the rod's end, and an opposite one on that at the barrel's, if it moves.
+
+    Raises NoMethodError where a thrust is no such force.
+    """
+    return replace(loads, forces=tuple(outer for force in loads.forces for outer in (_outer(desk, loads, force) if force.against else (force,))))
 
 
-def _outer(desk: Desk, loads: Loads, force: Force) -> Force:
-    mech, pair = desk.mech, {force.link, force.against}
-    if mech.links_at(force.foot)[-1] != FRAME:
-        raise _no_method(force, Words(f"油缸的 ${force.foot}$ 端不在机架上", f"its pin {force.foot} is not on the frame"))
+def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
+    """Whether the thrust acts on one link at each end, in a cylinder that carries nothing else and has no friction."""
+    return _hindered(mech, loads, force) is None
+
+
+def opposite_name(force: Force) -> str:
+    """F_c′: what a thrust does at the barrel's end; another name than that of the rod's end, for both may stand in one polygon."""
+    return f"{force.name}′"
+
+
+def is_floating(mech: Mechanism, force: Force) -> bool:
+    """Whether the barrel hangs on a moving link."""
+    return mech.links_at(force.foot)[-1] != FRAME
+
+
+def as_moved(mech: Mechanism, force: Force) -> Force:
+    """The thrust as a load on the link at the rod's end, its direction left open: enough to know which link it balances."""
+    return replace(force, link=_beside(mech, force, force.point)[0], against="", foot="")
+
+
+def _beside(mech: Mechanism, force: Force, pin: str) -> list[str]:
+    """The links at a pin of the cylinder, without its own."""
+    return [name for name in mech.links_at(pin) if name not in (force.link, force.against)]
+
+
+def _hindered(mech: Mechanism, loads: Loads, force: Force) -> Words | None:
+    """Why the thrust is not that of a two-force member between two links; None where it is."""
+    pair = {force.link, force.against}
     if any((loads.on(link) and tuple(loads.on(link)) != (force,)) or loads.mass(link) for link in pair):
-        raise _no_method(force, Words("油缸的构件上另有载荷或质量", "other loads or masses act on its links"))
+        return Words("油缸的构件上另有载荷或质量", "other loads or masses act on its links")
     if _rubs(loads, force):
-        raise _no_method(force, Words("油缸的运动副中有摩擦", "there is friction in its joints"))
-    moved = [name for name in mech.links_at(force.point) if name not in pair]
-    if len(moved) != 1:
-        raise _no_method(force, Words(f"${force.point}$ 处不止一个构件", f"at {force.point} there is not one link alone"))
+        return Words("油缸的运动副中有摩擦", "there is friction in its joints")
+    if is_floating(mech, force) and force.size is None and loads.friction:
+        return Words("油缸不与机架相连，而机构中有摩擦（虚功率法不计摩擦）", "the cylinder is not on the frame and there is friction, of which virtual power knows nothing")
+    crowded = next((pin for pin in (force.point, force.foot) if len(_beside(mech, force, pin)) != 1), "")
+    return Words(f"${crowded}$ 处不止一个构件", f"at {crowded} there is not one link alone") if crowded else None
+
+
+def _outer(desk: Desk, loads: Loads, force: Force) -> tuple[Force, ...]:
+    mech = desk.mech
+    if (why := _hindered(mech, loads, force)) is not None:
+        raise _no_method(force, why)
+    (moved,), (base,) = (_beside(mech, force, pin) for pin in (force.point, force.foot))
     along = float(np.angle(complex(nominal(desk.towards(force.foot, force.point)))))
-    below, above = (reaction(mech.number(by), mech.number(on)).symbol for by, on in ((FRAME, force.against), (force.link, moved[0])))
-    desk.board.step(Words(f"油缸 {force.against}-{force.link} 不受其他载荷，为二力构件，推力 ${load_symbol(force.name)}$ 沿 ${force.foot}{force.point}$ 作用于构件 {moved[0]} 的 ${force.point}$ 点；${force.foot}$、${force.point}$ 两铰链的反力 ${below}$、${above}$ 都等于它。",
-                          f"The cylinder {force.against}-{force.link} carries nothing else and is a two-force member: its thrust ${load_symbol(force.name)}$ acts along ${force.foot}{force.point}$ on link {moved[0]} at ${force.point}$, and the reactions ${below}$ at ${force.foot}$ and ${above}$ at ${force.point}$ equal it."), View.MECHANISM)
-    return Force(name=force.name, link=moved[0], point=force.point, direction=along, size=force.size, role=force.role)
+    below, above = (reaction(mech.number(by), mech.number(on)).symbol for by, on in ((base, force.against), (force.link, moved)))
+    back = load_symbol(opposite_name(force))
+    opposite = Words("", "") if base == FRAME else Words(f"，并以等值、反向的 ${back}$ 作用于构件 {base} 的 ${force.foot}$ 点", f", and as the equal and opposite ${back}$ on link {base} at ${force.foot}$")
+    desk.board.step(Words(f"油缸 {force.against}-{force.link} 不受其他载荷，为二力构件，推力 ${load_symbol(force.name)}$ 沿 ${force.foot}{force.point}$ 作用于构件 {moved} 的 ${force.point}$ 点{opposite.zh}；${force.foot}$、${force.point}$ 两铰链的反力 ${below}$、${above}$ 都等于它。",
+                          f"The cylinder {force.against}-{force.link} carries nothing else and is a two-force member: its thrust ${load_symbol(force.name)}$ acts along ${force.foot}{force.point}$ on link {moved} at ${force.point}$"
+                          f"{opposite.en}; the reactions ${below}$ at ${force.foot}$ and ${above}$ at ${force.point}$ equal it."), View.MECHANISM)
+    push = Force(name=force.name, link=moved, point=force.point, direction=along, size=force.size, role=force.role)
+    return (push,) if base == FRAME else (push, replace(push, name=opposite_name(force), link=base, point=force.foot, direction=along + np.pi))
 
 
 def _rubs(loads: Loads, force: Force) -> bool:
@@ -63,7 +102,8 @@ def read_thrusts(st: Statics, loads: Loads) -> None:
     """The reactions at a cylinder's pins are its thrust, and act there along the line of the two pins."""
     for force in (one for one in loads.forces if one.against):
         outer = next(one for one in st.loads.forces if one.name == force.name)
-        for by, on, point in ((force.link, outer.link, force.point), (FRAME, force.against, force.foot)):
+        base = _beside(st.mech, force, force.foot)[0]
+        for by, on, point in ((force.link, outer.link, force.point), (base, force.against, force.foot)):
             thrust = _thrust(st, outer)
             st.settle(by, on, thrust / st.scale.value, st.desk.at[point], computed=np.abs(thrust))
             for one, two, sign in ((by, on, 1), (on, by, -1)):

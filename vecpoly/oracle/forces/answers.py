@@ -31,9 +31,9 @@ def value(result: Forces, key: str) -> Points | Reals:
     return result.shaped(found)  # type: ignore[type-var, return-value]
 
 
-def line(result: Forces, by: str, on: str) -> Points:
-    """A point of the line of action of the force of `by` on `on`; NaN where there is no force."""
-    index, _ = _find(result, by, on)
+def line(result: Forces, key: str) -> Points:
+    """A point of the line of action of this reaction; NaN where there is no force."""
+    index, _ = _find(result, key)
     if index is None:
         return result.shaped(np.full(1, complex(np.nan, np.nan)))
     pair, wrench = result.system.pairs[index], result.wet.wrench(result.system.pairs, index)
@@ -43,9 +43,9 @@ def line(result: Forces, by: str, on: str) -> Points:
         return result.shaped(np.where(wrench.force == 0, complex(np.nan, np.nan), pair.at + away))
 
 
-def couple(result: Forces, by: str, on: str) -> Reals:
-    """The couple (N·m) of link `by` on link `on` where a slide passes on a couple and no force; 0 elsewhere."""
-    index, sign = _find(result, by, on)
+def couple(result: Forces, key: str) -> Reals:
+    """The couple (N·m) that goes with this reaction where a slide passes on a couple and no force; 0 elsewhere."""
+    index, sign = _find(result, key)
     wrench = Wrench(np.zeros(1, np.complex128), np.zeros(1)) if index is None else result.wet.wrench(result.system.pairs, index)
     passed = sign * np.where(wrench.force == 0, wrench.couple, 0.0)
     return result.shaped(np.where(np.abs(passed) <= ROUNDING * result.wet.largest * result.system.scale, 0.0, passed))
@@ -64,8 +64,7 @@ def _value(result: Forces, key: str) -> Points | Reals:
     if key == "h":
         return _arm(result)
     if key.startswith("R_"):
-        by, on = next((by, on) for by in _numbers(result) for on in _numbers(result) if key in (f"R_{by}{on}", f"R_{by}{on}_0"))
-        return _reaction(result, by, on, result.dry if key.endswith("_0") else result.wet)
+        return _reaction(result, key.removesuffix("_0"), result.dry if key.endswith("_0") else result.wet)
     if (data := given_value(result.loads, key)) is not None:
         return np.full(1, data)
     return _inertia(result, key)
@@ -77,25 +76,20 @@ def _balancing(result: Forces, load: Reals) -> Reals:
     return np.where(np.abs(load) <= ROUNDING * result.wet.largest * unit, 0.0, load)
 
 
-def _numbers(result: Forces) -> tuple[str, ...]:
-    return tuple(result.mech.number(name) for name in (*result.mech.bodies, FRAME))
-
-
-def _find(result: Forces, by: str, on: str) -> tuple[int | None, int]:
+def _find(result: Forces, key: str) -> tuple[int | None, int]:
     """The pair of these links, and +1 where it holds the force on its link b; None: a hinge's links that are pinned through a third."""
-    names = tuple(result.mech.named(number) for number in (by, on))
     for index, pair in enumerate(result.system.pairs):
-        if {pair.a, pair.b} == set(names):
-            return index, 1 if pair.b == names[1] else -1
-    if f"R_{by}{on}" in result.named:
+        if key in pair.keys:
+            return index, 1 if key == pair.keys[0] else -1
+    if key in result.named:
         return None, 1
     raise UnknownNameError(Words(
-        f"构件 {by} 与 {on} 不直接接触，没有 R_{by}{on}",
-        f"links {by} and {on} do not touch each other: there is no R_{by}{on}"))
+        f"没有 {key}：两构件不直接接触；已有：{', '.join(name for name in result.named if name.startswith('R_'))}",
+        f"there is no {key}: the two links do not touch each other; known: {', '.join(name for name in result.named if name.startswith('R_'))}"))
 
 
-def _reaction(result: Forces, by: str, on: str, balance: Balance) -> Points:
-    index, sign = _find(result, by, on)
+def _reaction(result: Forces, key: str, balance: Balance) -> Points:
+    index, sign = _find(result, key)
     if index is None:
         return np.zeros(1, np.complex128)
     force: Points = sign * balance.wrench(result.system.pairs, index).force

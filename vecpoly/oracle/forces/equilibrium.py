@@ -51,13 +51,17 @@ class Forces:
         On a pin's friction circle, on the guide's line, at the point of contact; NaN where there is no force.
         Raises UnknownNameError for links that do not touch.
         """
-        from .answers import line
-        return line(self, by, on)
+        return self.line_of(f"R_{by}{on}")
 
-    def couple(self, by: str, on: str) -> Reals:
-        """The couple (N·m, counter-clockwise) of `by` on `on` where they slide and pass on no force; 0 elsewhere."""
+    def line_of(self, key: str) -> Points:
+        """The same by the reaction's key, which two pins of one link in slots of another need: R_24B."""
+        from .answers import line
+        return line(self, key)
+
+    def couple_of(self, key: str) -> Reals:
+        """The couple (N·m, counter-clockwise) beside this reaction where two links slide and pass on no force; 0 elsewhere."""
         from .answers import couple
-        return couple(self, by, on)
+        return couple(self, key)
 
     @cached_property
     def named(self) -> dict[str, Named]:
@@ -116,7 +120,7 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
     rates = motion.bodies if moving else solve(unit_drive(mech), position, order=1, strict=strict).bodies
     asked = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, dtype=np.float64))
     judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg"))
-    system = System(mech.bodies, motion.bodies, pairs_of(mech, motion.bodies, rates, loads.friction),
+    system = System(tuple(name for name in mech.bodies if name not in mech.slot_pins), motion.bodies, pairs_of(mech, motion.bodies, rates, loads.friction),
                     given(mech, loads, motion.bodies), sought(mech, loads, motion.bodies), mech.scale, asked.size)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         judge.idle(system, rates)

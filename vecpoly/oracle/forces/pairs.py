@@ -14,6 +14,7 @@ import numpy as np
 from ...mechanism.assur import is_held
 from ...mechanism.loads import Friction
 from ...mechanism.model import Contact, Mechanism, Prismatic, Revolute, Rolling
+from ...mechanism.quantities import press_named
 from ...words import Words
 from ..contact import touching
 from ..pitch import pitch_point
@@ -41,6 +42,7 @@ class Pair:
 
     text: Words  # for messages
     who: tuple[str, str]  # a and b by their printed numbers
+    keys: tuple[str, str]  # of the force of a on b, and of b on a
     a: str
     b: str
     at: Points
@@ -61,10 +63,12 @@ class Pair:
 
 def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction) -> tuple[Pair, ...]:
     """Every pair of bodies that press on each other; `rates` holds the links' velocities (of a unit drive where it rests)."""
-    thought = mech.substitutes
+    thought, slots = mech.substitutes, mech.slot_pins
     found = [_pin(mech, bodies, rates, joint, friction.pins.get(joint.point, 0.0)) for joint in _pins(mech, thought)]
     for joint in mech.joints:
-        if isinstance(joint, Prismatic) and not {joint.guide, joint.block} & thought:
+        if isinstance(joint, Prismatic) and joint.block in slots:
+            found.append(_slotted(mech, bodies, rates, joint, friction.slides.get((joint.block, joint.guide), 0.0)))
+        elif isinstance(joint, Prismatic) and not {joint.guide, joint.block} & thought:
             found.append(_slide(mech, bodies, rates, joint, friction.slides.get((joint.block, joint.guide), 0.0)))
         elif isinstance(joint, Rolling):
             found.append(_rolling(mech, bodies, joint))
@@ -76,7 +80,7 @@ def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction)
 def _pins(mech: Mechanism, thought: frozenset[str]) -> Iterator[Revolute]:
     """The hinges' pins; where a substitute link stands between two bodies at one hinge, they are pinned to each other."""
     for joint in mech.joints:
-        if isinstance(joint, Revolute) and not {joint.a, joint.b} & thought:
+        if isinstance(joint, Revolute) and not {joint.a, joint.b} & {*thought, *mech.slot_pins}:
             yield joint
     for name in thought:
         chain = [j for j in mech.joints if isinstance(j, Revolute) and name in (j.a, j.b)]
@@ -87,6 +91,10 @@ def _pins(mech: Mechanism, thought: frozenset[str]) -> Iterator[Revolute]:
 
 def _who(mech: Mechanism, a: str, b: str) -> tuple[str, str]:
     return mech.number(a), mech.number(b)
+
+
+def _keys(mech: Mechanism, a: str, b: str) -> tuple[str, str]:
+    return press_named(mech, a, b).key, press_named(mech, b, a).key
 
 
 def _against(rate: Reals) -> Reals:
@@ -100,7 +108,7 @@ def _pin(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Revolute, radius
     rate = rates[joint.b].omega - rates[joint.a].omega
     rub = Wrench(STILL, radius * _against(rate)) if radius else None
     at = bodies[joint.a].point(mech.link(joint.a).points[joint.point])
-    return Pair(text=Words(f"转动副 {joint.point}", f"pin {joint.point}"), who=_who(mech, joint.a, joint.b), a=joint.a, b=joint.b, at=at, units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
+    return Pair(text=Words(f"转动副 {joint.point}", f"pin {joint.point}"), who=_who(mech, joint.a, joint.b), keys=_keys(mech, joint.a, joint.b), a=joint.a, b=joint.b, at=at, units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
                 pressed=2, rub=rub, grip=radius, rate=rate, turns=True)
 
 
@@ -115,7 +123,19 @@ def _slide(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, ang
     rub = Wrench(along * (grip * _against(rate)), NONE) if grip else None
     units = (Wrench(1j * along, NONE), Wrench(STILL, np.full(1, mech.scale)))
     who = _who(mech, joint.guide, joint.block)
-    return Pair(text=Words(f"构件 {who[1]} 与 {who[0]} 的移动副", f"slide of {who[1]} on {who[0]}"), who=who, a=joint.guide, b=joint.block, at=foot, units=units, pressed=1, rub=rub, grip=grip, rate=rate, along=along)
+    return Pair(text=Words(f"构件 {who[1]} 与 {who[0]} 的移动副", f"slide of {who[1]} on {who[0]}"), who=who, keys=_keys(mech, joint.guide, joint.block), a=joint.guide, b=joint.block,
+                at=foot, units=units, pressed=1, rub=rub, grip=grip, rate=rate, along=along)
+
+
+def _slotted(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, angle: float) -> Pair:
+    """The side of a slot on a pin: a force square to the slot, through the pin; friction tan φ N along the slot."""
+    pin = mech.slot_pins[joint.block]
+    local = mech.link(pin.carrier).points[pin.point]
+    along, place = bodies[pin.guide].unit * complex(np.exp(1j * joint.direction)), bodies[pin.carrier].point(local)
+    rate, grip = dot(along, rates[pin.carrier].velocity_of(local) - rates[pin.guide].velocity_at(place)), float(np.tan(angle))
+    rub, who = Wrench(along * (grip * _against(rate)), NONE) if grip else None, _who(mech, pin.guide, pin.carrier)
+    return Pair(text=Words(f"销 {pin.point} 与构件 {who[0]} 的槽之间", f"pin {pin.point} in the slot of {who[0]}"), who=who, keys=_keys(mech, pin.guide, pin.block), a=pin.guide, b=pin.carrier,
+                at=place, units=(Wrench(1j * along, NONE),), pressed=1, rub=rub, grip=grip, rate=rate, along=along)
 
 
 def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
@@ -125,7 +145,7 @@ def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
     if is_held(mech, joint):
         ray = bodies[b].point(mech.link(b).points[joint.gear.centre]) - at
         units = (Wrench(1j * ray / np.abs(ray), NONE),)
-    return Pair(text=Words(f"节点 {joint.point}", f"pitch point {joint.point}"), who=_who(mech, a, b), a=a, b=b, at=at, units=units, along=ONE)
+    return Pair(text=Words(f"节点 {joint.point}", f"pitch point {joint.point}"), who=_who(mech, a, b), keys=_keys(mech, a, b), a=a, b=b, at=at, units=units, along=ONE)
 
 
 def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, angle: float) -> Pair:
@@ -136,5 +156,5 @@ def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, a
     rate = dot(across, rates[disc].velocity_at(place) - rates[on].velocity_at(place))
     grip = float(np.tan(angle))
     rub = Wrench(across * (grip * _against(rate)), NONE) if grip else None
-    return Pair(text=Words(f"接触点 {contact.point}", f"contact {contact.point}"), who=_who(mech, on, disc), a=on, b=disc, at=place, units=(Wrench(normal, NONE),),
+    return Pair(text=Words(f"接触点 {contact.point}", f"contact {contact.point}"), who=_who(mech, on, disc), keys=_keys(mech, on, disc), a=on, b=disc, at=place, units=(Wrench(normal, NONE),),
                 pressed=1, rub=rub, grip=grip, rate=rate, along=across, pushes=True)

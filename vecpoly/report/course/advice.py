@@ -41,7 +41,7 @@ def is_square(study: Study, one: Conditioning) -> bool:
     dyad = next((g.dyad for g in decompose(study.mech) if g.dyad is not None and g.links == one.group.links), None)
     if dyad is None or dyad.kind != "RPR":
         return False
-    gamma = study.turn.real("gamma_" + "".join(one.group.links))
+    gamma = study.turn.real("gamma_" + "".join(one.group.links).replace("pin", ""))
     return bool(np.nanmax(np.abs(gamma - np.pi / 2), initial=0.0) < _EQUAL)
 
 

@@ -85,7 +85,7 @@ def _guided(study: Study, link: str, letter: str) -> Words:
 
 def _table(study: Study, press: Press) -> str:
     rows = []
-    for link in study.mech.bodies:
+    for link in study.mech.numbered:
         letters = [subscripted(letter) for letter in study.mech.link(link).points]
         if not letters or _gear(study, link):
             continue

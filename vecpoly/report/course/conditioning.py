@@ -75,7 +75,7 @@ def conditioning(study: Study) -> list[Conditioning]:
 
 def _gamma(study: Study, group: GroupModel) -> Transmission | None:
     """The transmission angle of an RRR or RRP group, whose G_1 is a product of lengths and sin γ."""
-    found = next((t for t in study.facts.transmissions if sorted(t.links) == sorted("".join(group.links))), None)
+    found = next((t for t in study.facts.transmissions if sorted(t.links) == sorted("".join(group.links).replace("pin", ""))), None)
     return found if found is not None and study.whole.whole and found.kind in ("RRR", "RRP") else None
 
 

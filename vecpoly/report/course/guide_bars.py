@@ -55,6 +55,7 @@ def _by_crank(mech: Mechanism, d: Dyad) -> _Loop | None:
     if not a or not isinstance(joint, Revolute) or not isinstance(fixed, Revolute) or not _straight(mech, d.inner, joint, fixed):
         return None
     b, c, turning = joint.point, fixed.point, d.link_k if d.parent_k == FRAME else d.link_j
+    turning = d.inner.guide if turning in mech.slot_pins else turning
     radius = abs(mech.link(parent).points[a] - mech.link(parent).points[b])
     return (parent, turning, a, b, c, radius, abs(mech.frame[a] - mech.frame[c])) if radius and a != c else None
 

@@ -24,7 +24,7 @@ def others(study: Study, press: Press) -> str:
 
 def _on_frame(mech: Mechanism) -> Iterator[tuple[str, Words]]:
     """Links hinged to the frame, or sliding on it, beside the driving one."""
-    thought = {contact.substitute for contact in mech.contacts}
+    thought = {*mech.substitutes, *mech.slot_pins}
     for letter, names in hinges(mech).items():
         for name in names if FRAME in names else ():
             if name not in (FRAME, mech.drive.link, *thought):

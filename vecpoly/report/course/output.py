@@ -13,8 +13,8 @@ def ends(study: Study) -> tuple[str, ...]:
     used = {outer.parent for group in groups for outer in group.outer}
     last = [group for group in groups if not used & set(group.links)] or list(groups[-1:])
     found = [link for group in last for link in group.links if link in on_frame(study)]
-    thought = {contact.substitute for contact in mech.contacts}
-    return tuple(found) or tuple(link for group in last for link in group.links[-1:] if link not in thought)
+    thought = {*mech.substitutes, *mech.slot_pins}
+    return tuple(found) or tuple(next(link for link in reversed(group.links) if link not in thought) for group in last if not set(group.links) <= thought)
 
 
 def on_frame(study: Study) -> set[str]:
@@ -22,7 +22,7 @@ def on_frame(study: Study) -> set[str]:
     mech = study.mech
     pinned = {name for names in hinges(mech).values() if FRAME in names for name in names}
     sliding = {name for j in mech.joints if isinstance(j, Prismatic) and FRAME in (j.guide, j.block) for name in (j.guide, j.block)}
-    return (pinned | sliding) - {FRAME}
+    return (pinned | sliding) - {FRAME, *mech.slot_pins}
 
 
 def motions(study: Study, link: str) -> tuple[str, ...]:

@@ -21,6 +21,7 @@ from .other_drives import others
 from .special_joints import concluded, special
 from .study import Study
 
+_SLOT = Words("销在槽中（高副，以滑块低代）", "pin in a slot (higher pair, replaced by a block)")
 _JOINTS = {"zh": ["运动副", "类型", "相连的构件"], "en": ["Joint", "Kind", "Links joined"]}
 _GROUPS = {"zh": ["次序", "组成", "类型", "级别", "外副", "内副"], "en": ["Order", "Links", "Kind", "Class", "Outer joints", "Inner joint"]}
 _UNDER = 7.0  # mm from a group to its name
@@ -43,17 +44,17 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 def _joints(study: Study, press: Press) -> str:
     rows: list[tuple[str, ...]] = []
     comma = "、" if press.lang == "zh" else ", "
-    thought = study.mech.substitutes
+    thought, slots = study.mech.substitutes, study.mech.slot_pins
     for point, names in sorted(hinges(study.mech).items()):
-        real = [name for name in names if name not in thought]
+        real = [name for name in names if name not in {*thought, *slots}]
         kind = Words("转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）", "revolute" if len(real) < 3 else f"multiple joint, {len(real) - 1} revolutes")
         if len(real) > 1:
             rows.append((f"${point}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in real)))
     for joint in study.mech.joints:
         if not isinstance(joint, Revolute) and not {getattr(joint, "block", ""), getattr(joint, "guide", "")} & thought:
-            pair = (joint.block, joint.guide) if isinstance(joint, Prismatic) else (joint.gear.link, joint.on.link)
+            pair = (slots[joint.block].carrier if joint.block in slots else joint.block, joint.guide) if isinstance(joint, Prismatic) else (joint.gear.link, joint.on.link)
             letter = joint.pin if isinstance(joint, Prismatic) else joint.point
-            kind = Words("移动副", "prismatic") if isinstance(joint, Prismatic) else Words("纯滚动副", "pure rolling")
+            kind = _SLOT if isinstance(joint, Prismatic) and joint.block in slots else Words("移动副", "prismatic") if isinstance(joint, Prismatic) else Words("纯滚动副", "pure rolling")
             rows.append((f"${letter}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in pair)))
     for contact in study.mech.contacts:
         rows.append((f"${contact.point}$", Words("高副", "higher pair").of(press.lang), comma.join(_link(study, name).of(press.lang) for name in contact.links)))

@@ -144,7 +144,7 @@ class Study:
         """The links whose rotation is worth telling: driven ones that turn, of those that turn together the one asked for, or the last."""
         asked = {ask.rel.to.link for ask in self.problem.asks if isinstance(ask.rel, Rel) and not ask.rel.is_vector}
         found: list[str] = []
-        for name in self.mech.bodies:
+        for name in self.mech.numbered:
             rate = self.turn.real(f"omega_{name}")
             if name == self.mech.drive.link or not np.nanmax(np.abs(rate), initial=0.0) > _SAME:
                 continue
@@ -216,8 +216,9 @@ class Study:
         return next((c.point for c in self.mech.contacts if c.substitute == link), link)
 
     def name(self, link: str) -> str:
-        """A link as printed: its number, the frame's included; the contact's letter for the substitute of a high pair."""
-        return next((c.point for c in self.mech.contacts if c.substitute == link), self.mech.number(link))
+        """A link as printed: its number, the frame's included; the letter of a contact, or of a pin in a slot, for what stands there instead."""
+        pin = self.mech.slot_pins.get(link)
+        return next((c.point for c in self.mech.contacts if c.substitute == link), self.mech.number(link) if pin is None else pin.point)
 
     def shown(self, key: str) -> NDArray[np.float64]:
         """A column in the unit in which it is shown, on the fine grid; of a vector its magnitude."""

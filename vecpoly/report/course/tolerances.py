@@ -56,7 +56,7 @@ def targets(study: Study) -> tuple[str, ...]:
     for link in reversed(ends(study)):
         if keys := motions(study, link):
             pair = keys[0].partition("_")[2]
-            return (f"phi_{link}" if keys[0].startswith("omega") else f"s_{pair}", *keys)
+            return (f"phi_{link}" if keys[0].startswith(("omega", "alpha")) else f"s_{pair}", *keys)
     letter = study.points[-1]
     axis = max("xy", key=lambda part: float(np.ptp(np.nan_to_num(study.turn.real(f"p_{letter}.{part}")))))
     return tuple(f"{stem}_{letter}.{axis}" for stem in "pva")

@@ -17,7 +17,7 @@ _EQUAL = 1e-6  # rad
 
 def transmission(study: Study, told: Sequence[Transmission]) -> Words:
     """For every dyad which angle it is, its formula, its least value and the verdict."""
-    dyads = {"".join(group.links): group.dyad for group in decompose(study.mech) if group.dyad is not None}
+    dyads = {group.label: group.dyad for group in decompose(study.mech) if group.dyad is not None}
     said = [_one(study, t, dyads[t.links]) for t in told if t.links in dyads]
     right = {t.links for t in study.facts.transmissions if t.least.value > radians(90.0) - 1e-6}
     square = [d for links, d in dyads.items() if d.kind == "RPR" and links in right]

@@ -51,7 +51,7 @@ def _turning(mech: Mechanism) -> list[str]:
     at = mech.drive.position + np.array([0.0, 1e-3 * (mech.scale if mech.drive.slide else 1.0)])
     motion = sample(mech, None, at).motion
     rates: dict[float, str] = {}
-    for name in mech.bodies:
+    for name in mech.numbered:
         rate = np.asarray(motion.omega(name))
         if name != mech.drive.link and np.isfinite(rate).all() and np.abs(rate).max() > 1e-9:
             rates[round(float(rate[0]), 9)] = name

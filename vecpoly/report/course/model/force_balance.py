@@ -63,7 +63,7 @@ def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[st
     inertia = tuple(e for mass in loads.masses for e in _inertia(frame, mass)) if loads.dynamic else ()
     acts = [_load(frame, load) for load in loads.all]
     acts += [act for mass in loads.masses for act in _mass(frame, loads, mass)]
-    links = tuple(_balance(frame, link, found, [act for act in acts if act.link == link]) for link in mech.bodies)
+    links = tuple(_balance(frame, link, found, [act for act in acts if act.link == link]) for link in mech.bodies if link not in mech.slot_pins)
     sized = tuple(Const(load_symbol(load.name), load.size, "N" if isinstance(load, Force) else "N·m") for load in loads.all if load.size is not None)
     unknowns = (*(symbol for touch in found for symbol in touch.unknowns), load_symbol(loads.unknown.name))
     return ForceModel(found, inertia, links, sized, unknowns)

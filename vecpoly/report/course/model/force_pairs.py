@@ -8,6 +8,7 @@ from math import tan
 
 from ....mechanism.loads import Friction
 from ....mechanism.model import FRAME, Contact, Mechanism, Prismatic, Rack, Revolute, Side
+from ....mechanism.quantities import press_named, slide_named
 from .equations import Equation
 from .expr import ZERO, Const, Expr, Var
 from .force_terms import Sense, Size
@@ -63,9 +64,9 @@ class Frame:
 
 def touches(frame: Frame, friction: Friction) -> Iterator[Touch]:
     """Every pair of links that press on each other."""
-    thought = frame.mech.substitutes
+    thought, slots = frame.mech.substitutes, frame.mech.slot_pins
     for joint in frame.mech.joints:
-        if isinstance(joint, Revolute) and not {joint.a, joint.b} & thought:
+        if isinstance(joint, Revolute) and not {joint.a, joint.b} & {*thought, *slots}:
             yield _pin(frame, joint, friction.pins.get(joint.point, 0.0))
     for joint in frame.mech.joints:
         if isinstance(joint, Prismatic) and not {joint.guide, joint.block} & thought:
@@ -87,12 +88,15 @@ def _pin(frame: Frame, joint: Revolute, radius: float) -> Touch:
 
 def _slide(frame: Frame, joint: Prismatic, angle: float) -> Touch:
     """A force square to the guide and a couple about the block's pin; friction f N along the guide, against the sliding."""
-    mech, line = frame.mech, frame.angle(joint.guide, joint.direction)
+    mech, line, pin = frame.mech, frame.angle(joint.guide, joint.direction), frame.mech.slot_pins.get(joint.block)
     guide, block = mech.number(joint.guide), mech.number(joint.block)
-    normal, turn, rub = Var(f"N_{{{guide}{block}}}"), Var(f"T_{{{guide}{block}}}"), Var(f"F_{{f{guide}{block}}}")
-    law = (Equation(rub, -(Const(f"f_{{{block}{guide}}}", tan(angle), "") * Size(normal) * Sense(Var(f"v_{{{block}{guide}}}")))),) if angle else ()
+    who = press_named(mech, joint.guide, joint.block).key.removeprefix("R_")
+    normal, turn, rub = Var(f"N_{{{who}}}"), Var(f"T_{{{who}}}"), Var(f"F_{{f{who}}}")
+    law = (Equation(rub, -(Const(f"f_{{{block}{guide}}}", tan(angle), "") * Size(normal) * Sense(Var(f"v_{{{slide_named(mech, joint)}}}")))),) if angle else ()
     along: Expr = rub if angle else ZERO
     force = along * cos(line) - normal * sin(line), along * sin(line) + normal * cos(line)
+    if pin is not None:  # no block: the slot presses on the pin itself, and passes on no couple
+        return Touch(a=pin.guide, b=pin.carrier, at=frame.xy(joint.pin), letter=joint.pin, force=force, couple=ZERO, unknowns=(normal.symbol,), friction=law)
     return Touch(a=joint.guide, b=joint.block, at=frame.xy(joint.pin), letter=joint.pin, force=force, couple=turn, unknowns=(normal.symbol, turn.symbol), friction=law)
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from math import pi
 
-from ....mechanism.model import FRAME, Mechanism
+from ....mechanism.model import FRAME, Mechanism, Prismatic
+from ....mechanism.quantities import slide_named
 from .equations import Equation
 from .expr import ZERO, Const, Expr, Var
 from .functions import cos, sin, square
@@ -31,11 +32,14 @@ class Scope:
     # -- symbols ----------------------------------------------------------------------------------------------
 
     def name(self, link: str) -> str:
-        """A link's subscript: its number; that of a high pair's substitute is the letter of the contact."""
-        return next((c.point for c in self.mech.contacts if c.substitute == link), link)
+        """A link's subscript: its number; that of what stands for a high pair, or for a pin in a slot, is the letter there."""
+        pin = self.mech.slot_pins.get(link)
+        return next((c.point for c in self.mech.contacts if c.substitute == link), link if pin is None else pin.point)
 
     def pair(self, link: str, parent: str) -> str:
         """The subscript of a link's sliding along another, as in the tables: 45."""
+        if link in self.mech.slot_pins:
+            return slide_named(self.mech, next(j for j in self.mech.joints if isinstance(j, Prismatic) and j.block == link))
         one, two = (self.name(name) if name != FRAME else self.mech.number(name) for name in (link, parent))
         return one + two
 
@@ -45,13 +49,19 @@ class Scope:
 
     def omega(self, link: str) -> Expr:
         """ω, nothing where the link cannot turn."""
+        link = self._turning(link)
         return ZERO if link in self.still else Var(f"ω_{{{self.name(link)}}}")
 
     def alpha(self, link: str) -> Expr:
         """α, nothing where the link cannot turn or turns steadily."""
-        drive = self.mech.drive
+        drive, link = self.mech.drive, self._turning(link)
         steady = link == drive.link and not drive.between and not drive.accel
         return ZERO if link in self.still or steady else Var(f"α_{{{self.name(link)}}}")
+
+    def _turning(self, link: str) -> str:
+        """The link with which this one turns where that needs no symbol of its own: the block thought about a pin turns with its slot."""
+        pin = self.mech.slot_pins.get(link)
+        return link if pin is None else pin.guide
 
     def xy(self, point: str) -> tuple[Expr, Expr]:
         """Coordinates of a letter."""

@@ -124,6 +124,9 @@ def settle(scope: Scope, link: str, parent: str, turn: float) -> Turning:
         scope.angles[link] = Const(f"φ_{{{name}}}", _clean(base + turn), "rad")
         scope.still.add(link)
         return Turning()
+    if link in scope.mech.slot_pins:
+        scope.angles[link] = _turned(scope, parent, turn, f"δ_{{{name}}}")
+        return Turning()
     position = Equation(scope.phi(link), _turned(scope, parent, turn, f"δ_{{{name}}}"))
     return Turning((position,), (Equation(scope.omega(link), scope.omega(parent)),), (Equation(Var(f"α_{{{name}}}"), scope.alpha(parent)),))
 

@@ -1,0 +1,82 @@
+"""In which order a loaded mechanism is taken apart: the link that closes, the groups from the far end, and the links on which they hang."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ...errors import MobilityError
+from ...mechanism.assur import Group, decompose, ends
+from ...mechanism.loads import Force, Loads, Moment
+from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute
+from .hubs import on_groups
+from .pieces import Held
+from .power_alone import is_drawn
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Order:
+    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end; mech: with the pins where the groups hang.
+
+    held is None where that link has no fixed pin (or guide, for a force), or where from it the mechanism comes apart into groups above class II
+    though from the driving link it does not: then the groups end at the driving link.
+    """
+
+    held: Held | None
+    groups: tuple[Group, ...]
+    mech: Mechanism
+
+
+def order_of(mech: Mechanism, loads: Loads) -> Order:
+    """The order; the pins stay in the links to which the problem gives them wherever the groups come apart so."""
+    link = loads.unknown.link
+    joint = fixed_joint(_held(mech, replace(mech.drive, link=link, on=FRAME)), link)
+    by_drive = _apart(mech, mech.drive)
+    if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
+        return replace(by_drive, held=None)
+    own = _apart(mech, replace(mech.drive, link=link, on=FRAME))
+    if not loads.friction and not is_drawn(own.groups) and is_drawn(by_drive.groups):
+        return by_drive
+    return replace(own, held=Held(link=link, parent=FRAME, joint=joint))
+
+
+def order_without(mech: Mechanism, thrust: Force) -> Order:
+    """The order once a cylinder between two moving links has given way to its thrust, which is known: any link on the frame closes."""
+    own = {thrust.link, thrust.against}
+    rest = replace(mech, links=tuple(link for link in mech.links if link.name not in own), joints=tuple(j for j in mech.joints if not own & set(ends(j))))
+    for link in rest.bodies:
+        joint = fixed_joint(rest, link)
+        drive = Drive(link=link, position=0.0, rate=1.0, slide=isinstance(joint, Prismatic))
+        if joint is not None and (groups := _pressing(rest, drive)) is not None and is_drawn(groups):
+            return Order(held=Held(link=link, parent=FRAME, joint=joint), groups=groups, mech=mech)
+    return Order(held=None, groups=decompose(mech), mech=mech)
+
+
+def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
+    """The joint of a link to the frame."""
+    return next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
+
+
+def _held(mech: Mechanism, drive: Drive) -> Mechanism:
+    """The mechanism, its pins where the groups hang if only so the driving link is pinned to the frame: it may sit on the pin of another link there."""
+    hung = on_groups(mech, drive)
+    return hung if fixed_joint(mech, drive.link) is None and fixed_joint(hung, drive.link) is not None else mech
+
+
+def _apart(mech: Mechanism, drive: Drive) -> Order:
+    """The groups when this drive moves the mechanism: with the pins as the problem has them, else where the groups hang."""
+    hung, mech = on_groups(mech, drive), _held(mech, drive)
+    found = _pressing(mech, drive)
+    if found is not None and is_drawn(found):
+        return Order(held=None, groups=found, mech=mech)
+    other = _pressing(hung, drive)
+    if other is not None and (found is None or is_drawn(other)):
+        return Order(held=None, groups=other, mech=hung)
+    return Order(held=None, groups=found or decompose(replace(mech, drives=(drive,)), pressing=True), mech=mech)
+
+
+def _pressing(mech: Mechanism, drive: Drive) -> tuple[Group, ...] | None:
+    """The groups of the links that press on each other, from the far end; None where they are none."""
+    try:
+        return tuple(reversed(decompose(replace(mech, drives=(drive,)), pressing=True)))
+    except MobilityError:
+        return None
