@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -90,4 +91,4 @@ def _piece(glyphs: Glyphs, x: float, y: float, chars: float, blanks: float) -> P
 
 def pairs(values: list[float]) -> Iterator[float]:
     """The distances of neighbours."""
-    return (a - b for a, b in zip(values, values[1:], strict=False))
+    return (a - b for a, b in pairwise(values))

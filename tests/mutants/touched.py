@@ -25,7 +25,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "out" / "mutants.json"
-_PATIENCE = 3.0  # seconds of the processor after which a test is broken off
+_SAMPLE = 5  # parameters of a test that are listened to first
+_PATIENCE = 2.0  # seconds of the processor after which a test is broken off
 _BLIND = [f"--ignore={ROOT}/tests/test_{name}.py" for name in ("player_browser", "cli_process", "package", "fuzz")]  # they start other processes, which have no slip
 _HOUSE = str(ROOT / "vecpoly")
 
@@ -59,6 +60,14 @@ class Listener:
         signal.setitimer(signal.ITIMER_VIRTUAL, _PATIENCE)
         yield
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """A few parameters of every test first, so that the map soon knows all of the program a little; then the others."""
+        alike: dict[str, list[pytest.Item]] = defaultdict(list)
+        for item in items:
+            alike[item.nodeid.split("[")[0]].append(item)
+        first = {id(item) for group in alike.values() for item in group[:: max(1, len(group) // _SAMPLE)]}
+        items.sort(key=lambda item: id(item) not in first)
 
     def pytest_sessionfinish(self) -> None:
         self.write(self)
