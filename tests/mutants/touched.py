@@ -1,9 +1,9 @@
 """Which test calls which function: found once by running all tests and listening to every call.
 
-What functions keep of their results is forgotten before each file of tests (before each test, where files are named), so that no file lives on what
-another computed. Within a file a kept result counts for the test that computed it; `Touched.chosen` therefore also takes the other tests of such a file.
-The map is written after each file: a run that was broken off is of use as far as it came. Seconds are those of the processor, and a test that takes
-many is broken off too: what it has called by then is known, and it is hardly ever chosen.
+What functions keep of their results is forgotten before each file of tests, so that no file lives on what another computed. Within a file a kept
+result counts for the test that computed it; `Touched.chosen` therefore also takes the other tests of such a file. The map is written after each file:
+a run that was broken off is of use as far as it came. Seconds are those of the processor, and a test that takes many is broken off too: what it has
+called by then is known.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "out" / "mutants.json"
-_SAMPLE = 5  # parameters of a test that are listened to first
-_PATIENCE = 2.0  # seconds of the processor after which a test is broken off
+_SAMPLE = 3  # parameters of a test that are listened to first
+_PATIENCE = 1.0  # seconds of the processor after which a test is broken off
 _BLIND = [f"--ignore={ROOT}/tests/test_{name}.py" for name in ("player_browser", "cli_process", "package", "fuzz")]  # they start other processes, which have no slip
 _HOUSE = str(ROOT / "vecpoly")
 
@@ -34,8 +34,8 @@ _HOUSE = str(ROOT / "vecpoly")
 class Listener:
     """A plugin of pytest that keeps, for each test, the functions of the program that were called, and how long it took."""
 
-    def __init__(self, forgetful: bool, write: Callable[[Listener], None]) -> None:
-        self.forgetful, self.write = forgetful, write
+    def __init__(self, write: Callable[[Listener], None]) -> None:
+        self.write = write
         self.calls: dict[str, set[str]] = defaultdict(set)
         self.seconds: dict[str, float] = {}
         self._file = ""
@@ -45,7 +45,7 @@ class Listener:
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
         self._now, self._met = set(), {}
-        if self.forgetful or self._turned(item.nodeid.split("::")[0]):
+        if self._turned(item.nodeid.split("::")[0]):
             forget()
         started = time.process_time()
         sys.settrace(self._called)
@@ -103,7 +103,7 @@ def listen(*files: str) -> None:
         MAP.write_text(json.dumps({"calls": known, "seconds": seconds | heard.seconds}), encoding="utf-8")
 
     signal.signal(signal.SIGVTALRM, lambda *_: pytest.skip("it takes too long"))
-    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])], plugins=[Listener(bool(files), write)])
+    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])], plugins=[Listener(write)])
 
 
 def _kept(files: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, float]]:
