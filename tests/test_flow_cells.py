@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,19 @@ import pytest
 from reportlab.platypus.flowables import PageBreak
 from set_blocks import paper_of
 
-from vecpoly.report.flow import Callout, DataTable, Divider, Drawing, Heading, Metadata, Para, ReportDoc, SheetPage, TitleBlock, to_flowables
+from vecpoly.report.flow import (
+    Callout,
+    DataTable,
+    Divider,
+    Drawing,
+    Heading,
+    Metadata,
+    Para,
+    ReportDoc,
+    SheetPage,
+    TitleBlock,
+    to_flowables,
+)
 from vecpoly.report.flow.cells import AUTO, BLANK, Kind, cells, chopped, gap
 from vecpoly.report.flow.contents import Contents
 from vecpoly.report.flow.doc import _expanded, _first, _tell_contents
@@ -42,7 +55,7 @@ def test_two_marks_together_lose_half_an_em_and_a_dash_is_not_torn() -> None:
 def test_the_pieces_of_a_formula_may_part_and_it_belongs_to_the_words_about_it() -> None:
     found = cells("因 $v_C = 3$ 而", EM, True)
     assert [cell.kind for cell in found] == [Kind.HAN, Kind.FORMULA, Kind.FORMULA, Kind.HAN]
-    assert [gap(a, b, EM).breakable for a, b in zip(found[:-1], found[1:], strict=True)] == [True, True, True]
+    assert [gap(a, b, EM).breakable for a, b in pairwise(found)] == [True, True, True]
     assert [cell.spaced for cell in cells("a b", EM, False)] == [False, True] and [cell.spaced for cell in cells("a $v$ b", EM, False)] == [False, True, True]
 
 
