@@ -1,7 +1,8 @@
 """`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`: so many slips, and which of them no test noticed.
 
 The first run needs the map of tests and functions: all tests once, about twice their usual time. `--map` makes it anew, `--map tests/test_new.py`
-adds what a new file calls; `--count 0` stops after that.
+adds what a new file calls; `--count 0` stops after that. `--tests tests/test_new.py` asks for no map: every mutant is tried on all tests of these files,
+which is how claims about one room are written.
 """
 
 from __future__ import annotations
@@ -29,11 +30,12 @@ def main() -> None:
     parser.add_argument("--kind", default="", help="only slips whose kind contains this")
     parser.add_argument("--budget", type=float, default=20.0, help="seconds of tests chosen for a mutant")
     parser.add_argument("--map", nargs="*", metavar="FILE", help="find out anew which test calls which function: in all tests, or in these files")
+    parser.add_argument("--tests", nargs="+", metavar="FILE", default=[], help="try every mutant on all tests of these files, whatever the map says")
     given = parser.parse_args()
-    if given.map is not None or not MAP.exists():
+    if given.map is not None or not (MAP.exists() or given.tests):
         listen(*(given.map or ()))
     if given.count:
-        _tried(_drawn(given.room, given.kind, given.count, given.seed), given.budget)
+        _tried(_drawn(given.room, given.kind, given.count, given.seed), given.budget, given.tests)
 
 
 def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
@@ -50,7 +52,7 @@ def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
     return drawn
 
 
-def _tried(drawn: Sequence[Mutant], budget: float) -> None:
+def _tried(drawn: Sequence[Mutant], budget: float, files: Sequence[str]) -> None:
     """Try the mutants one after the other, tell of each, and of all."""
     fates: dict[str, Counter[Fate]] = defaultdict(Counter)
     start = time.monotonic()
@@ -59,8 +61,8 @@ def _tried(drawn: Sequence[Mutant], budget: float) -> None:
         fates[_room(mutant.path)][fate] += 1
         print(f"{fate.value:9s} {time.monotonic() - start:5.0f} s  {mutant}", flush=True)
 
-    known = touched()
-    try_all(drawn, lambda mutant: known.chosen(str(mutant.path), mutant.function, budget), int(10 * budget) + 30, tell)
+    known = None if files else touched()
+    try_all(drawn, known and (lambda mutant: known.chosen(str(mutant.path), mutant.function, budget)), files, int(3 * budget) + 10, tell)
     print(_table(fates))
 
 

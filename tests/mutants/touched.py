@@ -1,7 +1,9 @@
 """Which test calls which function: found once by running all tests and listening to every call.
 
-A result that the tests keep counts for the test that computed it, so `Touched.chosen` also takes the other tests of such a file. Where files are
-named, nothing is kept from one test to the next.
+What functions keep of their results is forgotten before each file of tests, so that no file lives on what another computed. Within a file a kept
+result counts for the test that computed it; `Touched.chosen` therefore also takes the other tests of such a file. The map is written after each file:
+a run that was broken off is of use as far as it came. Seconds are those of the processor, and a test that takes many is broken off too: what it has
+called by then is known.
 """
 
 from __future__ import annotations
@@ -9,48 +11,80 @@ from __future__ import annotations
 import functools
 import gc
 import json
+import signal
 import sys
+import time
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "out" / "mutants.json"
+_SAMPLE = 3  # parameters of a test that are listened to first
+_PATIENCE = 1.0  # seconds of the processor after which a test is broken off
+_BLIND = [f"--ignore={ROOT}/tests/test_{name}.py" for name in ("player_browser", "cli_process", "package", "fuzz")]  # they start other processes, which have no slip
 _HOUSE = str(ROOT / "vecpoly")
 
 
 class Listener:
     """A plugin of pytest that keeps, for each test, the functions of the program that were called, and how long it took."""
 
-    def __init__(self, forgetful: bool) -> None:
-        self.forgetful = forgetful
+    def __init__(self, write: Callable[[Listener], None]) -> None:
+        self.write = write
         self.calls: dict[str, set[str]] = defaultdict(set)
-        self.seconds: dict[str, float] = defaultdict(float)
+        self.seconds: dict[str, float] = {}
+        self._file = ""
         self._now: set[tuple[str, str]] = set()
+        self._met: dict[int, CodeType] = {}  # by identity, for comparing code is slow; kept, so that no identity is used twice
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        self._now = set()
-        if self.forgetful:
+        self._now, self._met = set(), {}
+        if self._turned(item.nodeid.split("::")[0]):
             forget()
+        started = time.process_time()
         sys.settrace(self._called)
         yield
         sys.settrace(None)
+        self.seconds[item.nodeid] = time.process_time() - started
         for path, name in self._now:
             self.calls[f"{Path(path).relative_to(ROOT)}:{name}"].add(item.nodeid)
 
-    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        self.seconds[report.nodeid] += report.duration
+    @pytest.hookimpl(hookwrapper=True)
+    def pytest_pyfunc_call(self) -> Iterator[None]:
+        signal.setitimer(signal.ITIMER_VIRTUAL, _PATIENCE)
+        yield
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """A few parameters of every test first, so that the map soon knows all of the program a little; then the others."""
+        alike: dict[str, list[pytest.Item]] = defaultdict(list)
+        for item in items:
+            alike[item.nodeid.split("[")[0]].append(item)
+        first = {id(item) for group in alike.values() for item in group[:: max(1, len(group) // _SAMPLE)]}
+        items.sort(key=lambda item: id(item) not in first)
+
+    def pytest_sessionfinish(self) -> None:
+        self.write(self)
+
+    def _turned(self, file: str) -> bool:
+        """Whether another file begins; what is known so far is written then."""
+        turned, self._file = file != self._file, file
+        if turned:
+            self.write(self)
+        return turned
 
     def _called(self, frame: FrameType, _event: str, _arg: Any) -> None:
         code = frame.f_code
-        if code.co_filename.startswith(_HOUSE):
-            self._now.add((code.co_filename, code.co_qualname))
+        if id(code) not in self._met:
+            self._met[id(code)] = code
+            if code.co_filename.startswith(_HOUSE):
+                self._now.add((code.co_filename, code.co_qualname))
 
 
 def forget() -> None:
@@ -61,13 +95,15 @@ def forget() -> None:
 
 def listen(*files: str) -> None:
     """Run these test files (all, where none is named) and write what they call into the map."""
-    listener = Listener(forgetful=bool(files))
-    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [str(ROOT / "tests")])], plugins=[listener])
     calls, seconds = _kept(files) if files else ({}, {})
-    for place, tests in listener.calls.items():
-        calls[place] = sorted({*calls.get(place, ()), *tests})
-    MAP.parent.mkdir(exist_ok=True)
-    MAP.write_text(json.dumps({"calls": calls, "seconds": seconds | listener.seconds}), encoding="utf-8")
+
+    def write(heard: Listener) -> None:
+        known = {place: sorted({*calls.get(place, ()), *heard.calls.get(place, ())}) for place in {*calls, *heard.calls}}
+        MAP.parent.mkdir(exist_ok=True)
+        MAP.write_text(json.dumps({"calls": known, "seconds": seconds | heard.seconds}), encoding="utf-8")
+
+    signal.signal(signal.SIGVTALRM, lambda *_: pytest.skip("it takes too long"))
+    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])], plugins=[Listener(write)])
 
 
 def _kept(files: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, float]]:

@@ -21,6 +21,9 @@ from _pytest.runner import runtestprotocol
 from .slips import Mutant
 from .touched import ROOT, forget
 
+_PARTLY = ("-o", "enable_assertion_pass_hook=false")  # of a test with parameters only some may be chosen: none of these need reach an assertion
+Chosen = Callable[[Mutant], Sequence[str]]
+
 
 class Fate(StrEnum):
     """What became of a mutant."""
@@ -34,7 +37,7 @@ class Fate(StrEnum):
 class Trials:
     """A plugin of pytest that, in place of running the tests once, runs some of them for each mutant."""
 
-    def __init__(self, mutants: Iterable[Mutant], chosen: Callable[[Mutant], Sequence[str]], limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
+    def __init__(self, mutants: Iterable[Mutant], chosen: Chosen | None, limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
         self.mutants, self.chosen, self.limit, self.tell = mutants, chosen, limit, tell
 
     @pytest.hookimpl(tryfirst=True)
@@ -43,14 +46,14 @@ class Trials:
         items = {item.nodeid: item for item in session.items}
         functions = _functions()
         for mutant in self.mutants:
-            tests = [items[name] for name in self.chosen(mutant) if name in items]
+            tests = [items[name] for name in self.chosen(mutant) if name in items] if self.chosen else session.items
             self.tell(mutant, _tried(mutant, functions, tests, self.limit))
         return True
 
 
-def try_all(mutants: Iterable[Mutant], chosen: Callable[[Mutant], Sequence[str]], limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
-    """Collect all tests, then try every mutant on the tests chosen for it."""
-    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", str(ROOT / "tests")], plugins=[Trials(mutants, chosen, limit, tell)])
+def try_all(mutants: Iterable[Mutant], chosen: Chosen | None, files: Sequence[str], limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
+    """Collect the tests (of these files, where any are named), then try every mutant on those chosen for it, or on all."""
+    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", *_PARTLY, *(files or [str(ROOT / "tests")])], plugins=[Trials(mutants, chosen, limit, tell)])
 
 
 def _functions() -> dict[tuple[str, str], list[FunctionType]]:
@@ -73,7 +76,7 @@ def _tried(mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]],
         _run(targets, _code(compile(mutant.text, path, "exec"), outer), tests, limit)
     _, status = os.waitpid(child, 0)
     if os.WIFSIGNALED(status):
-        return Fate.HUNG if os.WTERMSIG(status) == signal.SIGALRM else Fate.KILLED
+        return Fate.HUNG if os.WTERMSIG(status) == signal.SIGVTALRM else Fate.KILLED
     return Fate.SURVIVED if os.WEXITSTATUS(status) == 0 else Fate.KILLED
 
 
@@ -90,7 +93,7 @@ def _code(module: CodeType, name: str) -> CodeType:
 
 def _run(targets: Sequence[FunctionType], code: CodeType, tests: Sequence[pytest.Item], limit: int) -> None:
     """The child: never returns."""
-    signal.alarm(limit)
+    signal.setitimer(signal.ITIMER_VIRTUAL, limit)  # of the processor: a busy machine is no endless loop
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
     os.dup2(silent, 2)

@@ -31,7 +31,9 @@ def scales_of(construction: Construction) -> Scales:
 
 def fitted(places: Sequence[Construction], start: int) -> list[Scales]:
     """For each place the scales with which its polygons fit panes that do not change; all are drawn at the scales of the place `start`."""
-    scales = [scales_of(places[start])] * len(places) if places else []
+    if not places:
+        return []
+    scales = [scales_of(places[start])] * len(places)
     for view, name in FIELDS.items():
         given = getattr(scales[start], name)
         boxes = [_boxes(one, view) for one in places]
