@@ -26,7 +26,7 @@ from ..nearby import natural, slack
 SEED = 5
 PLENTY = ("change-points", "cylinder-lever", "cylinder-offset", "cylinder-slider", "forces", "forces-couples", "forces-elsewhere", "forces-friction",
           "forces-masses", "four-bar", "gears-arms", "gears-pivots", "gears-rolling", "gears-trains", "linkage-prp", "linkage-rpp", "linkage-rpr",
-          "linkage-rrp", "linkage-rrr", "linkage-slide", "offset-slot-drives", "pin-in-two-slots", "roller", "cams")
+          "linkage-rrp", "linkage-rrr", "linkage-slide", "offset-slot-drives", "pin-in-two-slots", "roller", "linkage-cam")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
