@@ -152,14 +152,27 @@ def _vector(found: dict[str, Any]) -> complex:
 def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
     """Loads, weight, inertia of one body."""
     points = moving.mech.link(name).points
-    for load in loads.on(name):
-        yield _load(moving, load, forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size)
+    for load in (*loads.forces, *loads.moments):
+        size = forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size
+        if isinstance(load, Force) and load.against:
+            yield from _thrust(moving, load, size, name)
+        elif load.link == name:
+            yield _load(moving, load, size)
     mass = loads.mass(name)
     if mass is not None:
         at = moving.place(name, points[mass.centre])
         pull = -moving.acceleration(name, points[mass.centre]) if loads.inertia else 0j
         yield Push(force=mass.mass * (pull - (1j * GRAVITY if loads.weight else 0j)), at=at,
                    couple=-mass.inertia * moving.alpha(name) if loads.inertia and mass.inertia else 0.0)
+
+
+def _thrust(moving: Moving, load: Force, size: float, name: str) -> Iterator[Push]:
+    """The medium pushes piston and barrel apart, along the line of their pins."""
+    ends = {load.link: load.point, load.against: load.foot}
+    if name in ends:
+        at = {link: moving.place(link, moving.mech.link(link).points[letter]) for link, letter in ends.items()}
+        ray = at[load.link] - at[load.against]
+        yield Push(force=(size if name == load.link else -size) * ray / abs(ray), at=at[name])
 
 
 def _load(moving: Moving, load: Load, size: float) -> Push:

@@ -17,6 +17,7 @@ from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute
 from ...mechanism.quantities import load_named
 from ...plane import nominal
+from ...problem.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
@@ -60,7 +61,16 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem)
     read_efficiency(st)
+    if not st.loads.friction:
+        _as_they_are(st, problem)
     return st
+
+
+def _as_they_are(st: Statics, problem: Problem) -> None:
+    """Where nothing rubs, what is asked without friction is what was found: M_1_0 = M_1."""
+    for ask in problem.asks:
+        if isinstance(ask, AskNamed) and (found := ask.rel.key.removesuffix("_0")) != ask.rel.key and found in st.readings:
+            st.keep(replace(st.readings[found], key=ask.rel.key, symbol=ask.rel.symbol), st.repeats[found])
 
 
 def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:

@@ -10,7 +10,7 @@ from ...board.construction import LineOfAction, Reading, View
 from ...errors import NoMethodError
 from ...mechanism.assur import Group
 from ...mechanism.loads import Force, Loads
-from ...mechanism.model import FRAME, Prismatic
+from ...mechanism.model import FRAME, Mechanism, Prismatic
 from ...mechanism.quantities import load_named, load_symbol, without_friction
 from ...names import Named, reaction
 from ...plane import Line, Points, foot, nominal
@@ -23,14 +23,21 @@ from .state import Statics
 
 def as_outer_force(desk: Desk, loads: Loads) -> Loads:
     """The loads with every thrust as a force on the link at the rod's end, in the direction drawn; NoMethodError where it is no such force."""
-    return replace(loads, forces=tuple(_outer(desk, loads, force) if force.against else force for force in loads.forces))
+    return replace(loads, forces=tuple(_outer(desk, loads, _from_the_frame(desk.mech, force)) if force.against else force for force in loads.forces))
+
+
+def _from_the_frame(mech: Mechanism, force: Force) -> Force:
+    """The thrust with its foot on the frame, where one end of the cylinder is: cylinder and piston may stand either way round."""
+    if force.foot not in mech.frame and force.point in mech.frame:
+        return replace(force, link=force.against, point=force.foot, against=force.link, foot=force.point)
+    return force
 
 
 def _outer(desk: Desk, loads: Loads, force: Force) -> Force:
     mech, pair = desk.mech, {force.link, force.against}
-    if mech.links_at(force.foot)[-1] != FRAME:
-        raise _no_method(force, Words(f"油缸的 ${force.foot}$ 端不在机架上", f"its pin {force.foot} is not on the frame"))
-    if any((loads.on(link) and tuple(loads.on(link)) != (force,)) or loads.mass(link) for link in pair):
+    if force.foot not in mech.frame:
+        raise _no_method(force, Words(f"油缸的 ${force.foot}$、${force.point}$ 两端都不在机架上", f"neither of its pins {force.foot} and {force.point} is on the frame"))
+    if any(load.name != force.name for link in pair for load in loads.on(link)) or any(loads.mass(link) for link in pair):
         raise _no_method(force, Words("油缸的构件上另有载荷或质量", "other loads or masses act on its links"))
     if _rubs(loads, force):
         raise _no_method(force, Words("油缸的运动副中有摩擦", "there is friction in its joints"))
@@ -61,7 +68,7 @@ def without_cylinders(groups: tuple[Group, ...], loads: Loads) -> tuple[Group, .
 
 def read_thrusts(st: Statics, loads: Loads) -> None:
     """The reactions at a cylinder's pins are its thrust, and act there along the line of the two pins."""
-    for force in (one for one in loads.forces if one.against):
+    for force in (_from_the_frame(st.mech, one) for one in loads.forces if one.against):
         outer = next(one for one in st.loads.forces if one.name == force.name)
         for by, on, point in ((force.link, outer.link, force.point), (FRAME, force.against, force.foot)):
             thrust = _thrust(st, outer)
@@ -90,7 +97,7 @@ def in_cylinders(st: Statics, loads: Loads) -> dict[str, list[Acting]]:
     On the moved link the rod's reaction stands in its place.
     """
     found: dict[str, list[Acting]] = {}
-    for force in (one for one in loads.forces if one.against):
+    for force in (_from_the_frame(st.mech, one) for one in loads.forces if one.against):
         outer = next(one for one in st.loads.forces if one.name == force.name)
         pair, line = {force.link, force.against}, st.desk.towards(force.foot, force.point)
         joint = next(j for j in st.mech.joints if isinstance(j, Prismatic) and {j.guide, j.block} == pair)
