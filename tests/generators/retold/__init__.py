@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from . import asked as asked
+from . import cycled as cycled
 from . import extended as extended
 from . import moved as moved
 from . import renamed as renamed

@@ -80,7 +80,7 @@ def against(solution: Solution, first: Solution, change: Change) -> str:
         if other is None:
             return f"{key} is not answered as {change.key(key)}, but {', '.join(solution.answers)}"
         unit = answer.reading.unit
-        size = max(floor.get(unit, 0.0), *(abs(one.exact) for one in first.answers.values() if one.reading.unit == unit and not one.undefined))
+        size = max([floor.get(unit, 0.0), *(abs(one.exact) for one in first.answers.values() if one.reading.unit == unit and not one.undefined)])
         if not _gap(answer, other, change, back) <= AGREE * max(size, 1e-9) + near.get(answer.key, 0.0):
             return f"{key} was {_value(answer)}, as {change.key(key)} it is {_value(other)}"
     return "" if len(first.answers) == len(solution.answers) else f"{len(solution.answers)} answers in the place of {len(first.answers)}"

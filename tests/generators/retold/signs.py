@@ -27,26 +27,26 @@ def widened(rng: np.random.Generator, text: str, mark: str) -> str:
     """Some kinds of signs wide, some words Chinese; the title the mark."""
     share = {sign: rng.choice([0.0, 0.5, 1.0]) for sign in _WIDE}
     letters = rng.choice([0.0, 0.0, 0.3])
-    square = rng.random() < 0.5
+    square, curly = rng.random() < 0.5, rng.random() < 0.5
     if rng.random() < 0.7:
         text = _chinese(rng, text)
-    lines = [line if line.startswith("title") else _line(rng, line, share, letters, square) for line in text.splitlines()]
+    lines = [line if line.startswith("title") else _line(rng, line, share, letters, (square, curly)) for line in text.splitlines()]
     return "\n".join(f"title: {mark}" if line.startswith("title") else line for line in lines) + "\n"
 
 
-def _line(rng: np.random.Generator, line: str, share: dict[str, float], letters: float, square: bool) -> str:
+def _line(rng: np.random.Generator, line: str, share: dict[str, float], letters: float, brackets: tuple[bool, bool]) -> str:
     """Quoted texts and the dashes of a list stay."""
     dash = re.match(r"\s*(- )?", line)
     assert dash is not None
     out, quoted = dash[0], False
     for sign in line[dash.end():]:
         quoted ^= sign == '"'
-        if sign == '"' and rng.random() < share[":"]:
+        if sign == '"' and brackets[1]:
             out += "“" if quoted else "”"
         elif quoted or rng.random() >= share.get(sign, letters if sign.isalnum() and sign.isascii() else 0.0):
             out += sign
         else:
-            out += _SQUARE[sign] if square and sign in _SQUARE else chr(ord(sign) + 0xFEE0)
+            out += _SQUARE[sign] if brackets[0] and sign in _SQUARE else chr(ord(sign) + 0xFEE0)
     return out
 
 

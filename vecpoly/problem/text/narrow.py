@@ -14,7 +14,7 @@ from ...words import Words
 from .flow import Flow
 from .signs import FILES, OPENING, QUOTES, TEXTS, WIDE, narrow, remedy
 
-_KEY = re.compile(r"([\w.'′-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
+_KEY = re.compile(r"([\w.'′＿．－-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
 _DASH = re.compile(r"-(?= |$) *")
 
 
