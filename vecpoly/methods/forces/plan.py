@@ -16,6 +16,7 @@ from ...mechanism.assur import Group, decompose, ends
 from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import FRAME, Joint, Mechanism, Prismatic, Revolute
 from ...mechanism.quantities import load_named
+from ...mechanism.seats import seat, seated
 from ...plane import nominal
 from ...problem.asks import AskNamed
 from ...problem.problem import Problem
@@ -46,6 +47,7 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     assert problem.loads is not None
     st = Statics(desk=desk, loads=as_outer_force(desk, problem.loads))
     held, groups = _order(desk, st.loads)
+    _refuse_pins(desk.mech, groups)
     groups = without_cylinders(groups, problem.loads)
     inertia_forces(st)
     draw_given_loads(st)
@@ -88,6 +90,20 @@ def _order(desk: Desk, loads: Loads) -> tuple[Held | None, tuple[Group, ...]]:
     if not loads.friction and any(group.dyad is None for group in own) and all(group.dyad for group in by_drive):
         return None, tuple(reversed(by_drive))
     return Held(link=link, parent=FRAME, joint=joint), tuple(reversed(own))
+
+
+def _refuse_pins(mech: Mechanism, groups: tuple[Group, ...]) -> None:
+    """NoMethodError where the forces come in groups above class II for no other reason than that the problem gives a pin to another link."""
+    above = next((group for group in groups if group.dyad is None), None)
+    plain = seated(mech)
+    if above is None or plain.joints == mech.joints or any(group.dyad is None for group in decompose(plain, pressing=True)):
+        return
+    moved = [p for p in sorted({j.point for j in mech.joints if isinstance(j, Revolute)}) if seat(mech, p) != seat(plain, p)]
+    said = ", ".join(f"{p}: {seat(mech, p)}" for p in moved)
+    raise NoMethodError(Words(
+        f"按 pins: {{{said}}}，各力须由{above.name.zh}求解，没有可用的图解法；请去掉 pins（不计摩擦时它只改变反力的名称），或用 vecpoly exact",
+        f"with pins: {{{said}}} the forces come in a {above.name.en}, for which no graphical method is on file; leave 'pins' out (without friction it only renames reactions), "
+        "or use 'vecpoly exact'"), code="pins", numbers={"pins": said})
 
 
 def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
