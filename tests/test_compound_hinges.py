@@ -10,7 +10,7 @@ import pytest
 from tests.generators.forces import friction, moment, numbered, renumbering, simple, some, template
 from tests.generators.loaded import rrp, rrr
 from vecpoly import loads
-from vecpoly.errors import ProblemFileError, VecpolyError
+from vecpoly.errors import NoMethodError, ProblemFileError, VecpolyError
 from vecpoly.mechanism.model import FRAME, Mechanism, Revolute
 from vecpoly.mechanism.quantities import apart, pairs
 from vecpoly.mechanism.seats import seat, seated
@@ -159,3 +159,25 @@ def test_a_mechanism_that_python_builds_keeps_the_joints_it_was_given() -> None:
     mech = mechanism(SIX_BAR)
     chained = replace(mech, joints=tuple(replace(j, a="2", b="4") if isinstance(j, Revolute) and j.point == "C" and "4" in (j.a, j.b) else j for j in mech.joints))
     assert seat(chained, "C") == "2"
+
+
+CARRIED = """
+id: carried
+title: carried
+frame: {A: [0 mm, 0 mm], D: [75 mm, 76 mm], F: [91 mm, 24 mm], I: [59 mm, 28 mm]}
+links: {1: {AB: 71 mm}, 2: {BE: 87 mm}, 3: {block: E}, 4: {EG: 192 mm}, 5: {block: G}, 6: {EH: 105 mm}, 7: {IH: 54 mm}}
+joints: [3 slides on line through D at -38 deg, 5 slides on line through F at 41 deg]
+branch: [E left of BD, G left of EF, H right of EI]
+input: {link: 1, phi: 52 deg, omega: 4 rad/s}
+loads: {M_6: {on: 6, size: 31 N*m}, M_1: {on: 1, size: "?"}}
+find: [M_1]
+"""
+
+
+def test_a_pin_with_which_forces_come_in_a_group_of_class_iii_is_named_with_the_remedy() -> None:
+    free = solve(loads(CARRIED), by="exact", repeats=0).answers["M_1"]
+    assert free.drawn == pytest.approx(free.exact) and free.drawn != 0
+    with pytest.raises(NoMethodError) as caught:
+        solve(loads(CARRIED + "pins: {E: 6}\n"), by="exact", repeats=0)
+    assert "pins: {E: 6}" in caught.value.words.en and "leave 'pins' out" in caught.value.words.en
+    assert "pins: {E: 6}" in caught.value.words.zh and "请去掉 pins" in caught.value.words.zh

@@ -172,3 +172,9 @@ def test_inertia_that_drives_and_is_eaten_by_friction_gives_an_efficiency_of_not
     found = solved(text.replace("at: 120 mm, left: 40 mm", "at: 135 mm, left: 27 mm"), "F: {on: 1, at: A, size: 297 N, direction: -130 deg}", BALANCE, also=masses)
     assert found.answers["M_1"].exact * found.answers["M_1_0"].exact < 0
     assert found.answers["eta"].drawn == found.answers["eta"].exact == 0
+
+
+def test_where_nothing_rubs_a_quantity_without_friction_is_the_quantity() -> None:
+    answers = solved(CRANK, "F: {on: 3, at: C, size: 500 N, direction: 180 deg}", BALANCE, also="find: [M_1, M_1_0, R_23, R_23_0]").answers
+    assert answers["M_1_0"].drawn == answers["M_1"].drawn != 0.0 and answers["M_1_0"].exact == pytest.approx(answers["M_1"].exact)
+    assert answers["R_23_0"].drawn_vector == answers["R_23"].drawn_vector != 0j

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -15,14 +16,12 @@ from tests.fuzz.kills import killed
 from tests.fuzz.outcome import End, Outcome
 from tests.fuzz.workers import Worker, outcomes
 
-SLOW = 60.0  # s: a hang is one for ever, whatever else the machine does
-
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes of another kind")
 
 
 def test_no_damaged_problem_file_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
     ends: Counter[End] = Counter()
-    for path, outcome in outcomes(_file, damaged_files(np.random.default_rng(7), 150, tmp_path / "p.yaml"), SLOW):
+    for path, outcome in outcomes(_file, damaged_files(np.random.default_rng(7), 150, tmp_path / "p.yaml")):
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{Path(path).read_text('utf-8', 'replace')}"
     assert ends[End.SOLVED] > 10 and ends[End.REFUSED] > 40
@@ -30,7 +29,7 @@ def test_no_damaged_problem_file_ends_in_a_traceback_or_a_hang(tmp_path: Path) -
 
 def test_no_damaged_table_ends_in_a_traceback_or_a_hang(tmp_path: Path) -> None:
     ends: Counter[End] = Counter()
-    for path, outcome in outcomes(_table_file, damaged_tables(np.random.default_rng(7), 40, tmp_path), SLOW):
+    for path, outcome in outcomes(_table_file, damaged_tables(np.random.default_rng(7), 40, tmp_path)):
         ends[outcome.end] += 1
         assert outcome.end in (End.SOLVED, End.REFUSED), f"{outcome.said}\n{path}"
     assert ends[End.SOLVED] and ends[End.REFUSED] > 10
@@ -47,13 +46,22 @@ def test_a_killed_run_leaves_whole_files_or_none(tmp_path: Path) -> None:
 
 
 def _naps(task: str) -> Outcome:
-    import time
-
     time.sleep(float(task))
     return Outcome(End.SOLVED)
 
 
-def test_a_hang_is_seen_and_the_next_task_is_done() -> None:
+def _counts(task: str) -> Outcome:
+    sum(range(int(float(task))))
+    return Outcome(End.SOLVED)
+
+
+def test_a_task_that_sleeps_too_long_is_a_hang_and_the_next_is_done() -> None:
     worker = Worker(_naps)
     assert [worker.outcome(task, 1.0).end for task in ("30", "0")] == [End.HANG, End.SOLVED]
+    worker.close()
+
+
+def test_a_task_that_counts_too_long_is_a_hang_and_the_next_is_done() -> None:
+    worker = Worker(_counts, 0.2)
+    assert [worker.outcome(task).end for task in ("1e12", "1")] == [End.HANG, End.SOLVED]
     worker.close()

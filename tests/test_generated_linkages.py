@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.generators.__main__ import text_of
-from tests.generators.family import families
+from tests.generators.family import families, member
 from tests.generators.judge import Kind, judge
 
 EACH = 15
@@ -13,6 +12,6 @@ EACH = 15
 
 @pytest.mark.parametrize("name", [one.name for one in families() if one.name.startswith("linkage")])
 def test_random_linkages_are_right(name: str) -> None:
-    one = next(member for member in families() if member.name == name)
-    found = {number: judge(text_of(one, 0, number)) for number in range(EACH)}
+    one = next(each for each in families() if each.name == name)
+    found = {number: judge(member(one, 0, number)) for number in range(EACH)}
     assert {number: verdict for number, verdict in found.items() if verdict.kind is not Kind.RIGHT} == {}

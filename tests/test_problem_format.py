@@ -238,3 +238,16 @@ def test_the_documented_examples_load(tmp_path: Path) -> None:
         text.split("```yaml\n")[-1].split("```")[0].replace("  - mine/four-bar.yaml\n", ""), encoding="utf-8"
     )
     assert [problem.id for problem in load_assignment(sheet).problems] == ["3-8", "3-9-ccw"]
+
+
+@pytest.mark.parametrize("link", [
+    "{slot: {through: A, left: 8 mm}, B: {along: line, at: 30 mm}, disc: B, radius: 12 mm}",
+    "{disc: B, radius: 12 mm, B: {along: line, at: 30 mm}, slot: {through: A, left: 8 mm}}",
+    "{face: {through: A, left: 5 mm}, B: {along: A, at: 30 mm}, disc: B, radius: 12 mm}",
+    "{slot: A, face: {through: A, angle: 20 deg from AB}, B: {along: A, at: 30 mm}, disc: B, radius: 12 mm}",
+])
+def test_what_a_link_is_does_not_depend_on_the_order_of_its_keys(link: str) -> None:
+    text = f"id: x\ntitle: x\nframe: {{A: [0 mm, 0 mm], C: [60 mm, 0 mm]}}\nlinks: {{1: {link}, 2: {{face: C}}}}\njoints: [1 touches 2 at K left of the face]\ninput: {{link: 1, phi: 50 deg, omega: ccw}}\n"
+    mech = loads(text).mechanism
+    assert mech.link("1").points == {"A": 0j, "B": pytest.approx(0.03)}
+    assert mech.contacts[0].disc.radius == pytest.approx(0.012) and mech.contacts[0].disc.centre == "B"

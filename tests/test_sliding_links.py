@@ -84,3 +84,12 @@ def test_a_guide_that_could_point_either_way_asks_for_a_branch() -> None:
         solved(text, "omega_2")
     ways = [solved(text + f"branch: [E {side} of BA]\n", "p_E", "omega_2").answers["p_E"].drawn_vector for side in ("left", "right")]
     assert abs(ways[0] - ways[1]) == pytest.approx(0.28)  # E ahead of B, and behind it
+    for way in ways:
+        rough = f"guesses: {{E: [{1e3 * way.real + 30:.0f} mm, {1e3 * way.imag - 30:.0f} mm]}}\n"
+        assert solved(text + rough, "p_E", "omega_2").answers["p_E"].drawn_vector == pytest.approx(way)
+
+
+def test_a_rough_place_does_not_turn_a_slot_whose_block_lies_ahead() -> None:
+    slot = "frame: {A: [0 mm, 0 mm], C: [100 mm, 0 mm]}\nlinks: {1: {AB: 30 mm}, 2: {block: B}, 3: {slot: C, E: {along: C, at: 150 mm}}}\njoints: [2 slides in 3]\ninput: {link: 1, phi: 60 deg, omega: ccw}\n"
+    plain, behind = (solved(slot + more, "p_E").answers["p_E"] for more in ("", "guesses: {E: [240 mm, -40 mm]}\n"))
+    assert behind.drawn_vector == plain.drawn_vector and behind.exact_vector == pytest.approx(behind.drawn_vector)

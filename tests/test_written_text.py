@@ -37,6 +37,8 @@ def test_a_file_typed_on_a_chinese_keyboard_is_the_same_problem() -> None:
     ("title: 【例 3-1】“四杆”机构", "title: 【例 3-1】“四杆”机构"),
     ("errata: [第一，二版误，第三版改]", "errata: [第一，二版误，第三版改]"),
     ("find: [v_E] # 注：求，速度", "find: [v_E] # 注：求，速度"),
+    ('{\n "title": {"zh": "甲；乙。", "en"："b"},\n "find": ["v_E"，"a_E"]}', '{\n "title": {"zh": "甲；乙。", "en": "b"},\n "find": ["v_E","a_E"]}'),
+    ("loads：\n  M＿q０：｛on：1｝\nfriction： {3－4：{phi： 8 deg}}", "loads:\n  M_q0: {on: 1}\nfriction: {3-4: {phi: 8 deg}}"),
     ("title: '甲：乙'\nbranch: ［C above AD］", "title: '甲：乙'\nbranch: [C above AD]"),
     ("title_block：｛课程：机械原理，班级：机械 21｝", "title_block: {课程: 机械原理,班级: 机械 21}"),
     ("statement:\n  zh：已知：a，b\n   续：c，d\n  en: x", "statement:\n  zh: 已知：a，b\n   续：c，d\n  en: x"),

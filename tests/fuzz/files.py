@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tests.generators.family import families, member
 from vecpoly.cycle import csv_bytes, cycle, table, xlsx_bytes
 from vecpoly.data import data_dir
 from vecpoly.problem.load import load
@@ -14,9 +15,15 @@ from vecpoly.problem.load import load
 from .mutants import mutant
 
 
+def good_files(rng: np.random.Generator, each: int) -> list[str]:
+    """The problem files of the library, and so many members of each random family that is made without solving others."""
+    made = [member(one, int(rng.integers(10**6)), n) for one in families() if not one.name.startswith(("retold", "asked", "library")) for n in range(each)]
+    return [file.read_text(encoding="utf-8") for file in sorted(data_dir("problems").rglob("*.yaml"))] + made
+
+
 def damaged_files(rng: np.random.Generator, count: int, path: Path) -> Iterator[str]:
-    """Damaged problem files of the library."""
-    texts = [file.read_text(encoding="utf-8") for file in sorted(data_dir("problems").rglob("*.yaml"))]
+    """Damaged problem files."""
+    texts = good_files(rng, 3)
     for _ in range(count):
         path.write_bytes(mutant(rng, texts).encode("utf-8", "surrogatepass"))
         yield str(path)

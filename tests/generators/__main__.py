@@ -12,26 +12,20 @@ from collections import Counter
 from collections.abc import Iterator
 from multiprocessing import Pool
 
-import numpy as np
 from rich.console import Console
 from rich.progress import track
 
-from .family import Family, families
+from .family import families, member
 from .judge import Kind, Verdict, judge
 
 Case = tuple[str, int, int]  # family, seed, number
 
 
-def text_of(one: Family, seed: int, number: int) -> str:
-    """The member of a family with this number: the same for the same seed, in any order."""
-    return one.make(np.random.default_rng([seed, number]))
-
-
 def judged(case: Case) -> tuple[Case, Verdict]:
     """One member made and judged."""
     name, seed, number = case
-    one = next(member for member in families() if member.name == name)
-    return case, judge(text_of(one, seed, number), one.also)
+    one = next(each for each in families() if each.name == name)
+    return case, judge(member(one, seed, number), one.also)
 
 
 def _all(cases: list[Case], jobs: int) -> Iterator[tuple[Case, Verdict]]:
@@ -54,7 +48,7 @@ def main() -> int:
     chosen = [one for one in families() if not asked.family or one.name.startswith(tuple(asked.family))]
     if asked.only is not None:
         for one in chosen:
-            text = text_of(one, asked.seed, asked.only)
+            text = member(one, asked.seed, asked.only)
             print(text, judge(text, one.also), sep="\n")
         return 0
     cases = [(one.name, asked.seed, number) for one in chosen for number in range(asked.count)]

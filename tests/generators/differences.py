@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from vecpoly import oracle
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.names import At, Kind, Rel, parse_rel
+from vecpoly.names import At, Key, Kind, Rel
 from vecpoly.oracle.motion import Motion
 from vecpoly.solution import Solution
 
@@ -41,7 +41,7 @@ def _contradicted(mech: Mechanism, solution: Solution, step: float) -> str:
         coarse, fine = (_positions(mech, one) for one in (step, step / 2))
     except VecpolyError:
         return ""  # too near the end of the range for five positions
-    asked = [(key, rel) for key in solution.answers if (rel := _absolute(key)) is not None and _stays(mech, rel)]
+    asked = [(key, rel) for key, one in solution.answers.items() if (rel := _absolute(one.rel)) is not None and _stays(mech, rel)]
     found = {key: (_rate(mech, coarse, rel, step), _rate(mech, fine, rel, step / 2)) for key, rel in asked}
     floor = natural(mech)
     size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
@@ -61,13 +61,11 @@ def _positions(mech: Mechanism, step: float) -> Motion:
     return oracle.solve(mech, drive.position + _OFFSETS * step * unit, order=0)
 
 
-def _absolute(key: str) -> Rel | None:
+def _absolute(key: Key) -> Rel | None:
     """The key as an absolute rate of a letter or a link, else None."""
-    try:
-        rel = parse_rel(key)
-    except VecpolyError:
-        return None
-    return rel if rel.kind in (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA) and rel.ref is None else None
+    if isinstance(key, Rel) and key.kind in (Kind.V, Kind.A, Kind.OMEGA, Kind.ALPHA) and key.ref is None:
+        return key
+    return None
 
 
 def _stays(mech: Mechanism, rel: Rel) -> bool:

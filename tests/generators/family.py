@@ -48,6 +48,11 @@ def family(name: str, also: Check = content, often: int = 10) -> Callable[[Make]
     return register
 
 
+def member(one: Family, seed: int, number: int) -> str:
+    """The member of a family with this number: the same for the same seed, in any order."""
+    return one.make(np.random.default_rng([seed, number]))
+
+
 def families() -> tuple[Family, ...]:
     """All registered families, by name."""
     here = import_module(__package__)

@@ -29,6 +29,7 @@ class Chain:
     joints: list[str] = field(default_factory=list)
     branches: list[str] = field(default_factory=list)
     slides: list[tuple[str, str]] = field(default_factory=list)
+    contacts: list[str] = field(default_factory=list)
 
     def fixed(self, place: complex) -> str:
         """A new letter of the frame."""

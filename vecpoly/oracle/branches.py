@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -68,7 +68,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return _figured(mech, options[fits.index(True)], figure, after[fits.index(True)])
-    if all(fits) and step.two and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
+    if all(fits) and step.two and not isinstance(step, Swinging) and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
         return _figured(mech, options[near], figure, after[near])
     if not any(fits):
         statement = " and ".join(f"'{s}'" for s in told)
@@ -77,7 +77,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
             f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
             f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}") + _advice(mech, step, before, after))
     if isinstance(step, Swinging):
-        return _ahead(step, bodies, where)
+        return _ahead(step, bodies) or _guessed(mech, options, after, where)
     raise AssemblyError(
         Words(
         f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
@@ -124,17 +124,25 @@ def _is_said(mech: Mechanism, shape: Shaped) -> bool:
     return any(isinstance(s, Shaped) and s.form is shape.form and set(s.letters) == set(shape.letters) for s in mech.branches)
 
 
-def _ahead(step: Swinging, bodies: Bodies, where: str) -> Swinging:
-    """The block ahead of the guide's letter along the guide's positive direction; else ahead of its pivot."""
+def _ahead(step: Swinging, bodies: Bodies) -> Swinging | None:
+    """The block ahead of the guide's letter along the guide's positive direction; None where it is so in both directions, or in none."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
     here, there = step.ends(bodies)
     forward = [option for option in options if option.sign * option.reach(there - here)[-1] + option.shift > 0]
-    if len(forward) != 1:
+    return forward[0] if len(forward) == 1 else None
+
+
+def _guessed(mech: Mechanism, options: Sequence[Step], after: Sequence[Places], where: str) -> Step:
+    """The direction in which the guide's letters lie nearer to the rough places; AssemblyError where these do not tell."""
+    near = nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale) if len(after) == 2 else None
+    if near is None:
+        step = options[0]
+        assert isinstance(step, Swinging)
         raise AssemblyError(
-            Words(f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；请在 branch 中写出该组某点在哪一侧",
+            Words(f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；请在 branch 中写出该组某点在哪一侧，或以 guesses 给出其大致位置",
                   f"the guide of link {step.guide}, on which link {step.block} slides, can point either way where the drive stands at {where}; "
-                  f"say in 'branch' on which side a point of these two links lies"), code="branch-missing")
-    return forward[0]
+                  f"say in 'branch' on which side a point of these two links lies, or give its rough place as guesses"), code="branch-missing")
+    return options[near]
 
 
 def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> Words:

@@ -18,7 +18,8 @@ Fold = Callable[[Reals], Reals]  # of the drive's positions: not below zero wher
 SAMPLES = 1440  # a turn
 LOW = 1e-2  # a sampled fold that is larger is near no change point
 TOUCHES = 1e-13  # a least fold from which rounding alone parts zero
-HALVINGS = 60
+ROUGH, FINE = 12, 48  # golden sections: to a hundredth of a sample, where a fold above NEAR can come down to zero no more; then to the last digit
+NEAR = 1e-4
 BESIDE = (1e-3, 1e-5)  # of a turn over 2π, or of the scale: where the fold's root is taken to find where it vanishes
 _GOLDEN = (5**0.5 - 1) / 2
 
@@ -59,21 +60,26 @@ def touches(fold: Fold, low: float, high: float, unit: float) -> tuple[float, ..
     least = np.flatnonzero((sampled[1:-1] <= sampled[:-2]) & (sampled[1:-1] < sampled[2:]) & (sampled[1:-1] < LOW)) + 1
     if not least.size:
         return ()
-    middle = _least(fold, q[least - 1], q[least + 1])
+    low_ends, high_ends = _least(fold, q[least - 1], q[least + 1], ROUGH)
+    near = fold((low_ends + high_ends) / 2) < NEAR
+    if not near.any():
+        return ()
+    ends = _least(fold, low_ends[near], high_ends[near], FINE)
+    middle = (ends[0] + ends[1]) / 2
     middle = middle[np.abs(fold(middle)) < TOUCHES]
     for beside in BESIDE if middle.size else ():
         middle = _root(fold, middle, beside * unit)
     return tuple(float(place) for place in middle if low <= place < high)
 
 
-def _least(fold: Fold, low: Reals, high: Reals) -> Reals:
-    """Golden section, of all intervals at once."""
-    for _ in range(HALVINGS):
+def _least(fold: Fold, low: Reals, high: Reals, times: int) -> tuple[Reals, Reals]:
+    """Golden section, of all intervals at once: where the least value lies."""
+    for _ in range(times):
         span = _GOLDEN * (high - low)
         left, right = high - span, low + span
         lower: NDArray[np.bool_] = np.asarray(fold(left) < fold(right))
         low, high = np.where(lower, low, left), np.where(lower, right, high)
-    return np.asarray((low + high) / 2)
+    return low, high
 
 
 def _root(fold: Fold, near: Reals, beside: float) -> Reals:

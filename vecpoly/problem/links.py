@@ -33,22 +33,10 @@ def read_link(name: str, data: Value) -> Draft:
     for key in data:
         _known(key)
     _base(draft, data)
-    early = "face" in data and _through(data["face"]) in draft.points
-    if early:
-        _within("face", lambda: _face(draft, data["face"]))
     _set_out(draft, data)
-    if "rack" in data:
-        _within("rack", lambda: _rack(draft, data["rack"]))
-    if "face" in data and not early:
-        _within("face", lambda: _face(draft, data["face"]))
     _round(draft, data)
     read_start(draft, data)
     return draft
-
-
-def _through(data: Value) -> str:
-    """The letter of `face: C` or `face: {through: C}`."""
-    return str(data.get("through")) if isinstance(data, dict) else str(data)
 
 
 def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
@@ -59,6 +47,8 @@ def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
             waiting[key] = partial(place, draft, key, value)
         elif key in _LINED and isinstance(value, dict):
             waiting[key] = partial(_own_line, draft, key, value)
+        elif key in _FLANKS:
+            waiting[key] = partial(_FLANKS[key], draft, value)
     while waiting:
         done = [key for key, act in waiting.items() if _succeeds(act)]
         if not done:  # nothing gets any further: the faults are told in their order
@@ -94,6 +84,9 @@ def _face(draft: Draft, data: Value) -> None:
     draft.face = _line(draft, data, "face")
     if draft.shape is Shape.BAR and len(draft.points) == 1:
         draft.line = draft.face
+
+
+_FLANKS = {"rack": _rack, "face": _face}
 
 
 def _within(key: str, act: Callable[[], None]) -> None:
@@ -135,7 +128,7 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             raise FaultError(Words(
                 f"“{letter}”不是点的字母；应写 C 之类的大写字母",
                 f"'{letter}' is no letter of a point, such as C"), key, code="spelling")
-        if not bases and not draft.points:
+        if not bases and not draft.points and not (key in _PLACED and letter in data):
             draft.shape, draft.points[letter] = _SINGLE[key], 0j
         elif letter not in draft.points and key not in _PLACED:
             raise FaultError(Words(

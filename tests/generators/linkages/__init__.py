@@ -1,4 +1,4 @@
-"""Random mechanisms of one to four class II groups, of every joint form of the manual that is no gear, cam or cylinder."""
+"""Random mechanisms of one to four class II groups, of every joint form of the manual that is no gear or cylinder."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 from ..family import family
 from . import changing as changing
 from .asks import motion_asks
+from .cams import cam
 from .groups import Group, prp, rpp, rpr, rrp, rrr
 from .rails import rail
 from .sketch import FRAME, Body, Grazing, Sketch, deg, mm, turned
@@ -110,3 +111,9 @@ def linkage_rpp(rng: np.random.Generator) -> str:
 def linkage_slide(rng: np.random.Generator) -> str:
     """A driving slider, and any group first."""
     return _made(rng, GROUPS[int(rng.integers(len(GROUPS)))], 2, slides=True)
+
+
+@family("linkage-cam")
+def linkage_cam(rng: np.random.Generator) -> str:
+    """A cam or an eccentric with any follower first."""
+    return _made(rng, cam, 2)

@@ -17,6 +17,7 @@ from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import FRAME, Revolute
 from ...mechanism.quantities import load_named, without_friction
 from ...plane import nominal
+from ...problem.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
@@ -34,7 +35,15 @@ from .power_alone import is_alone, is_drawn, power_first, refuse_undrawn
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
-from .thrust import as_moved, as_outer_forces, is_floating, is_outer, read_thrusts, without_cylinders
+from .thrust import (
+    as_moved,
+    as_outer_forces,
+    from_the_frame,
+    is_floating,
+    is_outer,
+    read_thrusts,
+    without_cylinders,
+)
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -45,6 +54,8 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
 
     Raises LockedError, EquilibriumError, NoSlipSenseError, NoMethodError.
     """
+    assert problem.loads is not None
+    problem = replace(problem, loads=from_the_frame(desk.mech, problem.loads))
     assert problem.loads is not None
     if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
         return _balance_alone(desk, problem)
@@ -74,7 +85,16 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     read_thrusts(st, problem.loads)
     draw_free_bodies(st, problem)
     read_efficiency(st)
+    if not st.loads.friction:
+        _as_they_are(st, problem)
     return st
+
+
+def _as_they_are(st: Statics, problem: Problem) -> None:
+    """Where nothing rubs, what is asked without friction is what was found: M_1_0 = M_1."""
+    for ask in problem.asks:
+        if isinstance(ask, AskNamed) and (found := ask.rel.key.removesuffix("_0")) != ask.rel.key and found in st.board.readings:
+            st.keep(replace(st.board.readings[found], key=ask.rel.key, symbol=ask.rel.symbol), st.board.found[found])
 
 
 def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:

@@ -29,6 +29,17 @@ def as_outer_forces(desk: Desk, loads: Loads) -> Loads:
     return replace(loads, forces=tuple(outer for force in loads.forces for outer in (_outer(desk, loads, force) if force.against else (force,))))
 
 
+def from_the_frame(mech: Mechanism, loads: Loads) -> Loads:
+    """The loads with the foot of every thrust on the frame, where one end of its cylinder is: cylinder and piston may stand either way round."""
+    return replace(loads, forces=tuple(_turned(mech, force) if force.against else force for force in loads.forces))
+
+
+def _turned(mech: Mechanism, force: Force) -> Force:
+    if force.foot not in mech.frame and force.point in mech.frame:
+        return replace(force, link=force.against, point=force.foot, against=force.link, foot=force.point)
+    return force
+
+
 def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
     """Whether the thrust acts on one link at each end, in a cylinder that carries nothing else and has no friction."""
     return _hindered(mech, loads, force) is None

@@ -34,7 +34,7 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     about = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
     holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
     fits = [all(held) for held in holds]
-    if all(fits) and (near := nearer(*_in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
+    if all(fits) and (near := nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
         return pair[near], None
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
@@ -42,7 +42,7 @@ def choose(desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, P
     return (pair[0] if fits[0] else pair[1]), deciding
 
 
-def _in_metres(desk: Desk, trials: list[dict[str, complex]]) -> tuple[Mapping[str, complex], dict[str, complex], dict[str, complex]]:
+def in_metres(desk: Desk, trials: list[dict[str, complex]]) -> tuple[Mapping[str, complex], dict[str, complex], dict[str, complex]]:
     """The rough places of the problem, and where all letters lie with either meeting point."""
     one, two = ({name: at / desk.mm(1.0) for name, at in trial.items()} for trial in trials)
     return desk.mech.guesses, one, two

@@ -26,8 +26,8 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
     held = known_tips(desk, view, ask.link)
     if len(held) < 2:
         raise NoMethodError(Words(
-            f"{ask.name}：构件 {ask.link} 在多边形上的已知点不足两个",
-            f"{ask.name}: fewer than two points of link {ask.link} are known on the polygon"))
+            f"{ask.name}：构件 {ask.link} 在多边形上的已知点不足两个；请在该构件上另设一点",
+            f"{ask.name}: fewer than two points of link {ask.link} are known on the polygon; set out another point on it"))
     (p, p_at), (q, q_at) = held[0], held[1]
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
     if abs(complex(nominal(tips[1] - tips[0]))) < NO_LENGTH:

@@ -1,16 +1,16 @@
-"""Which way a swinging guide points: as the branch statements say, else so that the block lies ahead of the letter of the guide's line."""
+"""Which way a swinging guide points: as the branch statements say, else so that the block lies ahead of the letter of the guide's line, else as the rough places say."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from ...errors import AssemblyError
-from ...mechanism.branch import margin
+from ...mechanism.branch import margin, nearer
 from ...mechanism.model import Prismatic, Statement
 from ...plane import Points, nominal
 from ...words import Words
 from ..desk import Desk
-from .assembly import HAIR
+from .assembly import HAIR, in_metres
 
 Places = dict[str, complex]
 
@@ -32,6 +32,8 @@ def choose_way(desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points,
         return ways[fits.index(True)], next(s for s, a, b in zip(told, *holds, strict=True) if a != b)
     ahead = [_travel(desk, joint, q, p, way) > 0 for way in sides]
     if ahead[0] == ahead[1]:
+        if (near := nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
+            return ways[near], None
         raise _refused(joint, "branch-missing", Words("两个方向都可装配，须以分支说明", "it can point either way, and no branch statement says which"))
     return ways[ahead.index(True)], None
 
@@ -39,7 +41,8 @@ def choose_way(desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points,
 def _refused(joint: Prismatic, code: str, why: Words) -> AssemblyError:
     example = f"'{joint.pin} left of ...'"
     return AssemblyError(Words(f"构件 {joint.guide} 的导路（其上滑块 {joint.block}）：", f"the guide of link {joint.guide}, on which link {joint.block} slides: ") + why
-                         + Words(f"；请在 branch 中写出该组某点在哪一侧，如 {example}", f"; say in 'branch' on which side a point of these two links lies, such as {example}"), code=code)
+                         + Words(f"；请在 branch 中写出该组某点在哪一侧，如 {example}，或以 guesses 给出其大致位置",
+                                 f"; say in 'branch' on which side a point of these two links lies, such as {example}, or give its rough place as guesses"), code=code)
 
 
 def _with_way(desk: Desk, joint: Prismatic, q: str, p: str, way: complex) -> Places:

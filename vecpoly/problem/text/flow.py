@@ -10,16 +10,17 @@ from .signs import CLOSING, FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, narrow,
 Signs = list[tuple[str, int]]
 _NEXT_KEY = re.compile(r"[ \u3000]*(zh|en|note)[ \u3000]*[:：]")
 _NEXT_FIELD = re.compile(r"[ \u3000]*\w{1,8}[ \u3000]*[:：]")
-_WORD = re.compile(r"[\w.'′-]+")
+_WORD = re.compile(r"[\w.'′＿．－-]+")
 
 
 @dataclass(slots=True)
 class Frame:
-    """One pair of brackets: what closes it, the key before the value being read, and the value's text so far."""
+    """One pair of brackets: what closes it, the key before the value being read, the value's text so far, and what stood in quotes there."""
 
     closer: str
     key: str = ""
     so_far: str = ""
+    quoted: str = ""
 
 
 class Flow:
@@ -61,14 +62,15 @@ class Flow:
 
     def _inside(self, line: str, at: int, out: Signs) -> int:
         sign, frame = line[at], self.frames[-1]
-        if sign in ":：" and not frame.key and (frame.closer == "}" or not self._spoken()) and _WORD.fullmatch(frame.so_far.strip()):
-            frame.key, frame.so_far = "".join(map(narrow, frame.so_far.strip())), ""
+        key = frame.quoted or frame.so_far.strip()  # JSON has its keys in quotes
+        if sign in ":：" and not frame.key and (frame.closer == "}" or not self._spoken()) and _WORD.fullmatch(key):
+            frame.key, frame.so_far, frame.quoted = "".join(map(narrow, key)), "", ""
             out.append((":", at))
             if sign == "：" and line[at + 1: at + 2] not in (" ", "\u3000"):
                 out.append((" ", -1))
             return at + 1
         if sign == "," or (sign in "，、" and self._separates(line, at, sign)):
-            frame.key, frame.so_far = "", ""
+            frame.key, frame.so_far, frame.quoted = "", "", ""
             out.append((",", at))
             return at + 1
         frame.so_far += sign
@@ -120,23 +122,25 @@ class Flow:
         out.append((closer, at))
         self.closed = not self.frames
         if self.frames:
-            self.frames[-1].so_far = "…"  # a collection stood there
+            self.frames[-1].so_far, self.frames[-1].quoted = "…", ""  # a collection stood there
         return at + 1
 
     def _open_quote(self, line: str, at: int, out: Signs) -> int:
         out.append(('"' if line[at] in QUOTES else line[at], at))
         self.quote = QUOTES.get(line[at], line[at])
-        self.frames[-1].so_far = "…"
+        self.frames[-1].so_far, self.frames[-1].quoted = "…", ""
         return at + 1
 
     def _quoted(self, line: str, at: int, out: Signs) -> int:
         sign = line[at]
         if sign == "\\" and self.quote == '"' and at + 1 < len(line):
+            self.frames[-1].quoted += line[at : at + 2]
             out += [(sign, at), (line[at + 1], at + 1)]
             return at + 2
         if sign == self.quote:
             self.quote = ""
             out.append(('"' if sign in QUOTES else sign, at))
         else:
+            self.frames[-1].quoted += sign
             out.append((sign, at))
         return at + 1

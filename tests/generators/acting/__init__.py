@@ -1,0 +1,7 @@
+"""Forces in every form in which the manual lets them be written: friction, masses, pins that a link carries, cams, thrusts."""
+
+from __future__ import annotations
+
+from . import cams as cams
+from . import thrusts as thrusts
+from . import written as written
