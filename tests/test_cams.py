@@ -17,6 +17,7 @@ from vecpoly.board.hand import hand
 from vecpoly.board.marks import Arc, Disc, FixedGuide, Point, Role, Segment
 from vecpoly.drawing.space import slots
 from vecpoly.errors import AssemblyError, DeadPointError, ProblemFileError
+from vecpoly.figures import views
 from vecpoly.mechanism.assur import decompose
 from vecpoly.mechanism.mobility import mobility
 from vecpoly.methods.desk import Desk
@@ -26,7 +27,7 @@ from vecpoly.oracle.contact import touching
 from vecpoly.problem.asks import AskRel
 from vecpoly.problem.problem import Problem
 
-PLACES = dict(zip(View, slots(3), strict=False))
+PLACES = dict(zip(views(), slots(3), strict=False))
 LEVER = """
 id: lever
 title: disc and lever

@@ -47,7 +47,7 @@ def newton(value: float) -> str:
 
 def draw(device: Device, by: str = "exact", mu: float | None = None) -> Construction:
     problem = Problem(id="t", title=Words.same("t"), subject=device, asks=tuple(AskNamed(rel=named) for named in device.quantities()),
-                      scales=Scales(mu_f=mu))
+                      scales=Scales({"mu_F": mu} if mu else {}))
     return construct_device(problem, hand(by), {})[0]
 
 

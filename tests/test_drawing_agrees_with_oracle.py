@@ -11,11 +11,11 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from vecpoly import oracle
-from vecpoly.board.construction import View
 from vecpoly.board.hand import hand
-from vecpoly.check.precision import nudged
+from vecpoly.check.nudged import nudged
 from vecpoly.drawing.space import slots
 from vecpoly.errors import AssemblyError, DeadPointError, VecpolyError
+from vecpoly.figures import views
 from vecpoly.mechanism.model import (
     ByOffsets,
     Drive,
@@ -32,7 +32,7 @@ from vecpoly.problem.asks import AskRel
 from vecpoly.problem.problem import Problem
 from vecpoly.words import Words
 
-PLACES = dict(zip(View, slots(3), strict=False))
+PLACES = dict(zip(views(), slots(3), strict=False))
 lengths = st.floats(0.02, 0.3)
 angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, -1.0, 3.0, 10.0])

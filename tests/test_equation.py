@@ -15,11 +15,12 @@ from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
 from vecpoly.board.marks import Vector
 from vecpoly.errors import DeadPointError, EquationError, EquilibriumError
+from vecpoly.figures import views
 from vecpoly.names import At, Key, Kind, Named, Rel, reaction
 from vecpoly.vector.close import close
 from vecpoly.vector.equation import KNOWN, UNKNOWN, Equation, Term
 
-SCALES = {v: Scale(symbol="μ", value=1.0, unit="m") for v in View}
+SCALES = {v: Scale(symbol="μ", value=1.0, unit="m") for v in views()}
 B, C = At("B"), At("C")
 angles = st.floats(-pi, pi)
 sizes = st.floats(5.0, 100.0)

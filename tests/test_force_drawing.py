@@ -42,6 +42,7 @@ from vecpoly.drawing.sheet import Sheet, sheets
 from vecpoly.drawing.space import room, usable
 from vecpoly.drawing.style import Dash, Hue
 from vecpoly.drawing.svg import to_svg
+from vecpoly.figures import views
 from vecpoly.words import Lang, Words
 
 MM = 72 / 25.4
@@ -157,15 +158,15 @@ def test_a_narrow_angle_is_pointed_at_from_outside_and_its_letter_stands_outside
 def test_forces_are_drawn_in_their_own_ink_and_velocities_on_a_body_in_theirs() -> None:
     inks = {label: next(i.hue for i in items(Vector(a=0j, b=20j, role=Role.RESULT, label=label)) if isinstance(i, Fill))
             for label in ("R_{12}", "F_{I2}", "Q", "v_{34}", "")}
-    assert inks == {"R_{12}": Hue.FORCE, "F_{I2}": Hue.FORCE, "Q": Hue.FORCE, "v_{34}": Hue.VELOCITY, "": Hue.FORCE}
+    assert inks == {"R_{12}": View.FORCE.ink, "F_{I2}": View.FORCE.ink, "Q": View.FORCE.ink, "v_{34}": View.VELOCITY.ink, "": View.FORCE.ink}
     bows = [next(i.hue for i in items(TurnArrow(at=0j, radius=8, start=0, ccw=True, label=label))) for label in ("M_1", "ω_{21}")]
-    assert bows == [Hue.FORCE, Hue.BLACK]
+    assert bows == [View.FORCE.ink, Hue.BLACK]
 
 
 def test_a_force_on_the_velocity_polygon_used_as_a_lever_keeps_the_ink_of_forces() -> None:
     marks = (Vector(a=0j, b=20j, role=Role.RESULT, label="v_B"), Vector(a=20j, b=20 + 20j, role=Role.RESULT, label="F_{I2}"))
     lever = replace(ff.velocity(), marks=marks)
-    assert [i.hue for i in draw_figure(lever, caption=False).items if isinstance(i, Fill)] == [Hue.VELOCITY, Hue.FORCE]
+    assert [i.hue for i in draw_figure(lever, caption=False).items if isinstance(i, Fill)] == [View.VELOCITY.ink, View.FORCE.ink]
 
 
 def test_a_force_is_seen_over_the_block_on_which_it_acts() -> None:
@@ -244,7 +245,7 @@ def test_three_bodies_and_three_polygons_that_fill_their_room_share_a_page() -> 
         assert len(sheets(record(*pairs))) == 1
 
 
-@pytest.mark.parametrize("view", list(View))
+@pytest.mark.parametrize("view", list(views()))
 @pytest.mark.parametrize("count", [1, 2, 3, 6])
 def test_the_room_of_every_figure_lies_within_the_page(view: View, count: int) -> None:
     assert room(view, count)[0] < usable()[0] and 50 < room(view, count)[1] < usable()[1]

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from vecpoly.check.exact import exact_values
+from vecpoly.check.truth import exact_values
 from vecpoly.cycle import cycle, extremes, facts, path
 from vecpoly.cycle.path import Shape
 from vecpoly.errors import AssemblyError

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from vecpoly.board.construction import View
 from vecpoly.board.hand import hand
 from vecpoly.drawing.space import slots
+from vecpoly.figures import views
 from vecpoly.methods.plan import construct
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Scales
 
-PLACES = dict(zip(View, slots(3), strict=False))
+PLACES = dict(zip(views(), slots(3), strict=False))
 KNOWN: dict[str, dict[str, float | list[float]]] = json.loads((Path(__file__).parent / "data" / "ch3.json").read_text(encoding="utf-8"))
 
 
@@ -44,8 +44,8 @@ def test_the_exact_hand_draws_the_known_answer(drawn, name: str, key: str) -> No
 @pytest.mark.parametrize("name", ["3-5", "3-9", "3-10", "3-12"])
 def test_another_scale_changes_millimetres_and_not_answers(name: str) -> None:
     problem = load(name)
-    coarse = replace(problem, scales=Scales(mu_l=0.004, mu_v=0.02, mu_a=0.1))
-    fine = replace(problem, scales=Scales(mu_l=0.001, mu_v=0.007, mu_a=0.03))
+    coarse = replace(problem, scales=Scales({"mu_l": 0.004, "mu_v": 0.02, "mu_a": 0.1}))
+    fine = replace(problem, scales=Scales({"mu_l": 0.001, "mu_v": 0.007, "mu_a": 0.03}))
     one, two = (construct(p, hand("exact"), PLACES)[0].readings for p in (coarse, fine))
     for key, reading in one.items():
         assert reading.scalar == pytest.approx(two[key].scalar, rel=1e-9, abs=1e-12)

@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from texts import SLIDER_CRANK
 
-from vecpoly.check.exact import exact_values
 from vecpoly.check.printed import check_problem
+from vecpoly.check.truth import exact_values
 from vecpoly.check.verdict import Verdict
 from vecpoly.devices.base import Device
 from vecpoly.errors import EquilibriumError
@@ -186,7 +186,7 @@ def test_one_reaction_of_each_pair_is_asked_for() -> None:
 
 
 def test_a_force_scale_may_be_given() -> None:
-    assert loads(CRANK + "scales: {mu_F: 10 N/mm}\n").scales.mu_f == pytest.approx(10.0)
+    assert loads(CRANK + "scales: {mu_F: 10 N/mm}\n").scales.given["mu_F"] == pytest.approx(10.0)
 
 
 @pytest.mark.parametrize(("symbol", "value", "si"), [

@@ -18,7 +18,8 @@ from vecpoly.problem.links import read_link
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem, Shape
 from vecpoly.problem.rolling import read_rolling
-from vecpoly.units import _COMMON, Dim, read, unit_by_pint
+from vecpoly.unit_names import _COMMON, unit_by_pint
+from vecpoly.units import Dim, read
 
 FOUR_BAR = """\
 id: t

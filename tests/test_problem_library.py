@@ -73,7 +73,7 @@ def test_swinging_block_has_a_rod_that_passes_through_the_block() -> None:
     assert problem.mechanism.drive.rate == -10
     assert [(d.symbol, d.text) for d in problem.given.lengths] == [
         ("l_AB", "30 mm"), ("l_BD", "50 mm"), ("l_DE", "40 mm")]  # fmt: skip
-    assert (problem.scales.mu_l, problem.scales.mu_v, problem.scales.mu_a) == (0.002, 0.006, 0.03)
+    assert problem.scales.given == {"mu_l": 0.002, "mu_v": 0.006, "mu_a": 0.03}
 
 
 def test_offset_guide_keeps_the_pin_left_of_the_line() -> None:

@@ -14,6 +14,7 @@ from vecpoly.drawing.scene import Rect, rect_of
 from vecpoly.drawing.sheet import sheets
 from vecpoly.drawing.space import FRAME, STRIP, slots, usable
 from vecpoly.errors import VecpolyError
+from vecpoly.figures import views
 from vecpoly.words import Words
 
 MM = 72 / 25.4
@@ -21,7 +22,7 @@ MM = 72 / 25.4
 
 def construction(*sizes: tuple[float, float]) -> Construction:
     """Figures that are boxes of these sizes."""
-    figures = tuple(_figure(view, w, h) for view, (w, h) in zip(View, sizes, strict=False))
+    figures = tuple(_figure(view, w, h) for view, (w, h) in zip(views(), sizes, strict=False))
     return Construction(problem="3-1", hand="drafting", figures=figures, steps=(), readings={})
 
 
@@ -44,7 +45,7 @@ SIZES = [((150, 90),), ((150, 80), (80, 90)), ((150, 90), (70, 85), (75, 80)), (
 @pytest.mark.parametrize("sizes", SIZES)
 def test_nothing_lies_outside_the_frame_and_no_figures_overlap(sizes: tuple[tuple[float, float], ...]) -> None:
     made = sheets(construction(*sizes))
-    assert [f.view for s in made for f in s.figures] == list(View)[: len(sizes)]
+    assert [f.view for s in made for f in s.figures] == list(views())[: len(sizes)]
     for sheet in made:
         frame = sheet.scene.extents.grown(-FRAME)
         assert all(inside(rect_of(item), frame.grown(0.3)) for item in sheet.scene.items)

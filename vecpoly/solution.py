@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import partial
 from math import inf, isfinite, isnan, nan
 from pathlib import Path
 from typing import Any, cast
@@ -15,32 +14,25 @@ from .amend import Length, Spot, amend, found_all
 from .answer import YES_NO, Answer, bearing, line_of, small_table
 from .arguments import of_kind
 from .board.amended import Amended
-from .board.construction import Construction, LineOfAction, Reading, View
+from .board.construction import Construction, LineOfAction, Reading
 from .board.hand import Hand, hand
 from .board.sizes import unfit
 from .board.slip import Slip
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
-from .check.exact import ActsAt, Exact
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
-from .devices.base import Device
-from .drawing.packing import fits_sheet
-from .drawing.space import room, slots
+from .check.truth import ActsAt
 from .frozen import FrozenMap
 from .methods.centres.compare import comparable
-from .methods.devices.plan import construct_device
 from .methods.drawn import Drawn
-from .methods.passes import needs_centres, stages
-from .methods.plan import construct
 from .names import Key
 from .problem.problem import Problem
+from .task import task_of
 from .words import Lang, Words, language
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
 
 REPEATS = 200  # repeated hands behind every expected drawing error
-POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
-_TURNING = ("rad/s", "rad/s^2", "N·m")  # units whose sign is a sense of turning
 
 
 def plain(data: Any) -> Any:
@@ -118,36 +110,28 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
-    truth = Exact(problem)
+    task = task_of(problem)
+    truth, asked = task.truth, task.asked
     values = truth.values  # first: its refusals know the range of the input that does assemble
-    size = sizes(problem, values)
-    off = noise(problem, truth, size) if precise else dict.fromkeys(values, 0.0)
+    size = sizes(problem, truth)
+    off = noise(truth, size) if precise else dict.fromkeys(values, 0.0)
     amended = amend(readings, points, slip)
-    drawn = constructed(problem, hand(by, seed=seed, repeats=repeats), amended)
+    drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended)
     found_all(amended, drawn.construction.acts)
     read, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
     ideal, true, _ = comparable(drawn.ideal, values, {})
     reached = {key: _expected(spread[key]) for key in read}
     scatters = by == "pencil"
     limit = {key: alarm_at(reached[key], spread[key], scatters=scatters) for key in read}
-    turning = _TURNING[:2] if isinstance(problem.subject, Device) else _TURNING
-    asked = {ask.rel.key: ask.rel for ask in problem.asks}
-    answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in turning,
+    answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in task.turning,
                             _weighed(reading, exact[key], ideal[key], true[key], reach=limit[key] if repeats else nan, noise=off[key], size=size[key], steady=not scatters))
                for key, reading in read.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
-    wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
-    told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, _given(problem)))
+    wrong += [(rel.symbol, Cause.APART) for rel in contradicted(truth, drawn.motion) if rel.key not in answers]
+    told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, task.given))
     return Solution(problem, replace(drawn.construction, readings=read, warning=warning(wrong)), answers, told)
-
-
-def _given(problem: Problem) -> tuple[View, ...]:
-    """The kinds of figure whose scale the problem gives."""
-    scales = problem.scales
-    values = {View.MECHANISM: scales.mu_l, View.VELOCITY: scales.mu_v, View.ACCELERATION: scales.mu_a, View.FORCE: scales.mu_f}
-    return tuple(view for view, value in values.items() if value is not None)
 
 
 def fewer_digits(solution: Solution) -> Words | None:
@@ -161,13 +145,8 @@ def fewer_digits(solution: Solution) -> Words | None:
 
 
 def constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
-    """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
-    if isinstance(problem.subject, Device):
-        return construct_device(problem, by, {}, amended)
-    if problem.loads is not None:
-        return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View}, amended=amended)
-    drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"), amended)
+    """The drawing alone, without the answers that check it."""
+    return task_of(problem).draw(by, amended)
 
 
 def _expected(scalars: Any) -> float:

@@ -1,64 +1,16 @@
-"""Quantities with written units: read by pint from our own small list, the commonest known by heart."""
+"""Quantities with written units, each of the kind that is expected."""
 
 from __future__ import annotations
 
 import math
 import re
 from dataclasses import dataclass
-from difflib import get_close_matches
 from enum import Enum
-from functools import lru_cache
-from typing import Any
 
 from .errors import FaultError
-from .limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH, POWER
+from .limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH
+from .unit_names import unit_of
 from .words import Words
-
-_DEFINITIONS = (
-    "meter = [length] = m = metre = 米",
-    "second = [time] = s = 秒",
-    "radian = [angle] = rad = 弧度",
-    "kilogram = [mass] = kg = 千克",
-    "millimeter = 1e-3 * meter = mm = 毫米",
-    "centimeter = 1e-2 * meter = cm = 厘米",
-    "decimeter = 1e-1 * meter = dm = 分米",
-    "kilometer = 1e3 * meter = km = 千米",
-    "inch = 25.4e-3 * meter = in = 英寸",
-    "minute = 60 * second = min = 分钟 = 分",
-    "hour = 3600 * second = h = 小时",
-    f"degree = {math.pi / 180!r} * radian = deg = 度",
-    f"turn = {2 * math.pi!r} * radian = r = rev = 转",
-    f"rpm = {math.pi / 30!r} * radian / second = rpm",
-    "gram = 1e-3 * kilogram = g = 克",
-    "newton = kilogram * meter / second ** 2 = N = 牛",
-    "kilonewton = 1e3 * newton = kN = 千牛",
-    "watt = newton * meter / second = W = 瓦",
-    "kilowatt = 1e3 * watt = kW = 千瓦",
-)
-
-_COMMON = {
-    "mm": (1e-3, "length 1"),
-    "m": (1.0, "length 1"),
-    "cm": (1e-2, "length 1"),
-    "deg": (math.pi / 180, "angle 1"),
-    "rad": (1.0, "angle 1"),
-    "rad/s": (1.0, "angle 1 time -1"),
-    "r/min": (math.pi / 30, "angle 1 time -1"),
-    "rad/s**2": (1.0, "angle 1 time -2"),
-    "m/s": (1.0, "length 1 time -1"),
-    "m/s**2": (1.0, "length 1 time -2"),
-    "m/mm": (1e3, ""),
-    "(m/s)/mm": (1e3, "time -1"),
-    "(m/s**2)/mm": (1e3, "time -2"),
-    "N": (1.0, "length 1 mass 1 time -2"),
-    "N*m": (1.0, "length 2 mass 1 time -2"),
-    "N*mm": (1e-3, "length 2 mass 1 time -2"),
-    "N/mm": (1e3, "mass 1 time -2"),
-    "kg": (1.0, "mass 1"),
-    "kg*m**2": (1.0, "length 2 mass 1"),
-    "kg/m**3": (1.0, "length -3 mass 1"),
-}  # spelling: SI factor and dimension
-_USUAL = "mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
 
 
 class Dim(Enum):
@@ -97,6 +49,21 @@ class Dim(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class PerMm:
+    """A scale of drawings as it is written: so much of a unit for a millimetre on paper."""
+
+    label: Words
+    unit: str
+    example: str
+
+    @property
+    def dimension(self) -> str:
+        """Of the unit over a length."""
+        unit = self.unit.translate(_SPELLING).replace("^", "**")
+        return unit_of(f"({unit})/mm" if "/" in unit else f"{unit}/mm")[1]
+
+
+@dataclass(frozen=True, slots=True)
 class Quantity:
     """A value in SI (a scale: SI per mm on paper) and as it was written."""
 
@@ -104,13 +71,13 @@ class Quantity:
     text: str
 
 
-_GREATEST = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
+_GREATEST: dict[Dim | PerMm, float] = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_LENGTH}
 _NUMBER = re.compile(r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I)
 _SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 _SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
 
 
-def read(text: object, dim: Dim) -> Quantity:
+def read(text: object, dim: Dim | PerMm) -> Quantity:
     """A written quantity of this dimension; raises FaultError with what is wrong and how to write it."""
     if not isinstance(text, str):
         raise _refused(Words(f"此处应为{dim.label.zh}", f"{dim.label.en} is expected here"), dim)
@@ -134,11 +101,11 @@ def read(text: object, dim: Dim) -> Quantity:
         raise _refused(Words(
             f"“{text}”不是{dim.label.zh}：单位“{m[2]}”属于{other.zh}",
             f"'{text}' is not {dim.label.en}: its unit '{m[2]}' is {other.en}"), dim, "wrong-unit", text)
-    per_mm = 1e-3 if dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
+    per_mm = 1e-3 if isinstance(dim, PerMm) or dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
     return Quantity(sign * _sensible(_times(number, factor * per_mm), text, dim), text)
 
 
-def _sensible(si: float, text: str, dim: Dim) -> float:
+def _sensible(si: float, text: str, dim: Dim | PerMm) -> float:
     """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
     if abs(si) > _GREATEST.get(dim, MOST):
         raise FaultError(Words(
@@ -176,53 +143,7 @@ def pure(text: object, example: str) -> float:
     return number
 
 
-@lru_cache(maxsize=256)
-def unit_of(unit: str) -> tuple[float, str]:
-    """SI factor and dimension of a unit; raises FaultError where it is unknown."""
-    return _COMMON.get(unit) or unit_by_pint(unit)
-
-
-def unit_by_pint(unit: str) -> tuple[float, str]:
-    """The same from pint, for spellings not known by heart."""
-    _no_great_power(unit)
-    try:
-        quantity = _registry().Quantity(1.0, unit).to_base_units()
-        if not 1 / MOST <= quantity.magnitude <= MOST:
-            raise OverflowError(unit)
-    except Exception:  # pint raises many kinds, all of them meaning that the unit cannot be read
-        raise FaultError(Words(f"单位“{unit}”不可识别", f"unit '{unit}' is unknown") + _near(unit), code="unknown-unit") from None
-    powers = sorted((name.strip("[]"), power) for name, power in quantity.dimensionality.items())
-    return float(quantity.magnitude), " ".join(f"{name} {power:g}" for name, power in powers)
-
-
-def _no_great_power(unit: str) -> None:
-    """Raise FaultError for m^999: no unit of mechanics has such a power, and reckoning with it takes for ever."""
-    for power in re.findall(r"\d+", unit):
-        if len(power) > 4 or (int(power) > POWER and "**" in unit):
-            raise FaultError(Words(f"单位“{unit}”的幂次过高", f"unit '{unit}' has too great a power"), code="unknown-unit")
-
-
-def _near(unit: str) -> Words:
-    """'; did you mean rad/s?' of a unit written in other capitals or misspelt; else the units there are."""
-    known = {spelling.replace("**", "^"): spelling for spelling in _COMMON}
-    by_small = {spelling.lower(): spelling for spelling in known}
-    close = get_close_matches(unit.replace("**", "^").lower(), by_small, n=1, cutoff=0.7)
-    if close:
-        return Words(f"；是否指“{by_small[close[0]]}”？", f"; did you mean '{by_small[close[0]]}'?")
-    return Words(f"；可用：{_USUAL}", f"; known: {_USUAL}")
-
-
-@lru_cache(maxsize=1)
-def _registry() -> Any:
-    from pint import UnitRegistry
-
-    registry = UnitRegistry(None)
-    for line in _DEFINITIONS:
-        registry.define(line)
-    return registry
-
-
-def _split_sense(text: str, dim: Dim) -> tuple[str, float]:
+def _split_sense(text: str, dim: Dim | PerMm) -> tuple[str, float]:
     m = _SENSE.search(text)
     if m is None:
         return text, 1.0
@@ -236,13 +157,13 @@ def _split_sense(text: str, dim: Dim) -> tuple[str, float]:
     return bare, -1.0 if (m[1] or m[2]).lower() in ("cw", "clockwise", "顺时针") else 1.0
 
 
-def _refused(cause: Words, dim: Dim, code: str = "value", written: str = "") -> FaultError:
+def _refused(cause: Words, dim: Dim | PerMm, code: str = "value", written: str = "") -> FaultError:
     """What is wrong, and how a quantity of this kind is written."""
     numbers = {"written": written} if written else {}
     return FaultError(cause + Words(f"；如写 {dim.example}", f"; write e.g. {dim.example}"), code=code, numbers=numbers)
 
 
-def _advice(number: str, dim: Dim) -> str:
+def _advice(number: str, dim: Dim | PerMm) -> str:
     return f"{number} {dim.example.split(' ', 1)[1]}"
 
 

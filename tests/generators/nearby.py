@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from vecpoly.check.exact import exact_values
+from vecpoly.check.truth import exact_values
 from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.solution import Solution

@@ -18,11 +18,23 @@ __all__ = ["Construction", "EquationTable", "Figure", "LineOfAction", "Pane", "P
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scale:
-    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``."""
+    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``. across: of what is set out to the right, where that is another quantity."""
 
     symbol: str
     value: float
     unit: str  # "m", "m/s", "m/s^2"
+    across: Scale | None = None
+
+    @classmethod
+    def of(cls, view: View, value: float, across: float | None = None) -> Scale:
+        """The scale of a kind of figure, with this value (SI per mm), and that of what is set out to the right."""
+        right = None if view.across is None or across is None else cls(symbol=view.across.symbol, value=across, unit=view.across.unit)
+        return cls(symbol=view.mu.symbol, value=value, unit=view.mu.unit, across=right)
+
+    @property
+    def right(self) -> Scale:
+        """The scale of what is set out to the right."""
+        return self.across or self
 
     @property
     def per_mm(self) -> str:
@@ -32,13 +44,14 @@ class Scale:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view."""
+    """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view. aside: as its pane."""
 
     view: View
     title: Words
     scale: Scale
     marks: tuple[Mark, ...]
     name: str = ""
+    aside: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,7 +15,7 @@ from .acts import Act, Depict, Head
 from .construction import EquationTable, Figure, Scale, Step
 from .ink import marks_of
 from .marks import Mark
-from .place import Pane, Place, View, view_of
+from .place import Pane, Place, View, view_of, views
 
 
 class Log:
@@ -25,7 +25,7 @@ class Log:
         self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []
         self.acts: list[Act] = []
-        self._marks: dict[Place, list[Mark]] = {view: [] for view in View}
+        self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
 
@@ -76,23 +76,24 @@ class Log:
         if marks:
             self.log(Depict(head=self.head(on=view, key=key, owner=owner), marks=marks))
 
-    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None) -> Pane:
+    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False) -> Pane:
         """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
-        pane = Pane(view, name)
+        pane = Pane(view, name, aside)
         if scale is not None:
             self.scales[pane] = scale
         self._titles.setdefault(pane, title)
         self._marks.setdefault(pane, [])
         return pane
 
-    def figures(self, titles: Mapping[View, Words]) -> tuple[Figure, ...]:
-        """The finished figures, those with marks: by kind, then as they were begun."""
-        order = list(View)
-        places = sorted((p for p in self._marks if self._marks[p]), key=lambda p: order.index(view_of(p)))
-        return tuple(
-            Figure(view=view_of(p), title=self._titles[p] if isinstance(p, Pane) else titles[p], name=p.name if isinstance(p, Pane) else "",
-                   scale=self.scale_of(p), marks=tuple(self._marks[p])) for p in places
-        )
+    def figures(self, titles: Mapping[View, Words] = {}) -> tuple[Figure, ...]:
+        """The finished figures, those with marks: by kind, then as they were begun. titles: of those that are not called as their kind is."""
+        return tuple(self._figure(p, titles) for p in sorted((p for p in self._marks if self._marks[p]), key=view_of))
+
+    def _figure(self, place: Place, titles: Mapping[View, Words]) -> Figure:
+        marks, scale = tuple(self._marks[place]), self.scale_of(place)
+        if isinstance(place, Pane):
+            return Figure(view=place.view, title=self._titles[place], name=place.name, scale=scale, marks=marks, aside=place.aside)
+        return Figure(view=place, title=titles.get(place, place.title), scale=scale, marks=marks)
 
     def marks(self, view: Place) -> tuple[Mark, ...]:
         """What stands on a figure so far."""
@@ -112,3 +113,12 @@ class Log:
     def to_paper(self, view: Place, value: Reals) -> Reals:
         """A quantity as a length on paper (mm)."""
         return value / self.scale_of(view).value
+
+    def mu_across(self, view: Place) -> Quantity:
+        """The scale of what is set out to the right: μ_φ = 0.02 rad/mm; that of the figure where it has only one."""
+        scale = self.scale_of(view).right
+        return magnitude(scale.symbol, scale.value, scale.per_mm)
+
+    def to_paper_across(self, view: Place, value: Reals) -> Reals:
+        """A quantity as a length on paper to the right (mm)."""
+        return value / self.scale_of(view).right.value

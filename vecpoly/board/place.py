@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import StrEnum
+from dataclasses import dataclass, field
 
+from ..figures import View, view_named, views
 
-class View(StrEnum):
-    """The kinds of figure on a sheet."""
-
-    MECHANISM = "mechanism"
-    VELOCITY = "velocity"
-    ACCELERATION = "acceleration"
-    BODY = "body"  # a link drawn apart, with the forces on it
-    FORCE = "force"  # a force polygon
+__all__ = ["Pane", "Place", "View", "called", "view_named", "view_of", "views"]
 
 
 @dataclass(frozen=True, slots=True)
 class Pane:
-    """One of several figures of a kind: the free body of link 3, the force polygon of links 2 and 3."""
+    """One of several figures of a kind: the free body of link 3, the force polygon of links 2 and 3.
+
+    aside: it lies beside the figures of its kind (a lever, a polygon of centres), and does not tell how large they are to be drawn.
+    """
 
     view: View
     name: str
+    aside: bool = field(default=False, compare=False)
 
 
 Place = View | Pane  # where a mark stands: the only figure of its kind, or one of several
@@ -29,7 +26,7 @@ Place = View | Pane  # where a mark stands: the only figure of its kind, or one 
 
 def called(place: Place) -> str:
     """The figure in a key: its kind, and its name where there are several, ``velocity``, ``force 23``."""
-    return f"{place.view.value} {place.name}" if isinstance(place, Pane) else place.value
+    return f"{place.view.name} {place.name}" if isinstance(place, Pane) else place.name
 
 
 def view_of(place: Place) -> View:

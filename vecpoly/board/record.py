@@ -13,6 +13,7 @@ from ..errors import VecpolyError
 from ..words import Words
 from . import acts, construction, marks, place
 from .construction import Construction
+from .place import View, view_named
 
 _CLASSES = {
     name: kind for module in (formula, words, place, marks, acts, construction) for name, kind in vars(module).items()
@@ -39,6 +40,8 @@ def from_json(text: str) -> Construction:
 
 
 def _plain(thing: Any) -> Any:
+    if isinstance(thing, View):
+        return {"is": "View", "value": thing.name}
     if isinstance(thing, Enum):
         return {"is": type(thing).__name__, "value": thing.value}
     if is_dataclass(thing) and not isinstance(thing, type):
@@ -62,6 +65,8 @@ def _thing(data: Any) -> Any:
         return complex(*data["at"])
     if name == "map":
         return {key: _thing(value) for key, value in data["items"].items()}
+    if name == "View":
+        return view_named(data["value"])
     kind = _CLASSES[name]
     if issubclass(kind, Enum):
         return kind(data["value"])

@@ -20,12 +20,12 @@ def unfit(figures: Iterable[Figure], given: Iterable[View]) -> tuple[Words, ...]
         if figure.view in views:
             wide, high = extent(figured(figure.marks))
             sizes[figure.view] = max(sizes.get(figure.view, (-1.0, -1.0, figure)), (wide, high, figure), key=lambda size: max(size[:2]))
-    idle = [_unused(view) for view in sorted(views - set(sizes))]
+    idle = [_unused(view) for view in sorted(views - set(sizes), key=str)]
     return (*(said for size in sizes.values() for said in _said(*size)), *idle)
 
 
 def _unused(view: View) -> Words:
-    symbol = {View.VELOCITY: "μ_v", View.ACCELERATION: "μ_a", View.FORCE: "μ_F"}.get(view, "μ_l")
+    symbol = view.mu.symbol
     return Words(f"题中给出 ${symbol}$，但本题不作这种图，该比例尺没有用到", f"${symbol}$ is given, but no such figure is drawn here: the scale is not used")
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from ..plane import Points
-from .place import Place, View, view_of
+from .place import Place, View, view_of, views
 from .slip import Mistake
 
 FACTOR: Mapping[Mistake | None, float] = {Mistake.HALVED: 0.5, Mistake.DOUBLED: 2.0}  # what is computed wrongly
@@ -35,5 +35,5 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
 
 def before(place: Place) -> View:
     """The kind of figure whose scale is taken for this one's."""
-    views = list(View)
-    return views[max(views.index(view_of(place)) - 1, 0)]
+    order = views()
+    return order[max(order.index(view_of(place)) - 1, 0)]

@@ -14,12 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import VecpolyError
 from ..names import Rel
-from ..problem.problem import Problem
 from ..words import Words
-from .exact import Exact
-from .precision import natural
+from .truth import Truth
 
 NEAR = 1e-5  # of that size: beyond it what was found on the way is wrong, however much rounding was magnified there
 AGREE = 1e-7  # of the size of such quantities: what an ideal hand may be off by rounding alone
@@ -83,22 +80,14 @@ class Weighed:
         return None
 
 
-def contradicted(problem: Problem, truth: Exact, motion: Mapping[Rel, Number]) -> list[Rel]:
+def contradicted(truth: Truth, motion: Mapping[Rel, Number]) -> list[Rel]:
     """Of what an ideal hand found on its way, asked for or not, all that the oracle contradicts."""
-    known = {rel: value for rel in motion if (value := _known(truth, rel)) is not None}
-    likely = natural(problem) if known else {}
+    known = {rel: value for rel in motion if (value := truth.known(rel)) is not None}
+    likely = truth.likely if known else {}
     size: dict[str, float] = {}
     for rel, value in known.items():
         size[rel.unit] = max(abs(value), size.get(rel.unit) or likely.get(rel.unit) or 1.0)
     return [rel for rel, value in known.items() if not abs(motion[rel] - value) <= NEAR * size[rel.unit]]
-
-
-def _known(truth: Exact, rel: Rel) -> Number | None:
-    try:
-        value = truth.motion.value(rel)
-    except VecpolyError:
-        return None  # a point that was only thought, for the construction's sake
-    return complex(value) if rel.is_vector else float(np.real(value))
 
 
 _SAID = {

@@ -11,7 +11,7 @@ from ..names import Named
 from ..oracle.centres import Centres
 from ..problem.asks import AskPoint
 from ..problem.problem import Printed, Problem
-from .exact import exact_values
+from .truth import exact_values
 
 _ENDS = re.compile(r"l_(P\d+|[A-Z][a-z']?\d*)(P\d+|[A-Z][a-z']?\d*)")
 

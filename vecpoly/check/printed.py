@@ -4,24 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from statistics import median
 
-from .. import oracle
 from ..arguments import of_kind
-from ..devices.base import Device
-from ..errors import UnknownNameError
-from ..mechanism.loads import Loads
-from ..mechanism.quantities import given_value, quantities
-from ..names import Kind, Named, Rel, parse_rel
-from ..oracle.devices.registry import device_answers
-from ..oracle.forces import Forces, forces
+from ..mechanism.quantities import quantities
+from ..names import Kind, Rel, parse_rel
 from ..problem.problem import Printed, Problem
 from ..words import Words
-from .centres import CentralTruth
 from .direction import with_directions
 from .follow import follow
 from .possible import BestFit, best_fit
+from .truth import truth_of
 from .verdict import FACTORS, GRAPHICAL, SLIP, Checked, Verdict, check_printed
 
 _RATES = (Kind.V, Kind.OMEGA)
@@ -42,7 +35,8 @@ def check_problem(problem: Problem) -> PrintedCheck:
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     checked: list[Checked] = []
     skipped: list[Printed] = []
-    truth = _truth(problem)
+    known = truth_of(problem)
+    truth = known.behind()
     for printed in problem.printed:
         exact = truth(printed)
         if exact is None:
@@ -51,34 +45,9 @@ def check_problem(problem: Problem) -> PrintedCheck:
             checked.append(check_printed(printed, exact))
     if problem.loads:
         checked = follow(checked, problem.loads, _by_key(problem, truth))
-    checked = with_directions(problem, checked)
+    checked = with_directions(known, checked)
     whole, fit = _together(problem, checked)
     return PrintedCheck(answers=tuple(checked), unchecked=tuple(skipped), whole=whole, fit=fit)
-
-
-def _truth(problem: Problem) -> Callable[[Printed], float | None]:
-    """What gives the exact value behind a printed answer (None: nothing to compare)."""
-    if isinstance(problem.subject, Device):
-        values = device_answers(problem.subject)
-        return lambda printed: _size(values[printed.rel.key]) if printed.rel else None
-    mech, loads = problem.subject, problem.loads
-    motion = oracle.solve(mech)
-    balance, central = cache(lambda: forces(mech, loads or Loads())), CentralTruth(problem)
-
-    def truth(printed: Printed) -> float | None:
-        if (value := central(printed)) is not None:
-            return value
-        return _of_loads(printed.rel, loads, balance) if isinstance(printed.rel, Named) and loads else _exact(motion, printed)
-
-    return truth
-
-
-def _of_loads(rel: Named, loads: Loads, balance: Callable[[], Forces]) -> float:
-    """A datum of the loads, or what equilibrium says."""
-    if (data := given_value(loads, rel.key)) is not None:
-        return data
-    value = balance().value(rel.key)
-    return abs(complex(value)) if rel.is_vector else float(value.real)
 
 
 def _by_key(problem: Problem, truth: Callable[[Printed], float | None]) -> Callable[[str], float | None]:
@@ -91,25 +60,6 @@ def _by_key(problem: Problem, truth: Callable[[Printed], float | None]) -> Calla
         return truth(Printed(symbol=key, rel=rel, value=0.0, text=""))
 
     return value
-
-
-def _size(value: complex | float) -> float:
-    return abs(value) if isinstance(value, complex) else value
-
-
-def _exact(motion: oracle.Motion, printed: Printed) -> float | None:
-    if printed.rel is None:
-        letters = printed.symbol.removeprefix("l_")
-        if len(letters) != 2:
-            return None
-        try:
-            return float(abs(motion.position(letters[1]) - motion.position(letters[0])))
-        except UnknownNameError:
-            return None
-    if not isinstance(printed.rel, Rel):
-        return None
-    value = motion.value(printed.rel)
-    return float(abs(value)) if printed.rel.kind.is_vector else float(value.real)
 
 
 def _together(problem: Problem, checked: list[Checked]) -> tuple[Words | None, BestFit | None]:

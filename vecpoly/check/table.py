@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from ..arguments import of_kind
-from ..devices.base import Device
 from ..errors import TableError
+from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
 from .table_base import explained, weighed_by
@@ -79,7 +79,7 @@ def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] |
     """
     of_kind(path, (str, Path), Words("文件名", "the name of a file"))
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
-    if isinstance(problem.subject, Device):
+    if not isinstance(problem.subject, Mechanism):
         raise TableError(Words(
             f"{problem.id} 是机械装置题，不是作运动的机构，没有整周数据表",
             f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle"))

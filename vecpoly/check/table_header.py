@@ -12,7 +12,7 @@ from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..oracle import Motion
 from ..problem.faults import meant
-from ..units import unit_of
+from ..unit_names import unit_of
 from ..words import Words
 from .table_sheet import Sheet
 from .table_target import STEMS, Target, is_drive, read_other, read_target

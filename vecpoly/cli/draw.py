@@ -83,17 +83,17 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
 
 def placed(figure: str) -> Place | None:
     """The figure of this name: a kind (`force`, the first of several) or one by its name (`force:3`)."""
-    from ..board.construction import Pane, View
+    from ..board.place import Pane, view_named, views
 
     kind, _, name = figure.partition(":")
-    if kind not in {view.value for view in View}:
+    if kind not in {view.name for view in views()}:
         return None
-    return Pane(View(kind), name) if name else View(kind)
+    return Pane(view_named(kind), name) if name else view_named(kind)
 
 
 def named(construction: Construction) -> list[str]:
     """The names of all figures drawn."""
-    return [f"{one.view.value}:{one.name}" if one.name else one.view.value for one in construction.figures]
+    return [f"{one.view.name}:{one.name}" if one.name else one.view.name for one in construction.figures]
 
 
 def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path, bytes]]:

@@ -16,7 +16,7 @@ from .terminal import add, progress, say, show, table, warn
 from .wording import YES_NO, bare, number, scalar, symbol, unit
 
 if TYPE_CHECKING:
-    from ..check.exact import ActsAt
+    from ..check.truth import ActsAt
     from ..names import Key
     from ..problem.problem import Problem
 
@@ -28,15 +28,15 @@ def exact(names: Problems, json: JsonOption = None, lang: LangOption = "en", all
     tally = Tally()
     found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
-    from ..check.exact import Exact
     from ..check.precision import noise, sizes
+    from ..check.truth import truth_of
 
     data: list[dict[str, Any]] = []
     for problem in progress(found, Words("求解", "solving")):
         with tally.job(), about(problem.id):
             warn(problem.id, problem.warnings, lang)
-            truth = Exact(problem)
-            noise(problem, truth, sizes(problem, truth.values))  # refuses what has lost its digits
+            truth = truth_of(problem)
+            noise(truth, sizes(problem, truth))  # refuses what has lost its digits
             values, lines, rels = truth.values, truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
             data.append({"id": problem.id, "answers": {key: _plain(rels[key], value) | _line(lines.get(key)) for key, value in values.items()}})
             if json != STDOUT:

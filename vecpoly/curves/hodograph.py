@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..cycle import Cycle
 from ..drawing.style import Dash, Hue
 from ..errors import NotAskedError
+from ..figures import View
 from ..words import Lang, Words
 from . import style
 from .flat import mark_stations, plane
@@ -38,7 +39,7 @@ def hodograph(cycle: Cycle, key: str, lang: Lang = "zh", *, width: float = 90.0,
     figure, at = plane(low, high, width, height, (labels[0], labels[1]))
     for draw in (at.axhline, at.axvline):
         draw(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
-    hue = Hue.VELOCITY if key[0] == "v" else Hue.ACCELERATION if key[0] == "a" else Hue.FORCE
+    hue = View.VELOCITY.ink if key[0] == "v" else View.ACCELERATION.ink if key[0] == "a" else View.FORCE.ink
     style.line(at, values.real, values.imag, style.Pen(Dash.FULL, hue, 0.5))
     mark_stations(cycle, at, _placer(at, values), key, info.factor, hue)
     style.dots(at, [0.0], [0.0], Hue.BLACK, 1.4, hollow=True)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..cycle import Cycle
 from ..drawing.style import GIVEN, THIN, Dash, Hue
+from ..figures import View
 from ..mechanism.model import Revolute
 from ..words import Lang, Words
 from . import style
@@ -18,7 +19,7 @@ from .skeleton import skeleton
 
 _GHOST = style.Pen(Dash.FULL, Hue.GREY, 0.6 * THIN)
 _OWN = style.Pen(Dash.FULL, Hue.BLACK, GIVEN)
-_PATH = style.Pen(Dash.DASHED, Hue.ACCELERATION, 0.4)
+_PATH = style.Pen(Dash.DASHED, View.ACCELERATION.ink, 0.4)
 
 
 def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0, height: float = 105.0) -> Plot:

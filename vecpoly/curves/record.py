@@ -11,6 +11,7 @@ from matplotlib.path import Path
 
 from ..drawing.scene import Fill, Item, Layer, Rect, Scene, Stroke, TextBox
 from ..drawing.style import Dash, Hue
+from ..figures.kind import hues
 from ..typeset import Box, layout_words
 
 MM = 72 / 25.4  # points in a millimetre
@@ -98,7 +99,7 @@ def _points(polygon: Any) -> tuple[complex, ...]:
 def _hue(rgb: Any) -> Hue:
     """The nearest ink of the house."""
     wanted = np.array(rgb[:3])
-    return min(Hue, key=lambda hue: float(np.abs(np.array(hue.value) - wanted).sum()))
+    return min(hues(), key=lambda hue: float(np.abs(np.array(hue.value) - wanted).sum()))
 
 
 def _dash(gc: Any) -> Dash:

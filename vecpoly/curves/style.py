@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
 
 from ..drawing.style import GIVEN, THIN, Dash, Hue
+from ..figures import View
 from ..typeset import layout_words
 from .record import DPI, MM
 
@@ -29,8 +30,8 @@ class Pen:
 
 
 PENS = (
-    Pen(Dash.FULL, Hue.BLACK, 0.5), Pen(Dash.DASHED, Hue.VELOCITY, 0.5), Pen(Dash.DASH_DOT, Hue.ACCELERATION, 0.5),
-    Pen(Dash.SHORT, Hue.FORCE, 0.5), Pen(Dash.FULL, Hue.GREY, 0.3), Pen(Dash.DASHED, Hue.GREY, 0.3),
+    Pen(Dash.FULL, Hue.BLACK, 0.5), Pen(Dash.DASHED, View.VELOCITY.ink, 0.5), Pen(Dash.DASH_DOT, View.ACCELERATION.ink, 0.5),
+    Pen(Dash.SHORT, View.FORCE.ink, 0.5), Pen(Dash.FULL, Hue.GREY, 0.3), Pen(Dash.DASHED, Hue.GREY, 0.3),
 )
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import shapely
 
-from ..board.construction import Figure, View
+from ..board.construction import Figure
 from ..board.extent import extent
 from ..board.marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
 from ..words import Words
@@ -60,7 +60,7 @@ def detailed(figure: Figure) -> tuple[Figure, ...]:
 def find_knot(figure: Figure) -> Knot | None:
     """The smallest circle about the most letters that stand too close in a velocity or acceleration polygon."""
     places = _places(figure)
-    if figure.view not in (View.VELOCITY, View.ACCELERATION) or len(places) < KNOTTED or max(extent(figure.marks)) < LARGE:
+    if not figure.view.images or len(places) < KNOTTED or max(extent(figure.marks)) < LARGE:
         return None
     best: tuple[int, float, complex] | None = None
     for at in places:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..board.construction import Figure, Scale
-from ..formula import Power, Row, Txt, row
+from ..formula import Node, Power, Row, Txt, row
 from ..typeset import Box, layout
 from ..words import Lang
 from .labels import Placed, place
@@ -83,10 +83,14 @@ def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
 
 
 def scale_box(scale: Scale) -> Box:
-    """A scale in type: ``μ_v = 0.006 (m/s)/mm``."""
+    """A scale in type: ``μ_v = 0.006 (m/s)/mm``; after it that of what is set out to the right, where it is another."""
+    both = _scale_items(scale) if scale.across is None else (*_scale_items(scale), Txt(",  "), *_scale_items(scale.across))
+    return layout(Row(both), NOTE * 1.15)
+
+
+def _scale_items(scale: Scale) -> tuple[Node, ...]:
     name = row(f"{scale.symbol} = ")
-    value = Txt(f"{_plain(scale.value)} ")
-    return layout(Row((*name.items, value, *unit_per_mm(scale.unit))), NOTE * 1.15)
+    return (*name.items, Txt(f"{_plain(scale.value)} "), *unit_per_mm(scale.unit))
 
 
 def _plain(value: float) -> str:

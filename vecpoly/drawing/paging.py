@@ -37,15 +37,12 @@ Cost = tuple[int, int, int, int, int]
 
 
 def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
-    """The figures as they come, each force polygon after the free body of its name."""
-    polygons = [f for f in figures if f.view is View.FORCE]
-    bodies = {f.name for f in figures if f.view is View.BODY}
+    """The figures as they come, each that belongs beside another after it: a force polygon after the free body of its name."""
+    first = {(f.view, f.name) for f in figures}
     ordered: list[Figure] = []
     for figure in figures:
-        if figure.view is View.BODY:
-            ordered += [figure, *(p for p in polygons if p.name == figure.name)]
-        elif figure.view is not View.FORCE or figure.name not in bodies:
-            ordered.append(figure)
+        if (figure.view.beside, figure.name) not in first:
+            ordered += [figure, *(f for f in figures if f.view.beside is figure.view and f.name == figure.name)]
     return tuple(ordered)
 
 
@@ -76,7 +73,7 @@ def arranged(drawn: tuple[Drawn, ...], way: Way = None) -> Layout | None:
 
 
 def _paired(a: Drawn, b: Drawn) -> bool:
-    return a.view is View.BODY and b.view is View.FORCE and a.name == b.name
+    return b.view.beside is a.view and a.name == b.name
 
 
 def _cost(drawn: tuple[Drawn, ...], start: int, end: int, layout: Layout) -> Cost:
@@ -85,9 +82,5 @@ def _cost(drawn: tuple[Drawn, ...], start: int, end: int, layout: Layout) -> Cos
     torn = pairs - layout.together
     area = sum(w * h for w, h in (one.size for one in drawn[start:end]))
     sparse = (start > 0 or end < len(drawn)) and area < SPARSE * layout.page[0] * layout.page[1]
-    natural = start == 0 or (_of_forces(drawn[start]) and not _of_forces(drawn[start - 1]))
+    natural = start == 0 or (drawn[start].view.paired and not drawn[start - 1].view.paired)
     return 1 + torn, torn, int(sparse), int(not natural), int(layout.white < CROWDED)
-
-
-def _of_forces(one: Drawn) -> bool:
-    return one.view in (View.BODY, View.FORCE)

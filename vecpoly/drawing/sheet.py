@@ -90,11 +90,11 @@ def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
 
 def _too_large(one: Drawn) -> VecpolyError:
     size, room = one.scene.extents, usable()
-    name, broad = f"{one.view.value} {one.name}".rstrip(), usable(True)
+    name, broad = f"{one.view.name} {one.name}".rstrip(), usable(True)
     return VecpolyError(Words(
         f"图 {name} 连同文字为 {size.width:.0f} × {size.height:.0f} mm，而 A4 图纸可用 {room[0]:.0f} × {room[1]:.0f} mm"
         f"（横放 {broad[0]:.0f} × {broad[1]:.0f} mm）；请加大 μ",
-        f"the {one.view.value} figure{f' {one.name}' if one.name else ''} measures {size.width:.0f} × {size.height:.0f} mm with its lettering; "
+        f"the {one.view.name} figure{f' {one.name}' if one.name else ''} measures {size.width:.0f} × {size.height:.0f} mm with its lettering; "
         f"an A4 sheet holds {room[0]:.0f} × {room[1]:.0f} mm (or {broad[0]:.0f} × {broad[1]:.0f} mm across): choose a larger μ"))
 
 

@@ -47,11 +47,11 @@ FIGURE_SPACE = slots(3)
 def room(view: View, count: int = 1) -> tuple[float, float]:
     """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
 
-    The mechanism has the width of a page. A free body stands beside its force polygon, a page being two columns wide:
+    The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon, a page being two columns wide:
     one or two pairs a page, half a page high; three pairs a page where there are more.
     """
     width, height = usable()
     wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
-    rows = 2 if count <= 2 or view not in (View.BODY, View.FORCE) else 3
+    rows = 2 if count <= 2 or not view.paired else 3
     deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - LETTERING
-    return (wide if view is View.MECHANISM else half, deep)
+    return (wide if view.wide else half, deep)

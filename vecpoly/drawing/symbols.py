@@ -147,7 +147,7 @@ def _solid(mark: FrictionCircle | Disc | Outline | Cell, around: Surroundings) -
 def _line(mark: Segment | Vector | Arc, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Segment(a=a, b=b, role=role):
-            p = pen(role, kind_hue(around.view) if around.view in (View.VELOCITY, View.ACCELERATION) else Hue.BLACK)
+            p = pen(role, around.view.ink if around.view.images else Hue.BLACK)
             layer = Layer.THIN if p.width == THIN else around.link_layer(a, b)
             return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
@@ -171,7 +171,7 @@ def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
     tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
     # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
     end = mark.b - u * shapes.head_length(length) * 0.75
-    solid = Layer.OVER if around.view in (View.MECHANISM, View.BODY) else Layer.LINE  # a force is seen over the block on which it acts
+    solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
     layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else solid
     return (Stroke(points=(mark.a, end), width=width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),
             Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step))

@@ -17,6 +17,7 @@ import numpy as np
 from ..board.board import Board
 from ..board.construction import Scale, View
 from ..board.hand import hand
+from ..board.place import views
 from ..errors import AssemblyError, DeadPointError, NoMethodError, VecpolyError
 from ..mechanism.assur import Group, decompose
 from ..mechanism.bend import bend
@@ -115,7 +116,7 @@ class _Trial:
     def desk(self, other: Drive, *stages: Stage) -> Desk:
         """Scratch paper on which these stages are drawn."""
         mech = _driven_by(self.mech, self.drive, other)
-        unit = {view: Scale(symbol="μ", value=mech.scale / 100 if view is View.MECHANISM else 0.01, unit="") for view in View}
+        unit = {view: Scale(symbol="μ", value=mech.scale / 100 if view is View.MECHANISM else 0.01, unit="") for view in views()}
         desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, self.groups))
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:

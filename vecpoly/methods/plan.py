@@ -38,13 +38,6 @@ from .kinematics.wanted import draw_wanted
 from .passes import stages
 from .registry import Stage, find
 
-TITLES = {
-    View.MECHANISM: Words("机构运动简图", "Kinematic diagram"),
-    View.VELOCITY: Words("速度多边形", "Velocity polygon"),
-    View.ACCELERATION: Words("加速度多边形", "Acceleration polygon"),
-    View.BODY: Words("构件受力图", "Free body"),
-    View.FORCE: Words("力多边形", "Force polygon"),
-}
 SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
     Stage.CENTRES: Words("瞬心法", "Instant centres"),
@@ -52,7 +45,6 @@ SECTIONS = {
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
 }
-_UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 Fit = Callable[[list[tuple[float, float]]], bool]
@@ -76,7 +68,7 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
         readings, repeats = _answers(desk, problem)
         plain = sketch or _draw(problem, hand("exact"), scales)
         ideal, _ = _answers(plain, problem)
-    construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
+    construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(),
                                 steps=tuple(desk.board.steps), acts=tuple(desk.board.acts), readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
     return Drawn(construction, repeats, ideal, motion_of(plain))
 
@@ -89,11 +81,11 @@ def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], 
     guess = {View.MECHANISM: size / 100, View.VELOCITY: speed / 100,
              View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
              View.FORCE: _typical_force(problem) / 60, View.BODY: size / 100}
-    given = _given_scales(problem)
-    if all(given[View(stage.value)] for stage in (Stage.VELOCITY, Stage.ACCELERATION, Stage.FORCE) if stage in stages(problem)) and given[View.MECHANISM]:
-        return {view: _scale(view, given[view] or value) for view, value in guess.items()}, None
+    given = {view: problem.scales.of(view.mu) for view in guess}
+    if all(given[view] for view in {View.MECHANISM, *(stage.view for stage in stages(problem))}):
+        return {view: Scale.of(view, given[view] or value) for view, value in guess.items()}, None
     chosen, sketch = _fitted(problem, slots, guess, fit)
-    while chosen[View.FORCE].value < guess[View.FORCE] / FAR and problem.scales.mu_f is None:  # inertia forces far below the guess: a sketch of specks
+    while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # inertia forces far below the guess: a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
         chosen, sketch = _fitted(problem, slots, guess, fit)
     return chosen, sketch
@@ -108,38 +100,28 @@ def _typical_force(problem: Problem) -> float:
     return largest_load(problem)
 
 
-def _given_scales(problem: Problem) -> dict[View, float | None]:
-    wish = problem.scales
-    return {View.MECHANISM: wish.mu_l, View.VELOCITY: wish.mu_v, View.ACCELERATION: wish.mu_a, View.FORCE: wish.mu_f, View.BODY: wish.mu_l}
-
-
 def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> tuple[dict[View, Scale], Desk]:
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
-    sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
-    given = _given_scales(problem)
-    figures = [f for f in sketch.board.figures(TITLES) if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
+    sketch = _draw(problem, hand("exact"), {v: Scale.of(v, value) for v, value in guess.items()})
+    given = {view: problem.scales.of(view.mu) for view in guess}
+    figures = [f for f in sketch.board.figures() if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
     chosen = {}
     for view, value in guess.items():
-        fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.name.startswith(("lever", "centre"))), default=value)
-        chosen[view] = _scale(view, given[view] or fitted)
+        fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.aside), default=value)
+        chosen[view] = Scale.of(view, given[view] or fitted)
     views = {f.view: f for f in figures}
     if fit is not None and len(views) == len(figures):
         sketched = {view: _sketched(view, guess[view], f.marks) for view, f in views.items()}
         fixed = frozenset(view for view in views if given[view])
         values = enlarged(sketched, {view: chosen[view].value for view in views}, fixed, fit)
-        chosen |= {view: _scale(view, value) for view, value in values.items()}
+        chosen |= {view: Scale.of(view, value) for view, value in values.items()}
     return chosen | {View.BODY: chosen[View.MECHANISM]}, sketch
 
 
 def _sketched(view: View, scale: float, marks: tuple[Mark, ...]) -> Sketched:
     """What a figure takes at any scale."""
     (w, h), (wide, high) = extent(figured(marks)), extent(marks)
-    return Sketched(scale, (w, h), (wide - w, high - h), WIDE if view is View.MECHANISM else LARGE)
-
-
-def _scale(view: View, value: float) -> Scale:
-    symbol, unit_text = _UNIT[view]
-    return Scale(symbol=symbol, value=value, unit=unit_text)
+    return Sketched(scale, (w, h), (wide - w, high - h), WIDE if view.wide else LARGE)
 
 
 def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN) -> Desk:
@@ -152,7 +134,7 @@ def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mappin
     for stage in stages(problem):
         desk.board.section(SECTIONS[stage])
         if stage in said:
-            desk.board.step(said[stage], View(stage.value) if stage is not Stage.POSITION else View.MECHANISM)
+            desk.board.step(said[stage], stage.view)
         if stage is Stage.CENTRES:
             from .centres.plan import centre_pass
 
@@ -182,7 +164,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         draw_frame(desk, shapes)
         draw_links(desk, shapes, tuple(drive.link for drive in held))
     else:
-        view = View(stage.value)
+        view = stage.view
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)
     for group in groups:
         say_replaced(desk, stage, group)
@@ -194,7 +176,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     if position:
         draw_drive_arrow(desk)
     else:
-        draw_wanted(desk, problem.asks, View(stage.value))
+        draw_wanted(desk, problem.asks, stage.view)
 
 
 def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] = ()) -> None:

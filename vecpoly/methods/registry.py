@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from ..board.place import View
 from ..errors import NoMethodError
 from ..plugins import load_modules
 from ..words import Words
@@ -25,6 +26,11 @@ class Stage(StrEnum):
     def words(self) -> Words:
         """速度, velocity."""
         return Words(_STAGES[self], self.value)
+
+    @property
+    def view(self) -> View:
+        """The kind of figure on which it draws."""
+        return {Stage.VELOCITY: View.VELOCITY, Stage.ACCELERATION: View.ACCELERATION, Stage.FORCE: View.FORCE}.get(self, View.MECHANISM)
 
     @property
     def folder(self) -> str:

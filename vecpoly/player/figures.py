@@ -31,7 +31,7 @@ class Shown:
 
 def key_of(figure: Figure) -> str:
     """The name of a figure: velocity, force:3."""
-    return f"{figure.view.value}:{figure.name}" if figure.name else figure.view.value
+    return f"{figure.view.name}:{figure.name}" if figure.name else figure.view.name
 
 
 def shown_figures(construction: Construction, ink: Ink) -> tuple[Shown, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import reduce
 from math import inf
 
@@ -11,9 +10,10 @@ from ..board.construction import Construction, View
 from ..board.extent import bounds
 from ..board.scales import SERIES, round_up
 from ..drawing.scene import Rect
+from ..figures import views
+from ..figures.mu import LENGTH
 from ..problem.problem import Scales
 
-FIELDS = {View.VELOCITY: "mu_v", View.ACCELERATION: "mu_a", View.FORCE: "mu_f"}
 SIDE = 150.0  # mm: a pane is no wider and no higher, unless the given polygon needs more
 AMPLE = 1.3  # of the given polygon: a pane may always be so large
 MOST = 0.85  # of the places share one scale
@@ -24,9 +24,8 @@ Panes = Mapping[str, Rect]
 
 
 def scales_of(construction: Construction) -> Scales:
-    """The scales of a drawing; those of levers are their own."""
-    used = {f.view: f.scale.value for f in reversed(construction.figures) if not f.name.startswith("lever")}
-    return Scales(mu_l=used.get(View.MECHANISM), mu_v=used.get(View.VELOCITY), mu_a=used.get(View.ACCELERATION), mu_f=used.get(View.FORCE))
+    """The scales of a drawing; figures that lie aside have their own."""
+    return Scales({f.view.mu.key: f.scale.value for f in reversed(construction.figures) if not f.aside})
 
 
 def fitted(places: Sequence[Construction], start: int) -> list[Scales]:
@@ -34,12 +33,12 @@ def fitted(places: Sequence[Construction], start: int) -> list[Scales]:
     if not places:
         return []
     scales = [scales_of(places[start])] * len(places)
-    for view, name in FIELDS.items():
-        given = getattr(scales[start], name)
+    for view in (view for view in views() if view.mu != LENGTH):
+        given = scales[start].of(view.mu)
         boxes = [_boxes(one, view) for one in places]
         if given is not None and any(boxes):
             values = coarsened(boxes, boxes[start], given)
-            scales = [replace(one, **{name: value}) for one, value in zip(scales, values, strict=True)]
+            scales = [one.changed(view.mu, value) for one, value in zip(scales, values, strict=True)]
     return scales
 
 
@@ -66,7 +65,7 @@ def _coarser(given: float, steps: Sequence[float]) -> list[float]:
 
 def _boxes(construction: Construction, view: View) -> dict[str, Rect]:
     """What the polygons of a view take on paper (mm), with their poles."""
-    corners = {f.name: bounds(f.marks) for f in construction.figures if f.view is view and not f.name.startswith("lever")}
+    corners = {f.name: bounds(f.marks) for f in construction.figures if f.view is view and not f.aside}
     return {name: POLE | Rect(low.real, low.imag, high.real, high.imag) for name, (low, high) in corners.items()}
 
 

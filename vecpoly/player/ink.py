@@ -5,11 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass, field
+from functools import cache
 from itertools import pairwise
 from typing import assert_never
 
+from ..data import data_dir
 from ..drawing.scene import Fill, Item, Stroke, TextBox
 from ..drawing.style import Hue
+from ..figures.kind import hues
 from ..typeset import Box
 from .type import Faces, set_box
 
@@ -48,7 +51,7 @@ class Ink:
                 return self._look("f", 0.0, (), hue), path(points, True)
             case TextBox(box=box, x=x, y=y, hue=hue):
                 at = f'x="{_whole(x)}" y="{_whole(-y)}"'
-                ink = "" if hue is Hue.BLACK else f' class="t-{hue.name.lower()}"'
+                ink = "" if hue == Hue.BLACK else f' class="t-{hue.name}"'
                 return "", f'<use href="#{self.type(box)}" {at}{ink}/>'
         assert_never(item)
 
@@ -57,7 +60,7 @@ class Ink:
         return self.boxes.setdefault(box, f"t{len(self.boxes)}")
 
     def _look(self, kind: str, width: float, dash: tuple[float, ...], hue: Hue) -> str:
-        return self.looks.setdefault((kind, width, dash, hue.name.lower()), f"{kind}{len(self.looks)}")
+        return self.looks.setdefault((kind, width, dash, hue.name), f"{kind}{len(self.looks)}")
 
     def definitions(self) -> str:
         """Each piece of type once, for the defs of the page."""
@@ -67,14 +70,25 @@ class Ink:
         """The rules of all looks: as drawn, and strengthened where they belong to the newest step."""
         rules = [f".{name}{{{_rule(look)}}}" for look, name in self.looks.items()]
         rules += [f".now .{name}{{stroke-width:{_bold(look[1])}}}" for look, name in self.looks.items() if look[0] == "s"]
-        used = {hue for _, _, _, hue in self.looks} | {hue.name.lower() for hue in Hue}
-        rules += [f".t-{hue}{{fill:var(--{hue.replace('_', '-')})}}" for hue in sorted(used)]
+        rules += [f":root{{--{_variable(hue.name)}:{hue.hex}}}" for hue in hues() if f"--{_variable(hue.name)}:" not in _styled()]
+        used = {hue for _, _, _, hue in self.looks} | {hue.name for hue in hues()}
+        rules += [f".t-{hue}{{fill:var(--{_variable(hue)})}}" for hue in sorted(used)]
         return "\n".join(rules)
+
+
+@cache
+def _styled() -> str:
+    """The stylesheet, which gives most inks a colour by day and one by night."""
+    return (data_dir("templates") / "player" / "style.css").read_text(encoding="utf-8")
+
+
+def _variable(hue: str) -> str:
+    return hue.replace("_", "-")
 
 
 def _rule(look: Look) -> str:
     kind, width, dash, hue = look
-    ink = f"var(--{hue.replace('_', '-')})"
+    ink = f"var(--{_variable(hue)})"
     if kind == "f":
         return f"fill:{ink}"
     pattern = f";stroke-dasharray:{' '.join(str(round(UNIT * part)) for part in dash)}" if dash else ""

@@ -98,6 +98,6 @@ def _merged(items: tuple[Item, ...], ink: Ink) -> list[str]:
 
 def _coded(item: Item, ink: Ink) -> tuple[str, str]:
     if isinstance(item, TextBox):
-        hue = "" if item.hue is Hue.BLACK else f".{item.hue.name.lower()}"
+        hue = "" if item.hue == Hue.BLACK else f".{item.hue.name}"
         return f"{ink.type(item.box)}{hue}", f"{round(100 * item.x)} {round(-100 * item.y)}"
     return ink.piece(item)

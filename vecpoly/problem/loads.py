@@ -7,7 +7,8 @@ import re
 from ..errors import FaultError
 from ..mechanism.loads import Force, Load, Loads, Mass, Moment
 from ..mechanism.model import FRAME
-from ..units import Dim, Quantity, read, unit_of
+from ..unit_names import unit_of
+from ..units import Dim, Quantity, read
 from ..words import Words
 from .bodies import Bodies
 from .faults import Faults, meant

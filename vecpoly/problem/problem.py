@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from ..figures import Mu
+from ..frozen import FrozenMap
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
@@ -13,6 +16,7 @@ from ..words import Words
 from .asks import Ask
 from .current import current
 from .given import Datum, Given, Shape, as_printed
+from .subject import Subject
 
 if TYPE_CHECKING:
     from ..devices.base import Device
@@ -22,14 +26,22 @@ if TYPE_CHECKING:
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Scales:
-    """Given scales in SI per mm on paper; None is auto."""
+    """Given scales in SI per mm on paper, each under the key of its μ (``mu_v``); what is not here is chosen by the drawing."""
 
-    mu_l: float | None = None  # m/mm
-    mu_v: float | None = None  # (m/s)/mm
-    mu_a: float | None = None  # (m/s²)/mm
-    mu_f: float | None = None  # N/mm
+    given: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "given", FrozenMap(self.given))
+
+    def of(self, mu: Mu) -> float | None:
+        """The value of this scale; None: auto."""
+        return self.given.get(mu.key)
+
+    def changed(self, mu: Mu, value: float) -> Scales:
+        """These scales with another value of one."""
+        return Scales({**self.given, mu.key: value})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,11 +65,11 @@ class Printed:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """One exercise: the mechanism (with its loads) or the device it is about, what is asked, how it was answered in print."""
+    """One exercise: the mechanism (with its loads), the device or whatever else it is about, what is asked, how it was answered in print."""
 
     id: str
     title: Words
-    subject: Mechanism | Device
+    subject: Mechanism | Subject
     asks: tuple[Ask, ...]
     source: Words | None = None
     statement: Words = field(default_factory=lambda: Words.same(""))
@@ -91,8 +103,10 @@ class Problem:
 
     @property
     def device(self) -> Device:
-        """The device; a problem about a mechanism has none."""
-        assert not isinstance(self.subject, Mechanism), f"problem {self.id} is about a mechanism"
+        """The device; a problem about anything else has none."""
+        from ..devices.base import Device
+
+        assert isinstance(self.subject, Device), f"problem {self.id} is about no device"
         return self.subject
 
     def solve(self, *, by: str = "drafting", seed: int = 0) -> Solution:

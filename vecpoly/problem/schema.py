@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, create_model
 
+from ..figures import scales
 from ..words import Words
 from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
 
@@ -73,13 +74,11 @@ class MassSpec(Spec):
     rod: RodSpec | None = None
 
 
-class ScalesSpec(Spec):
-    """Scales of the drawings: given, or auto."""
+_GivenScales: Any = create_model("_GivenScales", __base__=Spec, **dict.fromkeys(scales(), (Number, "auto")))  # type: ignore[call-overload]
 
-    mu_l: Number = "auto"
-    mu_v: Number = "auto"
-    mu_a: Number = "auto"
-    mu_F: Number = "auto"
+
+class ScalesSpec(_GivenScales):  # type: ignore[misc]
+    """Scales of the drawings: given, or auto; one for every μ of a kind of figure."""
 
 
 class FindSpec(Spec):

@@ -6,10 +6,13 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError, UnknownNameError
+from ..figures import Mu, scales
+from ..figures.mu import LENGTH
 from ..limits import PAPER
 from ..mechanism.model import FRAME, Mechanism
 from ..names import At, Key, Kind, Named, Rel, parse_rel
-from ..units import Dim, pure, read, unit_of
+from ..unit_names import unit_of
+from ..units import Dim, PerMm, pure, read
 from ..words import Words
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 from .bodies import Bodies
@@ -141,34 +144,29 @@ def _known(at: At, text: str, bodies: Bodies) -> None:
 
 
 def read_scales(spec: ScalesSpec) -> Scales:
-    """Given scales; auto is None."""
-
-    def one(key: str, text: str, dim: Dim) -> float | None:
-        if text in ("auto", "自动"):
-            return None
-        try:
-            value = read(text, dim).si
-        except FaultError as fault:
-            raise fault.under(key) from None
-        if value <= 0:
-            raise FaultError(Words(
-                f"“{text}”应大于零；如写 {dim.example} 或 auto",
-                f"'{text}' must be greater than zero; write e.g. {dim.example} or auto"), key, code="out-of-range")
-        return value
-
-    return Scales(
-        mu_l=one("mu_l", spec.mu_l, Dim.MU_L),
-        mu_v=one("mu_v", spec.mu_v, Dim.MU_V),
-        mu_a=one("mu_a", spec.mu_a, Dim.MU_A),
-        mu_f=one("mu_F", spec.mu_F, Dim.MU_F),
-    )
+    """Given scales; those that are auto are left out."""
+    written = {key: (mu, getattr(spec, key, "auto")) for key, mu in scales().items()}
+    return Scales({key: _scale(mu, text) for key, (mu, text) in written.items() if text not in ("auto", "自动")})
 
 
-def plottable(scales: Scales, mech: Mechanism) -> None:
+def _scale(mu: Mu, text: str) -> float:
+    try:
+        value = read(text, PerMm(mu.called, mu.unit, mu.example)).si
+    except FaultError as fault:
+        raise fault.under(mu.key) from None
+    if value <= 0:
+        raise FaultError(Words(
+            f"“{text}”应大于零；如写 {mu.example} 或 auto",
+            f"'{text}' must be greater than zero; write e.g. {mu.example} or auto"), mu.key, code="out-of-range")
+    return value
+
+
+def plottable(given: Scales, mech: Mechanism) -> None:
     """Raise FaultError where the mechanism would be a speck, or far larger than any paper."""
-    if scales.mu_l is None:
+    per_mm = given.of(LENGTH)
+    if per_mm is None:
         return
-    size, (least, most) = mech.scale / scales.mu_l, PAPER
+    size, (least, most) = mech.scale / per_mm, PAPER
     if not least <= size <= most:
         told = f"{size:.3g} mm"
         raise FaultError(Words(f"按此比例尺，机构在图纸上的尺寸为 {told}，无法作图（应在 {least:g} 至 {most:g} mm 之间）；请核对或写 auto",

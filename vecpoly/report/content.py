@@ -144,7 +144,8 @@ def _point_asked(ask: AskPoint, symbol: str) -> Words:
 def scales(solution: Solution, lang: Lang) -> str:
     """μ_l = 0.001 m/mm, ...; each scale once, block diagrams have none."""
     drawn = [figure.scale for figure in solution.construction.figures if figure.scale.symbol and figure.scale.value]
-    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm}" for scale in drawn)
+    both = [one for scale in drawn for one in (scale, scale.across) if one is not None]
+    parts = dict.fromkeys(f"${scale.symbol}$ = {number(scale.value)} {scale.per_mm}" for scale in both)
     return ("，" if lang == "zh" else ", ").join(parts)
 
 

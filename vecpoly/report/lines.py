@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import degrees
 
 from ..board.construction import LineOfAction
-from ..check.exact import pin_of
+from ..check.truths.mechanism import pin_of
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..mechanism.quantities import pairs, press_named

@@ -31,7 +31,7 @@ def find_limit(desk: Desk, named: Named) -> None:
     extended = named == limits(desk.mech, led)[0]
     crank, rod_length = (_length(desk, link, *ends) for link, ends in ((desk.mech.drive.link, (_pivot(desk), pin)), (rod, (pin, led))))
     board, a = desk.board, desk.at[_pivot(desk)]
-    pane = board.open_pane(View.MECHANISM, NAME, PANE)
+    pane = board.open_pane(View.MECHANISM, NAME, PANE, aside=True)
     board.step(_words(_pivot(desk), pin, led, rod, extended, crank > rod_length), pane)
     reach = crank + rod_length if extended else abs(rod_length - crank)
     ends = [(c, a + unit(c - a) * (crank if extended or crank > rod_length else -crank)) for c in _meetings(desk, rod, led, reach)]

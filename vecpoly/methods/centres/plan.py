@@ -32,7 +32,7 @@ def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None
     here = scaled(direct, paper.factor)
     _count(desk)
     polygon = open_polygon(desk)
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True)
     fig = CentreFigure(desk=desk, pane=pane, polygon=polygon, paper=paper, known=Known(desk.mech, {}, normals(here), paper.far))
     _copy(fig, problem, paper, groups)
     draw_direct(fig, here)

@@ -21,7 +21,7 @@ LARGE = 26.0
 
 def open_polygon(desk: Desk) -> Pane:
     """The circle with the links' numbers."""
-    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, NO_SCALE)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, NO_SCALE, aside=True)
     radius = _radius(desk)
     desk.board.mark(pane, Arc(centre=0j, radius=radius, start=0.0, sweep=2 * pi, role=Role.CONSTRUCTION))
     for link in real_links(desk.mech):

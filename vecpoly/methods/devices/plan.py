@@ -19,9 +19,7 @@ from ..drawn import Drawn
 from .bench import NO_SCALE, Bench
 from .registry import find_device
 
-TITLES = {view: Words("", "") for view in View} | {
-    View.MECHANISM: Words("简图", "Sketch"), View.FORCE: Words("力多边形", "Force polygon"), View.BODY: Words("受力图", "Free body"),
-}
+TITLES = {View.MECHANISM: Words("简图", "Sketch"), View.BODY: Words("受力图", "Free body")}  # what is not called as of a mechanism
 SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
 
 
@@ -47,19 +45,16 @@ def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> tupl
     """Round scales with which the largest figure of each kind of a sketch fills its place; and the sketch."""
     device = problem.device
     guess = {View.MECHANISM: device.size / 80, View.BODY: device.size / 80, View.FORCE: device.force / 60}
-    wish = {View.MECHANISM: problem.scales.mu_l, View.BODY: problem.scales.mu_l, View.FORCE: problem.scales.mu_f}
     sketch = _draw(device, hand("exact"), {view: _scale(view, value) for view, value in guess.items()})
     chosen: dict[View, Scale] = {}
     for view, value in guess.items():
         drawn = [figure.marks for figure in sketch.board.figures(TITLES) if figure.view is view and figure.scale.value == value]
         fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn if value), default=value)
-        chosen[view] = _scale(view, wish[view] or fitted)
+        chosen[view] = _scale(view, problem.scales.of(view.mu) or fitted)
     chosen[View.BODY] = chosen[View.MECHANISM] if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES)) else chosen[View.BODY]
     return chosen, sketch
 
 
 def _scale(view: View, value: float) -> Scale:
     """The scale of a view; value 0: a diagram without one."""
-    if not value:
-        return NO_SCALE
-    return Scale(symbol="μ_F", value=value, unit="N") if view is View.FORCE else Scale(symbol="μ_l", value=value, unit="m")
+    return Scale.of(view, value) if value else NO_SCALE

@@ -22,7 +22,7 @@ def group_pane(st: Statics, *links: str) -> Pane:
     """The figure of a group freed from the other links, in the position of the kinematic diagram."""
     numbers = "-".join(st.mech.number(link) for link in links)
     name = st.polygon(numbers, polygon_title(st, *links)).name
-    ideal = Words("不计摩擦时", " without friction") if name.endswith("ideal") else Words.same("")
+    ideal = Words("不计摩擦时", " without friction") if st.preliminary else Words.same("")
     pane = st.board.open_pane(View.BODY, name, Words(f"{ideal.zh}杆组 {numbers} 受力图", f"Free body of group {numbers}{ideal.en}"))
     if not st.board.marks(pane):
         for link in links:

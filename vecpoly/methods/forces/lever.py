@@ -55,7 +55,7 @@ def balancing_by_lever(st: Statics, load: Load | None = None) -> None:
     Raises EquilibriumError where the balancing load has no arm, NoMethodError where a couple's link has one lettered point only.
     """
     load = load or st.unknown
-    pane = st.board.open_pane(View.VELOCITY, "lever", Words("速度多边形杠杆", "The velocity polygon as a lever"))
+    pane = st.board.open_pane(View.VELOCITY, "lever", Words("速度多边形杠杆", "The velocity polygon as a lever"), aside=True)
     st.board.step(Words("速度多边形杠杆法（不计摩擦）：将速度多边形绕极点 $p$ 顺时针转过 90°，各力平移至其作用点的速度影像点。",
                         "Zhukovsky's lever (without friction): turn the velocity polygon by 90° clockwise about $p$; move every force to the velocity tip of its point."), pane)
     tips: Tips = {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...figures import scales
 from ...words import Words
 
 KEYS = {
@@ -63,10 +64,7 @@ KEYS = {
     "MassSpec.inertia": Words("绕质心的转动惯量：0.02 kg*m^2", "moment of inertia about the centre of mass: 0.02 kg*m^2"),
     "MassSpec.centre": Words("质心：构件上的点，或位置", "centre of mass: a point of the link, or a place"),
     "MassSpec.rod": Words("圆杆：质量与转动惯量由尺寸算出", "a round bar: mass and inertia follow from its section"),
-    "ScalesSpec.mu_l": Words("长度比例尺：0.002 m/mm", "length scale: 0.002 m/mm"),
-    "ScalesSpec.mu_v": Words("速度比例尺：0.006 (m/s)/mm", "velocity scale: 0.006 (m/s)/mm"),
-    "ScalesSpec.mu_a": Words("加速度比例尺：0.1 (m/s^2)/mm", "acceleration scale: 0.1 (m/s^2)/mm"),
-    "ScalesSpec.mu_F": Words("力比例尺：10 N/mm", "force scale: 10 N/mm"),
+    **{f"ScalesSpec.{key}": Words(f"{mu.called.zh}：{mu.example}", f"{mu.called.en.partition(' ')[2]}: {mu.example}") for key, mu in scales().items()},
     "FindSpec.point": Words("所求的点，字母后为构件号：M2", "a point to be found, its letter and its link: M2"),
     "FindSpec.on": Words("点所在的构件", "the link of the point"),
     "FindSpec.velocity": Words("该点的速度：[-0.25 m/s, 0.14 m/s] 或 0", "velocity of the point: [-0.25 m/s, 0.14 m/s], or 0"),

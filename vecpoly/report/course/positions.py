@@ -7,6 +7,7 @@ from dataclasses import replace
 from ...board.construction import View
 from ...cycle.pose import posed
 from ...errors import AssemblyError
+from ...figures.mu import LENGTH
 from ...mechanism.loads import Loads
 from ...problem.problem import Problem, Scales
 from ...words import Words
@@ -21,7 +22,7 @@ def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem
             "没有与给定位置连通的装配方式",
             "there is no assembly here that hangs together with the given one"))
     figure = study.solution.construction.figure(View.MECHANISM)
-    return replace(there, loads=_without_roles(there.loads), scales=Scales(mu_l=figure.scale.value if figure and same_scale else None), printed=())
+    return replace(there, loads=_without_roles(there.loads), scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}), printed=())
 
 
 def _without_roles(loads: Loads | None) -> Loads | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...board.construction import View
+from ...figures import views
 from ...mechanism.quantities import load_symbol
 from ...words import Words
 from ..flow.table import DataTable
@@ -12,10 +13,6 @@ from .numbering import TINY, Press
 from .study import Study
 
 _HEADER = {"zh": ["符号", "含义", "单位"], "en": ["Symbol", "Meaning", "Unit"]}
-_POLYGONS = {View.VELOCITY: ("$p$、$b$、$c$…", Words("速度多边形的极点、各点的影像", "pole, images of points (velocity)"), "mm"),
-             View.ACCELERATION: ("$p′$、$b′$、$c′$…", Words("加速度多边形的极点、各点的影像", "pole, images of points (acceleration)"), "mm")}
-_SCALES = {"μ_l": Words("长度比例尺", "scale of lengths"), "μ_v": Words("速度比例尺", "scale of velocities"),
-           "μ_a": Words("加速度比例尺", "scale of accelerations"), "μ_F": Words("力比例尺", "scale of forces")}
 Row = tuple[str, Words, str]
 
 
@@ -89,9 +86,11 @@ def _forces(study: Study) -> Iterator[Row]:
 def _drawn(study: Study) -> Iterator[Row]:
     """Scales and polygons."""
     figures = study.solution.construction.figures if study.drawn else ()
+    known = {view.mu.symbol: view.mu.listed for view in views()}
     for scale in dict.fromkeys((figure.scale.symbol, figure.scale.per_mm) for figure in figures if figure.scale.symbol):
-        if scale[0] in _SCALES:
-            yield f"${scale[0]}$", _SCALES[scale[0]], scale[1]
-    yield from (row for view, row in _POLYGONS.items() if any(figure.view is view for figure in figures))
-    if any(figure.view is View.ACCELERATION for figure in figures):
+        if scale[0] in known:
+            yield f"${scale[0]}$", known[scale[0]], scale[1]
+    drawn = sorted({figure.view for figure in figures})
+    yield from ((*view.letters, "mm") for view in drawn if view.letters is not None)
+    if View.ACCELERATION in drawn:
         yield "$a^n$、$a^t$、$a^k$", Words("法向、切向、哥氏加速度", "normal, tangential, Coriolis acceleration"), "m/s²"

@@ -1,45 +1,36 @@
-"""The oracle's answer to every question of a problem, under the same key as the reading."""
+"""A mechanism: the oracle's answer to every question of a problem, under the same key as the reading."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import oracle
-from ..devices.base import Device
-from ..errors import NotAskedError
-from ..mechanism.assur import hinges
-from ..mechanism.loads import Loads
-from ..mechanism.model import Mechanism, Prismatic
-from ..mechanism.quantities import given_value, pairs, press_named
-from ..names import Kind, Rel
-from ..problem.asks import AskNamed, AskPoint
-from ..problem.problem import Problem
-from ..words import Words
-from .roles import refuse_wrong_roles
+from ... import oracle
+from ...errors import VecpolyError
+from ...mechanism.assur import hinges
+from ...mechanism.loads import Loads
+from ...mechanism.model import Mechanism, Prismatic
+from ...mechanism.quantities import given_value, pairs, press_named
+from ...names import Kind, Rel
+from ...problem.asks import AskNamed, AskPoint
+from ...problem.problem import Printed, Problem
+from ..behind import behind, way
+from ..likely import natural
+from ..nudged import nudged
+from ..roles import refuse_wrong_roles
+from ..truth import ActsAt, Values, finite, knows
 
 if TYPE_CHECKING:
-    from ..oracle.forces import Forces
+    from ...oracle.forces import Forces
 
-Values = dict[str, complex | float]
-
-
-class ActsAt(NamedTuple):
-    """Where a reaction acts: a point of its line (m), the sense of its moment about the pin ("": none), a slide's couple (N·m; None where there is a force)."""
-
-    point: complex
-    tangent: str = ""
-    couple: float | None = None
+TRIALS = 4
 
 
-def exact_values(problem: Problem) -> Values:
-    """Key → exact value: complex for vectors and positions, float for ω, α, moments, efficiencies; all SI."""
-    return Exact(problem).values
-
-
+@knows(Mechanism)
 @dataclass(frozen=True)
 class Exact:
     """The oracle's opinion of a problem: motion and equilibrium are solved once, when they are first wanted."""
@@ -54,7 +45,7 @@ class Exact:
     @cached_property
     def balance(self) -> Forces:
         """The equilibrium; raises EquilibriumError where a load does not do what the problem says of it."""
-        from ..oracle.forces import forces
+        from ...oracle.forces import forces
 
         mech, loads = self.problem.mechanism, self.problem.loads or Loads()
         found = forces(mech, loads)
@@ -64,29 +55,14 @@ class Exact:
     @cached_property
     def values(self) -> Values:
         """Key → exact value, of all that is asked; an efficiency of 0/0 is NaN. Raises NotAskedError for what else has no value with these data."""
-        found = self._values()
-        for key, value in found.items():
-            if not np.isfinite(value) and not (np.isnan(value) and key == "eta"):
-                raise NotAskedError(Words(
-                    f"由所给数据 {key} 无值；请从 find 中去掉，或检查数据",
-                    f"{key} has no value with these data; leave it out of `find`, or check the data"))
-        return found
-
-    def _values(self) -> Values:
-        if isinstance(self.problem.subject, Device):
-            from ..oracle.devices.registry import device_answers
-
-            with np.errstate(invalid="ignore", divide="ignore"):
-                found_by_key = device_answers(self.problem.subject)
-            return {ask.rel.key: found_by_key[ask.rel.key] for ask in self.problem.asks}
-        return _kinematic(self.problem, self.motion) | self._central() | self._static()
+        return finite(_kinematic(self.problem, self.motion) | self._central() | self._static())
 
     def _central(self) -> Values:
         """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction (deg)."""
         mech, keys = self.problem.mechanism, [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_central]
         if not keys:
             return {}
-        from ..oracle.centres import Centres
+        from ...oracle.centres import Centres
 
         centres = Centres(mech)
         return {key: centres.value(key) for key in keys}
@@ -104,9 +80,9 @@ class Exact:
     def lines(self) -> dict[str, ActsAt]:
         """Key of every reaction asked for → where it acts; nothing of one that is zero and passes on no couple."""
         asked = {ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed)}
-        if self.problem.loads is None or isinstance(self.problem.subject, Device) or not any(key.startswith("R_") for key in asked):
+        if self.problem.loads is None or not any(key.startswith("R_") for key in asked):
             return {}
-        mech = self.problem.subject
+        mech = self.problem.mechanism
         found: dict[str, ActsAt] = {}
         for by, on in ((by, on) for a, b in pairs(mech) for by, on in ((a, b), (b, a))):
             key = press_named(mech, by, on).key
@@ -118,6 +94,49 @@ class Exact:
                 elif not pin and (couple := float(self.balance.couple_of(key))):
                     found[key] = ActsAt(complex(self.motion.position(_slid(mech, by, on))), couple=couple)
         return found
+
+
+    @property
+    def likely(self) -> dict[str, float]:
+        """Unit → size that the data make likely, whatever the position."""
+        return natural(self.problem)
+
+    @property
+    def nearby(self) -> tuple[Values, ...]:
+        """The values with nudged data."""
+        return _nearby(self.problem)
+
+    def known(self, rel: Rel) -> complex | float | None:
+        """What the motion has of a velocity, an acceleration, ω or α."""
+        try:
+            value = self.motion.value(rel)
+        except VecpolyError:
+            return None  # a point that was only thought, for the construction's sake
+        return complex(value) if rel.is_vector else float(np.real(value))
+
+    def behind(self) -> Callable[[Printed], float | None]:
+        """Sizes behind printed answers."""
+        return behind(self.problem)
+
+    def way(self) -> Callable[[Printed], complex | None]:
+        """Vectors behind printed answers."""
+        return way(self.problem)
+
+
+@lru_cache(maxsize=512)
+def _nearby(problem: Problem) -> tuple[Values, ...]:
+    """The exact values with nudged data: the same whatever hand draws the problem, so they are found once."""
+    rng = np.random.default_rng(0)
+    nudges = [replace(problem, subject=nudged(problem.mechanism, rng)) for _ in range(TRIALS)]
+    return tuple(values for one in nudges if (values := _values(one)) is not None)
+
+
+def _values(problem: Problem) -> Values | None:
+    """The exact values; None where the end of a range lies within the nudge."""
+    try:
+        return Exact(problem).values
+    except VecpolyError:
+        return None
 
 
 def pin_of(mech: Mechanism, a: str, b: str) -> str:
@@ -157,7 +176,7 @@ def _kinematic(problem: Problem, motion: oracle.Motion) -> Values:
 
 def _place(motion: oracle.Motion, ask: AskPoint) -> complex:
     if ask.slowest is not None:
-        from ..oracle.centres import slowest
+        from ...oracle.centres import slowest
 
         return slowest(motion.mech, ask.link, *ask.slowest)
     if ask.velocity is not None:

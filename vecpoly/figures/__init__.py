@@ -1,0 +1,9 @@
+"""The kinds of figure on a sheet, one small file each: adding a file adds a kind."""
+
+from __future__ import annotations
+
+from . import acceleration, body, force, mechanism, velocity
+from .kind import View, register, scales, view_named, views
+from .mu import Mu
+
+__all__ = ["Mu", "View", "acceleration", "body", "force", "mechanism", "register", "scales", "velocity", "view_named", "views"]

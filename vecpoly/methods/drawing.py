@@ -1,0 +1,71 @@
+"""What is drawn of a problem: a drawing is registered for what the problem is about by `draws`; adding the file adds it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol, TypeVar
+
+from ..board.amended import Amended
+from ..board.hand import Hand
+from ..board.place import View
+from ..errors import NoMethodError
+from ..plugins import load_modules
+from ..problem.problem import Problem
+from ..words import Words
+from .drawn import Drawn
+
+Size = tuple[float, float]
+
+
+class Paper(Protocol):
+    """How much room there is: all that a drawing may know of the sheet (mm)."""
+
+    def room(self, view: View, count: int = 1) -> Size:
+        """What each of so many figures of a kind should fill."""
+        ...
+
+    def slots(self, count: int) -> tuple[Size, ...]:
+        """What each of so many figures on one sheet should fill, the first the largest."""
+        ...
+
+    def fits(self, sizes: Sequence[Size]) -> bool:
+        """Whether figures of these sizes go on one sheet."""
+        ...
+
+
+class Drawing(Protocol):
+    """How problems of one sort are drawn. turning: units whose sign is a sense of turning."""
+
+    @property
+    def turning(self) -> tuple[str, ...]: ...
+
+    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
+        """The construction, by all hands and by the ideal one. Raises AssemblyError, DeadPointError, NoMethodError."""
+        ...
+
+
+D = TypeVar("D", bound=Callable[[], Drawing])
+_DRAWINGS: dict[type, Drawing] = {}
+
+
+def draws(subject: type) -> Callable[[D], D]:
+    """Register how problems about this are drawn; raises ValueError where that is on file."""
+
+    def register(drawing: D) -> D:
+        if subject in _DRAWINGS:
+            raise ValueError(f"two drawings solve a problem about a {subject.__name__}")
+        _DRAWINGS[subject] = drawing()
+        return drawing
+
+    return register
+
+
+def drawing_of(problem: Problem) -> Drawing:
+    """How this problem is drawn; raises NoMethodError where nobody knows."""
+    load_modules("vecpoly.methods.tasks")
+    for kind in type(problem.subject).__mro__:
+        if kind in _DRAWINGS:
+            return _DRAWINGS[kind]
+    raise NoMethodError(Words(
+        f"没有“{type(problem.subject).__name__}”类题目的图解法；请加入一个用 @draws 登记的文件",
+        f"no drawing on file solves a problem about a {type(problem.subject).__name__}; add a file that registers one by @draws"))

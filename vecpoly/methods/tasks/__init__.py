@@ -1,0 +1,1 @@
+"""What is drawn of each sort of problem: one file a sort."""

@@ -1,0 +1,37 @@
+"""A mechanism: position, velocities, accelerations, forces, group by group, its figures on one sheet where they fit."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...board.amended import Amended
+from ...board.hand import Hand
+from ...board.place import View, views
+from ...mechanism.model import Mechanism
+from ...problem.problem import Problem
+from ..drawing import Paper, draws
+from ..drawn import Drawn
+from ..passes import needs_centres, stages
+from ..plan import construct
+
+POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
+
+
+@draws(Mechanism)
+class Analysis:
+    """The analysis of a mechanism."""
+
+    turning = ("rad/s", "rad/s^2", "N·m")
+
+    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
+        """Each figure as large as its place on the sheet allows."""
+        if problem.loads is not None:
+            return construct(problem, by, _of_forces(paper), amended=amended)
+        drawn = sorted({View.MECHANISM, *(stage.view for stage in stages(problem))})
+        places = paper.slots(len(drawn) + needs_centres(problem))
+        return construct(problem, by, dict(zip(drawn, places, strict=False)), paper.fits, amended)
+
+
+def _of_forces(paper: Paper) -> Mapping[View, tuple[float, float]]:
+    """Free bodies and force polygons go on sheets of their own, in pairs."""
+    return {view: POLYGON if view is View.FORCE else paper.room(view, 3) for view in views()}

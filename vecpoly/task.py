@@ -1,0 +1,54 @@
+"""A task: what is given, what is asked, what is drawn, what checks it. All sorts of problems come through this one door.
+
+A sort of problem is told by its subject. Three files make one: the subject's data (`devices/`, or any `Subject`), how it is drawn
+(`methods/tasks/`, registered by `@draws`), and what is known of it from elsewhere (`check/truths/`, registered by `@knows`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from .board.amended import Amended
+from .board.hand import Hand
+from .check.truth import Truth, truth_of
+from .drawing.paper import A4Paper
+from .figures import View, views
+from .methods.drawing import Drawing, drawing_of
+from .methods.drawn import Drawn
+from .names import Key
+from .problem.problem import Problem
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A problem with its drawing, and with the truth that knows nothing of the drawing."""
+
+    problem: Problem
+    drawing: Drawing
+    truth: Truth
+
+    @property
+    def given(self) -> tuple[View, ...]:
+        """The kinds of figure whose scale is given."""
+        first = {mu.key: view for view in reversed(views()) for mu in (view.mu, view.across) if mu is not None}
+        return tuple(sorted({first[key] for key in self.problem.scales.given}))
+
+    @property
+    def asked(self) -> Mapping[str, Key]:
+        """What is to be found, by its key."""
+        return {ask.rel.key: ask.rel for ask in self.problem.asks}
+
+    @property
+    def turning(self) -> tuple[str, ...]:
+        """Units whose sign is a sense of turning."""
+        return self.drawing.turning
+
+    def draw(self, by: Hand, amended: Amended) -> Drawn:
+        """The construction, each figure as large as its place on the sheet allows."""
+        return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation == "landscape"), amended)
+
+
+def task_of(problem: Problem) -> Task:
+    """The task that a problem sets; raises NoMethodError where nobody draws such a problem, NotAskedError where nobody checks it."""
+    return Task(problem, drawing_of(problem), truth_of(problem))
