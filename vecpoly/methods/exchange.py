@@ -30,6 +30,7 @@ from ..quantity import number
 from ..words import Words
 from .coincident import coincident_letters
 from .desk import Desk
+from .kinematics.doors import draw_drive, draw_group
 from .kinematics.image import found_tip
 from .registry import Stage, find
 from .roots import crossings
@@ -121,9 +122,9 @@ class _Trial:
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:
             for drive in (one for one in mech.drives if not one.between):
-                find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+                draw_drive(desk, stage, drive)
             for group in self.groups:
-                find(stage, group.kind).draw(desk, group.subject)
+                draw_group(desk, stage, group)
         return desk
 
     def gap(self, position: float) -> float:

@@ -31,12 +31,13 @@ from .exchange import exchanged
 from .higher import refuse_higher
 from .kinematics.cam import letter_contacts, say_replaced
 from .kinematics.diagram import draw_frame, draw_links
+from .kinematics.doors import draw_drive, draw_group
 from .kinematics.drive_arrow import draw_drive_arrow
 from .kinematics.position_drive import say_fixed_points, say_welded
 from .kinematics.standing import told_point
 from .kinematics.wanted import draw_wanted
 from .passes import stages
-from .registry import Stage, find
+from .registry import Stage
 
 SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
@@ -158,7 +159,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
     if position and desk.mech.welded:
         say_welded(desk)
     for drive in held:
-        find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+        draw_drive(desk, stage, drive)
     if position:
         _further_points(desk, tuple(drive.link for drive in held))
         draw_frame(desk, shapes)
@@ -168,7 +169,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)
     for group in groups:
         say_replaced(desk, stage, group)
-        find(stage, group.kind).draw(desk, group.subject)
+        draw_group(desk, stage, group)
         if position:
             letter_contacts(desk, group.links)
             _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Generic, Never, TypeVar, cast
 
 from ..board.place import View
 from ..errors import NoMethodError
@@ -43,49 +43,77 @@ _STAGES = {
     Stage.POSITION: "位置", Stage.CENTRES: "瞬心", Stage.VELOCITY: "速度", Stage.ACCELERATION: "加速度", Stage.FORCE: "反力",
 }  # fmt: skip
 
-Draw = Callable[[Any, Any], Any]  # (desk or statics, what it is about)
+State = TypeVar("State", contravariant=True)
+Piece = TypeVar("Piece", contravariant=True)
+Result = TypeVar("Result", covariant=True)
+S = TypeVar("S")
+P = TypeVar("P")
+R = TypeVar("R")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Method:
-    """A registered textbook method: what it covers, its title, its source, a library problem that shows it."""
+class Method(Generic[State, Piece, Result]):
+    """A registered textbook method: what it covers, its title, its source, a library problem that shows it.
+
+    draw: given the state of the drawing (a desk, a board under forces) and the piece that it solves. signature: its types as they are written.
+    """
 
     stage: Stage
     group: str
     title: Words
     source: str
     example: str
-    draw: Draw
+    draw: Callable[[State, Piece], Result]
+    signature: tuple[str, ...]
 
 
-_METHODS: dict[tuple[Stage, str], Method] = {}
+AnyMethod = Method[Never, Never, object]  # of whatever types: to be listed, not to be called
+_METHODS: dict[tuple[Stage, str], AnyMethod] = {}
 
 
-def method(*, stage: Stage, group: str, title: Words, source: str, example: str) -> Callable[[Draw], Draw]:
+def method(*, stage: Stage, group: str, title: Words, source: str, example: str) -> Callable[[Callable[[S, P], R]], Callable[[S, P], R]]:
     """Register a function as the method for one stage of one kind of group.
 
     Raises ValueError where another function already covers it, or where it stands in the folder of another stage.
     """
 
-    def register(draw: Draw) -> Draw:
+    def register(draw: Callable[[S, P], R]) -> Callable[[S, P], R]:
         if (stage, group) in _METHODS:
             raise ValueError(f"two methods cover the {stage} of {group}")
         if not draw.__module__.startswith(f"{stage.folder}."):
             raise ValueError(f"a method that draws the {stage} belongs into the package {stage.folder}, not into {draw.__module__}")
-        _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example, draw=draw)
+        _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example, draw=draw, signature=_signature(draw))
         return draw
 
     return register
 
 
-def methods() -> tuple[Method, ...]:
+@dataclass(frozen=True, slots=True)
+class Door(Generic[S, P, R]):
+    """Through which a planner calls the methods for some kind of piece. like: a function of the types that they all have."""
+
+    like: Callable[[S, P], R]
+
+    def find(self, stage: Stage, group: str) -> Method[S, P, R]:
+        """The method for this stage and kind of group; raises NoMethodError where none is on file, TypeError where it is for other pieces."""
+        found = find(stage, group)
+        if found.signature != _signature(self.like):
+            raise TypeError(f"{found.draw.__name__} draws {' → '.join(found.signature)}; here {' → '.join(_signature(self.like))} is needed")
+        return cast("Method[S, P, R]", found)
+
+
+def _signature(draw: Callable[[S, P], R]) -> tuple[str, ...]:
+    return tuple(str(kind) for kind in draw.__annotations__.values())
+
+
+def methods() -> tuple[AnyMethod, ...]:
     """All registered methods, by stage and group."""
     for stage in Stage:
         load_modules(stage.folder)
     return tuple(sorted(_METHODS.values(), key=lambda m: (list(Stage).index(m.stage), m.group)))
 
 
-def find(stage: Stage, group: str) -> Method:
+def find(stage: Stage, group: str) -> AnyMethod:
     """The method for this stage and kind of group; raises NoMethodError where none is on file."""
     load_modules(stage.folder)
     try:

@@ -11,10 +11,11 @@ from ...problem.asks import AskNamed, AskPoint
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
-from ..registry import Stage, find
+from ..registry import Stage
 from .at_sight import draw_direct
 from .copy import mechanism_marks
 from .direct import direct_centres, normals, scaled
+from .doors import LIMITS, SEARCHES, SLOWEST
 from .motions import Motions
 from .polygon import open_polygon
 from .readings import read_centres
@@ -37,11 +38,11 @@ def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None
     _copy(fig, problem, paper, groups)
     draw_direct(fig, here)
     for search in seen.searches:
-        find(Stage.CENTRES, "Kennedy" if search.trial is None else "trial").draw(fig, search)
+        SEARCHES.find(Stage.CENTRES, "Kennedy" if search.trial is None else "trial").draw(fig, search)
     motions = Motions(fig)
     for ask in problem.asks:
         if isinstance(ask, AskPoint) and ask.slowest is not None:
-            find(Stage.CENTRES, "slowest point").draw(motions, ask)
+            SLOWEST.find(Stage.CENTRES, "slowest point").draw(motions, ask)
     read_centres(motions, problem)
     _limit_positions(desk, problem)
 
@@ -75,6 +76,6 @@ def _sparing(fig: CentreFigure) -> Words:
 def _limit_positions(desk: Desk, problem: Problem) -> None:
     for ask in problem.asks:
         if isinstance(ask, AskNamed) and ask.rel.key not in desk.board.readings and ask.rel.sort is Sort.LIMIT:
-            find(Stage.CENTRES, "limit positions").draw(desk, ask.rel)
+            LIMITS.find(Stage.CENTRES, "limit positions").draw(desk, ask.rel)
 
 

@@ -15,7 +15,8 @@ from ...problem.asks import AskNamed, AskPoint, AskRel
 from ...problem.problem import Problem
 from ...quantity import worked
 from ...words import Words
-from ..registry import Stage, find
+from ..registry import Stage
+from .doors import RATIOS, VELOCITIES
 from .motions import Motions
 from .speeds import draw_speeds, read_centre_speed
 from .spots import another_line, measured, spot_of
@@ -34,7 +35,7 @@ def read_centres(motions: Motions, problem: Problem) -> None:
         if isinstance(ask, AskRel) and ask.rel.kind is Kind.OMEGA and problem.by_centres:
             _read_turn(motions, ask.rel)
         elif isinstance(ask, AskRel) and ask.rel.kind is Kind.V and (problem.by_centres or ask.rel.to in slow):
-            found.append(find(Stage.CENTRES, "velocity").draw(motions, ask.rel))
+            found.append(VELOCITIES.find(Stage.CENTRES, "velocity").draw(motions, ask.rel))
         elif isinstance(ask, AskNamed):
             found += _read_named(motions, ask.rel.key)
     draw_speeds(fig, [speed for speed in found if speed is not None])
@@ -59,7 +60,7 @@ def _read_named(motions: Motions, key: str) -> list[tuple[str, Points, Points] |
             return [read_centre_speed(motions, (a, b))]
         for pair in ((a, b), (b, a)):
             if FRAME not in pair and key == ratio(mech, *pair).key:
-                find(Stage.CENTRES, "ratio").draw(motions, pair)
+                RATIOS.find(Stage.CENTRES, "ratio").draw(motions, pair)
     return []
 
 

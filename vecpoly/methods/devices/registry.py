@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Generic, Never, TypeVar, cast
 
 from ...devices.base import Device
 from ...errors import NoMethodError
@@ -12,46 +12,49 @@ from ...plugins import load_modules
 from ...words import Words
 from .bench import Bench
 
-Draw = Callable[[Bench, Any], None]
+D = TypeVar("D", bound=Device)
+Of = TypeVar("Of", bound=Device, contravariant=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class DeviceMethod:
+class DeviceMethod(Generic[Of]):
     """A registered construction: the device it solves, title, source, a library problem that shows it."""
 
     device: type[Device]
     title: Words
     source: str
     example: str
-    draw: Draw
+    draw: Callable[[Bench, Of], None]
 
 
-_METHODS: dict[type[Device], DeviceMethod] = {}
+AnyDevice = DeviceMethod[Never]
+_METHODS: dict[type[Device], AnyDevice] = {}
 
 
-def device_method(device: type[Device], *, title: Words, source: str, example: str) -> Callable[[Draw], Draw]:
+def device_method(device: type[D], *, title: Words, source: str, example: str) -> Callable[[Callable[[Bench, D], None]], Callable[[Bench, D], None]]:
     """Register the construction of a device; raises ValueError where it has one."""
 
-    def register(draw: Draw) -> Draw:
+    def register(draw: Callable[[Bench, D], None]) -> Callable[[Bench, D], None]:
         if device in _METHODS:
             raise ValueError(f"two constructions solve the device {device.kind}")
-        _METHODS[device] = DeviceMethod(device=device, title=title, source=source, example=example, draw=draw)
+        made: DeviceMethod[D] = DeviceMethod(device=device, title=title, source=source, example=example, draw=draw)
+        _METHODS[device] = made
         return draw
 
     return register
 
 
-def device_methods() -> tuple[DeviceMethod, ...]:
+def device_methods() -> tuple[AnyDevice, ...]:
     """All registered constructions, by the device's name."""
     load_modules("vecpoly.methods.devices")
     return tuple(sorted(_METHODS.values(), key=lambda m: m.device.kind))
 
 
-def find_device(device: Device) -> DeviceMethod:
+def find_device(device: D) -> DeviceMethod[D]:
     """The construction of this device; raises NoMethodError where none is on file."""
     load_modules("vecpoly.methods.devices")
     try:
-        return _METHODS[type(device)]
+        return cast("DeviceMethod[D]", _METHODS[type(device)])  # what is on file under a class draws that class
     except KeyError:
         raise NoMethodError(Words(
             f"没有求解装置 {device.kind} 的图解法",

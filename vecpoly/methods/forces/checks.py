@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...problem.problem import Problem
-from ..registry import Stage, find
+from ..registry import Stage
+from .doors import BALANCING
 from .state import Statics
 
 
@@ -12,4 +13,4 @@ def check_methods(st: Statics, problem: Problem) -> None:
     asked = {ask.rel.key for ask in problem.asks}
     for way, group in (("power", "virtual power"), ("lever", "lever")):
         if f"{st.unknown.name}_{way}" in asked:
-            find(Stage.FORCE, group).draw(st, None)
+            BALANCING.find(Stage.FORCE, group).draw(st, None)

@@ -7,7 +7,8 @@ from ...mechanism.assur import Group, joint_letter
 from ...mechanism.model import Joint, Prismatic, Revolute
 from ...plane import Line, cross, nominal, unit
 from ...words import Words
-from ..registry import Stage, find
+from ..registry import Stage
+from .doors import COUPLES, LINES, MOMENTS
 from .parallel_forces import PARALLEL, couple_on_guide
 from .pieces import Held, TwoForce, pieces
 from .resultant import Resultant, resultant
@@ -28,7 +29,7 @@ def solve_group(st: Statics, group: Group) -> None:
         return
     else:
         st.by_moments.add(group.links)
-        find(Stage.FORCE, group.dyad.kind).draw(st, group.dyad)
+        MOMENTS.find(Stage.FORCE, group.dyad.kind).draw(st, group.dyad)
 
 
 def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
@@ -44,7 +45,7 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     if load.is_couple and isinstance(held.joint, Prismatic):
         couple_on_guide(st, held, load, line, by)
     elif load.is_couple:
-        find(Stage.FORCE, "link under a couple").draw(st, (held, line, by))
+        COUPLES.find(Stage.FORCE, "link under a couple").draw(st, (held, line, by))
     else:
         balance(st, held, load, line, by)
     if not two.contact:
@@ -58,9 +59,7 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
 def line_of(st: Statics, two: TwoForce) -> Line:
     """The line of action of the force that the two-force link passes on, by the method for its two joints."""
     kind = "contact" if two.contact else ("two-force link R-R" if isinstance(two.inner, Revolute) and isinstance(two.outer, Revolute) else "two-force block R-P")
-    line = find(Stage.FORCE, kind).draw(st, two)
-    assert isinstance(line, Line)
-    return line
+    return LINES.find(Stage.FORCE, kind).draw(st, two)
 
 
 def _sense(st: Statics, joint: Joint, by: str, on: str) -> int:

@@ -49,7 +49,7 @@ class Arm:
 
 @method(stage=Stage.FORCE, group="lever", source=_SOURCE, example="slider-crank-dynamic",
         title=Words("速度多边形杠杆法求平衡力（矩）", "Balancing load by the Zhukovsky lever"))
-def balancing_by_lever(st: Statics, load: Load | None = None) -> None:
+def balancing_by_lever(st: Statics, load: Load | None) -> None:
     """Σ M_p = 0 about the pole of the turned velocity polygon gives the balancing load (N, or N·m), friction left out.
 
     Raises EquilibriumError where the balancing load has no arm, NoMethodError where a couple's link has one lettered point only.

@@ -21,8 +21,9 @@ from ...problem.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
-from ..registry import Stage, find
+from ..registry import Stage
 from .checks import check_methods
+from .doors import DRIVERS
 from .efficiency import NOTHING, read_efficiency
 from .free_body import draw_free_bodies
 from .given_loads import draw_given_loads
@@ -143,7 +144,7 @@ def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
         solve_group(st, group)
     kind = "crank" if isinstance(held.joint, Revolute) else "slide"
     load = "moment" if isinstance(st.unknown, Moment) else "force"
-    find(Stage.FORCE, f"{kind}, balanced" if st.balanced else f"{kind}, balancing {load}").draw(st, held)
+    DRIVERS.find(Stage.FORCE, f"{kind}, balanced" if st.balanced else f"{kind}, balancing {load}").draw(st, held)
 
 
 def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: Desk) -> Statics:

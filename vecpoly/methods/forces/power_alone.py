@@ -11,7 +11,8 @@ from ...mechanism.loads import Loads
 from ...mechanism.quantities import load_named
 from ...problem.problem import Problem
 from ...words import Words
-from ..registry import Stage, find
+from ..registry import Stage
+from .doors import BALANCING
 from .state import Statics
 
 
@@ -31,7 +32,7 @@ def power_first(st: Statics, loads: Loads | None = None) -> None:
 
     loads: as the problem has them, with the thrust of a cylinder that is no outer force of one link.
     """
-    find(Stage.FORCE, "virtual power").draw(st if loads is None else replace(st, loads=loads), None)
+    BALANCING.find(Stage.FORCE, "virtual power").draw(st if loads is None else replace(st, loads=loads), None)
     found, named = st.board.readings[f"{st.unknown.name}_power"], load_named(st.unknown)
     st.keep(replace(found, key=named.key, symbol=named.symbol), st.board.found[f"{st.unknown.name}_power"])
     st.balance, st.balanced = st.board.found[f"{st.unknown.name}_power"], True

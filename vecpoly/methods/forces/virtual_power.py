@@ -22,7 +22,7 @@ _SOURCE = "机械原理, principle of virtual power: the powers of all given for
 
 @method(stage=Stage.FORCE, group="virtual power", source=_SOURCE, example="slider-crank-dynamic",
         title=Words("用虚功率求平衡力（矩）", "Balancing load by virtual power"))
-def balancing_by_power(st: Statics, load: Load | None = None) -> None:
+def balancing_by_power(st: Statics, load: Load | None) -> None:
     """M_1 = −Σ P / ω_1 (N·m), or F_b = −Σ P / v_b (N), friction left out; `load` is the balancing one.
 
     Raises EquilibriumError where the balancing load does no work in this position.

@@ -1,0 +1,31 @@
+"""The doors of the methods by instant centres."""
+
+from __future__ import annotations
+
+from ...mechanism.centre_quantities import Pair
+from ...names import Named, Rel
+from ...problem.asks import AskPoint
+from ..desk import Desk
+from ..registry import Door
+from .motions import Motions
+from .search import Search
+from .speeds import Drawn
+from .state import CentreFigure
+
+
+def _search(fig: CentreFigure, search: Search) -> None: ...
+
+
+def _slowest(motions: Motions, ask: AskPoint) -> None: ...
+
+
+def _limit(desk: Desk, named: Named) -> None: ...
+
+
+def _ratio(motions: Motions, pair: Pair) -> None: ...
+
+
+def _velocity(motions: Motions, rel: Rel) -> Drawn | None: ...
+
+
+SEARCHES, SLOWEST, LIMITS, RATIOS, VELOCITIES = Door(_search), Door(_slowest), Door(_limit), Door(_ratio), Door(_velocity)
