@@ -18,6 +18,7 @@ from .slips import Mutant, compiles, mutants
 from .touched import MAP, ROOT, listen, touched
 from .trial import Fate, try_all
 
+_OF_SOURCES = {"swapped languages": ("tests/test_words_in_order.py::test_chinese_stands_first_in_every_sentence_of_the_code",)}  # they call nothing, and read all
 _COUNTED = (Fate.KILLED, Fate.HUNG)
 
 
@@ -64,7 +65,7 @@ def _tried(drawn: Sequence[Mutant], budget: float, files: Sequence[str]) -> None
         print(f"{fate.value:9s} {time.monotonic() - start:5.0f} s  {mutant}", flush=True)
 
     known = None if files else touched()
-    try_all(drawn, known and (lambda mutant: known.chosen(str(mutant.path), mutant.function, budget)), files, int(3 * budget) + 10, tell)
+    try_all(drawn, known and (lambda mutant: (*_OF_SOURCES.get(mutant.kind, ()), *known.chosen(str(mutant.path), mutant.function, budget))), files, int(3 * budget) + 10, tell)
     print(_table(fates))
 
 
