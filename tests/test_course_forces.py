@@ -187,3 +187,21 @@ def test_limits_from_one_side_are_marked_and_only_drawn_figures_are_named() -> N
     assert "*" in one_sided(studied("4-3a")).zh and not one_sided(studied("six-bar-dynamic")).zh
     assert drawn_views(studied("4-3a").solution.construction).zh == "机构位置图、速度多边形、各构件的受力图和力多边形"
     assert "the acceleration polygon" in drawn_views(studied("six-bar-dynamic").solution.construction).en
+
+
+BENDS = {  # crank and rod (m), eccentricity (m), ω (rad/s), friction circles (m), friction of the guide, direction of the force (rad)
+    "eta": (0.10751400163082947, 0.4454901445629513, 0.008757957062696829, -3.0, (0.008532552479544625, 0.0031039743750338722, 0.001305763529989833), 0.2414588530419424, 3.3929904695744773),
+    "R_12": (0.0760639462230231, 0.368262365551111, -0.021653299265658794, 3.0, (0.0026336371567705287, 0.0034393083548112813, 0.0063613606616915236), 0.11411580136490711, 3.453198983306014),
+}
+
+
+@pytest.mark.parametrize("key", BENDS)
+def test_a_top_at_a_bend_or_beside_a_sliver_without_equilibrium_is_found_where_it_is(key: str) -> None:
+    """η bends where the slide changes the side of its guide; a locked stretch and the answers beside it lie 1e-7 rad apart."""
+    ab, rod, away, rate, circles, f, direction = BENDS[key]
+    friction = Friction(pins=dict(zip("ABC", circles, strict=True)), slides={("3", "0"): f})
+    force = Force(name="F", link="3", point="C", direction=direction, size=500.0)
+    turn = cycle(slider_crank(ab, rod, away, 0.7, rate), loads=Loads(forces=(force,), moments=(Moment(name="M_1", link="1"),), friction=friction))
+    values = np.asarray(turn.at(key if key == "eta" else f"{key}.abs", np.linspace(0, 2 * pi, 4001)), np.float64)
+    found = extremes(turn, key)
+    assert found.highest is not None and found.highest.value >= np.nanmax(values) * (1 - 1e-9)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -11,6 +13,8 @@ from vecpoly.board.marks import Vector
 from vecpoly.errors import AssemblyError, NoMethodError, ProblemFileError
 from vecpoly.mechanism.assur import decompose
 from vecpoly.mechanism.mobility import mobility
+from vecpoly.methods import exchange
+from vecpoly.methods.registry import Stage
 from vecpoly.solution import Solution, solve
 
 CYLINDERS = ("excavator-boom", "tipper", "lift-gate", "scissor-lift", "dump-hoist")
@@ -216,3 +220,18 @@ def test_a_thrust_between_two_moving_links_is_refused_with_the_reason() -> None:
     text = (load("scissor-lift").text or "").split("find:")[0] + 'loads:\n  F: {cylinder: 4-5, size: "?"}\n  Q: {on: 1, at: B, size: 5000 N, direction: 270 deg}\nfind: [F]\n'
     with pytest.raises(NoMethodError, match="not on the frame"):
         solve(loads(text))
+
+
+def test_trials_of_another_driver_are_drawn_once_for_all_places_of_the_drive(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: list[float] = []
+    draw = exchange._Trial._drawn
+    monkeypatch.setattr(exchange._Trial, "_drawn", lambda trial, at: (drawn.append(at), draw(trial, at))[1])
+    exchange._structure.cache_clear()
+    exchange.exchanged.cache_clear()
+    mech = load("scissor-lift").mechanism
+    places: dict[float, int] = {}
+    for length in (0.62, 0.64, 0.66):
+        before = len(drawn)
+        exchange.exchanged(replace(mech, drives=(replace(mech.drive, position=length),)), (Stage.POSITION,))
+        places[length] = len(drawn) - before
+    assert places[0.62] > exchange.TRIALS and 0 < places[0.64] < 120 and 0 < places[0.66] < 120

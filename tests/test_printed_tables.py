@@ -24,6 +24,8 @@ from vecpoly.check.table_sheet import digits, last_unit
 from vecpoly.check.table_target import read_target
 from vecpoly.check.table_weigh import Level
 from vecpoly.cli import app
+from vecpoly.cycle import cycle
+from vecpoly.cycle.table import csv_bytes, table, xlsx_bytes
 from vecpoly.errors import AssemblyError, TableError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.oracle import Motion
@@ -507,3 +509,16 @@ def test_the_command_writes_json() -> None:
 def test_the_command_refuses_in_one_line(words: Sequence[object], told: str) -> None:
     code, _, error = run("check", *words)
     assert code == 2 and told in error and len(error.splitlines()) == 1 and "Traceback" not in error
+
+
+@pytest.mark.parametrize("name", ["A-27", "3-4a", "4-3a", "4-5", "C-inertia", "lift-gate"])
+@pytest.mark.parametrize("form", ["csv", "zh.xlsx", "en.xlsx"])
+def test_a_table_that_vecpoly_writes_is_read_again_column_by_column(name: str, form: str, tmp_path: Path) -> None:
+    """Words above symbols above units; places without an answer at the end of a row; an end of the drive's range in fifteen digits."""
+    problem = load(name)
+    made = table(cycle(problem, 25))
+    path = tmp_path / form
+    path.write_bytes(csv_bytes(made) if form == "csv" else xlsx_bytes(made, problem.id, "zh" if form.startswith("zh") else "en"))
+    checked = check_table(problem, path)
+    assert checked.agrees and not checked.table.left_out
+    assert {column.column.header for column in checked.columns} == {column.key for column in made.columns[1:]}

@@ -103,7 +103,7 @@ class Solution:
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
-    precise: also find how many digits the exact values keep; else that is done only where something is suspect.
+    precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
@@ -126,7 +126,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
         return solve(problem, by=by, seed=seed, repeats=repeats)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(problem, truth, drawn.motion) if rel.key not in answers]
-    told = (*problem.warnings, *idle(problem), *unfit(drawn.construction.figures, _given(problem)))
+    told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, _given(problem)))
     return Solution(problem, replace(drawn.construction, readings=readings, warning=warning(wrong)), answers, told)
 
 

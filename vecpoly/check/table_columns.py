@@ -53,6 +53,7 @@ def read_table(sheet: Sheet, problem: Problem, said: Mapping[str, str]) -> Table
     drive = _drive(sheet, head.drive, mech.drive, mech.scale, notes)
     shown = drive * 1e3 if mech.drive.slide else np.degrees(drive)
     positions = drive if mech.drive.slide else drive + _lead(problem)
+    positions = _within(positions, _halves(sheet, head.drive) * (head.drive.unit or _DEG).factor, mech)
     motion = oracle.solve(mech, positions, strict=False)
     head = _numbered(sheet, head, mech, motion, notes)
     columns = []
@@ -62,9 +63,25 @@ def read_table(sheet: Sheet, problem: Problem, said: Mapping[str, str]) -> Table
     return Table(name=sheet.name, positions=positions, printed=shown, columns=tuple(columns), notes=tuple(notes), left_out=head.left_out, slide=mech.drive.slide)
 
 
+def _within(positions: Reals, half: Reals, mech: Mechanism) -> Reals:
+    """The positions, those at an end of the drive's range put back inside by what the last digit has rounded them out of it."""
+    spans, turn = np.array(oracle.spans(mech)), 0.0 if mech.drive.slide else 2 * pi
+    if turn and (spans[:, 1] - spans[:, 0] >= turn * (1 - 1e-12)).any():
+        return positions
+    full = turn * np.floor((positions - spans[0, 0]) / turn + 1e-9) if turn else np.zeros_like(positions)
+    at = (positions - full)[:, None]
+    inside = ((at >= spans[:, 0]) & (at <= spans[:, 1])).any(axis=1)
+    ends = np.concatenate([spans.ravel() + k * turn for k in (0, 1, -1)])
+    end = ends[np.abs(ends - at).argmin(axis=1)]
+    near = np.abs(end + full - positions) <= np.maximum(half, 1e-12 * (1 + np.abs(positions)))
+    return np.where(near & ~inside, end + full, positions)  # not moved by the difference: an end is exact to the last bit
+
+
 def _lead(problem: Problem) -> float:
     """What the oracle's angle of the drive is ahead of the angle that the problem gives (its zero, its lean)."""
     drive = problem.mechanism.drive
+    if drive.between:
+        return 0.0
     given = next((datum.si for datum in problem.given.motion if datum.symbol == f"φ_{drive.link}"), drive.position)
     return drive.position - given
 

@@ -46,8 +46,10 @@ def rows_of_workbook(path: Path) -> Lines:
         book = load_workbook(BytesIO(data), read_only=True, data_only=True)
         if not book.worksheets:
             raise TableError(Words(f"{path.name} 中没有工作表", f"{path.name} has no sheet of cells"))
+        width = 0  # empty cells at the end of a row are not stored
         for n, row in enumerate(book.worksheets[0].iter_rows(values_only=True), 1):
-            yield n, list(row)
+            width = max(width, len(row))
+            yield n, [*row, *[None] * (width - len(row))]
     except _DAMAGED as error:
         if isinstance(error, TableError):
             raise

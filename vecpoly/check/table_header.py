@@ -110,7 +110,8 @@ def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism, loads: Loads | No
             name, unit = told, told_unit or unit
         else:
             unit = said
-    if is_drive(name) or (not mech.drive.slide and (one := read_target(name)) and one.is_angle and one.link == mech.drive.link) or (
+    between = mech.drive.between and name.replace("_", "") == f"{'s' if mech.drive.slide else 'phi'}{mech.drive.link}{mech.drive.on}"
+    if between or is_drive(name) or (not mech.drive.between and not mech.drive.slide and (one := read_target(name)) and one.is_angle and one.link == mech.drive.link) or (
             mech.drive.slide and name.replace("_", "") == f"s{mech.drive.link}"):
         return Heading(index=i, text=text, target=None, unit=_drive_unit(unit, mech, where))
     target = read_target(name)

@@ -36,11 +36,15 @@ class Loops:
 
     @classmethod
     def of(cls, mech: Mechanism, poses: Motion) -> Loops:
-        """The lengths of this mechanism at the angles of that motion; TableError where links roll on one another."""
+        """The lengths of this mechanism at the angles of that motion; TableError where links roll on one another, or the drive joins two moving ones."""
         if any(isinstance(joint, Rolling) for joint in mech.joints):
             raise TableError(Words(
                 "作纯滚动的构件，其速度、加速度不能与位置分开计算",
                 "links that roll have no rates apart from their positions"))
+        if any(drive.between for drive in mech.drives):
+            raise TableError(Words(
+                "驱动加在两活动构件之间时，速度方程不以机架上的原动件为已知",
+                "where a drive acts between two moving links, no link on the frame is known to the rate equations"))
         driven = {drive.link for drive in mech.drives}
         rows = tuple(r for joint in mech.joints for r in [row(mech, joint, False)] if not {r.a, r.b} <= {*driven, FRAME})
         links = tuple(link.name for link in mech.links if link.name not in driven)

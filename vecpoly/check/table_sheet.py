@@ -20,6 +20,7 @@ _PLAIN = str.maketrans({"−": "-", "－": "-", "＋": "+", "．": ".", "\u00a0"
 
 _COMMA = re.compile(r"[+\-]?\d+,\d+(?:[eE][+\-]?\d+)?")
 _EXPONENT = re.compile(r"^([+\-]?\d*\.?\d*)[dD]([+\-]?\d+)$")
+_SYMBOL = re.compile(r"[^\W_]+_\w+(?:\.\w+)?")  # omega_3, R_12.x
 _MARKS = (";", "\t", ",", "，")
 
 Lines = Iterator[tuple[int, list[str]]]
@@ -82,6 +83,8 @@ def read_sheet(path: Path) -> Sheet:
         lines.pop(0)  # a title
     if not lines:
         raise TableError(Words(f"{path.name}：表是空的", f"{path.name}: the table is empty"))
+    if _is_in_words(lines):
+        lines.pop(0)
     (head_line, header), body = lines[0], _pointed(lines[1:])
     if all(is_number(cell) for cell in header if cell):
         raise TableError(Words(
@@ -103,6 +106,15 @@ def read_sheet(path: Path) -> Sheet:
             f"{path.name}: {len(body)} rows of numbers; at least {FEWEST} are needed to compare columns"))
     return Sheet(name=path.name, header=tuple(header), units=tuple(units[: len(header)]), head_line=head_line, title=_title(path),
                  rows=tuple(tuple(cells[: len(header)]) for _, cells in body), lines=tuple(line for line, _ in body))
+
+
+def _is_in_words(lines: list[tuple[int, list[str]]]) -> bool:
+    """Whether the first of three rows without numbers says in words what the second, above the units, says in symbols."""
+    texts = [cells for _, cells in lines[:3] if not any(is_number(cell) for cell in cells)]
+    if len(texts) < 3:
+        return False
+    words, symbols = (sum(_SYMBOL.fullmatch(cell) is not None for cell in cells) for cells in texts[:2])
+    return symbols > words
 
 
 def _title(path: Path) -> Words:

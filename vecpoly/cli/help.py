@@ -10,11 +10,12 @@ from unicodedata import east_asian_width
 
 from typer.core import TyperCommand
 
-from .chinese import HELP
+from .chinese import HELP, LABELS
 from .tongue import tongue
 
 _WIDTH = 80
-_LABELS = {"OPTIONS": "选项", "COMMAND [ARGS]...": "命令 [参数]..."}
+_LABEL = re.compile("|".join(rf"(?<![\w-]){re.escape(label)}(?!\w)" for label in LABELS))
+_ANY = re.compile(r"\{([^{}]+)\}(\.\.\.)?")  # {FILE...}...
 _EXTRA = re.compile(r"  \[(?P<said>[^\]]*)\]$")
 _SAID = (("required", "必需"), ("env var: ", "环境变量："), ("default: ", "默认 "))
 
@@ -30,14 +31,12 @@ class Command(TyperCommand):
 def in_chinese(command: Any, ctx: Any) -> str:
     """The Chinese help page of a command or of the whole program."""
     pieces = " ".join(command.collect_usage_pieces(ctx))
-    for english, chinese in _LABELS.items():
-        pieces = pieces.replace(english, chinese)
-    page = [f"用法：{ctx.command_path} {pieces}", ""]
+    page = [f"用法：{ctx.command_path} {_labelled(pieces)}", ""]
     for paragraph in HELP[english_of(command)].split("\n\n"):
         page += [*_wrapped(paragraph, 2), ""]
     records = [(param.param_type_name, param.get_help_record(ctx), param) for param in command.get_params(ctx)]
     for title, kind in (("参数", "argument"), ("选项", "option")):
-        page += _section(title, [(found[0], _record(param, found[1])) for name, found, param in records if name == kind and found])
+        page += _section(title, [(_labelled(found[0]), _record(param, found[1])) for name, found, param in records if name == kind and found])
     shown = [(name, HELP[english_of(one)].split("\n\n")[0]) for name, one in getattr(command, "commands", {}).items() if not one.hidden]
     return "\n".join([*page, *_section("命令", shown)]).rstrip()
 
@@ -45,6 +44,11 @@ def in_chinese(command: Any, ctx: Any) -> str:
 def english_of(command: Any) -> str:
     """A command's English help as it stands in the table."""
     return inspect.cleandoc(command.help or "")
+
+
+def _labelled(text: str) -> str:
+    """What stands in place of values, in Chinese, without the types that a program would name."""
+    return _LABEL.sub(lambda found: LABELS[found[0]], _ANY.sub(r"\1", text)).rstrip()
 
 
 def _record(param: Any, record: str) -> str:

@@ -13,6 +13,7 @@ from .sample import sample
 
 Reals = NDArray[np.float64]
 HAIR = 1e-12  # rad, or part of the range: beside a place that is found to 1e-13
+HALVINGS = 12  # of the step of the ladder in which the answers begin
 LADDER = np.geomspace(HAIR, 1e-3, 54)  # beside a change of slip, next to which friction has no sense
 
 
@@ -21,9 +22,8 @@ def breaks(cycle: Cycle) -> Reals:
     """Last place before and first place after every break (rows of two), on the turn of the grid and in its order; none without loads."""
     phi = cycle.on_grid(cycle.drive.key)[0].real
     unit = 1.0 if not cycle.mech.drive.slide else cycle.high - cycle.low
-    cuts = np.array([one.low for one in duties(cycle)][0 if cycle.whole else 1 :], np.float64)
-    sides = np.array([still.phi for still in stills(cycle)], np.float64)
-    found = np.concatenate([np.stack([cuts - HAIR * unit, cuts + HAIR * unit], axis=1), _sides(cycle, sides, unit)])
+    cuts = [one.low for one in duties(cycle)][0 if cycle.whole else 1 :]
+    found = _sides(cycle, np.array([*cuts, *(still.phi for still in stills(cycle))], np.float64), unit)
     if cycle.whole:
         found = np.concatenate([found + 2 * np.pi * k for k in (-1, 0, 1)])
     found = found[(found[:, 0] > phi[0]) & (found[:, 1] < phi[-1])]
@@ -31,11 +31,21 @@ def breaks(cycle: Cycle) -> Reals:
 
 
 def _sides(cycle: Cycle, at: Reals, unit: float) -> Reals:
-    """The nearest places on either side of each at which there is an answer."""
+    """The nearest places on either side of each at which there is an answer; a hair away where there is none on that side."""
     if not at.size:
         return np.empty((0, 2))
     steps = unit * LADDER * np.array([[-1.0], [1.0]])
     tried = at[:, None, None] + steps
-    lost = sample(cycle.mech, cycle.loads, tried.ravel()).statics.causes.reshape(tried.shape) != Cause.NONE
+    lost = _lost(cycle, tried)
     first = np.argmin(lost, axis=2)
-    return np.asarray(np.take_along_axis(tried, first[..., None], axis=2)[..., 0], np.float64)
+    outer, inner = (np.take_along_axis(tried, place[..., None], axis=2)[..., 0] for place in (first, np.maximum(first - 1, 0)))
+    for _ in range(HALVINGS if first.any() else 0):
+        middle = (outer + inner) / 2
+        beyond = _lost(cycle, middle)
+        inner, outer = np.where(beyond, middle, inner), np.where(beyond, outer, middle)
+    return np.asarray(outer, np.float64)
+
+
+def _lost(cycle: Cycle, places: Reals) -> NDArray[np.bool_]:
+    """Where there is no answer."""
+    return np.asarray(sample(cycle.mech, cycle.loads, places.ravel()).statics.causes.reshape(places.shape) != Cause.NONE)

@@ -92,11 +92,19 @@ def _turning(curve: Curve, piece: Piece) -> tuple[Reals, Reals]:
     top = top[turn]
     step = (high - low) / 2
     at = ridders(lambda q: curve.slope(q, step), low, high)
-    lost = ~np.isfinite(at)
-    if lost.any():
-        sign = np.where(top[lost], 1.0, -1.0)
-        at[lost] = highest(lambda q: np.append(sign, sign) * curve.value(q), low[lost], high[lost])
+    doubtful = ~np.isfinite(at) if curve.rate else np.ones(at.shape, np.bool_)
+    at[doubtful] = _sharper(curve, at[doubtful], np.where(top[doubtful], 1.0, -1.0), low[doubtful], high[doubtful])
     return at[top], at[~top]
+
+
+def _sharper(curve: Curve, at: Reals, sign: Reals, low: Reals, high: Reals) -> Reals:
+    """Each top, or where a bend within its bracket stands higher (a slide changes its side: the differences smear it), that bend."""
+    if not at.size:
+        return at
+    bend = highest(lambda q: np.append(sign, sign) * curve.value(q), low, high)
+    smooth, sharp = (sign * curve.value(place) for place in (np.where(np.isfinite(at), at, bend), bend))
+    better = sharp - smooth > 1e-12 * (np.abs(smooth) + curve.size)
+    return np.where(better | ~np.isfinite(at), bend, at)
 
 
 def _crossing(curve: Curve, parts: tuple[Piece, ...], touching: tuple[Spot, ...]) -> tuple[Spot, ...]:

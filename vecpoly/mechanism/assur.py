@@ -74,7 +74,8 @@ class Group:
     def name(self) -> Words:
         """For messages: RRR group 2, 3."""
         number = self.kind.removeprefix("class ")
-        zh = f"{self.kind} 组" if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
+        own = {"driven": "含驱动的杆组", "gear train": "轮系"}
+        zh = own.get(self.kind, f"{self.kind} 组") if number == self.kind else f"{_CLASS.get(number, number)} 级杆组"
         return Words(f"{zh}（构件 {'、'.join(self.links)}）", f"{self.kind} group {', '.join(self.links)}")
 
 
@@ -91,9 +92,9 @@ def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     while rest:
         group = next(_candidates(mech, tuple(rest), tuple(known), pressing), None)
         if group is None:
-            left = ", ".join(name for unit in rest for name in unit)
+            left = ", ".join(name for unit in rest for name in unit if name[0].isdigit())  # a pin's own block has no number
             raise MobilityError(Words(
-                f"构件 {left} 与已知构件 {', '.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
+                f"构件 {left.replace(', ', '、')} 与已知构件 {'、'.join(known)} 之间不成杆组：缺少或多出了运动副或原动件",
                 f"links {left} form no Assur group on the known links {', '.join(known)}: a joint or a drive is missing, or one too many"))
         groups.append(group)
         known += group.links

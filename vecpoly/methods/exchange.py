@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from math import degrees, pi
 
 import numpy as np
@@ -46,6 +47,7 @@ class Exchange:
     said: Mapping[Stage, Words] = field(default_factory=dict)
 
 
+@lru_cache(maxsize=128)  # all places of a player's turn, each drawn again at other scales
 def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
     """The mechanism itself where its groups can be drawn as they are; else driven by another link, moved so that the input is as given.
 
@@ -57,7 +59,7 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
     drive = next(one for one in mech.drives if one.between and one.pair <= set(group.links))
     other = _other(mech, group, drive)
     mech = replace(mech, branches=(*mech.branches, *bend(mech, drive)))  # what the angle says of the assembly
-    trial = _Trial(mech, drive, other)
+    trial = _trial(mech, drive, other)
     placed = replace(other, position=_position(trial))
     moving = Stage.VELOCITY in stages or Stage.ACCELERATION in stages
     rated = _rated(trial, placed, Stage.ACCELERATION in stages) if moving else placed
@@ -90,35 +92,52 @@ def _driven_by(mech: Mechanism, drive: Drive, other: Drive) -> Mechanism:
     return replace(mech, drives=tuple(other if one == drive else one for one in mech.drives))
 
 
+@lru_cache(maxsize=4)
+def _structure(mech: Mechanism) -> tuple[tuple[Group, ...], dict[float, float]]:
+    """The groups of a mechanism driven by the other link, and what trials have shown of it so far: neither knows the input's position."""
+    return decompose(mech), {}
+
+
+def _trial(mech: Mechanism, drive: Drive, other: Drive) -> _Trial:
+    return _Trial(mech, drive, other, *_structure(_driven_by(mech, drive, other)))
+
+
 @dataclass(frozen=True, slots=True)
 class _Trial:
-    """Trials of one exchange: the mechanism, its own drive, the link that is thought to drive."""
+    """Trials of one exchange: the mechanism, its own drive, the link that is thought to drive, the groups then, and the input at each trial."""
 
     mech: Mechanism
     drive: Drive
     other: Drive
+    groups: tuple[Group, ...]
+    seen: dict[float, float]
 
     def desk(self, other: Drive, *stages: Stage) -> Desk:
         """Scratch paper on which these stages are drawn."""
         mech = _driven_by(self.mech, self.drive, other)
-        groups = decompose(mech)
         unit = {view: Scale(symbol="μ", value=mech.scale / 100 if view is View.MECHANISM else 0.01, unit="") for view in View}
-        desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, groups))
+        desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, self.groups))
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:
             for drive in (one for one in mech.drives if not one.between):
                 find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
-            for group in groups:
+            for group in self.groups:
                 find(stage, group.kind).draw(desk, group.subject)
         return desk
 
     def gap(self, position: float) -> float:
         """By how much the input misses its given position (m, or rad); NaN where the links cannot be joined."""
+        if position not in self.seen:  # the next position of the same input asks for most of these trials again
+            self.seen[position] = self._drawn(position)
+        miss = self.seen[position] - self.drive.position
+        return miss if self.drive.slide else _wrapped(miss)
+
+    def _drawn(self, position: float) -> float:
+        """The input that this trial shows."""
         try:
-            desk = self.desk(replace(self.other, position=position), Stage.POSITION)
+            return self.shown(self.desk(replace(self.other, position=position), Stage.POSITION))
         except AssemblyError:
             return np.nan
-        return self.shown(desk) - self.drive.position if self.drive.slide else _wrapped(self.shown(desk) - self.drive.position)
 
     def shown(self, desk: Desk) -> float:
         """The input's position as drawn: travel (m), or angle (rad)."""

@@ -66,7 +66,9 @@ def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool =
     """The error for links that do not close; alone: they do just before and after."""
     zh, en = "、".join(step.group.links), " and ".join(step.group.links)
     short, found = bool(np.isfinite(gap) and gap > 0), bool(np.isfinite(gap))
-    what = Words(f"原动件位于 {where} 时，构件 {zh} 在 {step.joint} 处不能装配", f"links {en} cannot be joined at {step.joint} where the drive stands at {where}")
+    at = (Words(f" 在 {step.joint} 处", f" at {step.joint}") if step.joint
+          else Words(f" 在{step.group.name.zh.partition('（')[0]}的回路中", f" in the loops of the {step.group.name.en}"))
+    what = Words(f"原动件位于 {where} 时，构件 {zh}{at.zh}不能装配", f"links {en} cannot be joined{at.en} where the drive stands at {where}")
     if short:
         mm = f"{1e3 * gap:.4g} mm"
         what = Words(

@@ -43,6 +43,7 @@ class Newton:
     joint: str = field(default="", kw_only=True)
     size: float = field(init=False)  # the mechanism's (m)
     walked: dict[int, States] = field(default_factory=dict, compare=False, repr=False, init=False)  # strides from the own position → states found
+    met: list[States] = field(default_factory=list, compare=False, repr=False, init=False)  # every assembly at the own position, once sought
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "size", self.mech.scale)
@@ -82,9 +83,11 @@ class Newton:
         return np.full(1, np.nan)
 
     def assemblies(self, here: Bodies) -> States:
-        """Every assembly of a group with a drive inside, the known links (and the drive) being in these positions."""
-        seeds = random_starts(self.mech, len(self.group.links))
-        return distinct(self._solve(seeds, here, seeds, here, ITERATIONS), self.size)
+        """Every assembly of a group with a drive inside, the known links (and the drive) being in their own positions; sought once."""
+        if not self.met:
+            seeds = random_starts(self.mech, len(self.group.links))
+            self.met.append(distinct(self._solve(seeds, here, seeds, here, ITERATIONS), self.size))
+        return self.met[0]
 
     def _own(self, here: Bodies, known: Bodies) -> NDArray[np.float64]:
         """The assembly at the own position: nearest to the guesses; with a drive inside any, until one is chosen."""

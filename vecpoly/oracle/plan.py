@@ -23,6 +23,7 @@ from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
 from .steps import Step, is_followed, step_for
 
+KEPT = 128  # plans of mechanisms met last: those of a whole turn of the player, which comes back to each
 TIGHT = 1e-5  # square of the sine of a folded dyad below which its change points are looked for
 
 
@@ -210,12 +211,12 @@ class _Same:
         return isinstance(other, _Same) and other.mech is self.mech
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=KEPT)
 def _kept(key: _Same) -> Plan:
     return build(key.mech)
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=KEPT)
 def _whole(key: _Same) -> Plan:
     return through(_kept(key))
 

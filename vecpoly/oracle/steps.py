@@ -82,7 +82,7 @@ def _swinging(
         mech.link(g_parent).points[g], mech.link(b_parent).points[b], guide.points[g], block.points[b],
         complex(np.exp(-1j * slider.direction)), turn,
         across=_clean(line.imag + slider.offset - pin.imag, mech.scale), shift=pin.real - line.real if slider.through else 0.0,
-        size=mech.scale, joint=f"slider {slider.pin}",
+        size=mech.scale, joint=slider.pin,
     )
 
 
@@ -123,4 +123,4 @@ def newton(mech: Mechanism, group: Group) -> Newton:
     drives = tuple(driven(mech, drive) for drive in drives_within(mech, group.links))
     if (cross := crossing(mech, group)) is not None:
         return Newton(mech, group, (*rows, *drives), standings(mech, group), two=True, joint=cross[0])
-    return Newton(mech, group, (*rows, *drives), standings(mech, group), joint=f"the loops of the {group.name.en}")
+    return Newton(mech, group, (*rows, *drives), standings(mech, group))

@@ -18,7 +18,8 @@ _TOUCHES = re.compile(
     r"(?:,? (?P<side>left|right) of the face)?"
 )
 FORMS = (_TOUCHES,)  # for editors too
-EXAMPLES = "'1 touches 2 at K', '1 touches 2 inside at K' (discs) or '1 touches 2 at K right of the face'"
+EXAMPLES = Words("'1 touches 2 at K'、'1 touches 2 inside at K'（两圆）或 '1 touches 2 at K right of the face'",
+                 "'1 touches 2 at K', '1 touches 2 inside at K' (discs) or '1 touches 2 at K right of the face'")
 
 
 def is_contact(text: object) -> bool:
@@ -31,8 +32,8 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
     m = _TOUCHES.fullmatch(text)
     if m is None:
         raise FaultError(Words(
-            f"“{text}”不是接触的写法；应写 {EXAMPLES}",
-            f"'{text}' is no contact; write {EXAMPLES}"), code="spelling")
+            f"“{text}”不是接触的写法；应写 {EXAMPLES.zh}",
+            f"'{text}' is no contact; write {EXAMPLES.en}"), code="spelling")
     if m["point"] in (*bodies.letters(), *bodies.pitch):
         raise FaultError(Words(
             f"字母 {m['point']} 已是一个点；请给接触点另取字母",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
@@ -89,7 +90,15 @@ Link = Annotated[
     ),
 ]
 Centre = Annotated[Any, WithJsonSchema({"anyOf": [_ONE, _PLACE]})]
-Pair = tuple[Number, Number]
+
+
+def _pair(value: Any) -> Any:
+    """Two components in one text, "(0 mm, 0 mm)" or 0 mm, 0 mm, as a list; anything else as it is."""
+    found = re.fullmatch(r"[(（\[]?([^,，()\[\]]+)[,，]([^,，()\[\]]+)[)）\]]?", value.strip()) if isinstance(value, str) else None
+    return value if found is None else [found[1].strip(), found[2].strip()]
+
+
+Pair = Annotated[tuple[Number, Number], BeforeValidator(_pair)]
 ID = r"^\w[\w.\-]*$"
 
 

@@ -10,10 +10,8 @@ from ..words import Words
 from .bodies import Bodies
 from .slides import read_slide
 
-EXAMPLES = (
-    "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', "
-    "'3 rolls on y = 0 mm at D', '4 rolls on 3 at H' or '1 touches 2 at K'"
-)
+_FORMS = "'4 slides in 5', '5 slides on y = 600 mm', '2 passes through 3', 'B runs in 3', '3 rolls on y = 0 mm at D', '4 rolls on 3 at H'"
+EXAMPLES = Words(f"{_FORMS} 或 '1 touches 2 at K'", f"{_FORMS} or '1 touches 2 at K'")
 
 
 def revolutes(bodies: Bodies) -> tuple[Revolute, ...]:
@@ -29,11 +27,11 @@ def revolutes(bodies: Bodies) -> tuple[Revolute, ...]:
 def read_joint(text: object, bodies: Bodies) -> Joint:
     """One entry of `joints`. A pin in a slot adds its massless block to the bodies."""
     if not isinstance(text, str):
-        raise FaultError(Words(f"运动副应写成一句话，如 {EXAMPLES}", f"a joint is a sentence such as {EXAMPLES}"))
+        raise FaultError(Words(f"运动副应写成一句话，如 {EXAMPLES.zh}", f"a joint is a sentence such as {EXAMPLES.en}"))
     if (slide := read_slide(text, bodies)) is not None:
         return slide
     raise FaultError(Words(
-        f"“{text}”不是运动副的写法；应写 {EXAMPLES}（转动副不必写：字母相同即为铰链）",
-        f"'{text}' is no joint; write {EXAMPLES} (pins need no entry: shared letters make them)"), code="spelling")
+        f"“{text}”不是运动副的写法；应写 {EXAMPLES.zh}（转动副不必写：字母相同即为铰链）",
+        f"'{text}' is no joint; write {EXAMPLES.en} (pins need no entry: shared letters make them)"), code="spelling")
 
 

@@ -80,6 +80,7 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
     """A rod through a block: directed from its pin towards the block; a letter of either may lie beside its line."""
     _apart(rod, through)
     guide, block = bodies.draft(rod), bodies.draft(through)
+    _not_reversed(guide, block)
     check_cylinder(rod, block, bodies.drafts)
     line, beside = own_line(guide), m["off"] or pin
     led = next(iter(block.points))
@@ -94,6 +95,15 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
         known = (*guide.points, *block.points)
         raise FaultError(Words(f"点 {beside} 不在构件 {rod}、{through} 上", f"point '{beside}' is on neither link {rod} nor link {through}") + meant(beside, known))
     return replace(joint, pin=beside, offset=_left(m))
+
+
+def _not_reversed(guide: Draft, block: Draft) -> None:
+    """Refuse a block that is to pass through its own rod or slot."""
+    if guide.line is not None or guide.shape is not Shape.BLOCK or block.line is None:
+        return
+    right = f"{guide.name} slides in {block.name}" if block.shape is Shape.SLOT else f"{block.name} passes through {guide.name}"
+    raise FaultError(Words(f"构件 {guide.name} 是滑块，有导路的是构件 {block.name}；请写“{right}”",
+                           f"link {guide.name} is the block, and it is link {block.name} that has the line; write '{right}'"), code="spelling")
 
 
 def _beside(line: Line, guide: Draft, letter: str, left: float) -> complex:

@@ -8,12 +8,18 @@ from ..errors import UnknownNameError
 from ..names import parse_rel
 from ..words import Words
 
-_SMALL = str.maketrans({**{chr(0x2080 + n): str(n) for n in range(10)}, "ω": "omega", "Ω": "omega", "α": "alpha", "ε": "alpha", "′": "'"})
+RAISED = {"ⁿ": "n", "ᵗ": "t", "ᵏ": "k", "ʳ": "r", "ᶜ": "k"}  # the parts of an acceleration, set as a small letter
+_SMALL = str.maketrans({**{chr(0x2080 + n): str(n) for n in range(10)}, **{sign: f"^{part}" for sign, part in RAISED.items()}, "ω": "omega", "Ω": "omega", "α": "alpha", "ε": "alpha", "′": "'"})
 _NOISE = re.compile(r"[\s{}$()|/\\·]")
 _TURN = re.compile(r"(omega|omga|w|alpha|alfa|epsilon|eps)_?(\d+[a-z']?)", re.I)
 _PART = re.compile(r"(?P<kind>[pvars])(?:\^?_?(?P<part>[ntkr]))?_?(?P<at>[A-Z].*)")
 _PART_BEHIND = re.compile(r"(?P<kind>a)_?(?P<at>[A-Z][A-Za-z\d']*?)_?\^(?P<part>[ntkr])")
 _RATE = {"o": "omega", "w": "omega", "a": "alpha", "e": "alpha"}
+
+
+def plain(text: str) -> str:
+    """The key behind a symbol in the letters of a textbook: ω_3 → omega_3, aⁿ_CB → an_CB."""
+    return re.sub(r"^a([ⁿᵗᵏʳᶜ])", lambda m: f"a{RAISED[m[1]]}", text).replace("ω", "omega").replace("α", "alpha")
 
 
 def intended(text: str) -> str | None:

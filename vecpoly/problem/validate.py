@@ -38,13 +38,15 @@ _PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expe
 _MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
 _SAID = {
     "string_type": Words("此处应为文本", "a text is expected here"),
-    "list_type": Words("此处应为列表，如 [v_C, a_C]", "a list is expected here, e.g. [v_C, a_C]"),
     "dict_type": _MAPPING,
     "model_type": _MAPPING,
     "tuple_type": _PAIR,
     "too_short": Words("此处至少要有一项", "at least one entry is needed here"),
     "too_long": _PAIR,
 }
+_SENTENCES = ("branch", "joints")
+_LISTS = {"find": "[v_C, a_C]", "branch": "[C left of BD]", "joints": "[4 slides in 5]", "printed": "[{symbol: v_C, value: 0.18 m/s}]",
+          "tables": "[table.csv]", "problems": "[3-8, 3-9]", "errata": "['...']"}
 _UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "dict[str,any]"}
 
 
@@ -100,8 +102,16 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             expected = item["ctx"]["expected"]
             return FaultError(Words(
                 f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一", f"'{written}' is not one of {expected}"), *path, code="spelling")
+        case "list_type" if isinstance(written, dict) and path[0] in _SENTENCES and all(isinstance(text, str) for text in written.values()):
+            items = ", ".join(f"{key} {text}" for key, text in written.items())
+            return FaultError(Words(f"此处应为列表，每项是一句话；请写 [{items}]", f"a list of sentences is expected here; write [{items}]"), *path, code="spelling")
         case "list_type" if isinstance(written, str):
             return FaultError(Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]"), *path, code="spelling")
+        case "list_type":
+            example = _LISTS.get(str(path[-1]) if path else "", "[..., ...]")
+            return FaultError(Words(f"此处应为列表；请写如 {example}", f"a list is expected here; write e.g. {example}"), *path, code="spelling")
+        case "tuple_type" if len(path) == 2 and path[0] in ("frame", "guesses") and str(path[-1])[:1].isdigit():
+            return FaultError(Words(f"“{path[-1]}”不在方括号内；坐标请写如 A: [100 mm, 0 mm]", f"'{path[-1]}' stands outside of brackets; write coordinates as A: [100 mm, 0 mm]"), *path, code="spelling")
         case kind:
             return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
 

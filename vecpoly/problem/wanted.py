@@ -19,9 +19,8 @@ from .draft import letters_of
 from .faults import meant
 from .problem import Printed, Scales
 from .schema import FindSpec, PrintedSpec, ScalesSpec
-from .spelling import did_you_mean, intended
+from .spelling import did_you_mean, intended, plain
 
-_KEY_SPELLING = str.maketrans({"ω": "omega", "α": "alpha"})
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
 _FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
 CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written
@@ -117,7 +116,7 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
 def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
     """A key whose letters and links exist."""
     try:
-        rel = parse_rel(text.translate(_KEY_SPELLING))
+        rel = parse_rel(plain(text))
     except UnknownNameError as error:
         no_symbol = Words(f"“{text}”不是可识别的符号", f"'{text}' is no symbol")
         raise FaultError(no_symbol + did_you_mean(text) if intended(text) else error.words, code="unknown-symbol") from None
@@ -238,7 +237,7 @@ def _named_value(text: str, named: Named) -> float:
     if not named.unit:
         m = _PERCENT.fullmatch(text)
         try:
-            return pure(m[1], "85 %") / 100 if m else pure(text, "0.85 or 85 %")
+            return pure(m[1], "85 %") / 100 if m else pure(text, "0.85 (85 %)")
         except FaultError as fault:
             raise fault.under("value") from None
     factor, dimension = unit_of(named.unit.replace("·", "*").replace("^", "**"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from .signs import CLOSING, FILES, OPENING, QUOTES, TEXTS, narrow, remedy
+from .signs import CLOSING, FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, narrow, remedy, squared
 
 Signs = list[tuple[str, int]]
 _NEXT_KEY = re.compile(r"[ \u3000]*(zh|en|note)[ \u3000]*[:：]")
@@ -53,6 +53,10 @@ class Flow:
             return self._push(at, out, OPENING[sign])
         if sign in CLOSING and self.frames and self._closes(line, at, sign):
             return self._pop(at, out, CLOSING[sign])
+        if fresh and sign in "(（" and self._names() & PAIRS and not self._spoken() and (pair := ROUND.match(line, at)):
+            out += [(one, at + i) for i, one in enumerate(squared(pair[0]))]
+            self.frames[-1].so_far = "…"
+            return pair.end()
         return self._inside(line, at, out)
 
     def _inside(self, line: str, at: int, out: Signs) -> int:

@@ -1,5 +1,6 @@
 """Full-width signs outside quoted and spoken texts, made narrow line by line: ｛AB：100 mm｝ → {AB: 100 mm}.
 
+So are parentheses round two components: A: (0 mm, 0 mm) → A: [0 mm, 0 mm].
 Where a sign could mean two things it is a fault with its line and column. Signs change one for one, but for a space
 that YAML wants behind a colon; `Narrowed.column` counts it out again.
 """
@@ -12,7 +13,7 @@ from dataclasses import dataclass, field
 from ...errors import Fault, Place, ProblemFileError
 from ...words import Words
 from .flow import Flow
-from .signs import FILES, OPENING, QUOTES, TEXTS, WIDE, narrow, remedy
+from .signs import FILES, OPENING, PAIRS, QUOTES, ROUND, TEXTS, WIDE, narrow, remedy, squared
 
 _KEY = re.compile(r"([\w.'′-]+)[ \u3000]*(:(?=[ \u3000]|$)|：)[ \u3000]*")
 _DASH = re.compile(r"-(?= |$) *")
@@ -32,7 +33,7 @@ class Narrowed:
 
 def narrowed(text: str, name: str) -> Narrowed:
     """The text with narrow signs; raises ProblemFileError for signs in doubt, each with its line and column."""
-    if not WIDE.search(text):
+    if not WIDE.search(text) and not ROUND.search(text):
         return Narrowed(text)
     reader = _Lines(name)
     lines = [reader.line(number, line) for number, line in enumerate(text.split("\n"))]
@@ -111,6 +112,8 @@ class _Lines:
             out = flow.line(line, start)
             self.flow = None if flow.closed else flow
             return out
+        if first in ("(", "（") and names & PAIRS and not texts and (pair := ROUND.match(line, start)):
+            return [(sign, start + i) for i, sign in enumerate(squared(pair[0]))] + _same(line[pair.end():], pair.end())
         if first and first in "\"'":
             self.quote = "" if _end_of_quote(line, start + 1, first) else first
             return _same(line[start:], start)

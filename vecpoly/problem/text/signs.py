@@ -10,6 +10,8 @@ FILES = frozenset({"extends", "tables", "problem", "problems"})  # names of file
 OPENING = {"{": "}", "[": "]", "｛": "}", "［": "]", "【": "]"}
 CLOSING = {"}": "}", "]": "]", "｝": "}", "］": "]", "】": "]"}
 QUOTES = {"“": "”", "”": "”", "＂": "＂"}
+PAIRS = frozenset({"frame", "guesses", "velocity", "acceleration"})  # keys of two components, which may stand in parentheses
+ROUND = re.compile(r"[(（][^(){}（）\[\],，]+[,，][^(){}（）\[\],，]+[)）](?=[ \u3000]*(?:[,，}｝\]］】]|#|$))", re.M)
 _PLAIN = {"\u3000": " ", "、": ",", "‘": "'", "’": "'"}
 _DOUBTFUL = {"；": ",", "。": ".", "！": "", "？": '"?"', "＃": "#", "《": '"', "》": '"', "「": '"', "」": '"', "『": '"', "』": '"', "〈": '"', "〉": '"', "：": ": ", "‘": "'"}
 
@@ -19,6 +21,11 @@ def narrow(sign: str) -> str:
     if sign in _PLAIN:
         return _PLAIN[sign]
     return chr(ord(sign) - 0xFEE0) if "\uff01" <= sign <= "\uff5e" else sign
+
+
+def squared(pair: str) -> str:
+    """（0 mm，0 mm） → [0 mm, 0 mm], sign by sign."""
+    return f"[{''.join(map(narrow, pair[1:-1]))}]"
 
 
 def remedy(sign: str) -> str | None:
