@@ -11,7 +11,7 @@ from math import asin, degrees
 
 import numpy as np
 
-from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
+from ..errors import AssemblyError, DeadPointError, EquilibriumError, NotAskedError, bilingual
 from ..formula import Node, Row, row
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
 from ..plane.geometry import dot, inclined
@@ -164,7 +164,10 @@ class Board(Log):
         return self._ruler.bearing(a, b)
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result."""
+        """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is 0/0."""
+        if np.isnan(nominal(expr.value)):
+            raise NotAskedError(Words(f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
+                                      f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
         result = magnitude(symbol, expr.value, unit_text)
         self.write(worked(result.node, expr, unit_text))
         return result
