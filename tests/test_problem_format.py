@@ -272,3 +272,9 @@ def test_a_ray_to_a_point_that_is_set_out_further_on_goes_to_that_point(link: st
     text = f"id: x\ntitle: x\nframe: {{A: [0 mm, 0 mm], C: [60 mm, 0 mm]}}\nlinks: {{1: {{CB: 20 mm}}, 2: {{block: B}}, 3: {link}}}\njoints: [2 slides in 3]\ninput: {{link: 1, phi: 50 deg, omega: ccw}}\n"
     points = loads(text).mechanism.link("3").points
     assert points["E"] == pytest.approx(points["G"] * 50 / 45)
+
+
+def test_a_ray_to_a_point_that_is_nowhere_is_refused() -> None:
+    text = "id: x\ntitle: x\nframe: {A: [0 mm, 0 mm]}\nlinks: {1: {AB: 20 mm}, 2: {slot: B, E: {along: BZ, at: 50 mm}}}\ninput: {link: 1, phi: 50 deg, omega: ccw}\n"
+    with pytest.raises(ProblemFileError, match=r"links.2: point 'Z' does not exist"):
+        loads(text)
