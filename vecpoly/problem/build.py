@@ -134,6 +134,10 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
                     f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"), code="spelling")
             bodies.drafts[name] = read_link(name, data)
             refuse_frame(bodies.drafts[name], bodies.frame)
+    for name, draft in bodies.drafts.items():
+        with faults.at("links", name):
+            if unknown := sorted(draft.towards - set(bodies.letters())):
+                raise FaultError(Words(f"点“{unknown[0]}”不存在", f"point '{unknown[0]}' does not exist") + meant(unknown[0], bodies.letters()), code="unknown-name")
     if not faults.found:
         weld_rollers(spec, bodies, faults)
     if faults.found:  # what follows would only repeat the same faults in other words
