@@ -100,12 +100,6 @@ class Board(Instruments):
         self._slipped |= {key or ascii_key(symbol)} if factor is not None else set()
         act = self.log(done.Compute(head=self.head(value, key=key or ascii_key(symbol)), value=float(nominal(value)), unit=unit_text))
         result = magnitude(symbol, traced(value, act), unit_text)
-    def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is 0/0."""
-        if np.isnan(nominal(expr.value)):
-            raise NotAskedError(Words(f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
-                                      f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
-        result = magnitude(symbol, expr.value, unit_text)
         self.write(worked(result.node, expr, unit_text))
         return result
 
