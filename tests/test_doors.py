@@ -1,4 +1,4 @@
-"""Claims about the doors through which planners call methods: what is handed in has the type that the method is written for."""
+"""Claims about the doors to methods: what is handed in has the type that a method is written for."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from vecpoly.methods.forces import doors as forces
 from vecpoly.methods.kinematics import doors as kinematics
 from vecpoly.methods.registry import Door, Stage, _signature, methods
 
-DOORS = tuple(door for where in (centres, forces, kinematics) for door in vars(where).values() if isinstance(door, Door))
+DOORS = tuple(
+    door for where in (centres, forces, kinematics) for door in vars(where).values() if isinstance(door, Door)
+)
 
 
 def test_every_method_fits_one_door_and_every_door_has_methods() -> None:

@@ -158,7 +158,8 @@ def test_a_narrow_angle_is_pointed_at_from_outside_and_its_letter_stands_outside
 def test_forces_are_drawn_in_their_own_ink_and_velocities_on_a_body_in_theirs() -> None:
     inks = {label: next(i.hue for i in items(Vector(a=0j, b=20j, role=Role.RESULT, label=label)) if isinstance(i, Fill))
             for label in ("R_{12}", "F_{I2}", "Q", "v_{34}", "")}
-    assert inks == {"R_{12}": View.FORCE.ink, "F_{I2}": View.FORCE.ink, "Q": View.FORCE.ink, "v_{34}": View.VELOCITY.ink, "": View.FORCE.ink}
+    force, velocity = View.FORCE.ink, View.VELOCITY.ink
+    assert inks == {"R_{12}": force, "F_{I2}": force, "Q": force, "v_{34}": velocity, "": force}
     bows = [next(i.hue for i in items(TurnArrow(at=0j, radius=8, start=0, ccw=True, label=label))) for label in ("M_1", "ω_{21}")]
     assert bows == [View.FORCE.ink, Hue.BLACK]
 

@@ -1,4 +1,4 @@
-"""A kind of figure is a value in one file, a task comes in by one door: shown with an M–φ diagram that vecpoly does not have."""
+"""A kind of figure is a value in one file, a task comes in by one door: shown with an M–φ diagram."""
 
 from __future__ import annotations
 
@@ -54,7 +54,9 @@ def drawn(by: str = "exact", **given: float) -> Solution:
 
 def test_an_area_measured_with_both_scales_is_the_work() -> None:
     answer = drawn().answers["W"]
-    assert answer.drawn == pytest.approx(answer.exact, rel=1e-9) and answer.exact == pytest.approx(0.5 * (1.013 * 907 + 1.498 * 1800 + 1.506 * 1044 + 1.984 * 151))
+    assert answer.drawn == pytest.approx(answer.exact, rel=1e-9) and answer.exact == pytest.approx(
+        0.5 * (1.013 * 907 + 1.498 * 1800 + 1.506 * 1044 + 1.984 * 151)
+    )
 
 
 @pytest.mark.parametrize("by", ["drafting", "pencil"])
@@ -71,10 +73,18 @@ def test_each_scale_is_of_one_direction_and_the_area_is_the_same_at_any() -> Non
     assert usual.answers["W"].drawn == pytest.approx(wide.answers["W"].drawn) == pytest.approx(low.answers["W"].drawn)
 
 
-@given(st.lists(st.tuples(st.floats(0.1, 1.0), st.floats(0.0, 1000.0)), min_size=3, max_size=6), st.floats(5.0, 50.0), st.floats(0.02, 0.1))
-def test_any_diagram_of_moments_has_the_integral_for_its_area(steps: list[tuple[float, float]], mu: float, across: float) -> None:
+@given(
+    st.lists(st.tuples(st.floats(0.1, 1.0), st.floats(0.0, 1000.0)), min_size=3, max_size=6),
+    st.floats(5.0, 50.0),
+    st.floats(0.02, 0.1),
+)
+def test_any_diagram_of_moments_has_the_integral_for_its_area(
+    steps: list[tuple[float, float]], mu: float, across: float
+) -> None:
     moments = [(sum(wide for wide, _ in steps[:i]), moment) for i, (_, moment) in enumerate(steps)]
-    found = solve(problem(*moments, scales={"mu_M": mu, "mu_phi": across}), by="exact", repeats=0, precise=False).answers["W"]
+    found = solve(
+        problem(*moments, scales={"mu_M": mu, "mu_phi": across}), by="exact", repeats=0, precise=False
+    ).answers["W"]
     assert found.drawn == pytest.approx(found.exact, rel=1e-9, abs=1e-9)
 
 
@@ -88,7 +98,12 @@ def test_the_new_kind_stands_on_a_sheet_in_its_own_ink_with_both_scales_under_it
 
 def test_the_player_and_the_command_line_know_the_new_kind(work: View) -> None:
     page = player(drawn()).html
-    assert f"--work:{work.ink.hex}" in page and placed("work") is work and placed("work:2") is not None and placed("play") is None
+    assert (
+        f"--work:{work.ink.hex}" in page
+        and placed("work") is work
+        and placed("work:2") is not None
+        and placed("play") is None
+    )
 
 
 def test_scales_that_nobody_gives_are_chosen_for_the_page(work: View) -> None:
@@ -123,13 +138,14 @@ def test_a_sheet_of_the_house_is_in_the_order_of_the_textbook() -> None:
 
 def test_a_file_that_adds_a_kind_adds_its_scales_to_problem_files() -> None:
     """In a process of its own: the schema is made once, of the kinds on file."""
-    text = ("from pathlib import Path; import vecpoly.figures as f; f.__path__.append(str(Path('tests/kinds')))\n"
-            "import importlib; importlib.import_module('vecpoly.figures.work')\n"
-            "from vecpoly.problem.load import loads\n"
-            "text = Path('problems/ch3/3-9.yaml').read_text(encoding='utf-8')\n"
-            "one = loads(text.replace('scales:', 'scales:\\n  mu_M: 5 N*m/mm\\n  mu_phi: 2 deg/mm', 1) if 'scales:\\n' in text else"
-            " text.replace('scales: {', 'scales: {mu_M: 5 N*m/mm, mu_phi: 2 deg/mm, ', 1))\n"
-            "print(one.scales.given['mu_M'], one.scales.given['mu_phi'])\n")
+    text = (
+        "from pathlib import Path; import vecpoly.figures as f; f.__path__.append(str(Path('tests/kinds')))\n"
+        "import importlib; importlib.import_module('vecpoly.figures.work')\n"
+        "from vecpoly.problem.load import loads\n"
+        "text = Path('problems/ch3/3-9.yaml').read_text(encoding='utf-8')\n"
+        "one = loads(text.replace('scales: {', 'scales: {mu_M: 5 N*m/mm, mu_phi: 2 deg/mm, ', 1))\n"
+        "print(one.scales.given['mu_M'], one.scales.given['mu_phi'])\n"
+    )
     done = subprocess.run([sys.executable, "-c", text], cwd=ROOT, capture_output=True, text=True, check=False)
     assert [float(value) for value in done.stdout.split()] == pytest.approx([5.0, 0.0349066], rel=1e-5), done.stderr
 

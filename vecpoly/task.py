@@ -1,7 +1,8 @@
-"""A task: what is given, what is asked, what is drawn, what checks it. All sorts of problems come through this one door.
+"""A task: what is given, what is asked, what is drawn, what checks it. All problems come through this one door.
 
-A sort of problem is told by its subject. Three files make one: the subject's data (`devices/`, or any `Subject`), how it is drawn
-(`methods/tasks/`, registered by `@draws`), and what is known of it from elsewhere (`check/truths/`, registered by `@knows`).
+A sort of problem is told by its subject. Three files make one: the subject's data (`devices/`, or any `Subject`),
+how it is drawn (`methods/tasks/`, registered by `@draws`), and what is known of it from elsewhere (`check/truths/`,
+registered by `@knows`).
 """
 
 from __future__ import annotations
@@ -50,5 +51,8 @@ class Task:
 
 
 def task_of(problem: Problem) -> Task:
-    """The task that a problem sets; raises NoMethodError where nobody draws such a problem, NotAskedError where nobody checks it."""
+    """The task that a problem sets.
+
+    Raises NoMethodError where nobody draws such a problem, NotAskedError where nobody checks it.
+    """
     return Task(problem, drawing_of(problem), truth_of(problem))

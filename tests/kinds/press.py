@@ -1,4 +1,7 @@
-"""The work of a press over a turn: its moment is given at some angles, and straight between them. The data, the drawing and the truth of a task."""
+"""The work of a press over a turn: its moment is given at some angles, and straight between them.
+
+The data, the drawing and the truth of a task, in one file.
+"""
 
 from __future__ import annotations
 
@@ -48,7 +51,13 @@ class Press:
 
 
 def problem(*moments: tuple[float, float], scales: Mapping[str, float]) -> Problem:
-    return Problem(id="press", title=Words("压力机一转的功", "Work of a press"), subject=Press(moments), asks=(AskNamed(rel=W),), scales=Scales(scales))
+    return Problem(
+        id="press",
+        title=Words("压力机一转的功", "Work of a press"),
+        subject=Press(moments),
+        asks=(AskNamed(rel=W),),
+        scales=Scales(scales),
+    )
 
 
 @draws(Press)
@@ -58,9 +67,18 @@ class PressDrawing:
     def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
         assert isinstance(problem.subject, Press)
         scale = _scale(problem, problem.subject, paper)
-        board, ideal = (_drawn(Board(one, {view_named("work"): scale}, how), view_named("work"), problem.subject)
-                        for one, how in ((by, amended), (hand("exact"), AS_DRAWN)))
-        made = Construction(problem=problem.id, hand=by.name, figures=board.figures(), steps=tuple(board.steps), acts=tuple(board.acts), readings=board.readings)
+        board, ideal = (
+            _drawn(Board(one, {view_named("work"): scale}, how), view_named("work"), problem.subject)
+            for one, how in ((by, amended), (hand("exact"), AS_DRAWN))
+        )
+        made = Construction(
+            problem=problem.id,
+            hand=by.name,
+            figures=board.figures(),
+            steps=tuple(board.steps),
+            acts=tuple(board.acts),
+            readings=board.readings,
+        )
         return Drawn(made, {W.key: np.asarray(board.found[W.key], dtype=float)}, ideal.readings)
 
 
@@ -69,18 +87,29 @@ def _scale(problem: Problem, press: Press, paper: Paper) -> Scale:
     view = view_named("work")
     assert view.across is not None
     (wide, high), (over, most) = paper.room(view), (max(column) for column in zip(*press.moments, strict=True))
-    return Scale.of(view, problem.scales.of(view.mu) or round_scale(most / 100, (0.0, 100.0), (wide, high)),
-                    problem.scales.of(view.across) or round_scale(over / 100, (100.0, 0.0), (wide, high)))
+    return Scale.of(
+        view,
+        problem.scales.of(view.mu) or round_scale(most / 100, (0.0, 100.0), (wide, high)),
+        problem.scales.of(view.across) or round_scale(over / 100, (100.0, 0.0), (wide, high)),
+    )
 
 
 def _drawn(board: Board, view: View, press: Press) -> Board:
     board.section(Words("作力矩图", "Diagram of moments"))
-    board.step(Words("按 $μ_{φ}$ 量转角，按 $μ_M$ 量力矩，连成折线。", "Lay off the angles to the scale $μ_{φ}$ and the moments to $μ_M$, and join them."), view)
+    board.step(
+        Words(
+            "按 $μ_{φ}$ 量转角，按 $μ_M$ 量力矩，连成折线。",
+            "Lay off the angles to the scale $μ_{φ}$ and the moments to $μ_M$, and join them.",
+        ),
+        view,
+    )
     corners = [_corner(board, view, phi, moment) for phi, moment in press.moments]
     board.join(view, corners[0][0], corners[-1][0], Role.GIVEN)
     for (_, one), (_, other) in pairwise(corners):
         board.arrow(view, one, other, Role.RESULT, label="M")
-    board.step(Words("图线下的面积乘以两个比例尺，即为功。", "The area under the line, times both scales, is the work."), view)
+    board.step(
+        Words("图线下的面积乘以两个比例尺，即为功。", "The area under the line, times both scales, is the work."), view
+    )
     area = board.compute("A", _area(board, corners), "mm^2")
     work = board.compute(W.symbol, board.mu(view) * board.mu_across(view) * area, "J")
     board.keep(Reading(key=W.key, symbol=W.symbol, unit=W.unit, scalar=float(nominal(work.value))), work.value)
@@ -97,8 +126,11 @@ def _corner(board: Board, view: View, phi: float, moment: float) -> tuple[Points
 
 def _area(board: Board, corners: list[tuple[Points, Points]]) -> Expr:
     """Half of the sum of (y₁ + y₂) x over the strips."""
-    strips: list[Expr] = [(_ordinate(board, i, one) + _ordinate(board, i + 1, other)) * board.measure(one[0], other[0], f"x_{i} x_{i + 1}")
-                          for i, (one, other) in enumerate(pairwise(corners), 1)]
+    strips: list[Expr] = [
+        (_ordinate(board, i, one) + _ordinate(board, i + 1, other))
+        * board.measure(one[0], other[0], f"x_{i} x_{i + 1}")
+        for i, (one, other) in enumerate(pairwise(corners), 1)
+    ]
     return reduce(add, strips) / TWO
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ..formula import Node
 from ..frozen import FrozenMap
@@ -18,7 +18,10 @@ __all__ = ["Construction", "EquationTable", "Figure", "LineOfAction", "Pane", "P
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scale:
-    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``. across: of what is set out to the right, where that is another quantity."""
+    """μ: what 1 mm on paper stands for. value in `unit` per mm; symbol e.g. ``μ_v``.
+
+    across: of what is set out to the right, where that is another quantity.
+    """
 
     symbol: str
     value: float
@@ -28,8 +31,10 @@ class Scale:
     @classmethod
     def of(cls, view: View, value: float, across: float | None = None) -> Scale:
         """The scale of a kind of figure, with this value (SI per mm), and that of what is set out to the right."""
-        right = None if view.across is None or across is None else cls(symbol=view.across.symbol, value=across, unit=view.across.unit)
-        return cls(symbol=view.mu.symbol, value=value, unit=view.mu.unit, across=right)
+        made = cls(symbol=view.mu.symbol, value=value, unit=view.mu.unit)
+        if view.across is None or across is None:
+            return made
+        return replace(made, across=cls(symbol=view.across.symbol, value=across, unit=view.across.unit))
 
     @property
     def right(self) -> Scale:
@@ -44,7 +49,10 @@ class Scale:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view. aside: as its pane."""
+    """One drawing: its marks in mm, its scale, its title; `name` tells it from others of its view.
+
+    aside: as its pane.
+    """
 
     view: View
     title: Words

@@ -76,7 +76,9 @@ class Log:
         if marks:
             self.log(Depict(head=self.head(on=view, key=key, owner=owner), marks=marks))
 
-    def open_pane(self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False) -> Pane:
+    def open_pane(
+        self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False,
+    ) -> Pane:
         """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
         pane = Pane(view, name, aside)
         if scale is not None:
@@ -86,13 +88,17 @@ class Log:
         return pane
 
     def figures(self, titles: Mapping[View, Words] = {}) -> tuple[Figure, ...]:
-        """The finished figures, those with marks: by kind, then as they were begun. titles: of those that are not called as their kind is."""
+        """The finished figures, those with marks: by kind, then as they were begun.
+
+        titles: of those that are not called as their kind is.
+        """
         return tuple(self._figure(p, titles) for p in sorted((p for p in self._marks if self._marks[p]), key=view_of))
 
     def _figure(self, place: Place, titles: Mapping[View, Words]) -> Figure:
         marks, scale = tuple(self._marks[place]), self.scale_of(place)
         if isinstance(place, Pane):
-            return Figure(view=place.view, title=self._titles[place], name=place.name, scale=scale, marks=marks, aside=place.aside)
+            title = self._titles[place]
+            return Figure(view=place.view, title=title, name=place.name, scale=scale, marks=marks, aside=place.aside)
         return Figure(view=place, title=titles.get(place, place.title), scale=scale, marks=marks)
 
     def marks(self, view: Place) -> tuple[Mark, ...]:

@@ -13,7 +13,8 @@ __all__ = ["Pane", "Place", "View", "called", "view_named", "view_of", "views"]
 class Pane:
     """One of several figures of a kind: the free body of link 3, the force polygon of links 2 and 3.
 
-    aside: it lies beside the figures of its kind (a lever, a polygon of centres), and does not tell how large they are to be drawn.
+    aside: it lies beside the figures of its kind (a lever, a polygon of centres),
+    and does not tell how large they are to be drawn.
     """
 
     view: View

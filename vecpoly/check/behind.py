@@ -24,7 +24,11 @@ def behind(problem: Problem) -> Callable[[Printed], float | None]:
     def truth(printed: Printed) -> float | None:
         if (value := central(printed)) is not None:
             return value
-        return _of_loads(printed.rel, loads, balance) if isinstance(printed.rel, Named) and loads else _exact(motion, printed)
+        return (
+            _of_loads(printed.rel, loads, balance)
+            if isinstance(printed.rel, Named) and loads
+            else _exact(motion, printed)
+        )
 
     return truth
 

@@ -13,13 +13,18 @@ LAST_PLACES = 1e-15  # relative: a few units in the last place of a double
 
 def nudged(mech: Mechanism, rng: np.random.Generator) -> Mechanism:
     """The mechanism with lengths, fixed points and input moved by a few units in the last place."""
+
     def moved(number: complex) -> complex:
         return complex(number.real * _near_one(rng), number.imag * _near_one(rng))
 
-    links = tuple(replace(link, points={letter: at * _near_one(rng) for letter, at in link.points.items()}) for link in mech.links)
+    links = tuple(
+        replace(link, points={letter: at * _near_one(rng) for letter, at in link.points.items()}) for link in mech.links
+    )
     drives = tuple(replace(drive, position=drive.position * _near_one(rng)) for drive in mech.drives)
     starts = tuple(replace(start, value=start.value * _near_one(rng)) for start in mech.starts)
-    return replace(mech, links=links, drives=drives, starts=starts, frame={letter: moved(at) for letter, at in mech.frame.items()})
+    return replace(
+        mech, links=links, drives=drives, starts=starts, frame={letter: moved(at) for letter, at in mech.frame.items()}
+    )
 
 
 def _near_one(rng: np.random.Generator) -> float:

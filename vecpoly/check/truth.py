@@ -1,4 +1,4 @@
-"""What is known of a problem by somebody who has not seen the drawing; registered for what the problem is about by `knows`."""
+"""What is known of a problem by somebody who has not seen the drawing; registered by `knows`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ Values = dict[str, complex | float]
 
 
 class ActsAt(NamedTuple):
-    """Where a reaction acts: a point of its line (m), the sense of its moment about the pin ("": none), a slide's couple (N·m; None where there is a force)."""
+    """Where a reaction acts: a point of its line (m), the sense of its moment about the pin ("": none).
+
+    couple: of a slide (N·m); None where there is a force.
+    """
 
     point: complex
     tangent: str = ""
@@ -82,9 +85,12 @@ def truth_of(problem: Problem) -> Truth:
     for kind in type(problem.subject).__mro__:
         if kind in _TRUTHS:
             return _TRUTHS[kind](problem)
-    raise NotAskedError(Words(
-        f"“{type(problem.subject).__name__}”类题目没有独立的解析解；请加入一个用 @knows 登记的文件",
-        f"nothing on file checks a problem about a {type(problem.subject).__name__}; add a file that registers a truth by @knows"))
+    raise NotAskedError(
+        Words(
+            f"“{type(problem.subject).__name__}”类题目没有独立的解析解；请用 @knows 登记",
+            f"nothing on file checks a problem about a {type(problem.subject).__name__}; register a truth by @knows",
+        )
+    )
 
 
 def exact_values(problem: Problem) -> Values:
@@ -101,7 +107,10 @@ def finite(found: Values) -> Values:
     """The values; an efficiency of 0/0 is NaN. Raises NotAskedError for what else has no value."""
     for key, value in found.items():
         if not np.isfinite(value) and not (np.isnan(value) and key == "eta"):
-            raise NotAskedError(Words(
-                f"由所给数据 {key} 无值；请从 find 中去掉，或检查数据",
-                f"{key} has no value with these data; leave it out of `find`, or check the data"))
+            raise NotAskedError(
+                Words(
+                    f"由所给数据 {key} 无值；请从 find 中去掉，或检查数据",
+                    f"{key} has no value with these data; leave it out of `find`, or check the data",
+                )
+            )
     return found

@@ -30,7 +30,8 @@ class Pen:
 
 
 PENS = (
-    Pen(Dash.FULL, Hue.BLACK, 0.5), Pen(Dash.DASHED, View.VELOCITY.ink, 0.5), Pen(Dash.DASH_DOT, View.ACCELERATION.ink, 0.5),
+    Pen(Dash.FULL, Hue.BLACK, 0.5), Pen(Dash.DASHED, View.VELOCITY.ink, 0.5),
+    Pen(Dash.DASH_DOT, View.ACCELERATION.ink, 0.5),
     Pen(Dash.SHORT, View.FORCE.ink, 0.5), Pen(Dash.FULL, Hue.GREY, 0.3), Pen(Dash.DASHED, Hue.GREY, 0.3),
 )
 

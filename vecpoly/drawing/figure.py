@@ -83,9 +83,9 @@ def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
 
 
 def scale_box(scale: Scale) -> Box:
-    """A scale in type: ``μ_v = 0.006 (m/s)/mm``; after it that of what is set out to the right, where it is another."""
-    both = _scale_items(scale) if scale.across is None else (*_scale_items(scale), Txt(",  "), *_scale_items(scale.across))
-    return layout(Row(both), NOTE * 1.15)
+    """A scale in type: ``μ_v = 0.006 (m/s)/mm``; after it that to the right, where it is another."""
+    right = () if scale.across is None else (Txt(",  "), *_scale_items(scale.across))
+    return layout(Row((*_scale_items(scale), *right)), NOTE * 1.15)
 
 
 def _scale_items(scale: Scale) -> tuple[Node, ...]:

@@ -37,7 +37,7 @@ Cost = tuple[int, int, int, int, int]
 
 
 def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
-    """The figures as they come, each that belongs beside another after it: a force polygon after the free body of its name."""
+    """The figures as they come, a force polygon after the free body of its name, to which it belongs."""
     first = {(f.view, f.name) for f in figures}
     ordered: list[Figure] = []
     for figure in figures:

@@ -47,7 +47,8 @@ FIGURE_SPACE = slots(3)
 def room(view: View, count: int = 1) -> tuple[float, float]:
     """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
 
-    The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon, a page being two columns wide:
+    The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon,
+    a page being two columns wide:
     one or two pairs a page, half a page high; three pairs a page where there are more.
     """
     width, height = usable()

@@ -53,7 +53,7 @@ _MOTION = {"v": View.VELOCITY.ink, "a": View.ACCELERATION.ink, "ω": Hue.BLACK, 
 
 
 def kind_hue(view: View, label: str = "") -> Hue:
-    """The hue of a vector: that of its figure, unless its symbol names another kind of quantity: a force on a mechanism or a lever."""
+    """The hue of a vector: that of its figure, unless its symbol names another quantity: a force on a lever."""
     if view.images:
         return View.FORCE.ink if label[:1].isupper() else view.ink
     return _MOTION.get(label[:1], View.FORCE.ink if label[:1].isupper() and view.bodies else view.ink)

@@ -6,4 +6,16 @@ from . import acceleration, body, force, mechanism, velocity
 from .kind import View, register, scales, view_named, views
 from .mu import Mu
 
-__all__ = ["Mu", "View", "acceleration", "body", "force", "mechanism", "register", "scales", "velocity", "view_named", "views"]
+__all__ = [
+    "Mu",
+    "View",
+    "acceleration",
+    "body",
+    "force",
+    "mechanism",
+    "register",
+    "scales",
+    "velocity",
+    "view_named",
+    "views",
+]

@@ -8,7 +8,10 @@ from typing import ClassVar
 
 @dataclass(frozen=True, slots=True)
 class Hue:
-    """Red, green, blue from 0 to 1; every ink keeps its rank in grey. is_tint: a background that lettering may stand on."""
+    """Red, green, blue from 0 to 1; every ink keeps its rank in grey.
+
+    is_tint: a background that lettering may stand on.
+    """
 
     BLACK: ClassVar[Hue]
     GREY: ClassVar[Hue]

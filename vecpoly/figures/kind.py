@@ -1,4 +1,4 @@
-"""A kind of figure is a value: its scale, its hue, its title, its place on the sheet. Every kind on file is known by its name."""
+"""A kind of figure is a value: its scale, its hue, its title, its place on the sheet."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from .mu import Mu
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class View:
-    """A kind of figure on a sheet; each is one value, the same wherever it is met. Those of a mechanism's analysis are at hand by name.
+    """A kind of figure on a sheet; each is one value, the same wherever it is met.
 
-    order: figures stand on sheets by it. mu: the scale, of both directions unless `across` has one of its own (an M–φ diagram: its areas
-    are μ_M μ_φ). beside: a figure stands beside the one of this kind that has its name, as a force polygon beside its free body.
+    Those of a mechanism's analysis are at hand by name. order: figures stand on sheets by it. mu: the scale, of both
+    directions unless `across` has one of its own (an M–φ diagram: its areas are μ_M μ_φ). beside: a figure stands
+    beside the one of this kind that has its name, as a force polygon beside its free body.
     """
 
     MECHANISM: ClassVar[View]
@@ -81,7 +82,9 @@ def view_named(name: str) -> View:
     if name not in _VIEWS:
         there = ", ".join(view.name for view in views())
         if name not in _VIEWS:
-            raise UnknownNameError(Words(f"没有“{name}”这种图；已有：{there}", f"there is no kind of figure '{name}'; known: {there}"))
+            raise UnknownNameError(
+                Words(f"没有“{name}”这种图；已有：{there}", f"there is no kind of figure '{name}'; known: {there}")
+            )
     return _VIEWS[name]
 
 

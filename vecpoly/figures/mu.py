@@ -9,9 +9,9 @@ from ..words import Words
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mu:
-    """A scale without its value. symbol: ``μ_v``, ``μ_{φ}``; unit: of the quantity that is drawn, ``m/s``; example: as one writes it.
+    """A scale without its value. symbol: ``μ_v``, ``μ_{φ}``; unit: of the quantity that is drawn, ``m/s``.
 
-    called: 速度比例尺, a velocity scale; listed: in a list of symbols.
+    example: as one writes it; called: 速度比例尺, a velocity scale; listed: in a list of symbols.
     """
 
     symbol: str
@@ -27,4 +27,10 @@ class Mu:
 
 
 _ASCII = str.maketrans({"μ": "mu", "φ": "phi", "θ": "theta", "ω": "omega", "α": "alpha", "{": None, "}": None})
-LENGTH = Mu(symbol="μ_l", unit="m", called=Words("长度比例尺", "a length scale"), listed=Words("长度比例尺", "scale of lengths"), example="0.002 m/mm")
+LENGTH = Mu(
+    symbol="μ_l",
+    unit="m",
+    called=Words("长度比例尺", "a length scale"),
+    listed=Words("长度比例尺", "scale of lengths"),
+    example="0.002 m/mm",
+)

@@ -1,4 +1,4 @@
-"""What is drawn of a problem: a drawing is registered for what the problem is about by `draws`; adding the file adds it."""
+"""What is drawn of a problem: registered for what the problem is about by `draws`; adding the file adds it."""
 
 from __future__ import annotations
 
@@ -66,6 +66,9 @@ def drawing_of(problem: Problem) -> Drawing:
     for kind in type(problem.subject).__mro__:
         if kind in _DRAWINGS:
             return _DRAWINGS[kind]
-    raise NoMethodError(Words(
-        f"没有“{type(problem.subject).__name__}”类题目的图解法；请加入一个用 @draws 登记的文件",
-        f"no drawing on file solves a problem about a {type(problem.subject).__name__}; add a file that registers one by @draws"))
+    raise NoMethodError(
+        Words(
+            f"没有“{type(problem.subject).__name__}”类题目的图解法；请用 @draws 登记",
+            f"no drawing on file solves a problem about a {type(problem.subject).__name__}; register one by @draws",
+        )
+    )

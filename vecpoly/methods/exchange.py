@@ -117,7 +117,8 @@ class _Trial:
     def desk(self, other: Drive, *stages: Stage) -> Desk:
         """Scratch paper on which these stages are drawn."""
         mech = _driven_by(self.mech, self.drive, other)
-        unit = {view: Scale(symbol="μ", value=mech.scale / 100 if view is View.MECHANISM else 0.01, unit="") for view in views()}
+        sizes = {view: mech.scale / 100 if view is View.MECHANISM else 0.01 for view in views()}
+        unit = {view: Scale(symbol="μ", value=size, unit="") for view, size in sizes.items()}
         desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, self.groups))
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..board.amended import AS_DRAWN, Amended
 from ..board.board import Board
-from ..board.construction import Construction, Reading, Scale, View
+from ..board.construction import Construction, Figure, Reading, Scale, View
 from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
 from ..board.marks import Dot, Mark, Vector
@@ -86,7 +86,7 @@ def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], 
     if all(given[view] for view in {View.MECHANISM, *(stage.view for stage in stages(problem))}):
         return {view: Scale.of(view, given[view] or value) for view, value in guess.items()}, None
     chosen, sketch = _fitted(problem, slots, guess, fit)
-    while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # inertia forces far below the guess: a sketch of specks
+    while chosen[View.FORCE].value < guess[View.FORCE] / FAR and not given[View.FORCE]:  # a sketch of specks
         guess |= {View.FORCE: chosen[View.FORCE].value}
         chosen, sketch = _fitted(problem, slots, guess, fit)
     return chosen, sketch
@@ -105,10 +105,11 @@ def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: 
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
     sketch = _draw(problem, hand("exact"), {v: Scale.of(v, value) for v, value in guess.items()})
     given = {view: problem.scales.of(view.mu) for view in guess}
-    figures = [f for f in sketch.board.figures() if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
+    figures = [f for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)]
     chosen = {}
     for view, value in guess.items():
-        fitted = max((round_scale(value, extent(f.marks), slots.get(view, SLOT)) for f in figures if f.view is view and not f.aside), default=value)
+        of_kind = [f.marks for f in figures if f.view is view and not f.aside]
+        fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in of_kind), default=value)
         chosen[view] = Scale.of(view, given[view] or fitted)
     views = {f.view: f for f in figures}
     if fit is not None and len(views) == len(figures):
@@ -117,6 +118,11 @@ def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: 
         values = enlarged(sketched, {view: chosen[view].value for view in views}, fixed, fit)
         chosen |= {view: Scale.of(view, value) for view, value in values.items()}
     return chosen | {View.BODY: chosen[View.MECHANISM]}, sketch
+
+
+def _acts(figure: Figure) -> bool:
+    """Whether a force polygon has a force."""
+    return any(isinstance(mark, Vector) and abs(mark.b - mark.a) > SPECK for mark in figure.marks)
 
 
 def _sketched(view: View, scale: float, marks: tuple[Mark, ...]) -> Sketched:

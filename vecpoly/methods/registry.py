@@ -30,7 +30,8 @@ class Stage(StrEnum):
     @property
     def view(self) -> View:
         """The kind of figure on which it draws."""
-        return {Stage.VELOCITY: View.VELOCITY, Stage.ACCELERATION: View.ACCELERATION, Stage.FORCE: View.FORCE}.get(self, View.MECHANISM)
+        polygons = {Stage.VELOCITY: View.VELOCITY, Stage.ACCELERATION: View.ACCELERATION, Stage.FORCE: View.FORCE}
+        return polygons.get(self, View.MECHANISM)
 
     @property
     def folder(self) -> str:
@@ -55,7 +56,8 @@ R = TypeVar("R")
 class Method(Generic[State, Piece, Result]):
     """A registered textbook method: what it covers, its title, its source, a library problem that shows it.
 
-    draw: given the state of the drawing (a desk, a board under forces) and the piece that it solves. signature: its types as they are written.
+    draw: given the state of the drawing (a desk, a board under forces) and the piece that it solves.
+    signature: its types as they are written.
     """
 
     stage: Stage
@@ -71,18 +73,24 @@ AnyMethod = Method[Never, Never, object]  # of whatever types: to be listed, not
 _METHODS: dict[tuple[Stage, str], AnyMethod] = {}
 
 
-def method(*, stage: Stage, group: str, title: Words, source: str, example: str) -> Callable[[Callable[[S, P], R]], Callable[[S, P], R]]:
+Draw = Callable[[S, P], R]
+
+
+def method(
+    *, stage: Stage, group: str, title: Words, source: str, example: str,
+) -> Callable[[Draw[S, P, R]], Draw[S, P, R]]:
     """Register a function as the method for one stage of one kind of group.
 
     Raises ValueError where another function already covers it, or where it stands in the folder of another stage.
     """
 
-    def register(draw: Callable[[S, P], R]) -> Callable[[S, P], R]:
+    def register(draw: Draw[S, P, R]) -> Draw[S, P, R]:
         if (stage, group) in _METHODS:
             raise ValueError(f"two methods cover the {stage} of {group}")
         if not draw.__module__.startswith(f"{stage.folder}."):
             raise ValueError(f"a method that draws the {stage} belongs into the package {stage.folder}, not into {draw.__module__}")
-        _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example, draw=draw, signature=_signature(draw))
+        _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example,
+                                        draw=draw, signature=_signature(draw))
         return draw
 
     return register
@@ -90,15 +98,22 @@ def method(*, stage: Stage, group: str, title: Words, source: str, example: str)
 
 @dataclass(frozen=True, slots=True)
 class Door(Generic[S, P, R]):
-    """Through which a planner calls the methods for some kind of piece. like: a function of the types that they all have."""
+    """Through which a planner calls the methods for some kind of piece.
+
+    like: a function of the types that they all have.
+    """
 
     like: Callable[[S, P], R]
 
     def find(self, stage: Stage, group: str) -> Method[S, P, R]:
-        """The method for this stage and kind of group; raises NoMethodError where none is on file, TypeError where it is for other pieces."""
-        found = find(stage, group)
-        if found.signature != _signature(self.like):
-            raise TypeError(f"{found.draw.__name__} draws {' → '.join(found.signature)}; here {' → '.join(_signature(self.like))} is needed")
+        """The method for this stage and kind of group.
+
+        Raises NoMethodError where none is on file, TypeError where it is for other pieces.
+        """
+        found, needed = find(stage, group), _signature(self.like)
+        if found.signature != needed:
+            raise TypeError(f"{found.draw.__name__} draws {' → '.join(found.signature)}; "
+                            f"here {' → '.join(needed)} is needed")
         return cast("Method[S, P, R]", found)
 
 

@@ -70,7 +70,8 @@ class Ink:
         """The rules of all looks: as drawn, and strengthened where they belong to the newest step."""
         rules = [f".{name}{{{_rule(look)}}}" for look, name in self.looks.items()]
         rules += [f".now .{name}{{stroke-width:{_bold(look[1])}}}" for look, name in self.looks.items() if look[0] == "s"]
-        rules += [f":root{{--{_variable(hue.name)}:{hue.hex}}}" for hue in hues() if f"--{_variable(hue.name)}:" not in _styled()]
+        own = {f"--{_variable(hue.name)}:": hue.hex for hue in hues()}
+        rules += [f":root{{{name}{ink}}}" for name, ink in own.items() if name not in _styled()]
         used = {hue for _, _, _, hue in self.looks} | {hue.name for hue in hues()}
         rules += [f".t-{hue}{{fill:var(--{_variable(hue)})}}" for hue in sorted(used)]
         return "\n".join(rules)

@@ -28,7 +28,7 @@ __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printe
 
 @dataclass(frozen=True, slots=True)
 class Scales:
-    """Given scales in SI per mm on paper, each under the key of its μ (``mu_v``); what is not here is chosen by the drawing."""
+    """Given scales in SI per mm on paper, each under the key of its μ (``mu_v``); the rest are auto."""
 
     given: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
 
@@ -65,7 +65,7 @@ class Printed:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """One exercise: the mechanism (with its loads), the device or whatever else it is about, what is asked, how it was answered in print."""
+    """One exercise: what it is about (a mechanism with its loads, a device ...), what is asked and was printed."""
 
     id: str
     title: Words

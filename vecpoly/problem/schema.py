@@ -74,7 +74,8 @@ class MassSpec(Spec):
     rod: RodSpec | None = None
 
 
-_GivenScales: Any = create_model("_GivenScales", __base__=Spec, **dict.fromkeys(scales(), (Number, "auto")))  # type: ignore[call-overload]
+_FIELDS: dict[str, Any] = dict.fromkeys(scales(), (Number, "auto"))
+_GivenScales: Any = create_model("_GivenScales", __base__=Spec, **_FIELDS)
 
 
 class ScalesSpec(_GivenScales):  # type: ignore[misc]

@@ -54,7 +54,10 @@ class Exact:
 
     @cached_property
     def values(self) -> Values:
-        """Key → exact value, of all that is asked; an efficiency of 0/0 is NaN. Raises NotAskedError for what else has no value with these data."""
+        """Key → exact value, of all that is asked; an efficiency of 0/0 is NaN.
+
+        Raises NotAskedError for what else has no value with these data.
+        """
         return finite(_kinematic(self.problem, self.motion) | self._central() | self._static())
 
     def _central(self) -> Values:

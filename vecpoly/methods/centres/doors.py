@@ -28,4 +28,10 @@ def _ratio(motions: Motions, pair: Pair) -> None: ...
 def _velocity(motions: Motions, rel: Rel) -> Drawn | None: ...
 
 
-SEARCHES, SLOWEST, LIMITS, RATIOS, VELOCITIES = Door(_search), Door(_slowest), Door(_limit), Door(_ratio), Door(_velocity)
+SEARCHES, SLOWEST, LIMITS, RATIOS, VELOCITIES = (
+    Door(_search),
+    Door(_slowest),
+    Door(_limit),
+    Door(_ratio),
+    Door(_velocity),
+)

@@ -19,7 +19,7 @@ from ..drawn import Drawn
 from .bench import NO_SCALE, Bench
 from .registry import find_device
 
-TITLES = {View.MECHANISM: Words("简图", "Sketch"), View.BODY: Words("受力图", "Free body")}  # what is not called as of a mechanism
+TITLES = {View.MECHANISM: Words("简图", "Sketch"), View.BODY: Words("受力图", "Free body")}  # not as of a mechanism
 SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
 
 

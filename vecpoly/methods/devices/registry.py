@@ -31,10 +31,13 @@ AnyDevice = DeviceMethod[Never]
 _METHODS: dict[type[Device], AnyDevice] = {}
 
 
-def device_method(device: type[D], *, title: Words, source: str, example: str) -> Callable[[Callable[[Bench, D], None]], Callable[[Bench, D], None]]:
+Draw = Callable[[Bench, D], None]
+
+
+def device_method(device: type[D], *, title: Words, source: str, example: str) -> Callable[[Draw[D]], Draw[D]]:
     """Register the construction of a device; raises ValueError where it has one."""
 
-    def register(draw: Callable[[Bench, D], None]) -> Callable[[Bench, D], None]:
+    def register(draw: Draw[D]) -> Draw[D]:
         if device in _METHODS:
             raise ValueError(f"two constructions solve the device {device.kind}")
         made: DeviceMethod[D] = DeviceMethod(device=device, title=title, source=source, example=example, draw=draw)

@@ -26,4 +26,10 @@ def _driver(st: Statics, held: Held) -> None: ...
 def _balancing(st: Statics, load: Load | None) -> None: ...
 
 
-MOMENTS, LINES, COUPLES, DRIVERS, BALANCING = Door(_moments), Door(_line), Door(_couple), Door(_driver), Door(_balancing)
+MOMENTS, LINES, COUPLES, DRIVERS, BALANCING = (
+    Door(_moments),
+    Door(_line),
+    Door(_couple),
+    Door(_driver),
+    Door(_balancing),
+)

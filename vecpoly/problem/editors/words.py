@@ -64,7 +64,8 @@ KEYS = {
     "MassSpec.inertia": Words("绕质心的转动惯量：0.02 kg*m^2", "moment of inertia about the centre of mass: 0.02 kg*m^2"),
     "MassSpec.centre": Words("质心：构件上的点，或位置", "centre of mass: a point of the link, or a place"),
     "MassSpec.rod": Words("圆杆：质量与转动惯量由尺寸算出", "a round bar: mass and inertia follow from its section"),
-    **{f"ScalesSpec.{key}": Words(f"{mu.called.zh}：{mu.example}", f"{mu.called.en.partition(' ')[2]}: {mu.example}") for key, mu in scales().items()},
+    **{f"ScalesSpec.{key}": Words(f"{mu.called.zh}：{mu.example}", f"{mu.called.en.partition(' ')[2]}: {mu.example}")
+       for key, mu in scales().items()},
     "FindSpec.point": Words("所求的点，字母后为构件号：M2", "a point to be found, its letter and its link: M2"),
     "FindSpec.on": Words("点所在的构件", "the link of the point"),
     "FindSpec.velocity": Words("该点的速度：[-0.25 m/s, 0.14 m/s] 或 0", "velocity of the point: [-0.25 m/s, 0.14 m/s], or 0"),

@@ -22,7 +22,8 @@ def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem
             "没有与给定位置连通的装配方式",
             "there is no assembly here that hangs together with the given one"))
     figure = study.solution.construction.figure(View.MECHANISM)
-    return replace(there, loads=_without_roles(there.loads), scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}), printed=())
+    return replace(there, loads=_without_roles(there.loads), printed=(),
+                   scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}))
 
 
 def _without_roles(loads: Loads | None) -> Loads | None:
