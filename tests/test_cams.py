@@ -11,7 +11,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from vecpoly import load, loads, oracle
+from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
 from vecpoly.board.marks import Arc, Disc, FixedGuide, Point, Role, Segment
@@ -24,7 +24,6 @@ from vecpoly.methods.plan import _draw, construct
 from vecpoly.names import parse_rel
 from vecpoly.oracle.contact import touching
 from vecpoly.problem.asks import AskRel
-from vecpoly.problem.problem import Problem
 
 PLACES = dict(zip(View, slots(3), strict=False))
 LEVER = """

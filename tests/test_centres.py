@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from vecpoly import load, loads, oracle
+from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.construction import Pane, View
 from vecpoly.board.marks import Point, Role, Segment, Vector
 from vecpoly.board.record import from_json, to_json
@@ -26,7 +26,6 @@ from vecpoly.mechanism.model import FRAME
 from vecpoly.methods.centres.search import Known, order
 from vecpoly.names import omega, parse_rel
 from vecpoly.oracle.centres import Centres
-from vecpoly.problem.problem import Problem
 from vecpoly.solution import Answer, Solution
 
 DATA: dict[str, Any] = json.loads((Path(__file__).parent / "data" / "centres.json").read_text("utf-8"))
