@@ -353,7 +353,7 @@ def test_the_drafting_hand_stays_within_the_expected_error_and_fits_the_sheets(n
     names = {figure.name for figure in solution.construction.figures}
     assert {"", "centres", "centre polygon"} <= names
     for lang in ("zh", "en"):
-        drawn = {placed.name for sheet in sheets(solution.construction, lang=lang) for placed in sheet.figures}  # type: ignore[arg-type]
+        drawn = {placed.name for sheet in sheets(solution.construction, lang=lang) for placed in sheet.figures}
         assert drawn == names
     assert from_json(to_json(solution.construction)) == solution.construction
 

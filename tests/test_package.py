@@ -21,7 +21,7 @@ def test_every_public_name_is_there() -> None:
     for name in vecpoly.__all__:
         assert callable(getattr(vecpoly, name))
     with pytest.raises(AttributeError, match="no attribute 'sovle'"):
-        vecpoly.sovle  # type: ignore[attr-defined]
+        vecpoly.sovle
 
 
 def test_importing_vecpoly_imports_nothing_else() -> None:
