@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Never
 
 import pytest
 
 from vecpoly import load
 from vecpoly.methods import registry
-from vecpoly.methods.registry import Method, Stage, methods
+from vecpoly.methods.registry import AnyMethod, Stage, methods
 
 SHOWN = [method for method in methods() if method.example]
 
@@ -19,8 +20,8 @@ def used(example: str) -> frozenset[tuple[Stage, str]]:
     """The methods that a library problem calls, by stage and group."""
     seen: set[tuple[Stage, str]] = set()
 
-    def spied(method: Method) -> Method:
-        def draw(*args: object) -> object:
+    def spied(method: AnyMethod) -> AnyMethod:
+        def draw(*args: Never) -> object:
             seen.add((method.stage, method.group))
             return method.draw(*args)
 
@@ -34,5 +35,5 @@ def used(example: str) -> frozenset[tuple[Stage, str]]:
 
 
 @pytest.mark.parametrize("method", SHOWN, ids=lambda m: f"{m.stage.value}-{m.group}")
-def test_the_example_of_a_method_uses_it(method: Method) -> None:
+def test_the_example_of_a_method_uses_it(method: AnyMethod) -> None:
     assert (method.stage, method.group) in used(method.example)

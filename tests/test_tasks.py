@@ -9,13 +9,14 @@ from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from kinds.press import Press, PressDrawing, PressTruth, problem
 from pytest import MonkeyPatch
 
+from tests.kinds.press import Press, PressDrawing, PressTruth, problem
 from vecpoly.board.extent import extent
 from vecpoly.board.record import from_json, to_json
 from vecpoly.check.truth import knows, truth_of
@@ -42,7 +43,7 @@ def work() -> Iterator[View]:
     """The new kind, on file while these claims are weighed."""
     with MonkeyPatch.context() as patch:
         patch.setattr(kind, "_VIEWS", dict(kind._VIEWS))
-        from kinds.work import WORK
+        from tests.kinds.work import WORK
 
         kind._VIEWS.setdefault(WORK.name, WORK)
         yield WORK
@@ -163,7 +164,7 @@ def test_all_sorts_of_problems_come_through_one_door() -> None:
 class Unheard:
     """A subject that nobody draws or checks."""
 
-    kind = "unheard"
+    kind: ClassVar[str] = "unheard"
 
     def quantities(self) -> tuple[()]:
         return ()

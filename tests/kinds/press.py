@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
 from operator import add
+from typing import ClassVar
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from vecpoly.board.hand import Hand, hand
 from vecpoly.board.marks import Role
 from vecpoly.board.place import View, view_named
 from vecpoly.board.scales import round_scale
-from vecpoly.check.truth import ActsAt, Values, knows
+from vecpoly.check.truth import ActsAt, Values, knows, size_of
 from vecpoly.formula import Txt
 from vecpoly.frozen import FrozenMap
 from vecpoly.methods.drawing import Paper, draws
@@ -41,7 +42,7 @@ class Press:
     """Angles (rad) and the moments there (N·m)."""
 
     moments: tuple[tuple[float, float], ...]
-    kind = "press"
+    kind: ClassVar[str] = "press"
 
     def quantities(self) -> tuple[Named, ...]:
         return (W,)
@@ -159,7 +160,7 @@ class PressTruth:
         return None
 
     def behind(self) -> Callable[[Printed], float | None]:
-        return lambda printed: self.values[W.key]
+        return lambda printed: size_of(self.values[W.key])
 
     def way(self) -> Callable[[Printed], complex | None]:
         return lambda printed: None

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
+from ..devices.base import Device
 from ..figures import Mu
 from ..frozen import FrozenMap
 from ..mechanism.loads import Loads
@@ -17,11 +18,6 @@ from .asks import Ask
 from .current import current
 from .given import Datum, Given, Shape, as_printed
 from .subject import Subject
-
-if TYPE_CHECKING:
-    from ..devices.base import Device
-    from ..solution import Solution
-
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
@@ -104,19 +100,5 @@ class Problem:
     @property
     def device(self) -> Device:
         """The device; a problem about anything else has none."""
-        from ..devices.base import Device
-
         assert isinstance(self.subject, Device), f"problem {self.id} is about no device"
         return self.subject
-
-    def solve(self, *, by: str = "drafting", seed: int = 0) -> Solution:
-        """Draw the solution of this problem by a hand: exact, drafting or pencil."""
-        from ..solution import solve
-
-        return solve(self, by=by, seed=seed)
-
-    def _repr_svg_(self) -> str:
-        """The kinematic diagram in Jupyter."""
-        from ..notebook import problem_svg
-
-        return problem_svg(self)

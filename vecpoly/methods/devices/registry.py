@@ -8,7 +8,7 @@ from typing import Generic, Never, TypeVar, cast
 
 from ...devices.base import Device
 from ...errors import NoMethodError
-from ...plugins import load_modules
+from ...plugins import DEVICES, load_entries, load_modules
 from ...words import Words
 from .bench import Bench
 
@@ -50,6 +50,7 @@ def device_method(device: type[D], *, title: Words, source: str, example: str) -
 def device_methods() -> tuple[AnyDevice, ...]:
     """All registered constructions, by the device's name."""
     load_modules("vecpoly.methods.devices")
+    load_entries(DEVICES)
     return tuple(sorted(_METHODS.values(), key=lambda m: m.device.kind))
 
 
