@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..board.amended import AS_DRAWN, Amended
-from ..board.board import Board
+from ..board.board import Board, Scratch
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
@@ -72,9 +72,9 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
         exchange = exchanged(problem.mechanism, stages(problem))
         problem = replace(problem, subject=exchange.mech)
         scales, sketch = _choose_scales(problem, slots, fit)
-        desk = _draw(problem, by, scales, exchange.said, amended)
+        desk = _draw(problem, Board(by, scales, amended), exchange.said)
         readings, repeats = _answers(desk, problem)
-        plain = sketch or _draw(problem, hand("exact"), scales)
+        plain = sketch or _sketch(problem, scales)
         ideal, _ = _answers(plain, problem)
     construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
                                 steps=tuple(desk.board.steps), acts=tuple(desk.board.acts), readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
@@ -115,7 +115,7 @@ def _given_scales(problem: Problem) -> dict[View, float | None]:
 
 def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> tuple[dict[View, Scale], Desk]:
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
-    sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
+    sketch = _sketch(problem, {v: _scale(v, value) for v, value in guess.items()})
     given = _given_scales(problem)
     figures = [f for f in sketch.board.figures(TITLES) if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
     chosen = {}
@@ -142,11 +142,16 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN) -> Desk:
+def _sketch(problem: Problem, scales: Mapping[View, Scale]) -> Desk:
+    """The construction by an exact hand, of which only what stands on the paper is of use."""
+    return _draw(problem, Scratch(hand("exact"), scales))
+
+
+def _draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
-    desk = Desk(board=Board(by, scales, amended), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
+    desk = Desk(board=board, mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
     for name, at in mech.frame.items():
         desk.letter(name, at * desk.mm(1.0))
     for stage in stages(problem):
