@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .check.printed import PrintedCheck, check_problem
     from .check.table import TableCheck, check_table
     from .errors import VecpolyError
+    from .live import Redrawn, redraw
     from .mistakes import slips
     from .problem.assignment import Assignment, load_assignment
     from .problem.load import load, loads
@@ -31,6 +32,7 @@ _HOMES = {
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("problem.problem", "Problem"),
+    "Redrawn": ("live", "Redrawn"),
     "Slip": ("board.slip", "Slip"),
     "Solution": ("solution", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
@@ -40,6 +42,7 @@ _HOMES = {
     "load": ("problem.load", "load"),
     "load_assignment": ("problem.assignment", "load_assignment"),
     "loads": ("problem.load", "loads"),
+    "redraw": ("live", "redraw"),
     "slips": ("mistakes", "slips"),
     "solve": ("solution", "solve"),
     "write_report": ("report.document", "write_report"),
@@ -51,6 +54,7 @@ __all__ = [
     "Mistake",
     "PrintedCheck",
     "Problem",
+    "Redrawn",
     "Slip",
     "Solution",
     "TableCheck",
@@ -60,6 +64,7 @@ __all__ = [
     "load",
     "load_assignment",
     "loads",
+    "redraw",
     "slips",
     "solve",
     "write_report",

@@ -10,8 +10,9 @@ import numpy as np
 from .obstacles import Complexes, Floats, Indices, Obstacles, clip
 from .rivals import misled
 from .scene import Item, Layer, Rect, Stroke, TextBox
+from .spots import Spots, spots
 from .style import THIN, Hue
-from .wants import Piece, Spots, Want, smaller, spots
+from .wants import Piece, Want, smaller
 
 APART = 0.7  # mm between two labels
 AS_ONE, MISREAD = 1.8, 9.0  # mm side by side below which two labels are read as one, and what that costs

@@ -19,6 +19,7 @@ from .style import THIN
 Complexes = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
+Own = tuple[complex | Complexes, complex | Complexes]
 
 GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
@@ -43,7 +44,7 @@ class Bounds:
         return cls(np.minimum(a.real, b.real), np.minimum(a.imag, b.imag), np.maximum(a.real, b.real), np.maximum(a.imag, b.imag))
 
     @classmethod
-    def about(cls, centre: Complexes, width: float, height: float, by: float) -> Bounds:
+    def about(cls, centre: Complexes, width: Floats | float, height: Floats | float, by: float) -> Bounds:
         """About rectangles of one size, and `by` mm further out."""
         x, y, w, h = centre.real, centre.imag, width / 2 + by, height / 2 + by
         return cls(x - w, y - h, x + w, y + h)
@@ -99,28 +100,29 @@ class Obstacles:
         areas = Bounds(*shapely.bounds(shapes).reshape(-1, 4).T)
         return cls(a, b, half, weight, shapes, solid, Bounds.between(a, b), areas)
 
-    def cost(self, centre: Complexes, width: float, height: float, own: tuple[complex, complex]) -> Floats:
-        """What each of many places for one label costs; `own`: the line it names, which may be as near as it likes."""
+    def cost(self, centre: Complexes, width: Floats | float, height: Floats | float, own: Own) -> Floats:
+        """What each of many places costs, for one label or for one each; `own`: the line it names, which may be as near as it likes."""
         total = np.zeros(len(centre))
+        wide, high = np.broadcast_to(width, total.shape), np.broadcast_to(height, total.shape)
         reach = GAP + ROOM + float(self.half.max(initial=0.0))
         box, piece = Bounds.about(centre, width, height, reach).over(self.spans)
         if len(box):
             a, b, half = self.a[piece], self.b[piece], self.half[piece]
-            near, close = clip(a, b, centre[box], width / 2 + half + GAP + ROOM, height / 2 + half + GAP + ROOM)
-            price = NEARBY * np.where(_along(a, b, *own), 0.0, near)
+            near, close = clip(a, b, centre[box], wide[box] / 2 + half + GAP + ROOM, high[box] / 2 + half + GAP + ROOM)
+            price = NEARBY * np.where(_along(a, b, own, box), 0.0, near)
             a, b, half = a[close], b[close], half[close]
-            inside, hit = clip(a, b, centre[box[close]], width / 2 + half + GAP, height / 2 + half + GAP)
+            inside, hit = clip(a, b, centre[box[close]], wide[box[close]] / 2 + half + GAP, high[box[close]] / 2 + half + GAP)
             price[close] += np.where(hit, self.weight[piece[close]] * (ON_LINE + PER_MM * inside), 0.0)
             np.add.at(total, box, price)
         box, polygon = Bounds.about(centre, width, height, 0.3).over(self.areas)
         if len(box):
             here, at = np.unique(box, return_inverse=True)
-            met = shapely.intersects(self.polygons[polygon], _boxes(centre[here], width, height, 0.3)[at])
+            met = shapely.intersects(self.polygons[polygon], _boxes(centre[here], wide[here], high[here], 0.3)[at])
             box, polygon = box[met], polygon[met]
         np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
         return total
 
-    def crossings(self, foot: Complexes, end: Complexes, own: tuple[complex, complex]) -> Floats:
+    def crossings(self, foot: Complexes, end: Complexes, own: Own) -> Floats:
         """What each of many leader lines costs for the lines and solids it crosses."""
         total = np.zeros(len(foot))
         start = foot + 0.05 * (end - foot)
@@ -129,7 +131,7 @@ class Obstacles:
         met = _cross(start[leader], end[leader], self.a[piece], self.b[piece])
         leader, piece = leader[met], piece[met]
         if len(leader):
-            free = _along(self.a[piece], self.b[piece], *own)
+            free = _along(self.a[piece], self.b[piece], own, leader)
             np.add.at(total, leader, np.where(free, 0.0, CROSSING * self.weight[piece]))
         leader, polygon = spans.over(self.areas)
         leader, polygon = leader[self.solid[polygon]], polygon[self.solid[polygon]]
@@ -156,18 +158,18 @@ def _cross(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np
     return result
 
 
-def _boxes(centre: Complexes, width: float, height: float, by: float) -> Any:
+def _boxes(centre: Complexes, width: Floats | float, height: Floats | float, by: float) -> Any:
     x, y = centre.real, centre.imag
     return shapely.box(x - width / 2 - by, y - height / 2 - by, x + width / 2 + by, y + height / 2 + by)
 
 
-def _along(a: Complexes, b: Complexes, p: complex, q: complex) -> NDArray[np.bool_]:
-    """Which pieces run along the line p -> q."""
-    if abs(q - p) < 1e-6:
-        return np.zeros(len(a), dtype=bool)
-    u = (q - p) / abs(q - p)
-    off_a, off_b = ((a - p) * u.conjugate()).imag, ((b - p) * u.conjugate()).imag
-    result: NDArray[np.bool_] = (np.abs(off_a) < 0.05) & (np.abs(off_b) < 0.05)
+def _along(a: Complexes, b: Complexes, own: Own, which: Indices) -> NDArray[np.bool_]:
+    """Which pieces run along the line p -> q that a label names; `which`: of several lines, that of each piece."""
+    p, q = (np.asarray(end) if np.ndim(end) == 0 else np.asarray(end)[which] for end in own)
+    length = np.abs(q - p)
+    u = ((q - p) / np.maximum(length, 1e-6)).conjugate()
+    off_a, off_b = ((a - p) * u).imag, ((b - p) * u).imag
+    result: NDArray[np.bool_] = (length >= 1e-6) & (np.abs(off_a) < 0.05) & (np.abs(off_b) < 0.05)
     return result
 
 
