@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from functools import lru_cache
 
 from ..board.construction import View
 from ..board.marks import (
@@ -99,7 +100,13 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want,
 
 
 def _piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
-    return Piece(layout(row(text), LETTER), dx, hue, step)
+    return Piece(_lettered(text), dx, hue, step)
+
+
+@lru_cache(maxsize=1024)
+def _lettered(text: str) -> Box:
+    """A symbol in type; the same few come again and again."""
+    return layout(row(text), LETTER)
 
 
 def _points(marks: tuple[Mark, ...]) -> Iterable[Want]:
@@ -178,6 +185,8 @@ def _circle(mark: FrictionCircle) -> Want:
 
 def smaller(want: Want, factor: float) -> Want:
     """The label in smaller type: the last resort."""
+    if factor == 1.0:
+        return want
     pieces = tuple(replace(p, box=_scaled(p.box, factor), dx=p.dx * factor) for p in want.pieces)
     return replace(want, pieces=pieces, scale=want.scale * factor)
 
