@@ -39,7 +39,7 @@ class Drawn:
 def drawn(name: str) -> Drawn:
     """The problem of this id, drawn by the exact hand."""
     desks: list[Desk] = []
-    draw = plan._draw
+    draw = plan.draw
 
     def watched(*args: Any) -> Desk:
         desks.append(draw(*args))
@@ -47,7 +47,7 @@ def drawn(name: str) -> Drawn:
 
     problem = load(name)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(plan, "_draw", watched)
+        patch.setattr(plan, "draw", watched)
         solution = solve(problem, by="exact", repeats=0, precise=False)
     return Drawn(problem, solution.construction, desks[-1] if desks else None)
 

@@ -29,7 +29,7 @@ from .ruler import Ruler
 from .strokes import NO_ARROW, NO_LENGTH, spot
 from .wrongly import FACTOR
 
-__all__ = ["NO_ARROW", "NO_LENGTH", "Board", "letters_node", "spot"]
+__all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
 
 
 class Board(Instruments):
@@ -43,7 +43,7 @@ class Board(Instruments):
 
     def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
         """Scratch paper for an exact hand: its acts are not remembered, and what it gives came from where its inputs came from."""
-        return _Scratch(hand_of("exact"), scales or self.scales)
+        return Scratch(hand_of("exact"), scales or self.scales)
 
     # -- measuring and computing --------------------------------------------------------------------------------
 
@@ -108,8 +108,8 @@ class Board(Instruments):
         self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
 
 
-class _Scratch(Board):
-    """Paper that is thrown away."""
+class Scratch(Board):
+    """Paper that is thrown away: sketches, trials. Only what stands on it counts."""
 
     def log(self, act: done.Act) -> Acts:
         self.ink(act)
