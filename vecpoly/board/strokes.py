@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..plane import Line, Points, Reals, nominal
+from ..plane.derived import Derived
 from . import acts as done
 from .log import Log
 from .marks import Dot, Role, Vector
@@ -16,8 +17,15 @@ NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direc
 
 
 def spot(at: Points) -> complex:
-    """The point on the nominal sheet."""
-    return complex(nominal(at))
+    """The point on the nominal sheet; on a recorded one it still knows how it was computed."""
+    found = nominal(at)
+    return found if type(found) is Derived else complex(found)  # type: ignore[return-value]
+
+
+def amount(value: Reals) -> float:
+    """The length, or the number, on the nominal sheet; on a recorded one it still knows how it was computed."""
+    found = nominal(value)
+    return found if type(found) is Derived else float(found)  # type: ignore[return-value]
 
 
 class Strokes(Log):
@@ -58,10 +66,10 @@ class Strokes(Log):
     def swing(self, view: Place, centre: Points, radius: Reals, through: Points) -> None:
         """Leave the short compass arc about a centre near the point it passes."""
         c, p = spot(centre), spot(through)
-        size = float(nominal(radius))
-        half = min(0.5, 7.0 / max(size, 1e-6))
-        start = float(np.angle(p - c)) - half
-        self.log(done.Swing(head=self.head(centre, radius, through, on=view), centre=c, radius=size, start=start, sweep=2 * half))
+        far = amount(radius)
+        half = min(0.5, 7.0 / max(far, 1e-6))
+        start = amount(np.angle(p - c)) - half
+        self.log(done.Swing(head=self.head(centre, radius, through, on=view), centre=c, radius=far, start=start, sweep=2 * half))
 
     def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""

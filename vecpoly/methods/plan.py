@@ -81,6 +81,14 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
     return Drawn(construction, repeats, ideal, motion_of(plain))
 
 
+def recorded(problem: Problem, scales: Mapping[View, Scale]) -> Desk:
+    """The drawing by an exact hand at these scales, the numbers of whose acts know how they were computed from the position of the driving link."""
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        desk = _draw(problem, hand("exact"), scales, recorded=True)
+        _answers(desk, problem)
+    return desk
+
+
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:
     """The scales, and the last sketch drawn to find them; none where all are given."""
     mech, drive = problem.mechanism, problem.mechanism.drive
@@ -142,11 +150,12 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN) -> Desk:
+def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN,
+          *, recorded: bool = False) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
-    desk = Desk(board=Board(by, scales, amended), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
+    desk = Desk(board=Board(by, scales, amended, recorded=recorded), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
     for name, at in mech.frame.items():
         desk.letter(name, at * desk.mm(1.0))
     for stage in stages(problem):
