@@ -42,13 +42,13 @@ class Strokes(Log):
     def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
         """Draw the vector `key` from a to b; one without length leaves no ink."""
         start, end = spot(a), spot(b)
-        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=role, label=label, shown=abs(end - start) > NO_ARROW))
+        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=role, label=label, shown=bool(abs(end - start) > NO_ARROW)))
 
     def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
         start, end = spot(a), spot(b)
         there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < NO_ARROW for m in self._marks[view])
-        shown = not there and abs(end - start) > NO_ARROW
+        shown = not there and bool(abs(end - start) > NO_ARROW)
         self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=Role.RESULT, shown=shown))
 
     def right_angle(self, view: Place, at: Points, u: Points, v: Points) -> None:

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..board.acts import Act
 from ..board.amended import AS_DRAWN, Amended
 from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
@@ -87,6 +88,19 @@ def recorded(problem: Problem, scales: Mapping[View, Scale]) -> Desk:
         desk = _draw(problem, hand("exact"), scales, recorded=True)
         _answers(desk, problem)
     return desk
+
+
+def acts_at(problem: Problem, scales: Mapping[View, Scale]) -> list[Act]:
+    """What is done by an exact hand at these scales."""
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        desk = _draw(problem, hand("exact"), scales)
+        _answers(desk, problem)
+    return desk.board.acts
+
+
+def scale_symbols() -> dict[View, Scale]:
+    """A scale of one for every kind of figure."""
+    return {view: _scale(view, 1.0) for view in View}
 
 
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:
