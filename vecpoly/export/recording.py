@@ -19,12 +19,13 @@ from ..problem.asks import AskNamed
 from ..problem.problem import Problem
 from ..solution import constructed
 from ..words import Words
+from .ink import stale
 from .terms import Term, Terms, values
 
 PLACES = 24  # on either side of the given position, at which the recorded drawing is compared with one drawn anew
+BEFORE = 0.37  # of a step: where it is tried, so that round angles, at which vectors may vanish, are not met
 TRAVEL = 0.6  # of the mechanism's size: how far a sliding input is tried to either side
 CLOSE = 1e-8  # of the largest coordinate: nearer than this two points are one
-Keys = tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,6 +40,7 @@ class Recording:
     high: float
     follow: tuple[done.Answer, ...]
     left_out: tuple[str, ...]  # keys of what is asked and does not follow
+    stale: frozenset[int]  # numbers of the acts whose ink does not follow
 
     @property
     def drive(self) -> Drive:
@@ -55,10 +57,11 @@ def record(problem: Problem) -> Recording:
     drive, scales = problem.mechanism.drive, scales_of(problem)
     desk, terms = recorded(problem, scales), Terms()
     name = f"{'s' if drive.slide else 'phi'}_{drive.link}"
-    proof = _Proof(problem, scales, terms, name, _spots(desk.board.acts), _answers(desk.board.acts))
+    proof = _Proof(problem, scales, terms, name, desk.board.acts)
     low, high = proof.range()
     follow = tuple(act for act in desk.board.acts if isinstance(act, done.Answer) and act.key not in proof.fails)
-    return Recording(problem=problem, desk=desk, terms=terms, variable=name, low=low, high=high, follow=follow, left_out=tuple(sorted(proof.fails)))
+    return Recording(problem=problem, desk=desk, terms=terms, variable=name, low=low, high=high, follow=follow, left_out=tuple(sorted(proof.fails)),
+                     stale=frozenset(proof.stale))
 
 
 def moving(problem: Problem) -> Problem:
@@ -85,14 +88,15 @@ def _answers(acts: Sequence[done.Act]) -> dict[tuple[str, str], complex]:
 
 
 class _Proof:
-    """The recorded drawing set beside drawings made anew; `fails`: keys of the answers that do not follow."""
+    """The recorded drawing set beside drawings made anew; `fails`: keys of the answers, `stale`: the acts whose ink does not follow."""
 
-    def __init__(self, problem: Problem, scales: dict[View, Scale], terms: Terms, name: str,
-                 spots: dict[tuple[str, str], complex], answers: dict[tuple[str, str], complex]) -> None:
-        self.problem, self.scales, self.name = problem, scales, name
+    def __init__(self, problem: Problem, scales: dict[View, Scale], terms: Terms, name: str, acts: Sequence[done.Act]) -> None:
+        self.problem, self.scales, self.name, self.acts = problem, scales, name, acts
+        spots, answers = _spots(acts), _answers(acts)
         self.spots, self.answers = tuple(spots), tuple(answers)
         self.roots: list[Term] = [part for value in (*spots.values(), *answers.values()) for part in terms.parts(value)]
         self.fails: set[str] = set()
+        self.stale: set[int] = set()
 
     def range(self) -> tuple[float, float]:
         """How far to either side the drawing is right: whole turns, or as far as it was found to be."""
@@ -109,7 +113,7 @@ class _Proof:
 
     def _reach(self, start: float, step: float) -> int:
         """The number of steps until the drawing is no longer right."""
-        return next((n - 1 for n in range(1, PLACES + 1) if not self._holds(start + n * step)), PLACES)
+        return next((n - 1 for n in range(1, PLACES + 1) if not self._holds(start + (n - BEFORE) * step)), PLACES)
 
     def _holds(self, position: float) -> bool:
         """Whether every lettered point is where it is when drawn anew for this position of the input."""
@@ -124,6 +128,7 @@ class _Proof:
         spots, answers = _spots(acts), _answers(acts)
         if spots.keys() != set(self.spots) or not _same(mine, [spots[key] for key in self.spots]):
             return False
+        self.stale |= set(stale(self.acts, acts))
         self.fails |= set(self._unlike(mine[len(self.spots):], answers))
         return True
 

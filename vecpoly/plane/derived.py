@@ -158,6 +158,11 @@ def variable(value: float, name: str) -> Derived:
     return Derived(value, "variable", name)
 
 
+def moves(value: object) -> bool:
+    """Whether the number depends on what may be changed."""
+    return type(value) is Derived
+
+
 def plain(value: Any) -> Any:
     """The number alone."""
     return value.value if type(value) is Derived else value
@@ -172,6 +177,8 @@ def _two(op: str, one: Any, other: Any) -> Any:
 
 def _found(value: Any, op: str, *args: Any) -> Any:
     """What an operation gave; what changes nothing gives the same number again."""
+    if np.ndim(value):
+        return value  # many at once are marks to look at
     match op, [None if type(one) is Derived else one for one in args]:
         case ("+" | "-", [None, 0]) | ("*" | "/", [None, 1]):
             return args[0]

@@ -7,7 +7,18 @@ from typing import Any
 import numpy as np
 
 from ...board import acts as done
-from ...board.marks import AngleMark, Arc, Disc, FixedGuide, FrictionCircle, GearMark, Ground, LinkNumber, Mark, Slot
+from ...board.marks import (
+    AngleMark,
+    Arc,
+    Disc,
+    FixedGuide,
+    FrictionCircle,
+    GearMark,
+    Ground,
+    LinkNumber,
+    Mark,
+    Slot,
+)
 from ...board.place import View
 from ...drawing.scene import Stroke
 from ...drawing.style import LINK, THIN, Dash, Hue, Pen

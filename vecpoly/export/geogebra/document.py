@@ -15,7 +15,7 @@ import numpy as np
 from ...board import acts as done
 from ...board.place import View, view_of
 from ...methods.plan import TITLES
-from ...plane.derived import Derived
+from ...plane.derived import moves
 from ...quantity import number
 from ...words import Lang
 from ..recording import Recording
@@ -47,7 +47,8 @@ def document(recording: Recording, lang: Lang = "zh") -> bytes:
     _window(root, extents)
     root.append(_Writer(recording, lang, _anchors(extents), extents).written())
     ET.indent(root)
-    return ET.tostring(root, encoding="utf-8", xml_declaration=True)
+    text: bytes = ET.tostring(root, encoding="utf-8", xml_declaration=True)
+    return text
 
 
 class _Writer:
@@ -65,11 +66,11 @@ class _Writer:
     def written(self) -> ET.Element:
         """All acts, then the answers."""
         for act in self.recording.desk.board.acts:
-            view = None if act.head.place is None else view_of(act.head.place)
+            view = None if act.head.place is None or act.number in self.recording.stale else view_of(act.head.place)
             match act:
-                case done.Measure(key=key, mm=mm) if type(mm) is Derived and key:
+                case done.Measure(key=key, mm=mm) if key and moves(mm):
                     self._number("m", key, mm)
-                case done.Compute(key=key, value=value) if type(value) is Derived and key:
+                case done.Compute(key=key, value=value) if key and moves(value):
                     self._quantity(key, value)
                 case done.Depict() if view is View.MECHANISM:
                     self.bodies.draw(act)
@@ -114,7 +115,7 @@ class _Writer:
 
     def _answer(self, act: done.Answer) -> None:
         """A quantity that is asked: a number with its sign, or both components of a vector (SI)."""
-        if act.unit in ("rad/s", "rad/s^2") or (type(act.value) is not Derived and not isinstance(act.value, complex)):
+        if act.unit in ("rad/s", "rad/s^2") or (not moves(act.value) and not isinstance(act.value, complex)):
             if act.key not in self.written_down:
                 self._quantity(act.key, act.value)
         else:
@@ -128,7 +129,7 @@ def _roots(acts: Sequence[done.Act], terms: Terms) -> Iterator[Term]:
         for one in fields(act):
             found = getattr(act, one.name)
             for value in found if isinstance(found, tuple) else (found,):
-                if type(value) is Derived:
+                if moves(value):
                     yield from terms.parts(value)
 
 
@@ -138,7 +139,7 @@ def _extent(recording: Recording, view: View) -> tuple[complex, complex] | None:
              if isinstance(act, done.Locate | done.Plot) and act.head.place is not None and view_of(act.head.place) is view]
     if not spots:
         return None
-    rows = [values([part for pair in spots for part in pair], {recording.variable: at}) for at in (recording.drive.position, *np.linspace(recording.low, recording.high, 25))]
+    rows = [values([part for pair in spots for part in pair], {recording.variable: at}) for at in (recording.drive.position, *np.linspace(recording.low, recording.high, 25).tolist())]
     boxes = [(min(row[::2]), min(row[1::2]), max(row[::2]), max(row[1::2])) for row in rows if all(map(isfinite, row))]
     x0, y0, x1, y1 = boxes[0]
     room = 0.75 * max(x1 - x0, y1 - y0, 20.0)

@@ -9,6 +9,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from ...board import acts as done
+from ...board.amended import plain_letters
 from ...board.marks import Dot, Role
 from ...board.place import View
 from ...drawing.style import Hue, Pen, kind_hue, pen
@@ -26,7 +27,9 @@ class Figure:
     def __init__(self, page: Page, terms: Terms, spelling: Spelling, view: View, anchor: str) -> None:
         self.page, self.terms, self.spelling, self.view, self.anchor = page, terms, spelling, view, anchor
         self.hue = kind_hue(view)
-        self.points: dict[Pair, tuple[str, ET.Element]] = {}
+        self.points: dict[Pair, str] = {}
+        self._letters: dict[tuple[str, Pair], ET.Element] = {}
+        self._shown: set[Pair] = set()
 
     def draw(self, act: done.Act) -> None:
         """What an act leaves on this figure; what it only finds is a hidden point."""
@@ -55,15 +58,14 @@ class Figure:
     def locate(self, letter: str, at: Any) -> ET.Element:
         """A point with its letter, from which others are found."""
         pair = self.terms.parts(at)
-        if pair in self.points and pair[0].constant is None:
-            return self.points[pair][1]
-        label = self.page.labels.point(letter, self.view)
-        return self._placed(label, pair)
+        if (letter, pair) not in self._letters:
+            self._letters[letter, pair] = self._placed(self.page.labels.point(letter, self.view), pair)
+        return self._letters[letter, pair]
 
     def at(self, value: Any) -> str:
         """How a place on the figure is written: a point's label, or the anchor and the way from it."""
         pair = self.terms.parts(value)
-        return self.points[pair][0] if pair in self.points else f"{self.anchor} + {self.spelling.pair(pair)}"
+        return self.points[pair] if pair in self.points else f"{self.anchor} + {self.spelling.pair(pair)}"
 
     def segment(self, a: Any, b: Any, look: Pen, label: str = "") -> None:
         """A straight line."""
@@ -93,18 +95,19 @@ class Figure:
             self._placed(self.page.labels.new("h", str(len(self.page.root))), pair)
 
     def _placed(self, label: str, pair: Pair) -> ET.Element:
-        point = self.page.point(label, f"{self.anchor} + {self.spelling.pair(pair)}")
-        self.points.setdefault(pair, (label, point))
+        point = self.page.point(label, self.points.get(pair) or f"{self.anchor} + {self.spelling.pair(pair)}")
+        self.points.setdefault(pair, label)
         self.spelling.know(pair[0], f"(x({label}) - x({self.anchor}))")
         self.spelling.know(pair[1], f"(y({label}) - y({self.anchor}))")
         return point
 
     def _plot(self, act: done.Plot) -> None:
         pair = self.terms.parts(act.at)
-        if act.dot is Dot.POLE and pair[0].constant == 0 == pair[1].constant:
+        if act.dot is Dot.POLE:
+            self._shown.add(pair)
             return  # the anchor is the pole
-        point = self.points[pair][1] if pair in self.points else self.locate(act.label, act.at)
-        if point.find("caption") is not None:
-            point = self._placed(self.page.labels.point(act.label, self.view), pair)  # a second letter at one place: below it
-            self.page.beside(point)
+        point = self.locate(plain_letters(act.label), act.at)
+        if pair in self._shown:
+            self.page.beside(point)  # a second letter at one place
+        self._shown.add(pair)
         self.page.show(point, *_DOTS[act.dot], caption(act.label), self.hue)

@@ -23,8 +23,8 @@ class Page:
     def slider(self, label: str, value: float, low: float, high: float, step: float, at: tuple[float, float], caption: str) -> None:
         """A number that is changed by hand."""
         one = self._element("numeric", label, Pen(width=0.5), seen=True, caption=caption)
-        place = {"x": repr(at[0]), "y": repr(at[1])}
-        ET.SubElement(one, "slider", min=repr(low), max=repr(high), absoluteScreenLocation="true", width="260", fixed="true", horizontal="true", showAlgebra="true", **place)
+        ET.SubElement(one, "slider", min=repr(low), max=repr(high), absoluteScreenLocation="true", width="260", x=repr(at[0]), y=repr(at[1]),
+                      fixed="true", horizontal="true", showAlgebra="true")
         one.insert(0, ET.Element("value", val=repr(value)))  # before it is shown, lest it be clipped to a default range
         ET.SubElement(one, "animation", step=repr(step), speed="1", type="1", playing="false")
 
@@ -86,7 +86,7 @@ class Page:
         one = ET.SubElement(self.root, "element", type=kind, label=label)
         on = "true" if seen else "false"
         ET.SubElement(one, "show", object=on, label="true" if seen and (lettered or kind in ("numeric", "point")) else "false")
-        ET.SubElement(one, "objColor", **_colour(pen.hue))
+        ET.SubElement(one, "objColor", _colour(pen.hue))
         if caption:
             ET.SubElement(one, "caption", val=caption)
             ET.SubElement(one, "labelMode", val="3" if kind != "numeric" else "9" if seen else "3")
