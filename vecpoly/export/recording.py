@@ -14,7 +14,7 @@ from ..devices.base import Device
 from ..errors import NoMethodError, VecpolyError
 from ..mechanism.model import Drive
 from ..methods.desk import Desk
-from ..methods.plan import acts_at, recorded, scale_symbols
+from ..methods.plan import drawn_exactly, scale_symbols
 from ..problem.asks import AskNamed
 from ..problem.problem import Problem
 from ..solution import constructed
@@ -55,7 +55,7 @@ def record(problem: Problem) -> Recording:
     """
     problem = moving(problem)
     drive, scales = problem.mechanism.drive, scales_of(problem)
-    desk, terms = recorded(problem, scales), Terms()
+    desk, terms = drawn_exactly(problem, scales, recorded=True), Terms()
     name = f"{'s' if drive.slide else 'phi'}_{drive.link}"
     proof = _Proof(problem, scales, terms, name, desk.board.acts)
     low, high = proof.range()
@@ -120,7 +120,7 @@ class _Proof:
         drive = self.problem.mechanism.drive
         moved = replace(self.problem.mechanism, drives=(replace(drive, position=position),))
         try:
-            acts = acts_at(replace(self.problem, subject=moved), self.scales)
+            acts = drawn_exactly(replace(self.problem, subject=moved), self.scales).board.acts
         except VecpolyError:
             return False
         numbers = values(self.roots, {self.name: position})

@@ -11,7 +11,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..board.acts import Act
 from ..board.amended import AS_DRAWN, Amended
 from ..board.board import Board
 from ..board.construction import Construction, Reading, Scale, View
@@ -82,20 +81,12 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
     return Drawn(construction, repeats, ideal, motion_of(plain))
 
 
-def recorded(problem: Problem, scales: Mapping[View, Scale]) -> Desk:
-    """The drawing by an exact hand at these scales, the numbers of whose acts know how they were computed from the position of the driving link."""
+def drawn_exactly(problem: Problem, scales: Mapping[View, Scale], *, recorded: bool = False) -> Desk:
+    """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the position of the driving link."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        desk = _draw(problem, hand("exact"), scales, recorded=True)
+        desk = _draw(problem, hand("exact"), scales, recorded=recorded)
         _answers(desk, problem)
     return desk
-
-
-def acts_at(problem: Problem, scales: Mapping[View, Scale]) -> list[Act]:
-    """What is done by an exact hand at these scales."""
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        desk = _draw(problem, hand("exact"), scales)
-        _answers(desk, problem)
-    return desk.board.acts
 
 
 def scale_symbols() -> dict[View, Scale]:
@@ -164,8 +155,8 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN,
-          *, recorded: bool = False) -> Desk:
+def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN, *,
+          recorded: bool = False) -> Desk:
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
