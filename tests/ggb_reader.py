@@ -1,4 +1,4 @@
-"""A second reader of GeoGebra files: evaluates their objects in order with any value of the slider; knows nothing of the exporter."""
+"""A second reader of GeoGebra files: evaluates their objects for any value of the slider; knows not the exporter."""
 
 from __future__ import annotations
 
@@ -12,12 +12,33 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 _LABEL = re.compile(r"[^\W\d]\w*_\{\w+\}|[A-Za-z]\w*")
-_KNOWN = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan2": math.atan2, "exp": math.exp, "abs": abs,
-          "sgn": lambda v: float((v > 0) - (v < 0)), "x": lambda p: p.real, "y": lambda p: p.imag}
+_KNOWN = {
+    "sqrt": math.sqrt,
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan2": math.atan2,
+    "exp": math.exp,
+    "abs": abs,
+    "sgn": lambda v: float((v > 0) - (v < 0)),
+    "x": lambda p: p.real,
+    "y": lambda p: p.imag,
+}
 _OPERATIONS: dict[type, Any] = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.Pow: operator.pow, ast.USub: operator.neg,
-    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge, ast.Eq: operator.eq,
-}  # fmt: skip
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+    ast.USub: operator.neg,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Eq: operator.eq,
+}
 COMMANDS = {"Segment", "Vector", "PolyLine", "Circle", "CircleArc"}
 
 
@@ -61,7 +82,9 @@ def value(text: str, known: dict[str, Any]) -> Any:
     names: dict[str, str] = {}
 
     def plain(found: re.Match[str]) -> str:
-        if re.match(r"[0-9.]E?$", found.string[max(found.start() - 1, 0) : found.start()]) and found.group().startswith("E"):
+        if re.match(r"[0-9.]E?$", found.string[max(found.start() - 1, 0) : found.start()]) and found.group().startswith(
+            "E"
+        ):
             return found.group()  # the exponent of a number
         return names.setdefault(found.group(), f"n{len(names)}")
 

@@ -35,7 +35,10 @@ def read(data: bytes) -> Drawing:
 
 
 def lines(doc: Drawing, layer: str) -> list[tuple[complex, complex]]:
-    return [(complex(*e.dxf.start.vec2), complex(*e.dxf.end.vec2)) for e in doc.modelspace().query(f'LINE[layer=="{layer}"]')]
+    return [
+        (complex(*e.dxf.start.vec2), complex(*e.dxf.end.vec2))
+        for e in doc.modelspace().query(f'LINE[layer=="{layer}"]')
+    ]
 
 
 def has(found: list[tuple[complex, complex]], a: complex, b: complex, by: complex = 0j) -> bool:
@@ -72,9 +75,17 @@ def velocity(construction: Construction) -> Figure:
 def test_lengths_are_mm_and_layers_have_the_widths_of_the_house() -> None:
     doc = read(figure_dxf(solved("3-9").construction.figures[0]))
     assert doc.units == 4
-    assert [doc.layers.get(name).dxf.lineweight for name in ("link", "result", "given", "direction", "hidden")] == [70, 50, 35, 18, 18]
+    assert [doc.layers.get(name).dxf.lineweight for name in ("link", "result", "given", "direction", "hidden")] == [
+        70,
+        50,
+        35,
+        18,
+        18,
+    ]
     assert doc.layers.get("centre").dxf.linetype == "VECPOLY_DASH_DOT"
-    assert {"construction", "dimension", "frame", "text", "sheet", "tint", "point"} <= {layer.dxf.name for layer in doc.layers}
+    assert {"construction", "dimension", "frame", "text", "sheet", "tint", "point"} <= {
+        layer.dxf.name for layer in doc.layers
+    }
 
 
 def test_letters_stand_as_text_where_the_svg_has_them() -> None:
@@ -83,9 +94,17 @@ def test_letters_stand_as_text_where_the_svg_has_them() -> None:
     from vecpoly.typeset import Glyphs
 
     for figure in solved("3-12").construction.figures:
-        texts = {(e.dxf.text, round(e.dxf.insert.x, 6), round(e.dxf.insert.y, 6)) for e in read(figure_dxf(figure)).modelspace().query("TEXT")}
-        wanted = {(run.text, round(item.x + run.x, 6), round(item.y + run.y, 6)) for item in draw_figure(figure).items if isinstance(item, TextBox)
-                  for run in item.box.items if isinstance(run, Glyphs) and run.text.strip()}
+        texts = {
+            (e.dxf.text, round(e.dxf.insert.x, 6), round(e.dxf.insert.y, 6))
+            for e in read(figure_dxf(figure)).modelspace().query("TEXT")
+        }
+        wanted = {
+            (run.text, round(item.x + run.x, 6), round(item.y + run.y, 6))
+            for item in draw_figure(figure).items
+            if isinstance(item, TextBox)
+            for run in item.box.items
+            if isinstance(run, Glyphs) and run.text.strip()
+        }
         assert texts == wanted
         assert {"A", "B", "C"} <= {text for text, _, _ in texts} or figure.view is not View.MECHANISM
 
@@ -94,7 +113,10 @@ def test_circles_are_circles_and_arcs_are_arcs() -> None:
     figure = solved("3-12").construction.figures[0]
     doc = read(figure_dxf(figure))
     for mark in (one for one in figure.marks if isinstance(one, Arc)):
-        assert any(abs(complex(*e.dxf.center.vec2) - mark.centre) < CLOSE and abs(e.dxf.radius - mark.radius) < 1e-6 for e in doc.modelspace().query("ARC CIRCLE"))
+        assert any(
+            abs(complex(*e.dxf.center.vec2) - mark.centre) < CLOSE and abs(e.dxf.radius - mark.radius) < 1e-6
+            for e in doc.modelspace().query("ARC CIRCLE")
+        )
     assert doc.modelspace().query("ARC")
 
 
@@ -107,10 +129,21 @@ def test_the_command_writes_a_sheet_of_which_every_page_reads(problem: str, tmp_
     for page in pages:
         doc = read(page.read_bytes())
         border = next(e for e in doc.modelspace().query('LWPOLYLINE[layer=="sheet"]'))
-        assert max(x for x, y, *_ in border.get_points()) - min(x for x, y, *_ in border.get_points()) in (pytest.approx(190.0, abs=5), pytest.approx(277.0, abs=5))
+        assert max(x for x, y, *_ in border.get_points()) - min(x for x, y, *_ in border.get_points()) in (
+            pytest.approx(190.0, abs=5),
+            pytest.approx(277.0, abs=5),
+        )
 
 
 def test_one_figure_is_written_about_its_own_origin(tmp_path: Path) -> None:
     out = tmp_path / "v.dxf"
-    assert CliRunner().invoke(app, ["draw", "3-9", "--figure", "velocity", "--hand", "exact", "-o", str(out)]).exit_code == 0
-    assert has(lines(read(out.read_bytes()), "result"), *next((m.a, m.b) for m in velocity(solved("3-9").construction).marks if isinstance(m, Vector) and m.key == "v_E"))
+    assert (
+        CliRunner().invoke(app, ["draw", "3-9", "--figure", "velocity", "--hand", "exact", "-o", str(out)]).exit_code
+        == 0
+    )
+    assert has(
+        lines(read(out.read_bytes()), "result"),
+        *next(
+            (m.a, m.b) for m in velocity(solved("3-9").construction).marks if isinstance(m, Vector) and m.key == "v_E"
+        ),
+    )

@@ -1,4 +1,4 @@
-"""GeoGebra files, read by a second reader: every letter and answer is where `solve` has it, wherever the slider stands."""
+"""GeoGebra files, read by a second reader: letters and answers are those of `solve`, wherever the slider stands."""
 
 from __future__ import annotations
 
@@ -23,8 +23,26 @@ from vecpoly.export.recording import record
 from vecpoly.problem.problem import Problem, Scales
 from vecpoly.solution import Solution
 
-SEVERAL = ("3-5", "3-7a", "3-8", "3-9", "3-10", "3-11", "3-12", "3-13", "3-14", "A-27", "A-30", "whitworth-quick-return", "jansen-leg", "geared-five-bar",
-           "cam-roller", "hypocycloid-drive", "oldham-coupling", "elliptic-trammel")  # fmt: skip
+SEVERAL = (
+    "3-5",
+    "3-7a",
+    "3-8",
+    "3-9",
+    "3-10",
+    "3-11",
+    "3-12",
+    "3-13",
+    "3-14",
+    "A-27",
+    "A-30",
+    "whitworth-quick-return",
+    "jansen-leg",
+    "geared-five-bar",
+    "cam-roller",
+    "hypocycloid-drive",
+    "oldham-coupling",
+    "elliptic-trammel",
+)
 STEM = {"omega": "ω", "alpha": "α"}
 END = {View.MECHANISM: "", View.VELOCITY: "v", View.ACCELERATION: "a"}
 
@@ -37,15 +55,23 @@ def exported(problem: str) -> bytes:
 @cache
 def given_scales(problem: str) -> Scales:
     """Those of the sheet in the given position: the file keeps them."""
-    figures = {f.view: f.scale.value for f in solve(load(problem), by="exact", repeats=0, precise=False).construction.figures}
-    return Scales(mu_l=figures.get(View.MECHANISM), mu_v=figures.get(View.VELOCITY), mu_a=figures.get(View.ACCELERATION))
+    figures = {
+        f.view: f.scale.value for f in solve(load(problem), by="exact", repeats=0, precise=False).construction.figures
+    }
+    return Scales(
+        mu_l=figures.get(View.MECHANISM), mu_v=figures.get(View.VELOCITY), mu_a=figures.get(View.ACCELERATION)
+    )
 
 
 def moved(problem: Problem, by: float) -> Problem:
     """The same with its input elsewhere, by rad, or by so many times 30 mm."""
     drive = problem.mechanism.drive
     step = 0.03 * by if drive.slide else by
-    return replace(problem, scales=given_scales(problem.id), subject=replace(problem.mechanism, drives=(replace(drive, position=drive.position + step),)))
+    return replace(
+        problem,
+        scales=given_scales(problem.id),
+        subject=replace(problem.mechanism, drives=(replace(drive, position=drive.position + step),)),
+    )
 
 
 def slider(problem: Problem) -> float:
@@ -102,21 +128,30 @@ def test_the_slider_stands_where_the_problem_puts_it_and_stays_within_its_range(
     value, low, high = float(held.get("val", "")), float(bounds.get("min", "")), float(bounds.get("max", ""))
     off = value - slider(load(problem))
     assert low <= value <= high
-    assert off == pytest.approx(0.0, abs=1e-9) or (high - low == pytest.approx(360.0) and off % 360 == pytest.approx(0.0, abs=1e-9))
+    assert off == pytest.approx(0.0, abs=1e-9) or (
+        high - low == pytest.approx(360.0) and off % 360 == pytest.approx(0.0, abs=1e-9)
+    )
     assert next(iter(one)) is held  # a value that comes after the sign that it is shown would be clipped to −5 … 5
 
 
 def test_vectors_run_from_letter_to_letter() -> None:
     data = exported("3-9")
     known = evaluated(data)
-    ends = [[known[label], known[other]] for label, other in (("p_{v}", "b_{v}"), ("p_{v}", "e_{v}"), ("p_{a}", "e_{a}"))]
-    drawn = [known[label] for one in construction(data) if one.get("type") == "vector" for label in [one.get("label", "")]]
+    ends = [
+        [known[label], known[other]] for label, other in (("p_{v}", "b_{v}"), ("p_{v}", "e_{v}"), ("p_{a}", "e_{a}"))
+    ]
+    drawn = [
+        known[label] for one in construction(data) if one.get("type") == "vector" for label in [one.get("label", "")]
+    ]
     assert all(end in drawn for end in ends)
 
 
 def test_a_pole_that_is_dragged_takes_its_polygon_with_it_and_changes_no_answer() -> None:
     data = exported("3-12")
-    known, answers = evaluated(data), [label for label in evaluated(data) if label.startswith(("v_", "a_", "ω_", "α_", "m_"))]
+    known, answers = (
+        evaluated(data),
+        [label for label in evaluated(data) if label.startswith(("v_", "a_", "ω_", "α_", "m_"))],
+    )
     root = construction(data)
     pole = next(one for one in root if one.get("label") == "p_{v}").find("coords")
     assert pole is not None
@@ -142,7 +177,9 @@ def data_with(data: bytes, old: str, new: str) -> bytes:
 
 
 def test_points_are_made_of_points_not_of_numbers() -> None:
-    made = [one.get("exp", "") for one in construction(exported("3-9")) if one.get("type") == "point" and one.get("exp")]
+    made = [
+        one.get("exp", "") for one in construction(exported("3-9")) if one.get("type") == "point" and one.get("exp")
+    ]
     assert sum("x(" in text or "t_{" in text for text in made) >= 10
 
 
@@ -156,7 +193,9 @@ def test_equal_drawings_are_equal_files() -> None:
     assert to_ggb(record(load("3-14"))) == exported("3-14")
 
 
-@pytest.mark.parametrize(("problem", "code"), [("class-iii", "export-trial"), ("5-2", "export-drive"), ("tipper", "export-drive")])
+@pytest.mark.parametrize(
+    ("problem", "code"), [("class-iii", "export-trial"), ("5-2", "export-drive"), ("tipper", "export-drive")]
+)
 def test_what_does_not_follow_an_input_is_refused(problem: str, code: str) -> None:
     with pytest.raises(NoMethodError) as refused:
         record(load(problem))

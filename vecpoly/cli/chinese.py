@@ -30,7 +30,7 @@ HELP = {
     "1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all). A DXF has layers by what a line is for.":
         "将一个图形或整张图纸绘成 SVG、PNG、PDF 或 DXF。\n\n图上 1 mm 即纸上 1 mm。图纸的第二页写入 x-2.svg（PDF 含所有页）。DXF 按线的用途分图层。",
     "Write a GeoGebra file: turn the crank with a slider, and diagram, velocity and acceleration polygon follow.\n\n"
-    "Every point is constructed from earlier ones, as on the sheet. Poles can be dragged. Drawn exactly, without rounding; loads are left away.":
+    "Points are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; loads are left away.":
         "写出 GeoGebra 文件：用滑动条转动曲柄，机构图、速度多边形和加速度多边形随之变动。\n\n各点都由先前的点作出，与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。",
     "List the library of problems, or the methods.": "列出题库中的题目，或已有的图解法。",
     "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\n"

@@ -23,7 +23,7 @@ def export(
 ) -> None:
     """Write a GeoGebra file: turn the crank with a slider, and diagram, velocity and acceleration polygon follow.
 
-    Every point is constructed from earlier ones, as on the sheet. Poles can be dragged. Drawn exactly, without rounding; loads are left away.
+    Points are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; loads are left away.
     """
     path = output or Path(f"{Path(name).stem}.ggb")
     tally = Tally()
@@ -38,5 +38,7 @@ def export(
             put(each(path, problem.id, len(found)), to_ggb(recording, lang))
             if recording.left_out:
                 keys = recording.left_out
-                warn(problem.id, [Words(f"{'、'.join(keys)} 不随原动件变动，未写入", f"{', '.join(keys)} would not follow the input and is left out")], lang)
+                zh, en = "、".join(keys), ", ".join(keys)
+                said = Words(f"{zh} 不随原动件变动，未写入", f"{en} would not follow the input and is left out")
+                warn(problem.id, [said], lang)
     tally.settle()

@@ -1,4 +1,4 @@
-"""Ink that stays behind: what was drawn at numbers that no longer know where they came from, while the place they stand for has moved."""
+"""Ink that stays behind: drawn at numbers that no longer know where they came from, while its place has moved."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ STILL = 1e-6  # mm: what moves less stands still
 
 
 def stale(recorded: Sequence[done.Act], anew: Sequence[done.Act]) -> Iterator[int]:
-    """The numbers of the acts whose ink stands still in the recorded drawing and elsewhere in one drawn anew; none where other acts were done."""
+    """The acts whose ink stands still though it is elsewhere when drawn anew; none where other acts were done."""
     if [type(act) for act in recorded] != [type(act) for act in anew]:
         return
     for act, other in zip(recorded, anew, strict=True):

@@ -70,7 +70,13 @@ def _real(t: Terms, op: str, args: list[Term]) -> Term:
 
 
 def _unknown(op: str) -> NoMethodError:
-    return NoMethodError(Words(f"运算 {op} 不能写入 GeoGebra；请另取一题", f"the operation {op} cannot be written for GeoGebra; take another problem"), code="export-operation")
+    return NoMethodError(
+        Words(
+            f"运算 {op} 不能写入 GeoGebra；请另取一题",
+            f"the operation {op} cannot be written for GeoGebra; take another problem",
+        ),
+        code="export-operation",
+    )
 
 
 def _squares(t: Terms, a: Term, b: Term) -> Term:

@@ -1,4 +1,4 @@
-"""A drawing that follows its driving link: the recorded sheet, the positions of the input at which it was proved, and what does not follow."""
+"""A drawing that follows its driving link: the recorded sheet, the range in which it was proved, what does not follow."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ CLOSE = 1e-8  # of the largest coordinate: nearer than this two points are one
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recording:
-    """The drawing; the input's name, its position (rad or m) and the range over which the drawing was proved; the answers that follow."""
+    """The drawing; the input's name and the range (rad or m) over which it was proved; the answers that follow."""
 
     problem: Problem
     desk: Desk
@@ -49,9 +49,9 @@ class Recording:
 
 
 def record(problem: Problem) -> Recording:
-    """Draw by an exact hand, remembering how every number was computed, and prove the result by drawing anew over the range of the input.
+    """Draw by an exact hand, remembering how every number was computed, and prove the result by drawing anew.
 
-    Raises NoMethodError for a device, for an input between moving links, and where the drawing does not follow its input.
+    Raises NoMethodError for a device, for an input between moving links, and where the drawing does not follow.
     """
     problem = moving(problem)
     drive, scales = problem.mechanism.drive, scales_of(problem)
@@ -60,15 +60,30 @@ def record(problem: Problem) -> Recording:
     proof = _Proof(problem, scales, terms, name, desk.board.acts)
     low, high = proof.range()
     follow = tuple(act for act in desk.board.acts if isinstance(act, done.Answer) and act.key not in proof.fails)
-    return Recording(problem=problem, desk=desk, terms=terms, variable=name, low=low, high=high, follow=follow, left_out=tuple(sorted(proof.fails)),
-                     stale=frozenset(proof.stale))
+    return Recording(
+        problem=problem,
+        desk=desk,
+        terms=terms,
+        variable=name,
+        low=low,
+        high=high,
+        follow=follow,
+        left_out=tuple(sorted(proof.fails)),
+        stale=frozenset(proof.stale),
+    )
 
 
 def moving(problem: Problem) -> Problem:
     """The problem without its loads: what moves."""
     if isinstance(problem.subject, Device) or len(problem.mechanism.drives) != 1 or problem.mechanism.drive.between:
-        raise NoMethodError(Words("GeoGebra 文件须有一个相对机架转动或移动的原动件，此题没有；可用 vecpoly draw 或 vecpoly play",
-                                  "a GeoGebra file needs one link that is driven against the frame, and this problem has none; take vecpoly draw or vecpoly play"), code="export-drive")
+        raise NoMethodError(
+            Words(
+                "GeoGebra 文件须有一个相对机架转动或移动的原动件，此题没有；可用 vecpoly draw 或 vecpoly play",
+                "a GeoGebra file needs one link that is driven against the frame, and this problem has none; "
+                "take vecpoly draw or vecpoly play",
+            ),
+            code="export-drive",
+        )
     asks = tuple(ask for ask in problem.asks if not isinstance(ask, AskNamed))
     return replace(problem, loads=None, asks=asks) if problem.loads is not None else problem
 
@@ -88,9 +103,11 @@ def _answers(acts: Sequence[done.Act]) -> dict[tuple[str, str], complex]:
 
 
 class _Proof:
-    """The recorded drawing set beside drawings made anew; `fails`: keys of the answers, `stale`: the acts whose ink does not follow."""
+    """The recorded drawing beside drawings made anew; fails, stale: the answers, and the acts, that do not follow."""
 
-    def __init__(self, problem: Problem, scales: dict[View, Scale], terms: Terms, name: str, acts: Sequence[done.Act]) -> None:
+    def __init__(
+        self, problem: Problem, scales: dict[View, Scale], terms: Terms, name: str, acts: Sequence[done.Act]
+    ) -> None:
         self.problem, self.scales, self.name, self.acts = problem, scales, name, acts
         spots, answers = _spots(acts), _answers(acts)
         self.spots, self.answers = tuple(spots), tuple(answers)
@@ -103,9 +120,14 @@ class _Proof:
         drive = self.problem.mechanism.drive
         step = TRAVEL * self.problem.mechanism.scale / PLACES if drive.slide else pi / PLACES
         if not all(self._holds(drive.position + by) for by in (0.0, 1e-3 * step, -1e-3 * step)):
-            raise NoMethodError(Words("此题的作图过程不能随原动件连续变动（如用试作法定位），不能写成 GeoGebra 文件；可用 vecpoly play",
-                                      "this construction does not follow its driving link (it is found by trial), so there is no GeoGebra file of it; take vecpoly play"),
-                                code="export-trial")
+            raise NoMethodError(
+                Words(
+                    "此题的作图过程不能随原动件连续变动（如用试作法定位），不能写成 GeoGebra 文件；可用 vecpoly play",
+                    "this construction does not follow its driving link (it is found by trial), so there is no GeoGebra "
+                    "file of it; take vecpoly play",
+                ),
+                code="export-trial",
+            )
         up, down = self._reach(drive.position, step), self._reach(drive.position, -step)
         if not drive.slide and up == down == PLACES:
             return 0.0, 2 * pi
@@ -129,7 +151,7 @@ class _Proof:
         if spots.keys() != set(self.spots) or not _same(mine, [spots[key] for key in self.spots]):
             return False
         self.stale |= set(stale(self.acts, acts))
-        self.fails |= set(self._unlike(mine[len(self.spots):], answers))
+        self.fails |= set(self._unlike(mine[len(self.spots) :], answers))
         return True
 
     def _unlike(self, mine: Sequence[complex], there: dict[tuple[str, str], complex]) -> Iterator[str]:

@@ -26,12 +26,29 @@ class Term:
 
 Pair = tuple[Term, Term]  # the parts to the right and upwards
 FUNCTIONS: Mapping[str, Callable[..., float]] = {
-    "sqrt": lambda x: math.sqrt(x) if x >= 0 else math.nan, "sin": math.sin, "cos": math.cos, "tan": math.tan, "exp": math.exp, "atan2": math.atan2,
-    "asin": lambda x: math.asin(x) if abs(x) <= 1 else math.nan, "acos": lambda x: math.acos(x) if abs(x) <= 1 else math.nan,
-    "abs": abs, "sgn": lambda x: float((x > 0) - (x < 0)), "neg": lambda x: -x, "+": lambda x, y: x + y, "-": lambda x, y: x - y, "*": lambda x, y: x * y,
-    "/": lambda x, y: x / y if y else math.nan, "^": lambda x, y: x**y, "<": lambda x, y: x < y, "<=": lambda x, y: x <= y, ">": lambda x, y: x > y,
-    ">=": lambda x, y: x >= y, "==": lambda x, y: x == y, "if": lambda c, x, y: x if c else y,
-}  # fmt: skip
+    "sqrt": lambda x: math.sqrt(x) if x >= 0 else math.nan,
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "exp": math.exp,
+    "atan2": math.atan2,
+    "asin": lambda x: math.asin(x) if abs(x) <= 1 else math.nan,
+    "acos": lambda x: math.acos(x) if abs(x) <= 1 else math.nan,
+    "abs": abs,
+    "sgn": lambda x: float((x > 0) - (x < 0)),
+    "neg": lambda x: -x,
+    "+": lambda x, y: x + y,
+    "-": lambda x, y: x - y,
+    "*": lambda x, y: x * y,
+    "/": lambda x, y: x / y if y else math.nan,
+    "^": lambda x, y: x**y,
+    "<": lambda x, y: x < y,
+    "<=": lambda x, y: x <= y,
+    ">": lambda x, y: x > y,
+    ">=": lambda x, y: x >= y,
+    "==": lambda x, y: x == y,
+    "if": lambda c, x, y: x if c else y,
+}
 
 
 @dataclass(slots=True)

@@ -1,8 +1,8 @@
-"""A number that knows how it was computed: a term of + − × ÷, of elementary functions and of cases, over what may be changed and constants.
+"""A number that knows how it was computed: a term of + − × ÷, elementary functions and cases, over variables and constants.
 
-A recorded drawing starts from such numbers (`variable`); arithmetic, numpy's elementwise functions and `np.where` go on with them. What they
-cannot follow (turning one into a plain `float`, a choice made by `if`) gives a number that is constant from there on. Ordinary drawings
-contain none, and pay nothing for them.
+A recorded drawing starts from such numbers (`variable`); arithmetic, numpy's elementwise functions and `np.where`
+go on with them. What they cannot follow (turning one into a plain `float`, a choice made by `if`) gives a number that
+is constant from there on. Ordinary drawings contain none, and pay nothing for them.
 """
 
 from __future__ import annotations
@@ -15,11 +15,33 @@ import numpy as np
 from .traced import Traced
 
 _UFUNCS: Mapping[Any, str] = {
-    np.add: "+", np.subtract: "-", np.multiply: "*", np.divide: "/", np.power: "pow", np.negative: "neg", np.conjugate: "conj", np.absolute: "abs",
-    np.exp: "exp", np.sqrt: "sqrt", np.square: "square", np.sign: "sign", np.sin: "sin", np.cos: "cos", np.tan: "tan", np.arcsin: "asin", np.arccos: "acos",
-    np.arctan2: "atan2", np.less: "<", np.less_equal: "<=", np.greater: ">", np.greater_equal: ">=", np.equal: "==", np.maximum: "max", np.minimum: "min",
+    np.add: "+",
+    np.subtract: "-",
+    np.multiply: "*",
+    np.divide: "/",
+    np.power: "pow",
+    np.negative: "neg",
+    np.conjugate: "conj",
+    np.absolute: "abs",
+    np.exp: "exp",
+    np.sqrt: "sqrt",
+    np.square: "square",
+    np.sign: "sign",
+    np.sin: "sin",
+    np.cos: "cos",
+    np.tan: "tan",
+    np.arcsin: "asin",
+    np.arccos: "acos",
+    np.arctan2: "atan2",
+    np.less: "<",
+    np.less_equal: "<=",
+    np.greater: ">",
+    np.greater_equal: ">=",
+    np.equal: "==",
+    np.maximum: "max",
+    np.minimum: "min",
     np.radians: "radians",
-}  # fmt: skip
+}
 
 
 class Derived:
@@ -198,6 +220,14 @@ def _case(condition: Any, one: Any, other: Any) -> Any:
 
 
 _APPLIED: Mapping[str, Any] = {
-    "+": lambda a, b: a + b, "-": lambda a, b: a - b, "*": lambda a, b: a * b, "/": np.divide, "pow": lambda a, b: a**b, "<": lambda a, b: a < b,
-    "<=": lambda a, b: a <= b, ">": lambda a, b: a > b, ">=": lambda a, b: a >= b, "==": lambda a, b: a == b,
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "/": np.divide,
+    "pow": lambda a, b: a**b,
+    "<": lambda a, b: a < b,
+    "<=": lambda a, b: a <= b,
+    ">": lambda a, b: a > b,
+    ">=": lambda a, b: a >= b,
+    "==": lambda a, b: a == b,
 }

@@ -77,7 +77,13 @@ def _library() -> Any:
     try:
         import ezdxf
     except ModuleNotFoundError:
-        raise VecpolyError(Words("写 DXF 文件需要 ezdxf；请 pip install vecpoly[cad]", "DXF files are written by ezdxf; pip install vecpoly[cad]"), code="package") from None
+        raise VecpolyError(
+            Words(
+                "写 DXF 文件需要 ezdxf；请 pip install vecpoly[cad]",
+                "DXF files are written by ezdxf; pip install vecpoly[cad]",
+            ),
+            code="package",
+        ) from None
     return ezdxf
 
 

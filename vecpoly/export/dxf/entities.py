@@ -18,9 +18,14 @@ if TYPE_CHECKING:
     from ezdxf.layouts.layout import Modelspace
 
 CAPITAL = 0.66  # of the em: how high a capital is, by which DXF measures type
-_STYLES = {Face.ITALIC: ("VECPOLY_ITALIC", "timesi.ttf"), Face.BOLD_ITALIC: ("VECPOLY_ITALIC", "timesi.ttf"),
-           Face.SONG: ("VECPOLY_SONG", "simsun.ttc"), Face.SONG_EXT: ("VECPOLY_SONG", "simsun.ttc"),
-           Face.HEI: ("VECPOLY_HEI", "simhei.ttf"), Face.HEI_BOLD: ("VECPOLY_HEI", "simhei.ttf")}  # fmt: skip
+_STYLES = {
+    Face.ITALIC: ("VECPOLY_ITALIC", "timesi.ttf"),
+    Face.BOLD_ITALIC: ("VECPOLY_ITALIC", "timesi.ttf"),
+    Face.SONG: ("VECPOLY_SONG", "simsun.ttc"),
+    Face.SONG_EXT: ("VECPOLY_SONG", "simsun.ttc"),
+    Face.HEI: ("VECPOLY_HEI", "simhei.ttf"),
+    Face.HEI_BOLD: ("VECPOLY_HEI", "simhei.ttf"),
+}
 _UPRIGHT = ("VECPOLY_ROMAN", "times.ttf")
 STYLES = dict((*_STYLES.values(), _UPRIGHT))
 
@@ -40,7 +45,9 @@ class Paper:
             case Vector(a=a, b=b) if items:
                 self._line(a + by, b + by, layer, items[0])
                 self._items(items[1:], layer, by)
-            case Arc() | GearMark() | Disc() | FrictionCircle() if isinstance(ring := next((i for i in items if isinstance(i, Stroke)), None), Stroke):
+            case Arc() | GearMark() | Disc() | FrictionCircle() if isinstance(
+                ring := next((i for i in items if isinstance(i, Stroke)), None), Stroke
+            ):
                 self._round(mark, layer, ring, by)
                 self._items([one for one in items if one is not ring], layer, by)
             case Point(at=at, dot=Dot.JOINT | Dot.POLE) if isinstance(outline := items[-1], Stroke):
@@ -55,7 +62,9 @@ class Paper:
             case Stroke(points=points) if len(points) == 2 and not item.closed:
                 self._line(points[0] + by, points[1] + by, layer, item)
             case Stroke(points=points):
-                self.space.add_lwpolyline([_xy(z + by) for z in points], close=item.closed, dxfattribs=self._look(layer, item))
+                self.space.add_lwpolyline(
+                    [_xy(z + by) for z in points], close=item.closed, dxfattribs=self._look(layer, item)
+                )
             case Fill(points=points, hue=Hue.WHITE):
                 self.space.add_wipeout([_xy(z + by) for z in points]).dxf.layer = layer
             case Fill(points=points, hue=hue):
@@ -100,14 +109,27 @@ class Paper:
         missing = run.font == MISSING
         text = "".join(map(missing_text, run.text)) if missing else run.text
         style = _UPRIGHT if missing else _STYLES.get(Face(run.font), _UPRIGHT)
-        self.space.add_text(text, height=CAPITAL * run.size / MM, dxfattribs={"layer": layer, "style": style[0], "true_color": _true(hue),
-                                                                              "insert": _xy(at + complex(run.x, run.y))})
+        self.space.add_text(
+            text,
+            height=CAPITAL * run.size / MM,
+            dxfattribs={
+                "layer": layer,
+                "style": style[0],
+                "true_color": _true(hue),
+                "insert": _xy(at + complex(run.x, run.y)),
+            },
+        )
 
     def _look(self, layer: str, like: Item) -> dict[str, Any]:
         """Layer, ink, width and pattern of a line."""
         if not isinstance(like, Stroke):
             return {"layer": layer}
-        return {"layer": layer, "true_color": _true(like.hue), "lineweight": weight(like.width), "linetype": pattern_of(like.dash)}
+        return {
+            "layer": layer,
+            "true_color": _true(like.hue),
+            "lineweight": weight(like.width),
+            "linetype": pattern_of(like.dash),
+        }
 
 
 def _true(hue: Hue) -> int:

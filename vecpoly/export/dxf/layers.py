@@ -37,11 +37,29 @@ if TYPE_CHECKING:
 
 SHEET, TEXT, POINT, DIMENSION, FRAME, TINT = "sheet", "text", "point", "dimension", "frame", "tint"
 _PENS: Mapping[str, Pen] = {
-    **{role.value: pen(role, Hue.BLACK) for role in Role}, FRAME: Pen(width=GIVEN), POINT: Pen(width=GIVEN), DIMENSION: Pen(width=THIN),
-    TEXT: Pen(width=THIN), TINT: Pen(width=THIN, hue=Hue.PLATE), SHEET: Pen(width=GIVEN),
-}  # fmt: skip
-_ACI = {Role.LINK.value: 7, Role.RESULT.value: 1, Role.GIVEN.value: 3, Role.DIRECTION.value: 8, Role.CONSTRUCTION.value: 9, Role.CENTRE.value: 4, Role.HIDDEN.value: 2,
-        DIMENSION: 6, FRAME: 7, TEXT: 7, POINT: 7, TINT: 254, SHEET: 7}  # fmt: skip
+    **{role.value: pen(role, Hue.BLACK) for role in Role},
+    FRAME: Pen(width=GIVEN),
+    POINT: Pen(width=GIVEN),
+    DIMENSION: Pen(width=THIN),
+    TEXT: Pen(width=THIN),
+    TINT: Pen(width=THIN, hue=Hue.PLATE),
+    SHEET: Pen(width=GIVEN),
+}
+_ACI = {
+    Role.LINK.value: 7,
+    Role.RESULT.value: 1,
+    Role.GIVEN.value: 3,
+    Role.DIRECTION.value: 8,
+    Role.CONSTRUCTION.value: 9,
+    Role.CENTRE.value: 4,
+    Role.HIDDEN.value: 2,
+    DIMENSION: 6,
+    FRAME: 7,
+    TEXT: 7,
+    POINT: 7,
+    TINT: 254,
+    SHEET: 7,
+}
 
 
 def set_up(doc: Drawing) -> None:

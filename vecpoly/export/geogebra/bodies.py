@@ -52,8 +52,14 @@ class Bodies:
         match mark:
             case AngleMark(at=at, radius=radius, label=label) if label == f"φ_{self.drive.link}" and pose is None:
                 self._crank_angle(at, radius)
-            case GearMark(centre=centre, radius=radius) | Disc(centre=centre, radius=radius) | FrictionCircle(centre=centre, radius=radius):
-                self.figure.circle(_carried(centre, pose), radius, CIRCLES if isinstance(mark, GearMark) else Pen(width=LINK))
+            case (
+                GearMark(centre=centre, radius=radius)
+                | Disc(centre=centre, radius=radius)
+                | FrictionCircle(centre=centre, radius=radius)
+            ):
+                self.figure.circle(
+                    _carried(centre, pose), radius, CIRCLES if isinstance(mark, GearMark) else Pen(width=LINK)
+                )
             case Slot(a=a, b=b):
                 off = 2.5j * (b - a) / abs(b - a)
                 for side in (off, -off):

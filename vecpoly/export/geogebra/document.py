@@ -54,7 +54,13 @@ def document(recording: Recording, lang: Lang = "zh") -> bytes:
 class _Writer:
     """The acts of a recording, one after the other."""
 
-    def __init__(self, recording: Recording, lang: Lang, anchors: dict[View, complex], extents: dict[View, tuple[complex, complex]]) -> None:
+    def __init__(
+        self,
+        recording: Recording,
+        lang: Lang,
+        anchors: dict[View, complex],
+        extents: dict[View, tuple[complex, complex]],
+    ) -> None:
         self.recording, self.lang, self.terms = recording, lang, recording.terms
         self.page = Page(recording.problem.title.of(lang))
         self.spelling = Spelling(_roots(recording.desk.board.acts, self.terms), self.page.hidden)
@@ -87,14 +93,24 @@ class _Writer:
         stem, link = r.variable.split("_")
         label = self.page.labels.quantity(r.variable)
         value = (r.drive.position if slide or r.low != 0.0 else r.drive.position % (2 * np.pi)) * factor
-        self.page.slider(label, value, r.low * factor, r.high * factor, 0.5 if slide else 1.0, (40.0, 40.0), f"${'s' if stem == 's' else 'φ'}_{{{link}}}$")
+        self.page.slider(
+            label,
+            value,
+            r.low * factor,
+            r.high * factor,
+            0.5 if slide else 1.0,
+            (40.0, 40.0),
+            f"${'s' if stem == 's' else 'φ'}_{{{link}}}$",
+        )
         own = self.page.hidden(f"{label} / 1000" if slide else f"{label} * {np.pi!r} / 180")
         self.spelling.know(self.terms.variable(r.variable), own)
 
     def _figure(self, view: View, at: complex, low: complex) -> Figure:
         pole = view is not View.MECHANISM
         anchor = self.page.labels.new("p" if pole else "O", INDEX[view] or "m")
-        self.page.free_point(anchor, at, caption="$p'$" if view is View.ACCELERATION else "$p$" if pole else "", seen=pole)
+        self.page.free_point(
+            anchor, at, caption="$p'$" if view is View.ACCELERATION else "$p$" if pole else "", seen=pole
+        )
         scale = self.recording.desk.board.scale_of(view)
         words = f"{TITLES[view].of(self.lang)}  {scale.symbol} = {number(scale.value)} {scale.per_mm}"
         self.page.text(words, f"{anchor} + ({low.real!r}, {low.imag - TITLE!r})")
@@ -134,17 +150,25 @@ def _roots(acts: Sequence[done.Act], terms: Terms) -> Iterator[Term]:
 
 
 def _extent(recording: Recording, view: View) -> tuple[complex, complex] | None:
-    """Lower left and upper right corner of the figure over the range of its input, no more than a little larger than as given."""
-    spots = [recording.terms.parts(act.at) for act in recording.desk.board.acts
-             if isinstance(act, done.Locate | done.Plot) and act.head.place is not None and view_of(act.head.place) is view]
+    """Lower left and upper right corner of the figure over the range of its input, a little larger at most than as given."""
+    spots = [
+        recording.terms.parts(act.at)
+        for act in recording.desk.board.acts
+        if isinstance(act, done.Locate | done.Plot) and act.head.place is not None and view_of(act.head.place) is view
+    ]
     if not spots:
         return None
-    rows = [values([part for pair in spots for part in pair], {recording.variable: at}) for at in (recording.drive.position, *np.linspace(recording.low, recording.high, 25).tolist())]
+    rows = [
+        values([part for pair in spots for part in pair], {recording.variable: at})
+        for at in (recording.drive.position, *np.linspace(recording.low, recording.high, 25).tolist())
+    ]
     boxes = [(min(row[::2]), min(row[1::2]), max(row[::2]), max(row[1::2])) for row in rows if all(map(isfinite, row))]
     x0, y0, x1, y1 = boxes[0]
     room = 0.75 * max(x1 - x0, y1 - y0, 20.0)
     low = complex(max(min(b[0] for b in boxes), x0 - room), max(min(b[1] for b in boxes), y0 - room))
-    return low - (8 + 8j), complex(min(max(b[2] for b in boxes), x1 + room), min(max(b[3] for b in boxes), y1 + room)) + (8 + 8j)
+    return low - (8 + 8j), complex(
+        min(max(b[2] for b in boxes), x1 + room), min(max(b[3] for b in boxes), y1 + room)
+    ) + (8 + 8j)
 
 
 def _anchors(extents: dict[View, tuple[complex, complex]]) -> dict[View, complex]:
@@ -171,8 +195,20 @@ def _window(root: ET.Element, extents: dict[View, tuple[complex, complex]]) -> N
     scale = min(PIXELS[0] / (x1 - x0), PIXELS[1] / (y1 - y0))
     view = ET.SubElement(root, "euclidianView")
     ET.SubElement(view, "size", width=str(int(PIXELS[0])), height=str(int(PIXELS[1])))
-    ET.SubElement(view, "coordSystem", xZero=repr(-x0 * scale), yZero=repr(y1 * scale), scale=repr(scale), yscale=repr(scale))
-    ET.SubElement(view, "evSettings", axes="false", grid="false", gridIsBold="false", pointCapturing="0", rightAngleStyle="1", checkboxSize="13", gridType="0")
+    ET.SubElement(
+        view, "coordSystem", xZero=repr(-x0 * scale), yZero=repr(y1 * scale), scale=repr(scale), yscale=repr(scale)
+    )
+    ET.SubElement(
+        view,
+        "evSettings",
+        axes="false",
+        grid="false",
+        gridIsBold="false",
+        pointCapturing="0",
+        rightAngleStyle="1",
+        checkboxSize="13",
+        gridType="0",
+    )
     ET.SubElement(view, "bgColor", r="255", g="255", b="255")
     for axis in ("0", "1"):
         ET.SubElement(view, "axis", id=axis, show="false", label="", unitLabel="", tickStyle="1", showNumbers="false")

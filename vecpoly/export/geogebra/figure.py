@@ -1,4 +1,4 @@
-"""One figure in a GeoGebra file: its acts become points, lines, vectors and arcs about an anchor, which may be dragged."""
+"""One figure in a GeoGebra file: its acts become points, lines, vectors, arcs about an anchor, which may be dragged."""
 
 from __future__ import annotations
 
@@ -45,7 +45,9 @@ class Figure:
             case done.Rule(a=a, b=b, label=label):
                 self.segment(a, b, self._pen(Role.DIRECTION), label)
             case done.Arrow(shown=True):
-                self.page.line("Vector", "vector", (self.at(act.a), self.at(act.b)), pen(act.role, kind_hue(self.view, act.label)))
+                self.page.line(
+                    "Vector", "vector", (self.at(act.a), self.at(act.b)), pen(act.role, kind_hue(self.view, act.label))
+                )
             case done.Swing():
                 self.arc(act.centre, act.radius, act.start, act.sweep, self._pen(Role.CONSTRUCTION))
             case done.Corner(at=at, u=u, v=v):

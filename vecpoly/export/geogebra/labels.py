@@ -7,7 +7,11 @@ import re
 from ...board.place import View
 from ...names import subscripted
 
-INDEX = {View.MECHANISM: "", View.VELOCITY: "v", View.ACCELERATION: "a"}  # a polygon's letters are told from each other by its kind
+INDEX = {
+    View.MECHANISM: "",
+    View.VELOCITY: "v",
+    View.ACCELERATION: "a",
+}  # a polygon's letters are told from each other by its kind
 _GREEK = {"omega": "ω", "alpha": "α", "phi": "φ", "mu": "μ"}
 
 

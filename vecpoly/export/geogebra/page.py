@@ -1,4 +1,4 @@
-"""The construction element of a GeoGebra file: objects in the order in which they depend on each other, with the house's lines and colours."""
+"""The objects of a GeoGebra file, each after those that it depends on, with the house's lines and colours."""
 
 from __future__ import annotations
 
@@ -20,11 +20,24 @@ class Page:
         self.root = ET.Element("construction", title=title, author="vecpoly", date="")
         self.labels = Labels()
 
-    def slider(self, label: str, value: float, low: float, high: float, step: float, at: tuple[float, float], caption: str) -> None:
+    def slider(
+        self, label: str, value: float, low: float, high: float, step: float, at: tuple[float, float], caption: str
+    ) -> None:
         """A number that is changed by hand."""
         one = self._element("numeric", label, Pen(width=0.5), seen=True, caption=caption)
-        ET.SubElement(one, "slider", min=repr(low), max=repr(high), absoluteScreenLocation="true", width="260", x=repr(at[0]), y=repr(at[1]),
-                      fixed="true", horizontal="true", showAlgebra="true")
+        ET.SubElement(
+            one,
+            "slider",
+            min=repr(low),
+            max=repr(high),
+            absoluteScreenLocation="true",
+            width="260",
+            x=repr(at[0]),
+            y=repr(at[1]),
+            fixed="true",
+            horizontal="true",
+            showAlgebra="true",
+        )
         one.insert(0, ET.Element("value", val=repr(value)))  # before it is shown, lest it be clipped to a default range
         ET.SubElement(one, "animation", step=repr(step), speed="1", type="1", playing="false")
 
@@ -82,10 +95,22 @@ class Page:
         ET.SubElement(command, "input", {f"a{i}": text for i, text in enumerate(inputs)})
         ET.SubElement(command, "output", a0=label)
 
-    def _element(self, kind: str, label: str, pen: Pen, *, seen: bool = False, caption: str = "", lettered: bool = False, quiet: bool = False) -> ET.Element:
+    def _element(
+        self,
+        kind: str,
+        label: str,
+        pen: Pen,
+        *,
+        seen: bool = False,
+        caption: str = "",
+        lettered: bool = False,
+        quiet: bool = False,
+    ) -> ET.Element:
         one = ET.SubElement(self.root, "element", type=kind, label=label)
         on = "true" if seen else "false"
-        ET.SubElement(one, "show", object=on, label="true" if seen and (lettered or kind in ("numeric", "point")) else "false")
+        ET.SubElement(
+            one, "show", object=on, label="true" if seen and (lettered or kind in ("numeric", "point")) else "false"
+        )
         ET.SubElement(one, "objColor", _colour(pen.hue))
         if caption:
             ET.SubElement(one, "caption", val=caption)
