@@ -12,7 +12,7 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 _LABEL = re.compile(r"[^\W\d]\w*_\{\w+\}|[A-Za-z]\w*")
-_KNOWN = {
+_KNOWN: dict[str, Any] = {
     "sqrt": math.sqrt,
     "sin": math.sin,
     "cos": math.cos,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import io
 from functools import cache
 from pathlib import Path
+from typing import Any
 
-import ezdxf
+import ezdxf.filemanagement
 import pytest
 from ezdxf.document import Drawing
 from typer.testing import CliRunner
@@ -29,7 +30,7 @@ def solved(problem: str) -> Solution:
 
 
 def read(data: bytes) -> Drawing:
-    doc = ezdxf.read(io.StringIO(data.decode("utf-8")))
+    doc = ezdxf.filemanagement.read(io.StringIO(data.decode("utf-8")))
     assert not doc.audit().errors
     return doc
 
@@ -128,7 +129,7 @@ def test_the_command_writes_a_sheet_of_which_every_page_reads(problem: str, tmp_
     assert len(pages) == len(sheets(solve(load(problem), repeats=0).construction, title=load(problem).title, way=way))
     for page in pages:
         doc = read(page.read_bytes())
-        border = next(e for e in doc.modelspace().query('LWPOLYLINE[layer=="sheet"]'))
+        border: Any = next(iter(doc.modelspace().query('LWPOLYLINE[layer=="sheet"]')))
         assert max(x for x, y, *_ in border.get_points()) - min(x for x, y, *_ in border.get_points()) in (
             pytest.approx(190.0, abs=5),
             pytest.approx(277.0, abs=5),
@@ -147,3 +148,10 @@ def test_one_figure_is_written_about_its_own_origin(tmp_path: Path) -> None:
             (m.a, m.b) for m in velocity(solved("3-9").construction).marks if isinstance(m, Vector) and m.key == "v_E"
         ),
     )
+
+
+def test_a_step_leaves_out_what_is_drawn_later() -> None:
+    figure = velocity(solved("3-9").construction)
+    first, last = (min(mark.step for mark in figure.marks), max(mark.step for mark in figure.marks))
+    counts = [len(read(figure_dxf(figure, upto=step)).modelspace().query("LINE")) for step in (first, last)]
+    assert counts[0] < counts[1] == len(read(figure_dxf(figure)).modelspace().query("LINE"))

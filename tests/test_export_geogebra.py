@@ -81,7 +81,7 @@ def slider(problem: Problem) -> float:
 
 def letters(solution: Solution) -> dict[str, tuple[View, complex]]:
     """The labels of all lettered points, and where they lie on their figure."""
-    found = {}
+    found: dict[str, tuple[View, complex]] = {}
     for act in solution.construction.acts:
         if isinstance(act, Locate) and act.head.place is not None and not isinstance(act.head.place, Pane):
             view = view_of(act.head.place)

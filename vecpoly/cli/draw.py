@@ -28,6 +28,7 @@ FORMATS = (".svg", ".png", ".pdf", ".dxf")
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as 3-9, or a file.", show_default=False, autocompletion=ids)]
 FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
                                            "force:3; sheet is the whole A4 page.")]
+StepOption = Annotated[int | None, typer.Option("--step", min=1, metavar="N", show_default=False, help="The paper as it stands after step N.")]
 Dpi = Annotated[float, typer.Option("--dpi", min=10, max=1200, help="Resolution of a PNG.")]
 
 
@@ -39,6 +40,7 @@ def draw(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     dpi: Dpi = 150.0,
+    step: StepOption = None,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG, PDF or DXF.
@@ -55,22 +57,24 @@ def draw(
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             warn_of_letters([problem], lang)
-            for target, data in _files(solution, figure, lang, each(path, problem.id, len(found)), dpi):
+            upto = None if step is None else known_step(solution.construction, step)
+            for target, data in _files(solution, figure, lang, each(path, problem.id, len(found)), dpi, upto):
                 put(target, data)
             warn(problem.id, solution.warnings, lang)
             tally.weigh(problem.id, solution.construction.warning, lang)
     tally.settle()
 
 
-def _files(solution: Solution, figure: str, lang: Lang, path: Path, dpi: float) -> list[tuple[Path, bytes]]:
+def _files(solution: Solution, figure: str, lang: Lang, path: Path, dpi: float, upto: int | None) -> list[tuple[Path, bytes]]:
     if path.suffix.lower() != ".dxf":
-        return encoded(scenes(solution, figure, lang), path, dpi)
+        pages = scenes(solution, figure, lang)
+        return encoded(pages if upto is None else tuple(page.upto(upto) for page in pages), path, dpi)
     from ..export.dxf.document import figure_dxf, sheet_dxf
 
     if figure != SHEET:
-        return [(path, figure_dxf(_drawn(solution, figure), lang))]
-    pages = [sheet_dxf(solution.construction, page) for page in _sheets(solution, lang)]
-    return list(zip(_names(path, len(pages)), pages, strict=True))
+        return [(path, figure_dxf(_drawn(solution, figure), lang, upto))]
+    files = [sheet_dxf(solution.construction, page, upto) for page in _sheets(solution, lang)]
+    return list(zip(_names(path, len(files)), files, strict=True))
 
 
 def _sheets(solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
@@ -100,6 +104,16 @@ def _drawn(solution: Solution, figure: str) -> Figure:
             f"没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
             f"there is no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     return drawn
+
+
+def known_step(construction: Construction, step: int) -> int:
+    """The number of a step; raises UnknownNameError where the solution has fewer."""
+    if step > len(construction.steps):
+        raise UnknownNameError(Words(
+            f"没有第 {step} 步：题 {construction.problem} 的解答有 {len(construction.steps)} 步；vecpoly solve {construction.problem} --acts 列出各步",
+            f"there is no step {step}: the solution of {construction.problem} has {len(construction.steps)}; 'vecpoly solve {construction.problem} --acts' lists them"),
+            code="no-step", numbers={"step": step, "steps": len(construction.steps)})
+    return step
 
 
 def placed(figure: str) -> Place | None:

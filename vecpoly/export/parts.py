@@ -3,16 +3,49 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
 
 from ..errors import NoMethodError
+from ..plane.derived import Derived
 from ..words import Words
-
-if TYPE_CHECKING:
-    from .terms import Pair, Term, Terms
+from .terms import Pair, Term, Terms
 
 _REAL = {"sqrt": "sqrt", "sin": "sin", "cos": "cos", "tan": "tan", "asin": "asin", "acos": "acos", "sign": "sgn"}
+
+
+@dataclass(slots=True)
+class Numbers(Terms):
+    """The terms of one sheet, and the recorded numbers that are made of them."""
+
+    _parts: dict[int, tuple[Derived, Pair]] = field(default_factory=dict)  # by identity, which keeps the numbers alive
+
+    def parts(self, value: complex | Derived) -> Pair:
+        """Both parts of a recorded number, or of a constant."""
+        if type(value) is not Derived:
+            return self.number(complex(value).real), self.number(complex(value).imag)
+        for one in _from_the_leaves(value, self._parts):
+            self._parts[id(one)] = one, self._split(one)
+        return self._parts[id(value)][1]
+
+    def _split(self, one: Derived) -> Pair:
+        if one.op == "variable":
+            return self.variable(str(one.args[0])), self.number(0.0)
+        return split(self, one.op, [self._parts[id(a)][1] if type(a) is Derived else self.parts(a) for a in one.args])
+
+
+def _from_the_leaves(value: Derived, known: Mapping[int, Any]) -> Iterator[Derived]:
+    """What the number is made of, each before what is made of it; without what is known."""
+    waiting, seen = [(value, False)], set(known)
+    while waiting:
+        one, ready = waiting.pop()
+        if ready:
+            yield one
+        elif id(one) not in seen:
+            seen.add(id(one))
+            waiting.append((one, True))
+            waiting.extend((arg, False) for arg in one.args if type(arg) is Derived)
 
 
 def split(t: Terms, op: str, args: Sequence[Pair]) -> Pair:

@@ -20,7 +20,8 @@ from ..problem.problem import Problem
 from ..solution import constructed
 from ..words import Words
 from .ink import stale
-from .terms import Term, Terms, values
+from .parts import Numbers
+from .terms import Term, values
 
 PLACES = 24  # on either side of the given position, at which the recorded drawing is compared with one drawn anew
 BEFORE = 0.37  # of a step: where it is tried, so that round angles, at which vectors may vanish, are not met
@@ -34,7 +35,7 @@ class Recording:
 
     problem: Problem
     desk: Desk
-    terms: Terms
+    terms: Numbers
     variable: str
     low: float
     high: float
@@ -55,7 +56,7 @@ def record(problem: Problem) -> Recording:
     """
     problem = moving(problem)
     drive, scales = problem.mechanism.drive, scales_of(problem)
-    desk, terms = drawn_exactly(problem, scales, recorded=True), Terms()
+    desk, terms = drawn_exactly(problem, scales, recorded=True), Numbers()
     name = f"{'s' if drive.slide else 'phi'}_{drive.link}"
     proof = _Proof(problem, scales, terms, name, desk.board.acts)
     low, high = proof.range()
@@ -106,7 +107,7 @@ class _Proof:
     """The recorded drawing beside drawings made anew; fails, stale: the answers, and the acts, that do not follow."""
 
     def __init__(
-        self, problem: Problem, scales: dict[View, Scale], terms: Terms, name: str, acts: Sequence[done.Act]
+        self, problem: Problem, scales: dict[View, Scale], terms: Numbers, name: str, acts: Sequence[done.Act]
     ) -> None:
         self.problem, self.scales, self.name, self.acts = problem, scales, name, acts
         spots, answers = _spots(acts), _answers(acts)

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
-
-from ..plane.derived import Derived
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,7 +53,6 @@ class Terms:
     """The terms of one sheet; equal terms are one."""
 
     _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
-    _parts: dict[int, tuple[Derived, Pair]] = field(default_factory=dict)  # by identity, which keeps the numbers alive
 
     def number(self, value: float) -> Term:
         """A constant."""
@@ -94,34 +90,6 @@ class Terms:
     def _one(self, op: str, args: tuple[Term, ...], leaf: float | str = 0.0) -> Term:
         key = (op, leaf, *map(id, args))
         return self._known.setdefault(key, Term(op, args, leaf))
-
-    def parts(self, value: complex | Derived) -> Pair:
-        """Both parts of a recorded number, or of a constant."""
-        if type(value) is not Derived:
-            return self.number(complex(value).real), self.number(complex(value).imag)
-        for one in _from_the_leaves(value, self._parts):
-            self._parts[id(one)] = one, self._split(one)
-        return self._parts[id(value)][1]
-
-    def _split(self, one: Derived) -> Pair:
-        from .parts import split
-
-        if one.op == "variable":
-            return self.variable(str(one.args[0])), self.number(0.0)
-        return split(self, one.op, [self._parts[id(a)][1] if type(a) is Derived else self.parts(a) for a in one.args])
-
-
-def _from_the_leaves(value: Derived, known: Mapping[int, Any]) -> Iterator[Derived]:
-    """What the number is made of, each before what is made of it; without what is known."""
-    waiting, seen = [(value, False)], set(known)
-    while waiting:
-        one, ready = waiting.pop()
-        if ready:
-            yield one
-        elif id(one) not in seen:
-            seen.add(id(one))
-            waiting.append((one, True))
-            waiting.extend((arg, False) for arg in one.args if type(arg) is Derived)
 
 
 def values(terms: list[Term], given: Mapping[str, float]) -> list[float]:

@@ -32,16 +32,18 @@ class Part:
     origin: complex = 0j
 
 
-def figure_dxf(figure: Figure, lang: Lang = "zh") -> bytes:
-    """One figure about its own origin."""
-    return _written((Part(figure),), (), lang)
+def figure_dxf(figure: Figure, lang: Lang = "zh", upto: int | None = None) -> bytes:
+    """One figure about its own origin; upto: as it stands after that step."""
+    return _written((Part(figure),), (), lang, upto)
 
 
-def sheet_dxf(construction: Construction, sheet: Sheet) -> bytes:
+def sheet_dxf(construction: Construction, sheet: Sheet, upto: int | None = None) -> bytes:
     """A page with its frame and title strip, the lower left corner of the paper at the origin."""
     page = Rect(0.0, 0.0, *sheet.size)
     alarm = () if sheet.warning is None else red_box(page, sheet.warning.of(sheet.lang))
-    return _written(tuple(_parts(construction, sheet)), (*furniture(page, sheet.strip, sheet.lang), *alarm), sheet.lang)
+    return _written(
+        tuple(_parts(construction, sheet)), (*furniture(page, sheet.strip, sheet.lang), *alarm), sheet.lang, upto
+    )
 
 
 def _parts(construction: Construction, sheet: Sheet) -> Iterator[Part]:
@@ -55,7 +57,7 @@ def _parts(construction: Construction, sheet: Sheet) -> Iterator[Part]:
                 yield Part(one, placed[one.view, one.name])
 
 
-def _written(parts: Sequence[Part], furnishing: Sequence[Item], lang: Lang) -> bytes:
+def _written(parts: Sequence[Part], furnishing: Sequence[Item], lang: Lang, upto: int | None) -> bytes:
     ezdxf = _library()
     doc = ezdxf.new(VERSION, units=MILLIMETRES)
     doc.header["$MEASUREMENT"] = 1
@@ -65,7 +67,7 @@ def _written(parts: Sequence[Part], furnishing: Sequence[Item], lang: Lang) -> b
         doc.styles.add(name, font=font)
     paper = Paper(doc.modelspace())
     for part in parts:
-        _figure(paper, part, lang)
+        _figure(paper, part, lang, upto)
     for item in furnishing:
         paper.item(item, SHEET)
     into = io.StringIO()
@@ -87,13 +89,14 @@ def _library() -> Any:
     return ezdxf
 
 
-def _figure(paper: Paper, part: Part, lang: Lang) -> None:
+def _figure(paper: Paper, part: Part, lang: Lang, upto: int | None) -> None:
     """Marks from the lowest to the highest, then the lettering."""
     figure, around = part.figure, Surroundings.of(part.figure.view, part.figure.marks, lang)
     for mark in figure.marks:
-        paper.mark(mark, around, part.origin)
+        if upto is None or mark.step <= upto:
+            paper.mark(mark, around, part.origin)
     drawn = drawing(figure, lang=lang)
     marked = set(drawn.obstacles)
     for item in drawn.scene.items:
-        if isinstance(item, TextBox) or item not in marked:
+        if (isinstance(item, TextBox) or item not in marked) and (upto is None or item.step <= upto):
             paper.item(item, TEXT, part.origin)

@@ -18,8 +18,9 @@ from ...methods.plan import TITLES
 from ...plane.derived import moves
 from ...quantity import number
 from ...words import Lang
+from ..parts import Numbers
 from ..recording import Recording
-from ..terms import Term, Terms, values
+from ..terms import Term, values
 from .bodies import Bodies
 from .figure import Figure
 from .labels import INDEX, caption
@@ -139,7 +140,7 @@ class _Writer:
                 self._quantity(act.key, act.value, end, part)
 
 
-def _roots(acts: Sequence[done.Act], terms: Terms) -> Iterator[Term]:
+def _roots(acts: Sequence[done.Act], terms: Numbers) -> Iterator[Term]:
     """Every term that an object will be made of."""
     for act in acts:
         for one in fields(act):

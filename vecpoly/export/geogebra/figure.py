@@ -13,7 +13,8 @@ from ...board.amended import plain_letters
 from ...board.marks import Dot, Role
 from ...board.place import View
 from ...drawing.style import Hue, Pen, kind_hue, pen
-from ..terms import Pair, Terms
+from ..parts import Numbers
+from ..terms import Pair
 from .labels import caption
 from .page import DOTTED, RING, Page
 from .spelling import Spelling
@@ -24,7 +25,7 @@ _DOTS = {Dot.JOINT: (RING, "4"), Dot.POLE: (RING, "3"), Dot.POINT: (DOTTED, "3")
 class Figure:
     """The points of one figure, and how each is written."""
 
-    def __init__(self, page: Page, terms: Terms, spelling: Spelling, view: View, anchor: str) -> None:
+    def __init__(self, page: Page, terms: Numbers, spelling: Spelling, view: View, anchor: str) -> None:
         self.page, self.terms, self.spelling, self.view, self.anchor = page, terms, spelling, view, anchor
         self.hue = kind_hue(view)
         self.points: dict[Pair, str] = {}
