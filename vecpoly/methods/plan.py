@@ -95,6 +95,19 @@ def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Rea
                         readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
 
 
+def drawn_exactly(problem: Problem, scales: Mapping[View, Scale], *, recorded: bool = False) -> Desk:
+    """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the position of the driving link."""
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        desk = draw(problem, Board(hand("exact"), scales, recorded=recorded))
+        _answers(desk, problem)
+    return desk
+
+
+def scale_symbols() -> dict[View, Scale]:
+    """A scale of one for every kind of figure."""
+    return {view: _scale(view, 1.0) for view in View}
+
+
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:
     """The scales, and the last sketch drawn to find them; none where all are given."""
     mech, drive = problem.mechanism, problem.mechanism.drive
