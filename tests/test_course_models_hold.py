@@ -1,4 +1,4 @@
-"""The printed mathematical model of every mechanism in a closed form, and of random ones, moves as the oracle does, in every stage."""
+"""The printed mathematical model of every mechanism, and of random ones, moves as the oracle does."""
 
 from __future__ import annotations
 
@@ -20,17 +20,46 @@ from vecpoly.report.course.model.build import model
 from vecpoly.report.course.model.equations import Model
 
 IDS = tuple(entry.id for entry in library() if isinstance(load(entry.id).subject, Mechanism))
-GEARED = {"crank-rack-pinion", "geared-five-bar", "hypocycloid-drive", "pinion-drives-rack", "planet-drive", "planetary-sun-drives", "rack-drives-pinion",
-          "stepped-planet", "travel-doubler"}
-FAMILIES = ("linkage-cam", "linkage-prp", "linkage-rpp", "linkage-rpr", "linkage-rrp", "linkage-rrr", "linkage-slide", "class-iii", "class-iii-slider", "cylinder-inside",
-            "cylinder-lever", "cylinder-offset", "cylinder-slider", "motor-in-hinge", "offset-slot-drives", "pin-in-two-slots", "roller", "forces-slots")
+GEARED = {
+    "crank-rack-pinion",
+    "geared-five-bar",
+    "hypocycloid-drive",
+    "pinion-drives-rack",
+    "planet-drive",
+    "planetary-sun-drives",
+    "rack-drives-pinion",
+    "stepped-planet",
+    "travel-doubler",
+}
+FAMILIES = (
+    "linkage-cam",
+    "linkage-prp",
+    "linkage-rpp",
+    "linkage-rpr",
+    "linkage-rrp",
+    "linkage-rrr",
+    "linkage-slide",
+    "class-iii",
+    "class-iii-slider",
+    "cylinder-inside",
+    "cylinder-lever",
+    "cylinder-offset",
+    "cylinder-slider",
+    "motor-in-hinge",
+    "offset-slot-drives",
+    "pin-in-two-slots",
+    "roller",
+    "forces-slots",
+)
 Vectors = tuple[str, np.ndarray, np.ndarray]  # type: ignore[type-arg]
 
 
 def modelled(mech: Mechanism) -> Model:
     """Its formulas, set up at the given position."""
     here = oracle.solve(mech)
-    at = {letter: complex(here.position(At(letter))) for link in mech.links for letter in link.points} | dict(mech.frame)
+    at = {letter: complex(here.position(At(letter))) for link in mech.links for letter in link.points} | dict(
+        mech.frame
+    )
     return model(mech, at, {link.name: float(here.angle(link.name)) for link in mech.links})
 
 
@@ -43,8 +72,11 @@ def vectors(mech: Mechanism, printed: Model) -> Iterator[Vectors]:
     """(what, by the formulas, by the oracle) of every letter's place and rates, and of every link's, that the formulas tell."""
     env, exact = printed.values(near(mech)), oracle.solve(mech, near(mech))
     for letter in {letter for link in mech.links for letter in link.points} - {*mech.frame}:
-        for x, y, there in ((f"x_{{{letter}}}", f"y_{{{letter}}}", exact.position), (f"v_{{{letter}x}}", f"v_{{{letter}y}}", exact.velocity),
-                            (f"a_{{{letter}x}}", f"a_{{{letter}y}}", exact.acceleration)):
+        for x, y, there in (
+            (f"x_{{{letter}}}", f"y_{{{letter}}}", exact.position),
+            (f"v_{{{letter}x}}", f"v_{{{letter}y}}", exact.velocity),
+            (f"a_{{{letter}x}}", f"a_{{{letter}y}}", exact.acceleration),
+        ):
             if x in env:
                 yield x, env[x] + 1j * np.asarray(env[y]), np.asarray(there(At(letter)))
     for link in mech.links:
@@ -55,7 +87,10 @@ def vectors(mech: Mechanism, printed: Model) -> Iterator[Vectors]:
 
 def off(mech: Mechanism, printed: Model) -> dict[str, float]:
     """What the formulas tell otherwise than the oracle, and what is missing of the conditions."""
-    found = {what: float(np.max(np.abs(one - two))) / max(1.0, mech.drive.rate**2, float(np.abs(two).max())) for what, one, two in vectors(mech, printed)}
+    found = {
+        what: float(np.max(np.abs(one - two))) / max(1.0, mech.drive.rate**2, float(np.abs(two).max()))
+        for what, one, two in vectors(mech, printed)
+    }
     assert len(found) >= 3
     gaps = {str(equation.node): float(np.max(gap)) for equation, gap in printed.gaps(near(mech))}
     return {what: size for what, size in (found | gaps).items() if not size < 1e-7 * max(1.0, mech.drive.rate**2)}
