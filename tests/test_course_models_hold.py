@@ -51,7 +51,7 @@ FAMILIES = (
     "roller",
     "forces-slots",
 )
-Vectors = tuple[str, np.ndarray, np.ndarray]  # type: ignore[type-arg]
+Vectors = tuple[str, np.ndarray, np.ndarray]
 
 
 def modelled(mech: Mechanism) -> Model:
@@ -63,7 +63,7 @@ def modelled(mech: Mechanism) -> Model:
     return model(mech, at, {link.name: float(here.angle(link.name)) for link in mech.links})
 
 
-def near(mech: Mechanism) -> np.ndarray:  # type: ignore[type-arg]
+def near(mech: Mechanism) -> np.ndarray:
     """The given position of the drive and two beside it."""
     return mech.drive.position + np.array([0.0, 1.0, -1.0]) * (mech.scale / 2000 if mech.drive.slide else 0.002)
 

@@ -7,8 +7,8 @@ import re
 
 import numpy as np
 import pytest
-from drawn_library import desk_of, drawn, ids
 
+from tests.drawn_library import desk_of, drawn, ids
 from vecpoly import oracle
 from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.marks import AngleMark, Arc, Dot, Point, Role, Segment, Vector

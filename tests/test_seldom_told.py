@@ -6,8 +6,8 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from drawn_library import drawn, ids
 
+from tests.drawn_library import drawn, ids
 from vecpoly.data import data_dir
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.kinematics.bars import WELD, weld

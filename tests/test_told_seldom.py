@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -11,8 +10,6 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
-from tests.generators.family import families, member
-from vecpoly import oracle
 from vecpoly.check.follow import _as_printed
 from vecpoly.check.verdict import check_printed
 from vecpoly.cli import app
@@ -20,7 +17,6 @@ from vecpoly.cli.terminal import warn
 from vecpoly.cycle import cycle
 from vecpoly.cycle.table import csv_bytes, table
 from vecpoly.errors import VecpolyError
-from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.editors.patterns import omega
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Printed
@@ -30,6 +26,7 @@ from vecpoly.report.course.modelling import _constants
 from vecpoly.report.course.motion_words import _range
 from vecpoly.report.course.numbering import Press
 from vecpoly.report.course.study import Study, study
+from vecpoly.report.flow.table import DataTable
 from vecpoly.report.values import called
 from vecpoly.solution import solve
 from vecpoly.words import Lang, Words
@@ -188,7 +185,13 @@ def families_of(it: Study) -> set[str]:
 def test_every_kind_of_symbol_in_the_formulas_stands_in_the_list_of_symbols(name: str) -> None:
     it, press = studied(name), Press("en", Objects())
     symbols.symbols(it, press)
-    told = {cell for made in press.objects.named.values() for row in made.rows for cell in (row[0], row[3])}
+    told = {
+        cell
+        for made in press.objects.named.values()
+        if isinstance(made, DataTable)
+        for row in made.rows
+        for cell in (row[0], row[3])
+    }
     listed = {symbol for cell in told for symbol in re.findall(r"\$([^$]*)\$", cell)}
     kinds = {
         f"{s.partition('_')[0]}..x" if re.fullmatch(r"[va]_\{[A-Z]\w*x\}", s) else s.partition("_")[0] for s in listed
@@ -230,32 +233,3 @@ def test_a_calculation_agrees_only_where_something_was_told_before(told: bool) -
     for words in said:
         assert ("与此一致" in words.zh) == ("agrees" in words.en) and ("表明" in words.zh) == ("shows" in words.en)
     assert ("agrees" in said[0].en) == told
-
-
-# -- driven pairs -------------------------------------------------------------------------------------------------------
-
-
-DT = 1e-5  # s
-
-
-def hastened(mech: Mechanism, accel: float) -> Mechanism:
-    """The same mechanism with this acceleration of its drive."""
-    return replace(mech, drives=(replace(mech.drive, accel=accel), *mech.drives[1:]))
-
-
-@pytest.mark.parametrize("number", [0, 1])
-@pytest.mark.parametrize("name", ["cylinder-lever", "motor-in-hinge", "cylinder-offset"])
-def test_rates_under_a_driven_pair_are_the_differences_of_what_they_are_rates_of(name: str, number: int) -> None:
-    """ω = Δφ/Δt and α = Δω/Δt at a constant rate of the drive; its acceleration a adds ω a / rate to α."""
-    one = next(each for each in families() if each.name == name)
-    mech = hastened(loads(member(one, 0, number)).mechanism, 0.0)
-    rate = mech.drive.rate
-    here = oracle.solve(mech, mech.drive.position + rate * np.array([-DT, 0.0, DT]))
-    more = oracle.solve(hastened(mech, 0.7), np.array([mech.drive.position]))
-    for link in mech.links:
-        angle, omega, alpha = (np.asarray(told(link.name)) for told in (here.angle, here.omega, here.alpha))
-        assert (angle[2] - angle[0]) / (2 * DT) == pytest.approx(omega[1], rel=1e-5, abs=1e-6)
-        assert (omega[2] - omega[0]) / (2 * DT) == pytest.approx(alpha[1], rel=1e-5, abs=1e-6)
-        assert float(np.asarray(more.alpha(link.name))[0]) == pytest.approx(
-            alpha[1] + 0.7 * omega[1] / rate, rel=1e-9, abs=1e-12
-        )

@@ -12,42 +12,43 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .answer import Answer
     from .board.slip import Mistake, Slip
     from .check.printed import PrintedCheck, check_problem
     from .check.table import TableCheck, check_table
+    from .door import Construction, Problem, Solution, load, load_assignment, loads, solve
     from .errors import VecpolyError
     from .mistakes import slips
-    from .problem.assignment import Assignment, load_assignment
-    from .problem.load import load, loads
-    from .problem.problem import Problem
+    from .problem.assignment import Assignment
     from .report.document import write_report
-    from .solution import Answer, Solution, solve
 
 __version__ = "0.1.0"
 
 _HOMES = {
-    "Answer": ("solution", "Answer"),
+    "Answer": ("answer", "Answer"),
     "Assignment": ("problem.assignment", "Assignment"),
+    "Construction": ("door", "Construction"),
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
-    "Problem": ("problem.problem", "Problem"),
+    "Problem": ("door", "Problem"),
     "Slip": ("board.slip", "Slip"),
-    "Solution": ("solution", "Solution"),
+    "Solution": ("door", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
     "check_problem": ("check.printed", "check_problem"),
     "check_table": ("check.table", "check_table"),
-    "load": ("problem.load", "load"),
-    "load_assignment": ("problem.assignment", "load_assignment"),
-    "loads": ("problem.load", "loads"),
+    "load": ("door", "load"),
+    "load_assignment": ("door", "load_assignment"),
+    "loads": ("door", "loads"),
     "slips": ("mistakes", "slips"),
-    "solve": ("solution", "solve"),
+    "solve": ("door", "solve"),
     "write_report": ("report.document", "write_report"),
 }
 
 __all__ = [
     "Answer",
     "Assignment",
+    "Construction",
     "Mistake",
     "PrintedCheck",
     "Problem",

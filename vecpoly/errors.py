@@ -177,6 +177,10 @@ class ArgumentError(VecpolyError, ValueError):
     """An argument that no function of ours takes: what it is, and what it may be."""
 
 
+class PluginError(VecpolyError, ImportError):
+    """A module that another package registers cannot be loaded."""
+
+
 class ReportTemplateError(VecpolyError, ValueError):
     """A report template that cannot be filled: file, line, cause."""
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
+from ..devices.base import Device
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
@@ -13,11 +14,6 @@ from ..words import Words
 from .asks import Ask
 from .current import current
 from .given import Datum, Given, Shape, as_printed
-
-if TYPE_CHECKING:
-    from ..devices.base import Device
-    from ..solution import Solution
-
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
@@ -94,15 +90,3 @@ class Problem:
         """The device; a problem about a mechanism has none."""
         assert not isinstance(self.subject, Mechanism), f"problem {self.id} is about a mechanism"
         return self.subject
-
-    def solve(self, *, by: str = "drafting", seed: int = 0) -> Solution:
-        """Draw the solution of this problem by a hand: exact, drafting or pencil."""
-        from ..solution import solve
-
-        return solve(self, by=by, seed=seed)
-
-    def _repr_svg_(self) -> str:
-        """The kinematic diagram in Jupyter."""
-        from ..notebook import problem_svg
-
-        return problem_svg(self)
