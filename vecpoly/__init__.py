@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .check.table import TableCheck, check_table
     from .door import Construction, Problem, Solution, load, load_assignment, loads, solve
     from .errors import VecpolyError
+    from .live import Redrawn, redraw
     from .mistakes import slips
     from .problem.assignment import Assignment
     from .report.document import write_report
@@ -31,6 +32,7 @@ _HOMES = {
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("door", "Problem"),
+    "Redrawn": ("live", "Redrawn"),
     "Slip": ("board.slip", "Slip"),
     "Solution": ("door", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
@@ -40,6 +42,7 @@ _HOMES = {
     "load": ("door", "load"),
     "load_assignment": ("door", "load_assignment"),
     "loads": ("door", "loads"),
+    "redraw": ("live", "redraw"),
     "slips": ("mistakes", "slips"),
     "solve": ("door", "solve"),
     "write_report": ("report.document", "write_report"),
@@ -52,6 +55,7 @@ __all__ = [
     "Mistake",
     "PrintedCheck",
     "Problem",
+    "Redrawn",
     "Slip",
     "Solution",
     "TableCheck",
@@ -61,6 +65,7 @@ __all__ = [
     "load",
     "load_assignment",
     "loads",
+    "redraw",
     "slips",
     "solve",
     "write_report",

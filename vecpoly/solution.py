@@ -23,9 +23,10 @@ from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt
 from .frozen import FrozenMap
 from .methods.centres.compare import comparable
+from .methods.desk import Desk
 from .methods.drawn import Drawn
 from .names import Key
-from .problem.problem import Problem
+from .problem.problem import Problem, Scales
 from .task import task_of
 from .words import Words, language
 
@@ -86,11 +87,13 @@ class Solution:
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True,
-          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None, slip: Slip | None = None) -> Solution:
+          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None, slip: Slip | None = None,
+          sketch: Desk | None = None) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
     readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by somebody else: the
     construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this mistake.
+    sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is one already.
 
     precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
@@ -102,7 +105,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     size = sizes(problem, truth)
     off = noise(truth, size) if precise else dict.fromkeys(values, 0.0)
     amended = amend(readings, points, slip)
-    drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended)
+    drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts)
     read, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
     ideal, true, _ = comparable(drawn.ideal, values, {})
@@ -128,6 +131,11 @@ def fewer_digits(solution: Solution) -> Words | None:
     zh, en = "、".join(f"${symbol}$ 剩 {left} 位" for symbol, left in short), ", ".join(f"${symbol}$ {left}" for symbol, left in short)
     return Words(f"机构离死点（变点）很近，精确值的有效数字减少：{zh}。",
                  f"So near to a dead point (change point) the exact values keep only a few digits: {en}.")
+
+
+def scales_of(construction: Construction) -> Scales:
+    """The scales of a drawing; figures that lie aside have their own."""
+    return Scales({f.view.mu.key: f.scale.value for f in reversed(construction.figures) if not f.aside})
 
 
 def constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:

@@ -15,6 +15,7 @@ from .board.hand import Hand
 from .check.truth import Truth, truth_of
 from .drawing.paper import A4Paper
 from .figures import View, views
+from .methods.desk import Desk
 from .methods.drawing import Drawing, drawing_of
 from .methods.drawn import Drawn
 from .names import Key
@@ -45,9 +46,9 @@ class Task:
         """Units whose sign is a sense of turning."""
         return self.drawing.turning
 
-    def draw(self, by: Hand, amended: Amended) -> Drawn:
-        """The construction, each figure as large as its place on the sheet allows."""
-        return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation == "landscape"), amended)
+    def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
+        """The construction, each figure as large as its place on the sheet allows; sketch: of this problem, where there is one."""
+        return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation == "landscape"), amended, sketch)
 
 
 def task_of(problem: Problem) -> Task:

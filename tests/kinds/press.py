@@ -24,6 +24,7 @@ from vecpoly.board.scales import round_scale
 from vecpoly.check.truth import ActsAt, Values, knows, size_of
 from vecpoly.formula import Txt
 from vecpoly.frozen import FrozenMap
+from vecpoly.methods.desk import Desk
 from vecpoly.methods.drawing import Paper, draws
 from vecpoly.methods.drawn import Drawn
 from vecpoly.names import Named, Rel
@@ -65,7 +66,7 @@ def problem(*moments: tuple[float, float], scales: Mapping[str, float]) -> Probl
 class PressDrawing:
     turning = ()
 
-    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
+    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         assert isinstance(problem.subject, Press)
         scale = _scale(problem, problem.subject, paper)
         board, ideal = (

@@ -12,6 +12,7 @@ from ..errors import NoMethodError
 from ..plugins import load_modules
 from ..problem.problem import Problem
 from ..words import Words
+from .desk import Desk
 from .drawn import Drawn
 
 Size = tuple[float, float]
@@ -39,7 +40,7 @@ class Drawing(Protocol):
     @property
     def turning(self) -> tuple[str, ...]: ...
 
-    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
+    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """The construction, by all hands and by the ideal one. Raises AssemblyError, DeadPointError, NoMethodError."""
         ...
 

@@ -13,6 +13,7 @@ from ..drawing.scene import Rect
 from ..figures import views
 from ..figures.mu import LENGTH
 from ..problem.problem import Scales
+from ..solution import scales_of
 
 SIDE = 150.0  # mm: a pane is no wider and no higher, unless the given polygon needs more
 AMPLE = 1.3  # of the given polygon: a pane may always be so large
@@ -21,11 +22,6 @@ COARSE = (1.0, 2.0, 5.0, 10.0)  # steps of the scales of those that do not: few 
 POLE = Rect(0.0, 0.0, 0.0, 0.0)
 
 Panes = Mapping[str, Rect]
-
-
-def scales_of(construction: Construction) -> Scales:
-    """The scales of a drawing; figures that lie aside have their own."""
-    return Scales({f.view.mu.key: f.scale.value for f in reversed(construction.figures) if not f.aside})
 
 
 def fitted(places: Sequence[Construction], start: int) -> list[Scales]:

@@ -9,6 +9,7 @@ from ...board.hand import Hand
 from ...board.place import View, views
 from ...mechanism.model import Mechanism
 from ...problem.problem import Problem
+from ..desk import Desk
 from ..drawing import Paper, draws
 from ..drawn import Drawn
 from ..passes import needs_centres, stages
@@ -23,13 +24,13 @@ class Analysis:
 
     turning = ("rad/s", "rad/s^2", "N·m")
 
-    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
+    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """Each figure as large as its place on the sheet allows."""
         if problem.loads is not None:
-            return construct(problem, by, _of_forces(paper), amended=amended)
+            return construct(problem, by, _of_forces(paper), amended=amended, sketch=sketch)
         drawn = sorted({View.MECHANISM, *(stage.view for stage in stages(problem))})
         places = paper.slots(len(drawn) + needs_centres(problem))
-        return construct(problem, by, dict(zip(drawn, places, strict=False)), paper.fits, amended)
+        return construct(problem, by, dict(zip(drawn, places, strict=False)), paper.fits, amended, sketch)
 
 
 def _of_forces(paper: Paper) -> Mapping[View, tuple[float, float]]:

@@ -6,6 +6,7 @@ from ...board.amended import Amended
 from ...board.hand import Hand
 from ...devices.base import Device
 from ...problem.problem import Problem
+from ..desk import Desk
 from ..devices.plan import construct_device
 from ..drawing import Paper, draws
 from ..drawn import Drawn
@@ -17,6 +18,6 @@ class DeviceDrawing:
 
     turning = ("rad/s", "rad/s^2")
 
-    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended) -> Drawn:
+    def draw(self, problem: Problem, by: Hand, paper: Paper, amended: Amended, sketch: Desk | None = None) -> Drawn:
         """Figures of the size in which they are usually drawn."""
         return construct_device(problem, by, {}, amended)
