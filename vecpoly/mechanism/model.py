@@ -62,6 +62,7 @@ class Prismatic:
     offset: float = 0.0
     turn: float = 0.0
     through: str = ""  # letter of the point of the guide link from which the line is set out, if any
+    towards: str = ""  # and that of the point to which it runs, where two letters give it
     pin_in_slot: bool = False
 
 
