@@ -12,14 +12,18 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .board.construction import Construction
     from .board.slip import Mistake, Slip
     from .check.printed import PrintedCheck, check_problem
     from .check.table import TableCheck, check_table
     from .errors import VecpolyError
+    from .mechanism.model import Mechanism
     from .mistakes import slips
     from .problem.assignment import Assignment, load_assignment
     from .problem.load import load, loads
+    from .problem.made import build_mechanism, problem
     from .problem.problem import Problem
+    from .record import from_json, to_json
     from .report.document import write_report
     from .solution import Answer, Solution, solve
 
@@ -28,6 +32,8 @@ __version__ = "0.1.0"
 _HOMES = {
     "Answer": ("solution", "Answer"),
     "Assignment": ("problem.assignment", "Assignment"),
+    "Construction": ("board.construction", "Construction"),
+    "Mechanism": ("mechanism.model", "Mechanism"),
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("problem.problem", "Problem"),
@@ -35,19 +41,25 @@ _HOMES = {
     "Solution": ("solution", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
+    "build_mechanism": ("problem.made", "build_mechanism"),
     "check_problem": ("check.printed", "check_problem"),
     "check_table": ("check.table", "check_table"),
+    "from_json": ("record", "from_json"),
     "load": ("problem.load", "load"),
     "load_assignment": ("problem.assignment", "load_assignment"),
     "loads": ("problem.load", "loads"),
+    "problem": ("problem.made", "problem"),
     "slips": ("mistakes", "slips"),
     "solve": ("solution", "solve"),
+    "to_json": ("record", "to_json"),
     "write_report": ("report.document", "write_report"),
 }
 
 __all__ = [
     "Answer",
     "Assignment",
+    "Construction",
+    "Mechanism",
     "Mistake",
     "PrintedCheck",
     "Problem",
@@ -55,13 +67,17 @@ __all__ = [
     "Solution",
     "TableCheck",
     "VecpolyError",
+    "build_mechanism",
     "check_problem",
     "check_table",
+    "from_json",
     "load",
     "load_assignment",
     "loads",
+    "problem",
     "slips",
     "solve",
+    "to_json",
     "write_report",
 ]
 

@@ -174,6 +174,10 @@ class ArgumentError(VecpolyError, ValueError):
     """An argument that no function of ours takes: what it is, and what it may be."""
 
 
+class MissingPackageError(VecpolyError, ImportError):
+    """What needs a package that is not installed: which, and what goes without it."""
+
+
 class ReportTemplateError(VecpolyError, ValueError):
     """A report template that cannot be filled: file, line, cause."""
 

@@ -10,7 +10,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import degrees, isclose, remainder, tau
 
-from ..mechanism.model import Circle, Drive, Mechanism, Rolling
+from ..mechanism.dimensions import Dimension, Led, Part, Placed, dimensions, upright, value
+from ..mechanism.loads import Loads
+from ..mechanism.model import Circle, Drive, Mechanism, Prismatic, Rolling
 from .given import Datum, Given
 
 _ENDS = re.compile(r"l_([A-Z][a-z']?\d*)([A-Z][a-z']?\d*)")
@@ -18,14 +20,16 @@ _SAME = 1e-9  # relative
 Values = Mapping[str, float]  # symbol -> SI value
 
 
-def current(given: Given, mech: Mechanism) -> Given:
-    """The data with every bound one as the mechanism has it now."""
-    values = _values(given, mech)
+def current(given: Given, mech: Mechanism, loads: Loads | None = None) -> Given:
+    """The data with every bound one as the mechanism and its loads have it now."""
+    values = _values(given, mech) | (_acting(loads) if loads else {})
     if given.bound is None:
-        data = (*given.lengths, *given.motion)
-        return replace(given, bound=frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si)), lead=_lead(given, mech.drive))
+        data = (*given.lengths, *given.motion, *given.loads)
+        same = frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si))
+        return replace(given, bound=same, lead=_lead(given, mech.drive))
     stale = {symbol: values[symbol] for symbol in given.bound if symbol in values}
-    return replace(given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, lambda d, v: _motion(d, v, mech.drive)))
+    return replace(given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, lambda d, v: _motion(d, v, mech.drive)),
+                   loads=_renewed(given.loads, stale, _load))
 
 
 def _renewed(data: tuple[Datum, ...], now: Values, written: Callable[[Datum, float], str]) -> tuple[Datum, ...]:
@@ -40,10 +44,32 @@ def _values(given: Given, mech: Mechanism) -> dict[str, float]:
         link = next((link for link in mech.links if ends and set(ends.groups()) <= link.points.keys()), None)
         if ends and link:
             found[datum.symbol] = abs(link.points[ends[1]] - link.points[ends[2]])
+    for one in dimensions(mech):
+        if symbol := _symbol(mech, one):
+            found[symbol] = value(mech, one)
     drive = mech.drive
     place, rate, accel = ("s", "v", "a") if drive.slide else ("φ", "ω", "α")
     lead = _lead(given, drive) if given.lead is None else given.lead
     return found | {f"{place}_{drive.link}": drive.position - lead, f"{rate}_{drive.link}": drive.rate, f"{accel}_{drive.link}": drive.accel}
+
+
+def _symbol(mech: Mechanism, one: Dimension) -> str:
+    """How an angle of a point on its link, or the place of a fixed guide, is printed; other dimensions have no such symbol."""
+    match one:
+        case Placed(link=name, places=(i,), part=Part.ANGLE):
+            placement = mech.link(name).placements[i]
+            return f"∠{placement.base[1]}{placement.base[0]}{placement.point}" if len(placement.base) == 2 else ""
+        case Led(joint=i, part=Part.PLACE) if isinstance(guide := mech.joints[i], Prismatic):
+            return f"{'x' if upright(guide) else 'y'}_{guide.pin}"
+        case _:
+            return ""
+
+
+def _acting(loads: Loads) -> dict[str, float]:
+    """Symbol → size of the known loads, masses, moments of inertia."""
+    sizes = {load.name: load.size for load in loads.all if load.size is not None}
+    masses = {f"m_{mass.link}": mass.mass for mass in loads.masses}
+    return sizes | masses | {f"J_{{{mass.centre}}}": mass.inertia for mass in loads.masses}
 
 
 def _circles(mech: Mechanism) -> list[Circle]:
@@ -63,7 +89,18 @@ def _same(now: float, before: float) -> bool:
 
 
 def _length(datum: Datum, value: float) -> str:
-    return f"{1e3 * value:.6g} mm"
+    return f"{degrees(value):.6g} deg" if datum.symbol.startswith("∠") else f"{1e3 * value:.6g} mm"
+
+
+def _load(datum: Datum, value: float) -> str:
+    """In the unit in which it was written, if that is one of SI's; a moment with its sense."""
+    if datum.symbol.startswith("m_"):
+        return f"{value:.6g} kg"
+    if datum.symbol.startswith("J_"):
+        return f"{value:.6g} kg·m²"
+    if "·m" not in datum.text:
+        return f"{value:.6g} N"
+    return f"{abs(value):.6g} N·m{' ccw' if value > 0 else ' cw' if value < 0 else ''}"
 
 
 def _motion(datum: Datum, value: float, drive: Drive) -> str:

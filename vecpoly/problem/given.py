@@ -28,7 +28,7 @@ class Shape(StrEnum):
 class Datum:
     """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
 
-    Where no symbol is usual, the symbol is empty and `words` say it all.
+    Where no symbol is usual, the symbol is empty and `words` say it all. Words with a symbol have a gap `{}` for the value.
     """
 
     symbol: str = ""
@@ -38,7 +38,8 @@ class Datum:
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
-        return as_printed(self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}", lang)
+        told = self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}"
+        return as_printed(told.replace("{}", self.text) if self.symbol else told, lang)
 
 
 _LONG = re.compile(r"\d+\.\d{4,}")  # more digits than a person writes

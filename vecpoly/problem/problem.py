@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
@@ -13,8 +14,11 @@ from ..words import Words
 from .asks import Ask
 from .current import current
 from .given import Datum, Given, Shape, as_printed
+from .held import Held
+from .written import Written
 
 if TYPE_CHECKING:
+    from ..cycle import Cycle
     from ..devices.base import Device
     from ..solution import Solution
 
@@ -66,22 +70,23 @@ class Problem:
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()
-    tables: tuple[Path, ...] = ()  # printed tables over the cycle
+    tables: tuple[Path | Held, ...] = ()  # printed tables over the cycle
     given: Given = field(default_factory=Given)
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
     read: tuple[Path, ...] = ()  # these files
     warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant
+    written: Written | None = field(default=None, repr=False, compare=False)  # the values it was built from
 
     @property
     def files(self) -> tuple[Path, ...]:
         """All files that the problem was read from, and its printed tables."""
-        return (*((self.path,) if self.path else ()), *self.read, *self.tables)
+        return (*((self.path,) if self.path else ()), *self.read, *(table for table in self.tables if isinstance(table, Path)))
 
     def __post_init__(self) -> None:
         if isinstance(self.subject, Mechanism):
-            object.__setattr__(self, "given", current(self.given, self.subject))
+            object.__setattr__(self, "given", current(self.given, self.subject, self.loads))
 
     @property
     def mechanism(self) -> Mechanism:
@@ -100,6 +105,35 @@ class Problem:
         from ..solution import solve
 
         return solve(self, by=by, seed=seed)
+
+    def vary(self, **changes: Any) -> Problem:
+        """The same problem with other values: vary(AB="120 mm", phi="30 deg", F="200 N"); numbers are in SI.
+
+        `parameters` has the names. Raises UnknownNameError for any other, ProblemFileError for what no problem file may hold.
+        """
+        from .vary import vary
+
+        return vary(self, changes)
+
+    @property
+    def parameters(self) -> Mapping[str, str]:
+        """The names by which values may be varied, with what is written: {'AB': '30 mm', 'phi': '60 deg', ...}."""
+        from .vary import parameters
+
+        return parameters(self)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """What it says as a plain dictionary of texts, as a problem file has it; vecpoly.problem(data) makes the problem again."""
+        from .vary import data_of
+
+        return data_of(self)
+
+    def cycle(self, n: int = 361) -> Cycle:
+        """The mechanism at n positions over its whole cycle: columns as numpy arrays, or as a DataFrame."""
+        from ..cycle import cycle
+
+        return cycle(self, n)
 
     def _repr_svg_(self) -> str:
         """The kinematic diagram in Jupyter."""
