@@ -22,13 +22,14 @@ Values = Mapping[str, float]  # symbol -> SI value
 
 def current(given: Given, mech: Mechanism, loads: Loads | None = None) -> Given:
     """The data with every bound one as the mechanism and its loads have it now."""
+    if given.bound is None:
+        given = replace(given, leads=_leads(given, mech))
     values = _values(given, mech) | (_acting(loads) if loads else {})
     if given.bound is None:
         data = (*given.lengths, *given.motion, *given.loads)
-        same = frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si))
-        return replace(given, bound=same, lead=_lead(given, mech.drive))
+        return replace(given, bound=frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si)))
     stale = {symbol: values[symbol] for symbol in given.bound if symbol in values}
-    return replace(given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, lambda d, v: _motion(d, v, mech.drive)),
+    return replace(given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, _motion),
                    loads=_renewed(given.loads, stale, _load))
 
 
@@ -47,10 +48,29 @@ def _values(given: Given, mech: Mechanism) -> dict[str, float]:
     for one in dimensions(mech):
         if symbol := _symbol(mech, one):
             found[symbol] = value(mech, one)
-    drive = mech.drive
-    place, rate, accel = ("s", "v", "a") if drive.slide else ("φ", "ω", "α")
-    lead = _lead(given, drive) if given.lead is None else given.lead
-    return found | {f"{place}_{drive.link}": drive.position - lead, f"{rate}_{drive.link}": drive.rate, f"{accel}_{drive.link}": drive.accel}
+    for drive in mech.drives:
+        places, rate, accel = _symbols(mech, drive)
+        found |= {place: drive.position - given.leads.get(place, 0.0) for place in places} | {rate: drive.rate, accel: drive.accel}
+    return found
+
+
+def _symbols(mech: Mechanism, drive: Drive) -> tuple[tuple[str, ...], str, str]:
+    """How the place (one of these), the rate and the acceleration of a drive are printed."""
+    if not drive.slide:
+        pair = f"{drive.link}{drive.on}" if drive.between else drive.link
+        return (f"φ_{pair}",), f"ω_{pair}", f"α_{pair}"
+    guide = next((j for j in mech.joints if isinstance(j, Prismatic) and (j.block, j.guide) == (drive.link, drive.on)), None)
+    if guide is None or not drive.between:
+        return (f"s_{drive.link}",), f"v_{drive.link}", f"a_{drive.link}"
+    ends = "".join(next(iter(mech.link(name).points)) for name in (drive.on, drive.link))
+    pair = f"{guide.pin}{drive.link}{guide.pin}{drive.on}"
+    return (f"s_{drive.link}{drive.on}", f"l_{ends}"), f"v_{pair}", f"a^r_{pair}"
+
+
+def _leads(given: Given, mech: Mechanism) -> dict[str, float]:
+    """How far each drive's own coordinate is ahead of its datum: an angle may count from a line of the frame, or to another point."""
+    data = {datum.symbol: datum.si for datum in given.motion}
+    return {place: drive.position - data[place] for drive in mech.drives for place in _symbols(mech, drive)[0] if place in data}
 
 
 def _symbol(mech: Mechanism, one: Dimension) -> str:
@@ -78,12 +98,6 @@ def _circles(mech: Mechanism) -> list[Circle]:
     return [circle for pair in pairs for circle in pair if isinstance(circle, Circle)]
 
 
-def _lead(given: Given, drive: Drive) -> float:
-    """How far the drive's own coordinate is ahead of the datum: the angle may count from a line of the frame, or to another point."""
-    datum = next((d for d in given.motion if d.symbol == f"{'s' if drive.slide else 'φ'}_{drive.link}"), None)
-    return 0.0 if datum is None else drive.position - datum.si
-
-
 def _same(now: float, before: float) -> bool:
     return isclose(now, before, rel_tol=_SAME, abs_tol=1e-15)
 
@@ -103,7 +117,7 @@ def _load(datum: Datum, value: float) -> str:
     return f"{abs(value):.6g} N·m{' ccw' if value > 0 else ' cw' if value < 0 else ''}"
 
 
-def _motion(datum: Datum, value: float, drive: Drive) -> str:
+def _motion(datum: Datum, value: float) -> str:
     sense = " ccw" if value > 0 else " cw" if value < 0 else ""
     match datum.symbol[0]:
         case "φ":
@@ -112,6 +126,6 @@ def _motion(datum: Datum, value: float, drive: Drive) -> str:
             return f"{abs(value):.6g} rad/s{sense}"
         case "α":
             return f"{abs(value):.6g} rad/s^2{sense}"
-        case "s":
+        case "s" | "l":
             return f"{1e3 * value:.6g} mm"
     return f"{value:.6g} {'m/s' if datum.symbol[0] == 'v' else 'm/s^2'}"

@@ -68,7 +68,8 @@ class Given:
     letters: tuple[str, ...] = ()  # frame's letters first, then by link
     shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
     bound: frozenset[str] | None = None  # symbols of which the mechanism is believed (see `current`); None: not yet found
-    lead: float | None = None  # how far the drive's coordinate is ahead of its datum (rad, or m)
+    leads: Mapping[str, float] = field(default_factory=dict)  # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "shapes", FrozenMap(dict(self.shapes)))
+        for name in ("shapes", "leads"):
+            object.__setattr__(self, name, FrozenMap(dict(getattr(self, name))))
