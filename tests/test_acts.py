@@ -181,3 +181,11 @@ def test_a_key_on_two_figures_is_told_by_its_figure(problem: str) -> None:
     for act in acts:
         if isinstance(act, KINDS):
             assert act.number in numbers(acts, named(act))
+
+
+def test_what_the_readme_shows_of_acts_works() -> None:
+    problem = load("3-9")
+    moved = solve(problem, points={"c2": (30, 20)}, repeats=0)
+    assert next(act.at for act in moved.construction.acts if isinstance(act, Locate) and act.key == "c2") == 30 + 20j
+    assert Slip(Mistake.HALVED, "ak_C2C3") in slips(problem)
+    assert solved("3-9").construction.depends("a_D")[:3] == ("A", "C", "B")

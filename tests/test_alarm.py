@@ -18,7 +18,7 @@ from vecpoly.answer import YES_NO
 from vecpoly.check.alarm import Cause, Weighed, alarm_at
 from vecpoly.cli.app import app
 from vecpoly.cli.errors import SUSPECT
-from vecpoly.errors import DeadPointError, VecpolyError
+from vecpoly.errors import DeadPointError, NotAskedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.library import entries
 from vecpoly.solution import fewer_digits
@@ -215,3 +215,19 @@ def test_an_answer_of_yes_or_no_carries_the_flag_too() -> None:
                for answer in solve(problem, repeats=0).answers.values() if answer.reading.unit == YES_NO]
     assert len(answers) > 10
     assert all(answer.as_json()["suspect"] is False for answer in answers)
+
+
+def test_what_cannot_be_read_on_paper_is_refused_by_name() -> None:
+    text = """
+id: far
+title: a point 18 km away
+frame: {A: [0 mm, 0 mm], D: [164 mm, 148 mm]}
+links: {1: {AB: 46 mm}, 2: {block: B}, 3: {slot: D, C: {along: D, at: 221 mm, left: 18 km}}}
+joints: [2 slides in 3]
+input: {link: 1, phi: 1 deg, omega: 4 rad/s}
+find: [v_C, an_B]
+"""
+    assert not solve(loads(text), by="exact", repeats=0).suspect
+    with pytest.raises(NotAskedError, match="its lines on paper have no length") as caught:
+        solve(loads(text))
+    assert caught.value.code == "unreadable" and "没有长度" in caught.value.words.zh

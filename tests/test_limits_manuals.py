@@ -12,7 +12,7 @@ from vecpoly import limits
 
 DOCS = Path(__file__).parent.parent / "docs"
 EN, ZH = ((DOCS / name).read_text(encoding="utf-8") for name in ("limits.md", "limits.zh.md"))
-TOLD = (limits.SCALAR, limits.PROSE, limits.ENTRIES, limits.TABLE_ROWS, limits.TABLE_COLUMNS, limits.CELL, limits.REPEATS, limits.POSITIONS, limits.DEPTH, limits.EXTENDS)
+TOLD = (limits.SCALAR, limits.PROSE, limits.ENTRIES, limits.TABLE_ROWS, limits.TABLE_COLUMNS, limits.CELL, limits.REPEATS, limits.POSITIONS, limits.DEPTH, limits.EXTENDS, limits.FAULTS)
 
 
 def rows(text: str) -> list[list[str]]:

@@ -99,7 +99,7 @@ CASES = {
     "a key of no load": ("find: [M_1", "find: [M_2", "line 21", "find[0]", "'M_2' is no quantity of these loads; did you mean"),
     "a reaction of links that do not touch": ("R_12]", "R_13]", "line 21", "find[1]", "'R_13' is no quantity of these loads; did you mean"),
     "a printed force in metres": ("find:", "printed: [{symbol: R_12, value: 3 m}]\nfind:", "line 21", "printed[0]", "is a length; write e.g. 1000 N"),
-    "a printed efficiency in newtons": ("find:", "printed: [{symbol: eta, value: 3 N}]\nfind:", "line 21", "printed[0].value", "write e.g. 0.85 or 85 %"),
+    "a printed efficiency in newtons": ("find:", "printed: [{symbol: eta, value: 3 N}]\nfind:", "line 21", "printed[0].value", "write e.g. 0.85 (85 %)"),
     "a bad force scale": ("find:", "scales: {mu_F: 3 mm}\nfind:", "line 21", "scales.mu_F", "write e.g. 10 N/mm"),
     "a sense alone, with masses": ("omega: 10 rad/s ccw", "omega: ccw", "line 9", "input", "inertia forces need the angular velocity as a number"),
 }

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from vecpoly.errors import ProblemFileError
+from vecpoly.limits import FAULTS
 from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Side
 from vecpoly.problem.assignment import is_assignment, load_assignment
 from vecpoly.problem.branches import read_branch
@@ -251,3 +253,28 @@ def test_what_a_link_is_does_not_depend_on_the_order_of_its_keys(link: str) -> N
     mech = loads(text).mechanism
     assert mech.link("1").points == {"A": 0j, "B": pytest.approx(0.03)}
     assert mech.contacts[0].disc.radius == pytest.approx(0.012) and mech.contacts[0].disc.centre == "B"
+
+
+def test_of_very_many_faults_a_message_lists_the_first_and_data_hold_all() -> None:
+    asked = ", ".join(f"v_X{n}" for n in range(60))
+    with pytest.raises(ProblemFileError) as caught:
+        loads(f"id: x\ntitle: x\nframe: {{A: [0 mm, 0 mm]}}\nlinks: {{1: {{AB: 20 mm}}}}\ninput: {{link: 1, phi: 50 deg, omega: ccw}}\nfind: [{asked}]\n")
+    assert len(caught.value.faults) == 60
+    assert len(str(caught.value).splitlines()) == FAULTS + 1 and "and 40 more" in str(caught.value) and "另有 40 处" in caught.value.words.zh
+
+
+@pytest.mark.parametrize("link", [
+    "{slot: A, G: {AG: 45 mm, angle: 60 deg from line}, E: {along: AG, at: 50 mm}}",
+    "{slot: A, E: {along: AG, at: 50 mm}, G: {AG: 45 mm, angle: 60 deg from line}}",
+    "{E: {AE: 50 mm, EG: 5 mm, side: left of AG}, slot: A, G: {AG: 45 mm, angle: 60 deg from line}}",
+])
+def test_a_ray_to_a_point_that_is_set_out_further_on_goes_to_that_point(link: str) -> None:
+    text = f"id: x\ntitle: x\nframe: {{A: [0 mm, 0 mm], C: [60 mm, 0 mm]}}\nlinks: {{1: {{CB: 20 mm}}, 2: {{block: B}}, 3: {link}}}\njoints: [2 slides in 3]\ninput: {{link: 1, phi: 50 deg, omega: ccw}}\n"
+    points = loads(text).mechanism.link("3").points
+    assert points["E"] == pytest.approx(points["G"] * 50 / 45)
+
+
+def test_a_ray_to_a_point_that_is_nowhere_is_refused() -> None:
+    text = "id: x\ntitle: x\nframe: {A: [0 mm, 0 mm]}\nlinks: {1: {AB: 20 mm}, 2: {slot: B, E: {along: BZ, at: 50 mm}}}\ninput: {link: 1, phi: 50 deg, omega: ccw}\n"
+    with pytest.raises(ProblemFileError, match=r"links.2: point 'Z' does not exist"):
+        loads(text)

@@ -41,8 +41,9 @@ def _known(given: Iterable[str], acts: Sequence[Act], what: Words) -> None:
             near = get_close_matches(key, there, n=3, cutoff=0.4) or there
             raise UnknownNameError(Words(f"图上没有名为 {key} 的{what.zh}；有 {'、'.join(near)}", f"there is no {what.en} '{key}' on the sheet; there are {', '.join(near)}"), code="unknown-act")
         if len(figures) > 1:
-            raise UnknownNameError(Words(f"{what.zh} {key} 在几个图上都有；请写 {'、'.join(f'{figure}:{key}' for figure in figures)}",
-                                         f"the {what.en} '{key}' stands on several figures; write {', '.join(f'{figure}:{key}' for figure in figures)}"), code="ambiguous-act")
+            full = [f"{figure}:{key}" for figure in figures]
+            raise UnknownNameError(Words(f"{what.zh} {key} 在几个图上都有；请写 {'、'.join(full)} 之一",
+                                         f"the {what.en} '{key}' stands on several figures; write one of {', '.join(full)}"), code="ambiguous-act")
 
 
 def _plain(key: str) -> str:

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
+from .limits import FAULTS
 from .words import Words
 
 Path = tuple[str | int, ...]
@@ -124,8 +125,10 @@ class VecpolyError(Exception):
 
     @classmethod
     def of(cls, *faults: Fault) -> Self:
-        """One refusal of all these faults, a line each."""
-        zh, en = ("\n".join(fault.words.of(lang) for fault in faults) for lang in ("zh", "en"))
+        """One refusal of all these faults, a line each; of very many the first."""
+        zh, en = ("\n".join(fault.words.of(lang) for fault in faults[:FAULTS]) for lang in ("zh", "en"))
+        if more := len(faults[FAULTS:]):
+            zh, en = f"{zh}\n……另有 {more} 处；请先改正以上各处", f"{en}\n... and {more} more; correct these first"
         return cls(Words(zh, en), code=faults[0].code, numbers=faults[0].numbers, faults=faults)
 
 

@@ -13,6 +13,7 @@ PROSE = 4_000  # characters of a statement, source, erratum or note
 ENTRIES = 200  # of one list or mapping: links, joints, questions, printed answers
 EXTENDS = 20  # files that extend each other
 ECHO = 80  # characters of a value that a message repeats
+FAULTS = 20  # of one file that a message lists; programs get all
 
 # Numbers
 MOST, LEAST = 1e20, 1e-20  # of any number; of any quantity in SI

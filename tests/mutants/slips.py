@@ -31,13 +31,13 @@ class Mutant:
 
 
 def mutants(path: Path, source: str) -> Iterator[Mutant]:
-    """Every slip that can be made in a file, one at a time."""
+    """Every slip that can be made in a file, one at a time; few of them do not compile."""
     lines = source.encode().splitlines(keepends=True)
     for function, node in _nodes(ast.parse(source), ""):
         for kind, part, after in _slips(node):
             before = ast.get_source_segment(source, part) or ""
             text = _spliced(lines, part, after)
-            if before != after and _compiles(text):
+            if before != after:
                 yield Mutant(path=path, line=part.lineno, function=function, kind=kind, before=before, after=after, text=text)
 
 
@@ -119,7 +119,8 @@ def _spliced(lines: list[bytes], part: ast.expr | ast.stmt, after: str) -> str:
     return b"".join([*lines[:first], head + after.encode() + tail, *lines[last + 1:]]).decode()
 
 
-def _compiles(text: str) -> bool:
+def compiles(text: str) -> bool:
+    """Whether the spoilt file is Python at all."""
     try:
         compile(text, "mutant", "exec")
     except (SyntaxError, ValueError):

@@ -7,16 +7,21 @@ forgotten. Slips outside of functions are not tried, and a test that starts anot
 from __future__ import annotations
 
 import gc
+import importlib
 import os
+import pkgutil
 import signal
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
+from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
 
 import pytest
 from _pytest.runner import runtestprotocol
+
+import vecpoly
 
 from .slips import Mutant
 from .touched import ROOT, forget
@@ -57,7 +62,9 @@ def try_all(mutants: Iterable[Mutant], chosen: Chosen | None, files: Sequence[st
 
 
 def _functions() -> dict[tuple[str, str], list[FunctionType]]:
-    """Every living function of the program by file and qualified name."""
+    """Every living function of the program by file and qualified name; a part that is imported late is imported now."""
+    for part in pkgutil.walk_packages(vecpoly.__path__, "vecpoly."):
+        importlib.import_module(part.name)
     found: dict[tuple[str, str], list[FunctionType]] = {}
     for thing in gc.get_objects():
         if isinstance(thing, FunctionType) and thing.__code__.co_filename.startswith(str(ROOT / "vecpoly")):
@@ -73,11 +80,18 @@ def _tried(mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]],
     sys.stdout.flush()
     child = os.fork()
     if child == 0:
+        _spoil(path, mutant.text)
         _run(targets, _code(compile(mutant.text, path, "exec"), outer), tests, limit)
     _, status = os.waitpid(child, 0)
     if os.WIFSIGNALED(status):
         return Fate.HUNG if os.WTERMSIG(status) == signal.SIGVTALRM else Fate.KILLED
     return Fate.SURVIVED if os.WEXITSTATUS(status) == 0 else Fate.KILLED
+
+
+def _spoil(path: str, text: str) -> None:
+    """Who reads the source reads the spoilt one."""
+    healthy = Path.read_text
+    Path.read_text = lambda self, *args, **kwargs: text if str(self) == path else healthy(self, *args, **kwargs)  # type: ignore[method-assign]
 
 
 def _code(module: CodeType, name: str) -> CodeType:

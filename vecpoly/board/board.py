@@ -11,11 +11,13 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ..errors import NotAskedError
 from ..formula import Node, Row, row
 from ..names import ascii_key
 from ..plane import Points, Reals, nominal
 from ..plane.traced import Acts, acts_of, traced
 from ..quantity import Expr, Quantity, magnitude, paper, worked
+from ..words import Words
 from . import acts as done
 from .amended import AS_DRAWN, Amended, plain_letters
 from .construction import Reading, Scale
@@ -88,9 +90,13 @@ class Board(Instruments):
         return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=float(nominal(value)), unit=unit)))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str, *, key: str = "") -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result; key: where the symbol's own is not meant."""
+        """Write symbol = formula = numbers = result into the step and go on with the result; key: where the symbol's own is not meant. NotAskedError where it is 0/0."""
         factor = FACTOR.get(self.amended.mistake(self.steps[-1].view if self.steps else None, key or ascii_key(symbol)))
         value = expr.value if factor is None else factor * expr.value
+        if np.isnan(nominal(value)):
+            raise NotAskedError(Words(
+                f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
+                f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
         self._slipped |= {key or ascii_key(symbol)} if factor is not None else set()
         act = self.log(done.Compute(head=self.head(value, key=key or ascii_key(symbol)), value=float(nominal(value)), unit=unit_text))
         result = magnitude(symbol, traced(value, act), unit_text)

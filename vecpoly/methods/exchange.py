@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from math import degrees, floor, log10, pi
+from math import degrees, floor, log10, pi, remainder
 
 import numpy as np
 
@@ -130,7 +130,7 @@ class _Trial:
         if position not in self.seen:  # the next position of the same input asks for most of these trials again
             self.seen[position] = self._drawn(position)
         miss = self.seen[position] - self.drive.position
-        return miss if self.drive.slide else _wrapped(miss)
+        return miss if self.drive.slide else remainder(miss, 2 * pi)
 
     def _drawn(self, position: float) -> float:
         """The input that this trial shows."""
@@ -163,16 +163,12 @@ class _Trial:
         return float((np.conj(along) * (tips[1] - tips[0])).real) * desk.board.scales[view].value
 
 
-def _wrapped(angle: float) -> float:
-    return float((angle + pi) % (2 * pi) - pi)
-
-
 def _position(trial: _Trial) -> float:
     """Where the other link stands when the input has its given position and the branch statements hold."""
-    mech, slide = trial.mech, trial.other.slide
-    low, high = (-REACH * mech.scale, REACH * mech.scale) if slide else (0.0, 2 * pi)
+    mech = trial.mech
+    low, high = (-REACH * mech.scale, REACH * mech.scale) if trial.other.slide else (0.0, 2 * pi)
     found = crossings(trial.gap, np.linspace(low, high, TRIALS + 1).tolist(), 1e-3 * mech.scale if trial.drive.slide else 1e-3)
-    places = [(at, trial.desk(replace(trial.other, position=at), Stage.POSITION)) for at in found]
+    places = ((at, trial.desk(replace(trial.other, position=at), Stage.POSITION)) for at in found)
     fits = [(at, desk) for at, desk in places if all(margin(s, _metres(desk)) > 0 for s in mech.branches)]
     if len(fits) > 1 and mech.guesses:
         fits = [min(fits, key=lambda fit: sum(abs(_metres(fit[1])[p] - place) for p, place in mech.guesses.items()))]

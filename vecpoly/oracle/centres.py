@@ -105,8 +105,9 @@ class Centres:
         slip, turn = first - second, float((bodies[0].alpha - bodies[1].alpha)[0])
         if abs(turn) <= ONWARD and abs(slip) <= ONWARD * self.mech.scale:
             raise NotAskedError(Words(
-                f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 此时无相对运动，瞬心不定",
-                f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other here: they have no one centre"))
+                f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 此时无相对运动，瞬心不定；请逐一写出要求的其余瞬心，以代替 centres",
+                f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other here: they have no one centre; "
+                "name the other centres that are asked, one by one, in the place of 'centres'"))
         return slip, turn
 
 

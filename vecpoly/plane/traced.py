@@ -104,6 +104,15 @@ class Traced:
         """1 for many hands, 0 for one."""
         return np.ndim(self.value)
 
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """(n,) of n hands, () of one."""
+        return np.shape(self.value)
+
+    def reshape(self, *shape: Any) -> Traced:
+        """The same numbers in another shape."""
+        return Traced(np.reshape(self.value, shape[0] if len(shape) == 1 else shape), self.acts)
+
     def __getitem__(self, which: Any) -> Traced:
         return Traced(self.value[which] if np.ndim(self.value) or which != () else self.value, self.acts)
 

@@ -11,7 +11,7 @@ from ..mechanism.statements import Form, Shaped, SideOf, Statement
 from ..words import Words
 from .bodies import Bodies
 from .draft import LETTER
-from .faults import meant
+from .faults import Faults, meant
 
 _BESIDE = re.compile(rf"({LETTER}) (?:is |on the )?(left of|right of|above|below) ({LETTER})({LETTER})?")
 _BESIDE_ZH = re.compile(rf"({LETTER})\s*在\s*({LETTER})({LETTER})?\s*的?\s*(左|右|上|下)(?:方|侧|边|面)?")
@@ -24,6 +24,18 @@ _SIDES = {
     "左": Side.LEFT, "右": Side.RIGHT, "上": Side.ABOVE, "下": Side.BELOW,
 }
 _EQUAL = 1e-9  # m
+
+
+def read_branches(texts: Iterable[str], bodies: Bodies, faults: Faults) -> tuple[Statement, ...]:
+    """The statements under `branch`; what is wrong with one is noted at its place."""
+    branches = []
+    for i, text in enumerate(texts):
+        with faults.at("branch", i):
+            statement = read_branch(text, (*bodies.letters(), *bodies.pitch))
+            if isinstance(statement, Shaped):
+                check_figure(statement, bodies)
+            branches.append(statement)
+    return tuple(branches)
 
 
 def read_branch(text: str, letters: Iterable[str]) -> Statement:

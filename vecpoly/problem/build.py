@@ -10,7 +10,7 @@ from ..errors import FaultError, VecpolyError
 from ..mechanism import mobility
 from ..mechanism.centre_quantities import centre_quantities
 from ..mechanism.loads import Loads
-from ..mechanism.model import Drive, Joint, Mechanism, Shaped, Statement
+from ..mechanism.model import Drive, Joint, Mechanism
 from ..mechanism.quantities import quantities
 from ..mechanism.seats import seated
 from ..names import At, Named, is_centre
@@ -18,7 +18,7 @@ from ..units import Dim, read
 from ..words import Words
 from .asks import Ask, AskNamed
 from .bodies import Bodies
-from .branches import check_figure, read_branch
+from .branches import read_branches
 from .contacts import is_contact, read_contact
 from .devices import about_device, build_device
 from .draft import LETTER, refuse_frame
@@ -92,7 +92,7 @@ def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mecha
     joints = _joints(spec, bodies, faults)
     say_travels(bodies.drafts.values(), joints)
     drives, motion = _inputs(spec, bodies, joints, faults)
-    branches = _branches(spec, bodies, faults)
+    branches = read_branches(spec.branch, bodies, faults)
     guesses = _points("guesses", spec.guesses, faults, bodies.letters())
     mech = Mechanism(
         frame=bodies.frame,
@@ -136,6 +136,10 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
                     f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"), code="spelling")
             bodies.drafts[name] = read_link(name, data)
             refuse_frame(bodies.drafts[name], bodies.frame)
+    for name, draft in bodies.drafts.items():
+        with faults.at("links", name):
+            if unknown := sorted(draft.towards - set(bodies.letters())):
+                raise FaultError(Words(f"点“{unknown[0]}”不存在", f"point '{unknown[0]}' does not exist") + meant(unknown[0], bodies.letters()), code="unknown-name")
     if not faults.found:
         weld_rollers(spec, bodies, faults)
     if faults.found:  # what follows would only repeat the same faults in other words
@@ -169,17 +173,6 @@ def _inputs(
             drives.append(drive)
             motion.extend(data)
     return tuple(drives), tuple(motion)
-
-
-def _branches(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Statement, ...]:
-    branches = []
-    for i, text in enumerate(spec.branch):
-        with faults.at("branch", i):
-            statement = read_branch(text, (*bodies.letters(), *bodies.pitch))
-            if isinstance(statement, Shaped):
-                check_figure(statement, bodies)
-            branches.append(statement)
-    return tuple(branches)
 
 
 def _acting(

@@ -39,6 +39,8 @@ class Draft:
     name: str
     shape: Shape = Shape.BAR
     points: dict[str, complex] = field(default_factory=dict)
+    later: frozenset[str] = frozenset()  # letters that are set out further on
+    towards: set[str] = field(default_factory=set)  # letters of other links to which rays go: CB, from the pin C of a slot to the pin B of its block
     placements: list[Placement] = field(default_factory=list)
     line: Line | None = None
     gear: Circle | None = None
@@ -92,10 +94,11 @@ def ray(draft: Draft, word: str) -> tuple[tuple[str, ...], complex, complex]:
             cmath.exp(1j * cmath.phase(draft.points[second] - draft.points[first])),
         )
     lined = draft.line is not None or draft.shape in (Shape.BLOCK, Shape.PISTON)
-    if line is None or first != line.through or not lined:
+    if line is None or first != line.through or not lined or second in draft.later:
         raise FaultError(Words(
             f"“{word}”不是构件 {draft.name} 上的射线；其上的点有 {', '.join(draft.points)}",
             f"'{word}' is no ray of link {draft.name}, whose points are {', '.join(draft.points)}"), code="spelling")
+    draft.towards |= {second} - {""}
     return (first,), draft.points[first], cmath.exp(1j * line.direction)
 
 

@@ -42,6 +42,7 @@ def read_link(name: str, data: Value) -> Draft:
 def _set_out(draft: Draft, data: Mapping[str, Value]) -> None:
     """Further points and the link's own line: each as soon as there is what it is set out from."""
     waiting: dict[str, Callable[[], None]] = {}
+    draft.later = frozenset(key for key in data if ONE.fullmatch(key))  # no ray goes to one of these before it is there
     for key, value in data.items():
         if ONE.fullmatch(key):
             waiting[key] = partial(place, draft, key, value)

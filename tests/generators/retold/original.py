@@ -79,6 +79,8 @@ def against(solution: Solution, first: Solution, change: Change) -> str:
         other, back = _found(solution, change.key(key))
         if other is None:
             return f"{key} is not answered as {change.key(key)}, but {', '.join(solution.answers)}"
+        if answer.undefined and other.undefined:
+            continue
         unit = answer.reading.unit
         size = max([floor.get(unit, 0.0), *(abs(one.exact) for one in first.answers.values() if one.reading.unit == unit and not one.undefined)])
         if not _gap(answer, other, change, back) <= AGREE * max(size, 1e-9) + near.get(answer.key, 0.0):
@@ -99,7 +101,7 @@ def _found(solution: Solution, key: str) -> tuple[Answer | None, int]:
 
 def _gap(one: Answer, other: Answer, change: Change, back: int) -> float:
     if one.undefined or other.undefined:
-        return 0.0 if one.undefined == other.undefined else float("inf")
+        return float("inf")
     if (one.exact_vector is None) != (other.exact_vector is None):
         return float("inf")
     if one.exact_vector is None or other.exact_vector is None:

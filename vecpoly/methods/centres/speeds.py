@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from ...board.construction import Reading
-from ...board.marks import Role, Segment, Vector
+from ...board.marks import Role, Segment
 from ...errors import NoMethodError
 from ...formula import sym
 from ...mechanism.centre_quantities import Pair, centre_speed, real_links
 from ...mechanism.model import FRAME
-from ...names import At, Rel
+from ...names import At, Rel, ascii_key
 from ...plane import Points, nominal, unit
 from ...quantity import Expr, worked
 from ...words import Words
@@ -112,7 +112,7 @@ def draw_speeds(fig: CentreFigure, found: Iterable[Drawn]) -> None:
     for symbol, at, v in drawn:
         if abs(v) > 0.02 * largest and fig.paper.holds(at):
             start = at + _aside(fig, at, v / abs(v))
-            fig.board.mark(fig.pane, Vector(a=start, b=start + v / largest * LONGEST, role=Role.RESULT, label=symbol))
+            fig.board.arrow(fig.pane, start, start + v / largest * LONGEST, Role.RESULT, key=ascii_key(symbol), label=symbol)
 
 
 def _aside(fig: CentreFigure, at: complex, way: complex) -> complex:

@@ -8,6 +8,7 @@ from itertools import product
 
 import numpy as np
 
+from ...names import ascii_key
 from ...plane import nominal
 from ...words import Words
 from .acting import Acting
@@ -29,6 +30,11 @@ class Arrow:
     symbol: str
     far: bool = False  # not at its point but farther out on the line
     pulls: bool = False  # drawn away from the body by a neighbour that can only press on it
+
+    @property
+    def key(self) -> str:
+        """The force's key."""
+        return ascii_key(self.symbol)
 
 
 def place_arrows(forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = ()) -> list[Arrow]:

@@ -188,7 +188,7 @@ def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
         return
     there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
     if not there:
-        st.board.mark(drawn.place, Vector(a=start, b=end, role=Role.RESULT, label=named.symbol))
+        st.board.arrow(drawn.place, drawn.start, drawn.end, Role.RESULT, key=named.key, label=named.symbol)
     st.board.write(worked(sym(named.symbol), measured(st, drawn), "N"))
 
 

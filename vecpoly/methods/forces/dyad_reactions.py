@@ -6,7 +6,7 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, View
-from ...board.marks import Dot, Role, Segment, Vector
+from ...board.marks import Dot, Role
 from ...mechanism.assur import Dyad
 from ...mechanism.model import Prismatic
 from ...plane import Points, Reals, nominal
@@ -113,8 +113,9 @@ def _leave(st: Statics, d: Dyad, by: str, on: str, pin: Points, at: Points, vect
         st.board.join(pane, pin, at, Role.CONSTRUCTION)
         st.board.plot(pane, (pin + at) / 2, f"h_{{{st.mech.number(by)}{st.mech.number(on)}}}", Dot.NONE)
     if {by, on} == {d.link_j, d.link_k}:
-        a, u = complex(nominal(at)), complex(nominal(_along(vector)))
-        st.board.mark(pane, Segment(a=a - u * INSIDE, b=a, role=Role.DIRECTION), Vector(a=a, b=a + u * INSIDE, role=Role.RESULT, label=st.named(by, on).symbol))
+        u, named = _along(vector), st.named(by, on)
+        st.board.join(pane, at - u * INSIDE, at, Role.DIRECTION)
+        st.board.arrow(pane, at, at + u * INSIDE, Role.RESULT, key=named.key, label=named.symbol)
 
 
 def _along(vector: Points) -> Points:

@@ -19,7 +19,6 @@ from ...board.marks import (
     Role,
     Segment,
     TurnArrow,
-    Vector,
 )
 from ...mechanism.loads import Moment
 from ...mechanism.model import Contact, Prismatic, Revolute
@@ -63,7 +62,9 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
         arrows = place_arrows(forces, spots, _pressing(st, name) | {force.named.symbol for force in pressing})
         say_far(st, forces, spots)
         _displaced(st, pane, name)
-        st.board.mark(pane, *_carried(forces, arrows), *(_vector(arrow) for arrow in arrows))
+        st.board.mark(pane, *_carried(forces, arrows))
+        for arrow in arrows:
+            st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
         st.board.mark(pane, *_normals(st, name, {arrow.symbol: arrow for arrow in arrows}))
         _couple(st, pane, name)
 
@@ -108,10 +109,6 @@ def _spots(st: Statics, link: str) -> list[complex]:
     """Points of the body: its lettered ones, and where it is touched."""
     points = [st.desk.at[p] for p in st.mech.link(link).points if p in st.desk.at]
     return [complex(nominal(p)) for p in (*points, *(st.desk.contact_of(c) for c in st.mech.contacts if link in c.links))]
-
-
-def _vector(arrow: Arrow) -> Vector:
-    return Vector(a=arrow.start, b=arrow.end, role=Role.RESULT, label=arrow.symbol)
 
 
 def _circles(st: Statics, link: str) -> Iterator[Mark]:

@@ -36,7 +36,7 @@ def _force(st: Statics, load: Force) -> None:
     u = complex(np.exp(1j * load.direction)) * (-1 if load.size is not None and load.size < 0 else 1)
     pull, press = (at, at + LENGTH * u), (at - (LENGTH + 2.0) * u, at - 2.0 * u)
     start, end = max((press, pull), key=lambda ends: _clearance(st, ends))
-    st.board.mark(View.MECHANISM, Vector(a=start, b=end, role=Role.RESULT, label=load_symbol(load.name)))
+    st.board.arrow(View.MECHANISM, start, end, Role.RESULT, key=load.name, label=load_symbol(load.name))
 
 
 def _clearance(st: Statics, ends: tuple[complex, complex]) -> float:

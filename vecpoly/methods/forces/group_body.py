@@ -55,7 +55,8 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
     if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
         return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]
-    st.board.mark(pane, *(Vector(a=arrow.start, b=arrow.end, role=Role.RESULT, label=arrow.symbol) for arrow in place_arrows(forces, spots)))
+    for arrow in place_arrows(forces, spots):
+        st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
     say_far(st, forces, spots)
     for link in links:
         pivot = complex(nominal(st.desk.at[next(iter(st.mech.link(link).points))]))

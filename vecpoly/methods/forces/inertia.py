@@ -8,11 +8,11 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Place, Reading, View
-from ...board.marks import Dot, RightAngle, Role, Segment, Vector
+from ...board.marks import Dot, Role
 from ...formula import Node
 from ...mechanism.loads import GRAVITY, Mass
 from ...mechanism.quantities import quantities
-from ...names import At, Named, alpha
+from ...names import At, Named, alpha, ascii_key
 from ...plane import Points, Reals, nominal, unit
 from ...quantity import Quantity, magnitude, worked
 from ...words import Words
@@ -149,9 +149,8 @@ def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -
 
 def _draw_force(st: Statics, symbol: str, at: Points, along: Points) -> None:
     """The line of action on the diagram, and the force on it (not to scale)."""
-    place, u = complex(nominal(at)), complex(nominal(along))
-    st.board.mark(View.MECHANISM, Segment(a=place - ARROW * u, b=place, role=Role.DIRECTION),
-                  Vector(a=place, b=place + ARROW * u, role=Role.GIVEN, label=symbol))
+    st.board.join(View.MECHANISM, at - ARROW * along, at, Role.DIRECTION)
+    st.board.arrow(View.MECHANISM, at, at + ARROW * along, Role.GIVEN, key=ascii_key(symbol), label=symbol)
 
 
 def draw_arm(st: Statics, place: Place, symbol: str, s: Points, at: Points, along: Points) -> None:
@@ -160,4 +159,4 @@ def draw_arm(st: Statics, place: Place, symbol: str, s: Points, at: Points, alon
     st.board.join(place, a, b, Role.CONSTRUCTION)
     if abs(b - a) > SHORT:
         st.board.plot(place, (a + b) / 2, symbol, Dot.NONE)
-        st.board.mark(place, RightAngle(at=b, u=u, v=(a - b) / abs(b - a)))
+        st.board.right_angle(place, b, u, (a - b) / abs(b - a))

@@ -12,12 +12,12 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, View
-from ...board.marks import Dot, Role, Vector
+from ...board.marks import Dot, Role
 from ...errors import EquilibriumError
 from ...formula import sym
 from ...mechanism.loads import Force, Load, Moment
 from ...mechanism.quantities import load_named, quantities
-from ...names import At, Named
+from ...names import At, Named, ascii_key
 from ...plane import Line, Points, Reals, cross, foot, nominal, unit
 from ...quantity import Expr, Quantity, Sum, magnitude, worked
 from ...words import Words
@@ -183,8 +183,7 @@ def _draw_polygon(st: Statics, pane: Pane, tips: Tips) -> None:
 
 
 def _draw_force(st: Statics, pane: Pane, tip: Points, along: Points, symbol: str) -> None:
-    a, u = complex(nominal(tip)), complex(nominal(along))
-    st.board.mark(pane, Vector(a=a, b=a + ARROW * u, role=Role.RESULT, label=symbol))
+    st.board.arrow(pane, tip, tip + ARROW * along, Role.RESULT, key=ascii_key(symbol), label=symbol)
 
 
 def _draw_arm(st: Statics, pane: Pane, tip: Points, end: Points, letter: str) -> None:

@@ -13,6 +13,7 @@ from .acting import Acting, summed
 from .state import Statics
 
 NEARLY = 1e-2  # sine below which the meeting point of two lines of action is of no use
+PARALLEL = 1e-12  # sine below which two forces are parallel, not only nearly so: the interchanged ones give the line of no others
 LONG = 25.0  # mm: longest force laid off on the diagram
 Side = tuple[Points, Points]  # from, to
 
@@ -77,7 +78,7 @@ def resultant(st: Statics, link: str) -> Resultant:
 
 def _interchanged(forces: tuple[Acting, ...]) -> tuple[Side, Side] | None:
     """Two parallel forces on different lines, each laid off from the other's point, the second one reversed: both shortened alike if they are long."""
-    if len(forces) != 2 or _cross(*forces) or _on(forces[0].line, forces[1].at):
+    if len(forces) != 2 or _sine(*forces) > PARALLEL or _on(forces[0].line, forces[1].at):
         return None
     one, two = forces
     shorter = min(1.0, LONG / max(abs(float(nominal(np.abs(force.vector)))) for force in forces))
@@ -104,4 +105,8 @@ def _on(line: Line, at: Points) -> bool:
 
 
 def _cross(one: Acting, two: Acting) -> bool:
-    return abs(float(nominal(cross(one.line.along, two.line.along)))) > NEARLY
+    return _sine(one, two) > NEARLY
+
+
+def _sine(one: Acting, two: Acting) -> float:
+    return abs(float(nominal(cross(one.line.along, two.line.along))))

@@ -86,7 +86,7 @@ def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
         return Words(f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；取极点 $p′$，依次作 $p′n′$、$n′{tip}$：",
                      f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the pole $p′$ lay off $p′n′$ and $n′{tip}$:")
     return Words(f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；取极点 $p′$，作 $p′{tip}$：",
-                 f"The driving link rotates uniformly ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ has its normal component alone, from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:")
+                 f"Uniform rotation ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ is purely normal, from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:")
 
 
 @method(stage=Stage.VELOCITY, group="slide", title=_TITLE, source=_SOURCE, example="")
