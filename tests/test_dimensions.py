@@ -1,4 +1,4 @@
-"""A dimension varied in the mechanism is a dimension varied in the problem, and what is printed as given is what the mechanism has."""
+"""A dimension varied in the mechanism is one varied in the problem; what is printed as given is what it has."""
 
 from __future__ import annotations
 
@@ -13,20 +13,8 @@ from hypothesis import strategies as st
 
 from vecpoly import Problem, load
 from vecpoly.errors import VecpolyError
-from vecpoly.mechanism.dimensions import (
-    Bar,
-    Coordinate,
-    Dimension,
-    Driven,
-    Led,
-    Part,
-    Placed,
-    Profile,
-    dimensions,
-    upright,
-    value,
-    varied,
-)
+from vecpoly.mechanism.dimension import Bar, Coordinate, Dimension, Driven, Led, Part, Placed, Profile
+from vecpoly.mechanism.dimensions import dimensions, upright, value, varied
 from vecpoly.mechanism.model import Mechanism, Prismatic, Rolling
 from vecpoly.mechanism.set_out import stretched
 from vecpoly.problem.library import library
@@ -37,14 +25,22 @@ _OF_PLACED = {Part.ALONG: "at", Part.LEFT: "left", Part.ANGLE: "angle"}
 
 @cache
 def moving() -> tuple[Problem, ...]:
-    """The problems in which nothing hangs on a dimension but points and guides: no rods with a mass, no gears, no angle from a moving line."""
+    """Problems in which only points and guides hang on a dimension: no rod's mass, no gears, no angle from a line."""
     found = (load(entry.path) for entry in library())
-    return tuple(p for p in found if isinstance(p.subject, Mechanism) and " from " not in p.parameters.get("phi", "") and not _more(p))
+    return tuple(
+        p
+        for p in found
+        if isinstance(p.subject, Mechanism) and " from " not in p.parameters.get("phi", "") and not _more(p)
+    )
 
 
 def _more(problem: Problem) -> bool:
     mech, text = problem.mechanism, str(problem.data["input"])
-    return " from " in text or any(isinstance(joint, Rolling) for joint in mech.joints) or bool(problem.loads and any(mass.rod for mass in problem.loads.masses))
+    return (
+        " from " in text
+        or any(isinstance(joint, Rolling) for joint in mech.joints)
+        or bool(problem.loads and any(mass.rod for mass in problem.loads.masses))
+    )
 
 
 def name(mech: Mechanism, one: Dimension) -> str:
@@ -65,7 +61,9 @@ def name(mech: Mechanism, one: Dimension) -> str:
         case Led(joint=i, part=part):
             guide = mech.joints[i]
             assert isinstance(guide, Prismatic)
-            stem = {Part.PLACE: "x" if upright(guide) else "y", Part.OFFSET: "e", Part.TURN: "turn"}.get(part, "direction")
+            stem = {Part.PLACE: "x" if upright(guide) else "y", Part.OFFSET: "e", Part.TURN: "turn"}.get(
+                part, "direction"
+            )
             return f"{stem}_{guide.block}"
         case Profile(link=link):
             return f"r_{link}"
@@ -106,10 +104,17 @@ def test_the_mechanism_and_the_file_vary_alike(change: tuple[Problem, Dimension,
     for link in filed.links:
         assert all(abs(direct.link(link.name).points[letter] - at) < 1e-12 for letter, at in link.points.items())
     assert all(abs(direct.frame[letter] - at) < 1e-15 for letter, at in filed.frame.items())
-    assert all(isclose(a.rate, b.rate) and isclose(a.accel, b.accel) and isclose(a.position, b.position) for a, b in zip(filed.drives, direct.drives, strict=True))
+    assert all(
+        isclose(a.rate, b.rate) and isclose(a.accel, b.accel) and isclose(a.position, b.position)
+        for a, b in zip(filed.drives, direct.drives, strict=True)
+    )
     for a, b in zip(filed.joints, direct.joints, strict=True):
         if isinstance(a, Prismatic) and isinstance(b, Prismatic):
-            assert abs(a.origin - b.origin) < 1e-12 and abs(a.offset - b.offset) < 1e-15 and isclose(a.direction, b.direction, abs_tol=1e-12)
+            assert (
+                abs(a.origin - b.origin) < 1e-12
+                and abs(a.offset - b.offset) < 1e-15
+                and isclose(a.direction, b.direction, abs_tol=1e-12)
+            )
 
 
 @given(changes())
@@ -117,9 +122,18 @@ def test_what_is_given_is_what_the_mechanism_has(change: tuple[Problem, Dimensio
     problem, one, called, to = change
     filed = other(problem, called, to)
     replaced = replace(problem, subject=varied(problem.mechanism, one, to))
-    filed_data, own_data = ({d.symbol: d.si for d in (*p.given.lengths, *p.given.motion, *p.given.loads) if d.symbol} for p in (filed, replaced))
-    assert len(own_data) == len([d for d in (*problem.given.lengths, *problem.given.motion, *problem.given.loads) if d.symbol])
-    assert all(isclose(own_data[symbol], si, rel_tol=1e-9, abs_tol=1e-12) for symbol, si in filed_data.items() if symbol in own_data)
+    filed_data, own_data = (
+        {d.symbol: d.si for d in (*p.given.lengths, *p.given.motion, *p.given.loads) if d.symbol}
+        for p in (filed, replaced)
+    )
+    assert len(own_data) == len(
+        [d for d in (*problem.given.lengths, *problem.given.motion, *problem.given.loads) if d.symbol]
+    )
+    assert all(
+        isclose(own_data[symbol], si, rel_tol=1e-9, abs_tol=1e-12)
+        for symbol, si in filed_data.items()
+        if symbol in own_data
+    )
 
 
 def test_a_load_that_is_replaced_is_printed_as_it_is() -> None:
@@ -136,7 +150,11 @@ def test_a_dimension_has_the_value_that_it_was_given(change: tuple[Problem, Dime
     mech = varied(problem.mechanism, one, to)
     assert isclose(value(mech, one), to, rel_tol=1e-12)
     back = varied(mech, one, value(problem.mechanism, one))
-    assert all(abs(back.link(link.name).points[letter] - at) < 1e-12 for link in problem.mechanism.links for letter, at in link.points.items())
+    assert all(
+        abs(back.link(link.name).points[letter] - at) < 1e-12
+        for link in problem.mechanism.links
+        for letter, at in link.points.items()
+    )
 
 
 def test_a_triangle_that_does_not_close_lies_nowhere() -> None:

@@ -1,4 +1,4 @@
-"""Problems, mechanisms, constructions and solutions are values: frozen, hashable, the same after pickle, deepcopy, and JSON and back."""
+"""Problems, mechanisms, constructions, solutions are values: frozen, the same after pickle, deepcopy, JSON."""
 
 from __future__ import annotations
 
@@ -59,10 +59,17 @@ def test_records_are_strict_json_without_nan() -> None:
     json.loads(to_json(solved("2-9")), parse_constant=lambda name: pytest.fail(name))
 
 
-@pytest.mark.parametrize(("thing", "field"), [("problem", "id"), ("mechanism", "frame"), ("construction", "steps"), ("solution", "answers")])
+@pytest.mark.parametrize(
+    ("thing", "field"), [("problem", "id"), ("mechanism", "frame"), ("construction", "steps"), ("solution", "answers")]
+)
 def test_nobody_changes_them(thing: str, field: str) -> None:
     solution = solved("3-9")
-    one = {"problem": solution.problem, "mechanism": solution.problem.mechanism, "construction": solution.construction, "solution": solution}[thing]
+    one = {
+        "problem": solution.problem,
+        "mechanism": solution.problem.mechanism,
+        "construction": solution.construction,
+        "solution": solution,
+    }[thing]
     with pytest.raises(FrozenInstanceError):
         setattr(one, field, None)
 
@@ -73,7 +80,12 @@ def test_a_varied_problem_from_json_varies_on() -> None:
     assert replace(on, text="") == replace(back, text="") and on.text == back.text
 
 
-@given(st.recursive(st.none() | st.booleans() | st.floats() | st.text(), lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner)))
+@given(
+    st.recursive(
+        st.none() | st.booleans() | st.floats() | st.text(),
+        lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner),
+    )
+)
 def test_other_json_is_refused_in_words(data: object) -> None:
     with pytest.raises(VecpolyError, match="JSON holds"):
         from_json(json.dumps(data), Construction)

@@ -138,9 +138,17 @@ def test_two_changes_commute_and_may_be_made_at_once(data: st.DataObject) -> Non
 
 def test_numbers_are_si_and_letters_may_be_turned_round() -> None:
     problem = load("3-9")
-    assert problem.vary(BA=0.12).mechanism == problem.vary(AB="120 mm").mechanism == problem.vary(**{"links.1.AB": "12 cm"}).mechanism
+    assert (
+        problem.vary(BA=0.12).mechanism
+        == problem.vary(AB="120 mm").mechanism
+        == problem.vary(**{"links.1.AB": "12 cm"}).mechanism
+    )
     assert problem.vary(omega=-3.0).mechanism == problem.vary(omega="3 rad/s cw").mechanism
-    assert problem.vary(C=(-0.12, 0)).mechanism == problem.vary(C=-0.12 + 0j).mechanism == problem.vary(x_C="-120 mm").mechanism
+    assert (
+        problem.vary(C=(-0.12, 0)).mechanism
+        == problem.vary(C=-0.12 + 0j).mechanism
+        == problem.vary(x_C="-120 mm").mechanism
+    )
 
 
 def test_a_name_that_is_not_there_is_refused_with_those_that_are() -> None:
@@ -155,7 +163,10 @@ def test_a_name_that_is_not_there_is_refused_with_those_that_are() -> None:
 def test_a_name_that_several_share_means_all_of_them_where_they_say_the_same() -> None:
     problem = load("scissor-lift")
     varied = problem.vary(at_E="810 mm")
-    before, after = (sum(place.along for link in p.mechanism.links for place in link.placements if place.point == "E") for p in (problem, varied))  # type: ignore[union-attr]
+    before, after = (
+        sum(place.along for link in p.mechanism.links for place in link.placements if place.point == "E")
+        for p in (problem, varied)
+    )  # type: ignore[union-attr]
     assert after == pytest.approx(1.0125 * before)
 
 
@@ -167,18 +178,32 @@ def test_a_name_that_means_several_that_differ_is_refused_with_their_full_names(
     assert problem.vary(**{"friction.B.f": 0.1}).vary(f=0.11).loads != problem.loads
 
 
-@pytest.mark.parametrize(("changes", "said"), [
-    ({"AB": "-3 mm"}, r"vary\(AB\).*links\.1\.AB.*greater than zero"),
-    ({"AB": "3 kg"}, r"vary\(AB\).*not a length"),
-    ({"phi": "30"}, r"vary\(phi\).*no unit"),
-    ({"omega": "-3 rad/s cw"}, r"vary\(omega\).*both a minus sign"),
-])
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"AB": "-3 mm"}, r"vary\(AB\).*links\.1\.AB.*greater than zero"),
+        ({"AB": "3 kg"}, r"vary\(AB\).*not a length"),
+        ({"phi": "30"}, r"vary\(phi\).*no unit"),
+        ({"omega": "-3 rad/s cw"}, r"vary\(omega\).*both a minus sign"),
+    ],
+)
 def test_what_no_file_may_hold_is_refused_by_the_name_that_was_varied(changes: dict[str, str], said: str) -> None:
     with pytest.raises(ProblemFileError, match=said):
         load("3-9").vary(**changes)
 
 
-@pytest.mark.parametrize("changes", [{"AB": None}, {"AB": True}, {"C": 3}, {"C": (1, 2, 3)}, {"C": "0 mm"}, {"x_C": "1 mm", "C": ("1 mm", "2 mm")}, {"phi": "1 deg", "phi_1": "2 deg"}])
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"AB": None},
+        {"AB": True},
+        {"C": 3},
+        {"C": (1, 2, 3)},
+        {"C": "0 mm"},
+        {"x_C": "1 mm", "C": ("1 mm", "2 mm")},
+        {"phi": "1 deg", "phi_1": "2 deg"},
+    ],
+)
 def test_values_of_no_kind_and_one_quantity_twice_are_refused(changes: dict[str, object]) -> None:
     with pytest.raises(ArgumentError):
         load("3-9").vary(**changes)

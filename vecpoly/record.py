@@ -1,7 +1,7 @@
-"""A solution, its problem, its construction, or a mechanism, to JSON and back: every dataclass under its name, every point as [x, y].
+"""Solutions, problems, constructions, mechanisms to JSON and back: a dataclass under its name, a point as [x, y].
 
-    text = to_json(solution)
-    assert from_json(text, Solution) == solution
+text = to_json(solution)
+assert from_json(text, Solution) == solution
 """
 
 from __future__ import annotations
@@ -26,9 +26,29 @@ from .words import Words
 
 T = TypeVar("T")
 _MODULES = (
-    "words", "names", "errors", "units", "formula", "board.place", "board.marks", "board.acts", "board.construction", "mechanism.placements",
-    "mechanism.start", "mechanism.statements", "mechanism.branch", "mechanism.model", "mechanism.loads", "problem.given", "problem.asks", "problem.held",
-    "problem.written", "problem.problem", "check.alarm", "answer", "solution",
+    "words",
+    "names",
+    "errors",
+    "units",
+    "formula",
+    "board.place",
+    "board.marks",
+    "board.acts",
+    "board.construction",
+    "mechanism.placements",
+    "mechanism.start",
+    "mechanism.statements",
+    "mechanism.branch",
+    "mechanism.model",
+    "mechanism.loads",
+    "problem.given",
+    "problem.asks",
+    "problem.held",
+    "problem.written",
+    "problem.problem",
+    "check.alarm",
+    "answer",
+    "solution",
 )  # what they define may stand in a record, and nothing else
 _SPECIAL = ("point", "map", "dict", "set", "path", "bytes", "number", "model")
 
@@ -44,9 +64,17 @@ def from_json(text: str, kind: type[T]) -> T:
     try:
         thing = _thing(json.loads(text))
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
-        raise VecpolyError(Words(f"此 JSON 不是 {name}：{error}", f"this JSON holds no {name}: {error}"), code="no record") from None
+        raise VecpolyError(
+            Words(f"此 JSON 不是 {name}：{error}", f"this JSON holds no {name}: {error}"), code="no record"
+        ) from None
     if not isinstance(thing, kind):
-        raise VecpolyError(Words(f"此 JSON 是 {type(thing).__name__}，不是 {name}", f"this JSON holds a {type(thing).__name__}, not a {name}"), code="no record")
+        raise VecpolyError(
+            Words(
+                f"此 JSON 是 {type(thing).__name__}，不是 {name}",
+                f"this JSON holds a {type(thing).__name__}, not a {name}",
+            ),
+            code="no record",
+        )
     return thing
 
 
@@ -58,7 +86,11 @@ def _classes() -> Mapping[str, type]:
     for part in (*_MODULES, *(f"devices.{one.name}" for one in iter_modules(devices.__path__))):
         module = import_module(f".{part}", __package__)
         for name, kind in vars(module).items():
-            if isinstance(kind, type) and kind.__module__ == module.__name__ and (is_dataclass(kind) or issubclass(kind, Enum | BaseModel)):
+            if (
+                isinstance(kind, type)
+                and kind.__module__ == module.__name__
+                and (is_dataclass(kind) or issubclass(kind, Enum | BaseModel))
+            ):
                 found[f"{part}.{name}" if name in found else name] = kind
     return found
 
@@ -72,7 +104,13 @@ def _name(thing: Any) -> str:
     name = _names().get(type(thing))
     if name is None:
         kind = type(thing).__name__
-        raise ArgumentError(Words(f"{kind} 不能写成 JSON；可写题目、机构、作图和解答", f"a {kind} does not go to JSON; a problem, a mechanism, a construction or a solution does"), code="kind")
+        raise ArgumentError(
+            Words(
+                f"{kind} 不能写成 JSON；可写题目、机构、作图和解答",
+                f"a {kind} does not go to JSON; a problem, a mechanism, a construction or a solution does",
+            ),
+            code="kind",
+        )
     return name
 
 
@@ -89,7 +127,10 @@ def _plain(thing: Any) -> Any:
         case tuple() | list():
             return [_plain(item) for item in thing]
         case FrozenMap() | dict():
-            return {"is": "map" if isinstance(thing, FrozenMap) else "dict", "items": [[_plain(key), _plain(value)] for key, value in thing.items()]}
+            return {
+                "is": "map" if isinstance(thing, FrozenMap) else "dict",
+                "items": [[_plain(key), _plain(value)] for key, value in thing.items()],
+            }
         case frozenset():
             return {"is": "set", "items": sorted(thing)}
         case bytes():
@@ -97,7 +138,12 @@ def _plain(thing: Any) -> Any:
         case Path():
             return {"is": "path", "text": str(thing)}
         case BaseModel():
-            return {"is": "model", "of": _name(thing), "set": sorted(thing.model_fields_set), "items": {key: _plain(value) for key, value in thing}}
+            return {
+                "is": "model",
+                "of": _name(thing),
+                "set": sorted(thing.model_fields_set),
+                "items": {key: _plain(value) for key, value in thing},
+            }
     return {"is": _name(thing)} | {one.name: _plain(getattr(thing, one.name)) for one in fields(thing)}
 
 
@@ -125,7 +171,9 @@ def _special(data: dict[str, Any]) -> Any:
         case "model":
             kind = _classes()[data["of"]]
             assert issubclass(kind, BaseModel)
-            return kind.model_construct(set(data["set"]), **{key: _thing(value) for key, value in data["items"].items()})
+            return kind.model_construct(
+                set(data["set"]), **{key: _thing(value) for key, value in data["items"].items()}
+            )
     items = {_thing(key): _thing(value) for key, value in data["items"]}
     return FrozenMap(items) if data["is"] == "map" else items
 

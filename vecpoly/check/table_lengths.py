@@ -1,4 +1,4 @@
-"""The lengths of a mechanism, one at a time: each by name, with its value, and the mechanism with another in its place."""
+"""The lengths of a mechanism, each by name, with its value, and the mechanism with another in its place."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from ..mechanism.branch import opposite
-from ..mechanism.dimensions import Bar, Coordinate, Dimension, Led, Part, Placed, value, varied
+from ..mechanism.dimension import Bar, Coordinate, Dimension, Led, Part, Placed
+from ..mechanism.dimensions import value, varied
 from ..mechanism.model import (
     FRAME,
     ByAngle,
@@ -30,7 +31,7 @@ _SIDE = {Side.LEFT: "左侧", Side.RIGHT: "右侧", Side.ABOVE: "上方", Side.B
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Length:
-    """One length: how it is called, its link (FRAME for the frame), which one it is, its value (m), and whether it may be negative."""
+    """One length: its name, its link (FRAME for the frame), which one it is, and whether it may be negative."""
 
     words: Words
     link: str
@@ -56,7 +57,9 @@ def lengths(mech: Mechanism) -> tuple[Length, ...]:
 def _of_links(mech: Mechanism) -> Iterator[Length]:
     for link in mech.links:
         if len(firm(link)) == 2:
-            yield Length(words=Words.same(f"$l_{{{''.join(firm(link))}}}$"), link=link.name, mech=mech, one=Bar(link=link.name))
+            yield Length(
+                words=Words.same(f"$l_{{{''.join(firm(link))}}}$"), link=link.name, mech=mech, one=Bar(link=link.name)
+            )
         for i, placement in enumerate(link.placements):
             for words, part in _of_placement(placement):
                 one = Placed(link=link.name, places=(i,), part=part)
@@ -73,9 +76,21 @@ def _of_placement(placement: Placement) -> Iterator[tuple[Words, Part]]:
             yield Words.same(f"$l_{{{second}{p}}}$"), Part.SECOND
         case ByOffsets():
             if placement.along:
-                yield Words(f"${p}$ 在 ${base}$ 上的垂足到 ${base[0]}$ 的距离", f"the distance of the foot of ${p}$ on ${base}$ from ${base[0]}$"), Part.ALONG
+                yield (
+                    Words(
+                        f"${p}$ 在 ${base}$ 上的垂足到 ${base[0]}$ 的距离",
+                        f"the distance of the foot of ${p}$ on ${base}$ from ${base[0]}$",
+                    ),
+                    Part.ALONG,
+                )
             if placement.left:
-                yield Words(f"${p}$ 到 ${base}$ 的距离（左侧为正）", f"the distance of ${p}$ from ${base}$ (positive to the left)"), Part.LEFT
+                yield (
+                    Words(
+                        f"${p}$ 到 ${base}$ 的距离（左侧为正）",
+                        f"the distance of ${p}$ from ${base}$ (positive to the left)",
+                    ),
+                    Part.LEFT,
+                )
 
 
 def _of_frame(mech: Mechanism) -> Iterator[Length]:
@@ -89,12 +104,15 @@ def _of_frame(mech: Mechanism) -> Iterator[Length]:
 def _offsets(mech: Mechanism) -> Iterator[Length]:
     for i, joint in enumerate(mech.joints):
         if isinstance(joint, Prismatic) and joint.offset:
-            words = Words(f"${joint.pin}$ 对导路的偏距（左侧为正）", f"the offset of ${joint.pin}$ from its guide (positive to the left)")
+            words = Words(
+                f"${joint.pin}$ 对导路的偏距（左侧为正）",
+                f"the offset of ${joint.pin}$ from its guide (positive to the left)",
+            )
             yield Length(words=words, link=joint.guide, mech=mech, one=Led(joint=i, part=Part.OFFSET), signed=True)
 
 
 def other_assemblies(mech: Mechanism) -> Iterator[tuple[Words, Mechanism]]:
-    """The mechanism in every other assembly that one wrong side gives: a branch statement, or a placed point mirrored."""
+    """The mechanism in every other assembly that one wrong side gives: another branch, or a placed point mirrored."""
     for i, branch in enumerate(mech.branches):
         other = opposite(branch)
         yield _told(other), replace(mech, branches=(*mech.branches[:i], other, *mech.branches[i + 1 :]))
@@ -106,7 +124,10 @@ def other_assemblies(mech: Mechanism) -> Iterator[tuple[Words, Mechanism]]:
             if (mirrored := _mirrored(placement)) is not None:
                 p, base = placement.point, "".join(placement.base)
                 words = Words(f"${p}$ 取在 ${base}$ 的另一侧", f"${p}$ taken on the other side of ${base}$")
-                yield words, set_out(mech, link, firm(link), (*link.placements[:i], mirrored, *link.placements[i + 1:]))
+                yield (
+                    words,
+                    set_out(mech, link, firm(link), (*link.placements[:i], mirrored, *link.placements[i + 1 :])),
+                )
 
 
 def _mirrored(placement: Placement) -> Placement | None:
@@ -123,7 +144,9 @@ def _told(branch: Statement) -> Words:
     match branch:
         case SideOf(point=point, side=side):
             ref, of = "".join(branch.ref), "of " if side in (Side.LEFT, Side.RIGHT) else ""
-            return Words(f"装配分支取 ${point}$ 在 ${ref}$ {_SIDE[side]}", f"assembled with ${point}$ {side.value} {of}${ref}$")
+            return Words(
+                f"装配分支取 ${point}$ 在 ${ref}$ {_SIDE[side]}", f"assembled with ${point}$ {side.value} {of}${ref}$"
+            )
         case Shaped(form=form):
             corners = "".join(branch.corners)
             return Words(f"装配分支取 ${corners}$ 为{form.words.zh}", f"assembled with ${corners}$ as {form.words.en}")

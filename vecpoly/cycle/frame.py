@@ -15,18 +15,23 @@ if TYPE_CHECKING:
 
 
 def arrays(cycle: Cycle, keys: tuple[str, ...]) -> dict[str, NDArray[Any]]:
-    """Key → values at every position, SI: the drive's position first, then these columns (all where none is named); vectors are complex."""
+    """Key → values at every position, SI: the drive's position, then these columns (or all); vectors are complex."""
     names = keys or tuple(column.key for column in cycle.columns)
     return {key: np.asarray(cycle.column(key)) for key in dict.fromkeys((cycle.drive.key, *names))}
 
 
 def frame(cycle: Cycle, keys: tuple[str, ...]) -> Any:
-    """The same as a DataFrame, its index the drive's position; a vector is two columns, v_C.x and v_C.y. Raises MissingPackageError."""
+    """The same as a DataFrame over the drive's position; a vector is two columns. Raises MissingPackageError."""
     try:
         import pandas
     except ImportError:
-        raise MissingPackageError(Words("to_frame 需要 pandas（pip install pandas）；不用 pandas 时请用 arrays()",
-                                        "to_frame needs pandas (pip install pandas); without it take arrays()"), code="no package") from None
+        raise MissingPackageError(
+            Words(
+                "to_frame 需要 pandas（pip install pandas）；不用 pandas 时请用 arrays()",
+                "to_frame needs pandas (pip install pandas); without it take arrays()",
+            ),
+            code="no package",
+        ) from None
     first, *rest = arrays(cycle, keys).items()
     columns: dict[str, NDArray[Any]] = {}
     for key, values in rest:

@@ -1,4 +1,4 @@
-"""The dimensions of a mechanism, each of which may be varied alone: the one way to have another length, angle, place or drive.
+"""The dimensions of a mechanism, each varied alone: the one way to have another length, angle, place or drive.
 
     one = Bar(link="1")
     value(mech, one)             # 0.03 m
@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from enum import StrEnum
+from dataclasses import replace
 from math import cos, sin
 from typing import TypeGuard, assert_never
 
+from .dimension import Bar, Coordinate, Dimension, Driven, Led, Part, Placed, Profile
 from .model import (
     FRAME,
     ByAngle,
@@ -31,78 +31,6 @@ from .model import (
     Side,
 )
 from .set_out import firm, moved, set_out
-
-
-class Part(StrEnum):
-    """Which number of several that set out one point, lead one guide or tell one drive."""
-
-    DISTANCE = "distance"  # from the base's first letter (m)
-    ANGLE = "angle"  # from the base's ray (rad)
-    FIRST = "first"  # of two lengths (m), that from the base's first letter
-    SECOND = "second"  # and that from its second
-    ALONG = "along"  # the base's ray (m)
-    LEFT = "left"  # of it (m)
-    PLACE = "place"  # of a fixed guide: its x or y (m)
-    DIRECTION = "direction"  # of a guide (rad)
-    OFFSET = "offset"  # of the pin, to the left of the guide (m)
-    TURN = "turn"  # of the block against the guide (rad)
-    POSITION = "position"  # of a drive (rad, or m)
-    RATE = "rate"  # rad/s, or m/s
-    ACCEL = "accel"  # rad/s², or m/s²
-
-
-ANGLES = (Part.ANGLE, Part.DIRECTION, Part.TURN)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bar:
-    """The distance of a link's first two points (m)."""
-
-    link: str
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Placed:
-    """A number that sets out a further point of a link; of several at one foot (`places`: which placements) that of all."""
-
-    link: str
-    places: tuple[int, ...]
-    part: Part
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Coordinate:
-    """A coordinate of a fixed point (m): axis "x" or "y"."""
-
-    letter: str
-    axis: str
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Led:
-    """A number of a sliding pair, told by its place among the joints."""
-
-    joint: int
-    part: Part
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Profile:
-    """The radius (m) of a disc that touches, told by its link and the letter of its centre."""
-
-    link: str
-    centre: str
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Driven:
-    """Position, rate or acceleration of a drive."""
-
-    part: Part
-    drive: int = 0
-
-
-Dimension = Bar | Placed | Coordinate | Led | Profile | Driven
 
 
 def dimensions(mech: Mechanism) -> Iterator[Dimension]:
@@ -127,7 +55,7 @@ def of_link(mech: Mechanism, link: Link) -> Iterator[Bar | Placed]:
 
 
 def of_guide(i: int, guide: Prismatic) -> Iterator[Led]:
-    """The place of a fixed guide, or its direction where it runs at an angle through a letter; offset and turn where there are any."""
+    """The place of a fixed guide, or its direction where it runs through a letter; offset and turn if any."""
     if guide.guide == FRAME and not guide.towards:
         yield Led(joint=i, part=Part.DIRECTION if guide.through else Part.PLACE)
     if guide.offset:
@@ -156,7 +84,9 @@ def value(mech: Mechanism, dimension: Dimension) -> float:
         case Led(joint=i, part=part):
             return _of_led(_guide(mech, i), part)
         case Profile():
-            return next(disc.radius for contact in mech.contacts for disc in (contact.disc, contact.on) if _is(disc, dimension))
+            return next(
+                disc.radius for contact in mech.contacts for disc in (contact.disc, contact.on) if _is(disc, dimension)
+            )
         case Driven(drive=i, part=part):
             return float(getattr(mech.drives[i], part.value))
         case _:
@@ -172,14 +102,18 @@ def varied(mech: Mechanism, dimension: Dimension, to: float) -> Mechanism:
         case Bar(link=name):
             link = mech.link(name)
             (first, start), (second, end) = firm(link).items()
-            return set_out(mech, link, {first: start, second: start + to * (end - start) / abs(end - start)}, link.placements)
+            return set_out(
+                mech, link, {first: start, second: start + to * (end - start) / abs(end - start)}, link.placements
+            )
         case Placed(link=name, places=places, part=part):
             link = mech.link(name)
             anew = tuple(_replaced(one, part, to) if i in places else one for i, one in enumerate(link.placements))
             return set_out(mech, link, firm(link), anew)
         case Coordinate(letter=letter, axis=axis):
             at = mech.frame[letter]
-            return moved(mech, FRAME, {**mech.frame, letter: complex(to, at.imag) if axis == "x" else complex(at.real, to)})
+            return moved(
+                mech, FRAME, {**mech.frame, letter: complex(to, at.imag) if axis == "x" else complex(at.real, to)}
+            )
         case Led(joint=i, part=part):
             return _with_joint(mech, i, _led(_guide(mech, i), part, to))
         case Profile():
@@ -187,8 +121,8 @@ def varied(mech: Mechanism, dimension: Dimension, to: float) -> Mechanism:
                 mech = _profiled(mech, i, dimension, to)
             return mech
         case Driven(drive=i, part=part):
-            drive = replace(mech.drives[i], **{part.value: to})  # type: ignore[arg-type]  # a drive's parts are its fields
-            return replace(mech, drives=(*mech.drives[:i], drive, *mech.drives[i + 1:]))
+            drive = replace(mech.drives[i], **{part.value: to})  # type: ignore[arg-type]  # its parts are its fields
+            return replace(mech, drives=(*mech.drives[:i], drive, *mech.drives[i + 1 :]))
         case _:
             assert_never(dimension)
 
@@ -243,7 +177,7 @@ def _led(guide: Prismatic, part: Part, to: float) -> Prismatic:
 
 
 def _with_joint(mech: Mechanism, i: int, joint: Prismatic) -> Mechanism:
-    return replace(mech, joints=(*mech.joints[:i], joint, *mech.joints[i + 1:]))
+    return replace(mech, joints=(*mech.joints[:i], joint, *mech.joints[i + 1 :]))
 
 
 def _is(disc: Circle | Rack, profile: Profile) -> TypeGuard[Circle]:
@@ -251,13 +185,13 @@ def _is(disc: Circle | Rack, profile: Profile) -> TypeGuard[Circle]:
 
 
 def _profiled(mech: Mechanism, i: int, profile: Profile, to: float) -> Mechanism:
-    """Another radius, and the link that replaces the contact: as long as the centres are apart, or sliding at the radius from the face."""
+    """Another radius, and the link that replaces the contact: between the centres, or led along the face."""
     contact = mech.contacts[i]
     disc, on = (replace(one, radius=to) if _is(one, profile) else one for one in (contact.disc, contact.on))
     if (disc, on) == (contact.disc, contact.on):
         return mech
     assert isinstance(disc, Circle)
-    mech = replace(mech, contacts=(*mech.contacts[:i], replace(contact, disc=disc, on=on), *mech.contacts[i + 1:]))
+    mech = replace(mech, contacts=(*mech.contacts[:i], replace(contact, disc=disc, on=on), *mech.contacts[i + 1 :]))
     if not isinstance(on, Circle):
         return _off_the_face(mech, contact, disc.radius - contact.disc.radius)
     bar = mech.link(contact.substitute)
@@ -268,6 +202,8 @@ def _profiled(mech: Mechanism, i: int, profile: Profile, to: float) -> Mechanism
 
 def _off_the_face(mech: Mechanism, contact: Contact, more: float) -> Mechanism:
     """The line of the disc's centre so much (m) further from the face."""
-    i = next(i for i, joint in enumerate(mech.joints) if isinstance(joint, Prismatic) and joint.block == contact.substitute)
+    i = next(
+        i for i, joint in enumerate(mech.joints) if isinstance(joint, Prismatic) and joint.block == contact.substitute
+    )
     guide, left = _guide(mech, i), 1j if contact.side is Side.LEFT else -1j
     return _with_joint(mech, i, replace(guide, origin=guide.origin + more * left * cmath.rect(1.0, guide.direction)))

@@ -55,7 +55,7 @@ Placement = ByLengths | ByOffsets | ByAngle
 
 
 def local(placement: Placement, points: Mapping[str, complex]) -> complex:
-    """The placed point as seen along its base's ray (m), from the points that are there; NaN where its triangle does not close."""
+    """The placed point as seen along its base's ray (m); NaN where its triangle does not close."""
     match placement:
         case ByAngle():
             return cmath.rect(placement.distance, placement.angle)
@@ -67,7 +67,7 @@ def local(placement: Placement, points: Mapping[str, complex]) -> complex:
 
 
 def apex(c: float, p: float, q: float) -> complex:
-    """The apex left of a base of length c at the distances p and q from its ends, seen along the base; NaN where no triangle closes.
+    """The apex left of a base of length c, at p and q from its ends, seen along the base; NaN where no triangle closes.
 
     x = (p² − q² + c²) / 2c, y = √(p² − x²).
     """

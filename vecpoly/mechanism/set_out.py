@@ -1,4 +1,4 @@
-"""A link's points set out anew, and what is fixed to them: the placed points, and the guide lines through its letters."""
+"""A link's points set out anew, and what is fixed to them: placed points, guide lines through its letters."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Points = Mapping[str, complex]
 
 
 def set_out(mech: Mechanism, link: Link, firm: Points, placements: tuple[Placement, ...]) -> Mechanism:
-    """The mechanism with these places of the link's first points, and these placements; what does not close becomes NaN."""
+    """The mechanism with these first points of the link, and these placements; what does not close becomes NaN."""
     points = dict(firm)
     for old, new in zip(link.placements, placements, strict=True):
         points[new.point] = points[new.base[0]] + _ray(link, old, points) * local(new, points)
@@ -28,9 +28,12 @@ def firm(link: Link) -> dict[str, complex]:
 
 
 def moved(mech: Mechanism, name: str, points: Points, placements: tuple[Placement, ...] | None = None) -> Mechanism:
-    """The mechanism with the points of one link, or of the frame, elsewhere, and the guide lines through them with them."""
+    """The mechanism with the points of one link, or of the frame, elsewhere, and the guide lines through them."""
     old = mech.link(name).points
-    joints = tuple(_led(joint, old, points) if isinstance(joint, Prismatic) and joint.guide == name else joint for joint in mech.joints)
+    joints = tuple(
+        _led(joint, old, points) if isinstance(joint, Prismatic) and joint.guide == name else joint
+        for joint in mech.joints
+    )
     if name == FRAME:
         return replace(mech, frame=points, joints=joints)
     links = tuple(_with(one, points, placements) if one.name == name else one for one in mech.links)
@@ -38,9 +41,10 @@ def moved(mech: Mechanism, name: str, points: Points, placements: tuple[Placemen
 
 
 def stretched(link: Link, fixed: str, other: str, length: float) -> Link:
-    """The link with `other` at this distance (m) from `fixed`, all other letters where they are; it has its own coordinates again.
+    """The link with `other` at this distance (m) from `fixed`, all other letters where they are.
 
-    Its origin is its first letter and its axis runs towards its second; nothing is left of how the points were set out.
+    It has its own coordinates again: its origin is its first letter, its axis runs towards its second;
+    nothing is left of how the points were set out.
     """
     points = dict(link.points)
     span = points[other] - points[fixed]
@@ -86,4 +90,7 @@ def _on_line(guide: Prismatic, old: Points) -> str:
     if guide.guide == FRAME:
         return ""
     start, unit = old[guide.through], cmath.rect(1.0, guide.direction)
-    return next((letter for letter, at in old.items() if abs(at - start) > _NEAR and abs(((at - start) / unit).imag) < _NEAR), "")
+    return next(
+        (letter for letter, at in old.items() if abs(at - start) > _NEAR and abs(((at - start) / unit).imag) < _NEAR),
+        "",
+    )

@@ -1,6 +1,6 @@
-"""What is given as the mechanism has it now: a length, a radius or a rate that was replaced is printed as it is, not as it was written.
+"""What is given as the mechanism has it now: a length or a rate that was replaced is printed as it is.
 
-A datum is bound to the mechanism where, as loaded, it says what the mechanism says; of a bound datum only the mechanism is believed.
+A datum is bound where, as loaded, it says what the mechanism says; of a bound datum only the mechanism is believed.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import degrees, isclose, remainder, tau
 
-from ..mechanism.dimensions import Dimension, Led, Part, Placed, dimensions, upright, value
+from ..mechanism.dimension import Dimension, Led, Part, Placed
+from ..mechanism.dimensions import dimensions, upright, value
 from ..mechanism.loads import Loads
 from ..mechanism.model import Circle, Drive, Mechanism, Prismatic, Rolling
 from .given import Datum, Given
@@ -27,14 +28,20 @@ def current(given: Given, mech: Mechanism, loads: Loads | None = None) -> Given:
     values = _values(given, mech) | (_acting(loads) if loads else {})
     if given.bound is None:
         data = (*given.lengths, *given.motion, *given.loads)
-        return replace(given, bound=frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si)))
+        same = frozenset(d.symbol for d in data if d.symbol in values and _same(values[d.symbol], d.si))
+        return replace(given, bound=same)
     stale = {symbol: values[symbol] for symbol in given.bound if symbol in values}
-    return replace(given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, _motion),
-                   loads=_renewed(given.loads, stale, _load))
+    return replace(
+        given, lengths=_renewed(given.lengths, stale, _length), motion=_renewed(given.motion, stale, _motion),
+        loads=_renewed(given.loads, stale, _load))
 
 
 def _renewed(data: tuple[Datum, ...], now: Values, written: Callable[[Datum, float], str]) -> tuple[Datum, ...]:
-    return tuple(replace(d, si=now[d.symbol], text=written(d, now[d.symbol])) if d.symbol in now and not _same(now[d.symbol], d.si) else d for d in data)
+    def anew(datum: Datum) -> Datum:
+        to = now.get(datum.symbol, datum.si)
+        return datum if _same(to, datum.si) else replace(datum, si=to, text=written(datum, to))
+
+    return tuple(anew(datum) for datum in data)
 
 
 def _values(given: Given, mech: Mechanism) -> dict[str, float]:
@@ -50,7 +57,8 @@ def _values(given: Given, mech: Mechanism) -> dict[str, float]:
             found[symbol] = value(mech, one)
     for drive in mech.drives:
         places, rate, accel = _symbols(mech, drive)
-        found |= {place: drive.position - given.leads.get(place, 0.0) for place in places} | {rate: drive.rate, accel: drive.accel}
+        found |= {place: drive.position - given.leads.get(place, 0.0) for place in places}
+        found |= {rate: drive.rate, accel: drive.accel}
     return found
 
 
@@ -59,7 +67,8 @@ def _symbols(mech: Mechanism, drive: Drive) -> tuple[tuple[str, ...], str, str]:
     if not drive.slide:
         pair = f"{drive.link}{drive.on}" if drive.between else drive.link
         return (f"φ_{pair}",), f"ω_{pair}", f"α_{pair}"
-    guide = next((j for j in mech.joints if isinstance(j, Prismatic) and (j.block, j.guide) == (drive.link, drive.on)), None)
+    slides = (joint for joint in mech.joints if isinstance(joint, Prismatic))
+    guide = next((joint for joint in slides if (joint.block, joint.guide) == (drive.link, drive.on)), None)
     if guide is None or not drive.between:
         return (f"s_{drive.link}",), f"v_{drive.link}", f"a_{drive.link}"
     ends = "".join(next(iter(mech.link(name).points)) for name in (drive.on, drive.link))
@@ -68,13 +77,14 @@ def _symbols(mech: Mechanism, drive: Drive) -> tuple[tuple[str, ...], str, str]:
 
 
 def _leads(given: Given, mech: Mechanism) -> dict[str, float]:
-    """How far each drive's own coordinate is ahead of its datum: an angle may count from a line of the frame, or to another point."""
+    """How far each drive's own coordinate is ahead of its datum: an angle may count from another line."""
     data = {datum.symbol: datum.si for datum in given.motion}
-    return {place: drive.position - data[place] for drive in mech.drives for place in _symbols(mech, drive)[0] if place in data}
+    places = [(place, drive) for drive in mech.drives for place in _symbols(mech, drive)[0]]
+    return {place: drive.position - data[place] for place, drive in places if place in data}
 
 
 def _symbol(mech: Mechanism, one: Dimension) -> str:
-    """How an angle of a point on its link, or the place of a fixed guide, is printed; other dimensions have no such symbol."""
+    """How an angle of a point on its link, or the place of a fixed guide, is printed; empty for others."""
     match one:
         case Placed(link=name, places=(i,), part=Part.ANGLE):
             placement = mech.link(name).placements[i]

@@ -24,10 +24,10 @@ Data = Mapping[Any, Any]
 
 
 def problem(data: Data, *, name: str = "<data>", resolver: Resolver | None = None) -> Problem:
-    """The problem that these data say: keys as in a problem file, values as texts with units or numbers in SI (m, rad, s, kg, N).
+    """The problem that these data say: keys as in a problem file, values with units, or numbers in SI.
 
-    A point of the frame may be x + iy (m); a truth value is `yes` or `no`. resolver: as in `load`. Raises ProblemFileError with
-    every fault, ArgumentError for values of a kind that no problem file has.
+    A point of the frame may be x + iy (m). resolver: as in `load`. Raises ProblemFileError with every fault,
+    ArgumentError for values of a kind that no problem file has.
     """
     of_kind(data, Mapping, Words("题目数据（字典）", "a dictionary with the data of a problem"))
     tree = Tree(name, _texts(data, name))
@@ -35,15 +35,39 @@ def problem(data: Data, *, name: str = "<data>", resolver: Resolver | None = Non
     return build(reaching(tree, (), Reach(resolver=resolver)))
 
 
-def build_mechanism(*, frame: Data, links: Data, input: Any, joints: Sequence[str] = (), branch: Sequence[str] = (),
-                    guesses: Data | None = None, pins: Data | None = None) -> Mechanism:
-    """A mechanism from its frame, links, joints, input and branches, each as in a problem file, through the same checks.
+def build_mechanism(
+    *,
+    frame: Data,
+    links: Data,
+    input: Any,
+    joints: Sequence[str] = (),
+    branch: Sequence[str] = (),
+    guesses: Data | None = None,
+    pins: Data | None = None,
+) -> Mechanism:
+    """A mechanism from its frame, links, joints, input, branches, each as in a problem file, through the same checks.
 
     Raises ProblemFileError with every fault; MobilityError where inputs and degrees of freedom disagree.
     """
-    data = {"id": "mechanism", "title": "mechanism", "frame": frame, "links": links, "input": input, "joints": joints, "branch": branch,
-            "guesses": guesses or {}, "pins": pins or {}, "find": []}
-    return problem({key: value for key, value in data.items() if value or key not in ("joints", "branch", "guesses", "pins", "find")}).mechanism
+    data = {
+        "id": "mechanism",
+        "title": "mechanism",
+        "frame": frame,
+        "links": links,
+        "input": input,
+        "joints": joints,
+        "branch": branch,
+        "guesses": guesses or {},
+        "pins": pins or {},
+        "find": [],
+    }
+    return problem(
+        {
+            key: value
+            for key, value in data.items()
+            if value or key not in ("joints", "branch", "guesses", "pins", "find")
+        }
+    ).mechanism
 
 
 def _texts(data: Data, name: str) -> dict[str, Value]:
@@ -65,7 +89,9 @@ def _texts(data: Data, name: str) -> dict[str, Value]:
 def _plain(value: Any, name: str, depth: int) -> Any:
     """Mappings, lists, texts and numbers; raises ArgumentError for anything else."""
     if depth > limits.DEPTH:
-        raise ArgumentError(Words("嵌套过深；题目只有四层", "nested too deeply; a problem has four levels"), code="too deep")
+        raise ArgumentError(
+            Words("嵌套过深；题目只有四层", "nested too deeply; a problem has four levels"), code="too deep"
+        )
     match value:
         case str():
             refuse_unwanted(value, name)
@@ -80,8 +106,13 @@ def _plain(value: Any, name: str, depth: int) -> Any:
             return [_plain(item, name, depth + 1) for item in value]
         case _ if value is None or is_number(value) or isinstance(value, complex):
             return value
-    raise ArgumentError(Words(f"题目数据中不能有 {type(value).__name__}：应为文本、数、列表或字典",
-                              f"the data of a problem hold texts, numbers, lists and dictionaries, not {type(value).__name__}"), code="kind")
+    raise ArgumentError(
+        Words(
+            f"题目数据中不能有 {type(value).__name__}：应为文本、数、列表或字典",
+            f"the data of a problem hold texts, numbers, lists and dictionaries, not {type(value).__name__}",
+        ),
+        code="kind",
+    )
 
 
 def _said(value: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Values as a Python program gives them, as the texts of a problem file: '120 mm' as it is, a number in SI with its unit."""
+"""Values of a Python program as the texts of a problem file: '120 mm' as it is, a number in SI with its unit."""
 
 from __future__ import annotations
 
@@ -10,8 +10,23 @@ from ..units import Dim
 from ..words import Words
 
 Quantity = str | float
-SI = {Dim.LENGTH: "m", Dim.ANGLE: "rad", Dim.OMEGA: "rad/s", Dim.ALPHA: "rad/s^2", Dim.SPEED: "m/s", Dim.ACCEL: "m/s^2", Dim.MU_L: "m/mm", Dim.MU_V: "(m/s)/mm",
-      Dim.MU_A: "(m/s^2)/mm", Dim.MU_F: "N/mm", Dim.FORCE: "N", Dim.MOMENT: "N*m", Dim.MASS: "kg", Dim.INERTIA: "kg*m^2", Dim.DENSITY: "kg/m^3"}
+SI = {
+    Dim.LENGTH: "m",
+    Dim.ANGLE: "rad",
+    Dim.OMEGA: "rad/s",
+    Dim.ALPHA: "rad/s^2",
+    Dim.SPEED: "m/s",
+    Dim.ACCEL: "m/s^2",
+    Dim.MU_L: "m/mm",
+    Dim.MU_V: "(m/s)/mm",
+    Dim.MU_A: "(m/s^2)/mm",
+    Dim.MU_F: "N/mm",
+    Dim.FORCE: "N",
+    Dim.MOMENT: "N*m",
+    Dim.MASS: "kg",
+    Dim.INERTIA: "kg*m^2",
+    Dim.DENSITY: "kg/m^3",
+}
 
 
 def is_number(value: object) -> bool:
@@ -20,12 +35,17 @@ def is_number(value: object) -> bool:
 
 
 def as_text(name: str, value: object, dim: Dim | None) -> str:
-    """The text of one quantity: a number is in SI (m, rad, s, kg, N; of a scale SI per mm), counter-clockwise positive."""
+    """The text of one quantity: a number is in SI (m, rad, s, kg, N; a scale SI per mm), counter-clockwise positive."""
     if isinstance(value, str):
         return value.strip()
     if not is_number(value):
-        raise ArgumentError(Words(f"{name} 应为带单位的文本（如 '120 mm'）或 SI 数值，而不是 {value!r}",
-                                  f"{name} must be a text with its unit, such as '120 mm', or a number in SI, not {value!r}"), code="kind")
+        raise ArgumentError(
+            Words(
+                f"{name} 应为带单位的文本（如 '120 mm'）或 SI 数值，而不是 {value!r}",
+                f"{name} must be a text with its unit, such as '120 mm', or a number in SI, not {value!r}",
+            ),
+            code="kind",
+        )
     number = repr(float(value))  # type: ignore[arg-type]
     return number if dim is None else f"{number} {SI[dim]}"
 
@@ -36,6 +56,11 @@ def as_pair(name: str, value: object) -> list[str]:
         value = (value.real, value.imag)
     parts = value.split(",") if isinstance(value, str) else value
     if not isinstance(parts, Sequence) or len(parts) != 2:
-        raise ArgumentError(Words(f"点 {name} 需要两个坐标，如 ('120 mm', '0 mm')，而不是 {value!r}",
-                                  f"the point {name} needs two coordinates such as ('120 mm', '0 mm'), not {value!r}"), code="point")
+        raise ArgumentError(
+            Words(
+                f"点 {name} 需要两个坐标，如 ('120 mm', '0 mm')，而不是 {value!r}",
+                f"the point {name} needs two coordinates such as ('120 mm', '0 mm'), not {value!r}",
+            ),
+            code="point",
+        )
     return [as_text(name, part, Dim.LENGTH) for part in parts]

@@ -1,4 +1,4 @@
-"""Where in a problem's values the quantities stand, and the names by which each may be varied: AB, phi, omega, x_D, m_2, F, f ..."""
+"""Where in a problem's values the quantities stand, and the names by which each may be varied: AB, phi, x_D, F ..."""
 
 from __future__ import annotations
 
@@ -21,7 +21,15 @@ _JOINT = (
     (re.compile(r".*?circle about (?P<link>\S+) of (?P<it>.+?)(?= at [A-Z]|$)"), Dim.LENGTH),
 )
 _NAMED = ("", "direction", "e", "turn", "r")  # of the quantities of a joint; x or y is told by the sentence
-_INPUT = {"phi": Dim.ANGLE, "omega": Dim.OMEGA, "alpha": Dim.ALPHA, "s": Dim.LENGTH, "v": Dim.SPEED, "a": Dim.ACCEL, "length": Dim.LENGTH}
+_INPUT = {
+    "phi": Dim.ANGLE,
+    "omega": Dim.OMEGA,
+    "alpha": Dim.ALPHA,
+    "s": Dim.LENGTH,
+    "v": Dim.SPEED,
+    "a": Dim.ACCEL,
+    "length": Dim.LENGTH,
+}
 _RUBBING = {"rho": Dim.LENGTH, "f": None, "f_v": None, "r": Dim.LENGTH, "phi": Dim.ANGLE, "V": Dim.ANGLE}
 _MASS = {"mass": ("m", Dim.MASS), "inertia": ("J", Dim.INERTIA)}
 _ROD = {"diameter": ("d", Dim.LENGTH), "density": ("density", Dim.DENSITY)}
@@ -32,7 +40,7 @@ _LINK = {"radius": ("r", Dim.LENGTH), "phi": ("phi", Dim.ANGLE), "s": ("s", Dim.
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """Where one quantity stands: the path of its text, of which dimension it is (None: a pure number, or a device's), its short names.
+    """Where one quantity stands: its path, its dimension (None: a pure number, or a device's), its short names.
 
     span: the part of the text that is the quantity, where it is not the whole. A point is two texts (`pair`).
     """
@@ -59,10 +67,18 @@ def slots(data: Mapping[str, Value]) -> Iterator[Slot]:
     yield from _of_inputs(data.get("input"))
     for name, load in _entries(data, "loads"):
         force = "direction" in load or "cylinder" in load
-        yield from _keyed(("loads", name), load, {"size": (name, Dim.FORCE if force else Dim.MOMENT), "direction": (f"direction_{name}", Dim.ANGLE)})
+        yield from _keyed(
+            ("loads", name),
+            load,
+            {"size": (name, Dim.FORCE if force else Dim.MOMENT), "direction": (f"direction_{name}", Dim.ANGLE)},
+        )
     for name, rubs in _entries(data, "friction"):
         for key in _there(rubs, _RUBBING):
-            yield Slot(("friction", name, key), _RUBBING[key], (f"{key}_{name}", *((key,) if key in ("f", "f_v", "rho") else ())))
+            yield Slot(
+                ("friction", name, key),
+                _RUBBING[key],
+                (f"{key}_{name}", *((key,) if key in ("f", "f_v", "rho") else ())),
+            )
     for name, mass in _entries(data, "masses"):
         yield from _of_mass(("masses", name), name, mass)
     yield from _keyed(("scales",), data.get("scales"), {key: (key, dim) for key, dim in _SCALES.items()})
@@ -78,7 +94,11 @@ def _entries(data: Mapping[str, Value], key: str) -> Iterator[tuple[str, Mapping
 
 def _there(data: Value, keys: Mapping[str, object]) -> list[str]:
     """Those of these keys under which a single value stands."""
-    return [key for key in keys if isinstance(data, Mapping) and data.get(key) is not None and not isinstance(data[key], Mapping | list)]
+    return [
+        key
+        for key in keys
+        if isinstance(data, Mapping) and data.get(key) is not None and not isinstance(data[key], Mapping | list)
+    ]
 
 
 def _keyed(path: Path, data: Value, keys: Mapping[str, tuple[str, Dim]]) -> Iterator[Slot]:
@@ -137,7 +157,9 @@ def _of_mass(path: Path, name: str, mass: Mapping[str, Value]) -> Iterator[Slot]
     yield from _keyed(path, mass, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _MASS.items()})
     if isinstance(mass.get("centre"), Mapping):
         yield from _of_place((*path, "centre"), f"S{name}", mass["centre"])
-    yield from _keyed((*path, "rod"), mass.get("rod"), {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _ROD.items()})
+    yield from _keyed(
+        (*path, "rod"), mass.get("rod"), {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _ROD.items()}
+    )
 
 
 def _of_device(path: Path, data: Value) -> Iterator[Slot]:
@@ -151,7 +173,7 @@ def _of_device(path: Path, data: Value) -> Iterator[Slot]:
 
 
 def named(data: Mapping[str, Value]) -> dict[str, tuple[Slot, ...]]:
-    """Every name, short or full, with the quantities that it means; of lengths also with the letters the other way round."""
+    """Every name, short or full, with the quantities that it means."""
     found: dict[str, tuple[Slot, ...]] = {}
     for slot in slots(data):
         for name in dict.fromkeys(chain(slot.names, (slot.full,))):

@@ -1,4 +1,4 @@
-"""problem.vary(AB="120 mm", phi="30 deg"): the same problem with other values, built anew from them without reading any YAML."""
+"""problem.vary(AB="120 mm", phi="30 deg"): the same problem with other values, built anew without reading any YAML."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _READ = ("path", "read", "text", "tables", "written")  # where it comes from
 
 
 def vary(problem: Problem, changes: Mapping[str, Quantity | Point]) -> Problem:
-    """The problem with these values; raises UnknownNameError, ProblemFileError (what no problem file may hold) and ArgumentError."""
+    """The problem with these values; raises UnknownNameError, ArgumentError; ProblemFileError as a file would."""
     written = _own(problem)
     tree, touched = written.tree(), dict[tuple[Any, ...], str]()
     for name, value in changes.items():
@@ -42,18 +42,34 @@ def vary(problem: Problem, changes: Mapping[str, Quantity | Point]) -> Problem:
 def parameters(problem: Problem) -> dict[str, str]:
     """The short names by which values may be varied, with what is written: {'AB': '30 mm', 'phi': '60 deg', ...}."""
     data = _own(problem).tree().data
-    return {name: _said(data, found[0]) for name, found in named(data).items() if name != found[0].full and _alike(data, found)}
+    return {
+        name: _said(data, found[0])
+        for name, found in named(data).items()
+        if name != found[0].full and _alike(data, found)
+    }
 
 
 def _own(problem: Problem) -> Written:
     """What the problem says; raises ArgumentError where it is no longer what its values say."""
     if problem.written is None:
-        raise ArgumentError(Words(f"题目 {problem.id} 不是由文件或数据读入的，没有可改的值；请用 vecpoly.problem(...) 或 load 建立",
-                                  f"problem {problem.id} was not read from a file or from data and has no values to vary; make it by vecpoly.problem(...) or load"), code="no-values")
+        raise ArgumentError(
+            Words(
+                f"题目 {problem.id} 不是由文件或数据读入的，没有可改的值；请用 vecpoly.problem(...) 或 load 建立",
+                f"problem {problem.id} was not read from a file or from data and has no values to vary; "
+                "make it by vecpoly.problem(...) or load",
+            ),
+            code="no-values",
+        )
     old = _built(problem.written, problem.path)
     if any(getattr(problem, key) != getattr(old, key) for key in _BUILT):
-        raise ArgumentError(Words(f"题目 {problem.id} 的机构或载荷已另行更换，与其数据不再一致；请先 vary 再更换",
-                                  f"the mechanism or the loads of problem {problem.id} were replaced and are no longer what its values say; vary first, replace then"), code="replaced")
+        raise ArgumentError(
+            Words(
+                f"题目 {problem.id} 的机构或载荷已另行更换，与其数据不再一致；请先 vary 再更换",
+                f"the mechanism or the loads of problem {problem.id} were replaced "
+                "and are no longer what its values say; vary first, replace then",
+            ),
+            code="replaced",
+        )
     return problem.written
 
 
@@ -70,16 +86,27 @@ def _others() -> list[str]:
 
 
 def meant_by(name: str, data: Mapping[str, Value]) -> tuple[Slot, ...]:
-    """The quantities of this name; raises UnknownNameError where there is none, or where it means several that differ."""
+    """The quantities of this name; raises UnknownNameError where there is none, or several that differ."""
     known = named(data)
     found = known.get(name) or known.get(other_way(name)) or ()
     if not found:
         short = [key for key, of in known.items() if key != of[0].full]
-        raise UnknownNameError(Words(f"本题没有可改的量“{name}”", f"nothing that is given is called '{name}'") + meant(name, short) + _frame(name, data), code="unknown-name")
+        raise UnknownNameError(
+            Words(f"本题没有可改的量“{name}”", f"nothing that is given is called '{name}'")
+            + meant(name, short)
+            + _frame(name, data),
+            code="unknown-name",
+        )
     if not _alike(data, found):
         zh, en = (comma.join(f"{slot.full} = {_said(data, slot)}" for slot in found) for comma in ("、", ", "))
-        raise UnknownNameError(Words(f"“{name}”指几个不同的量：{zh}；请写全名，如 vary(**{{\"{found[0].full}\": ...}})",
-                                     f"'{name}' means several that differ: {en}; give the full name, e.g. vary(**{{\"{found[0].full}\": ...}})"), code="ambiguous-name")
+        raise UnknownNameError(
+            Words(
+                f'“{name}”指几个不同的量：{zh}；请写全名，如 vary(**{{"{found[0].full}": ...}})',
+                f"'{name}' means several that differ: {en}; "
+                f"give the full name, e.g. vary(**{{\"{found[0].full}\": ...}})",
+            ),
+            code="ambiguous-name",
+        )
     return found
 
 
@@ -88,8 +115,10 @@ def _frame(name: str, data: Mapping[str, Value]) -> Words:
     first, second = name[:1], name[1:]
     frame = data.get("frame") or {}
     if first in frame and second in frame:
-        return Words(f"；{first}、{second} 是机架上的点，请改其坐标 x_{second}、y_{second} 或 {second}=(x, y)",
-                     f"; {first} and {second} are points of the frame: vary x_{second} and y_{second}, or {second}=(x, y)")
+        return Words(
+            f"；{first}、{second} 是机架上的点，请改其坐标 x_{second}、y_{second} 或 {second}=(x, y)",
+            f"; {first} and {second} are points of the frame: vary x_{second} and y_{second}, or {second}=(x, y)",
+        )
     return Words.same("")
 
 
@@ -122,7 +151,13 @@ def _once(slot: Slot, name: str, touched: dict[tuple[Any, ...], str]) -> None:
     here = (*slot.path, slot.names) if slot.span else slot.path
     for there, other in touched.items():
         if other != name and (there[: len(here)] == here or here[: len(there)] == there):
-            raise ArgumentError(Words(f"{other} 与 {name} 是同一个量，只能给出一个", f"{other} and {name} are one quantity; give one of them"), code="contradiction")
+            raise ArgumentError(
+                Words(
+                    f"{other} 与 {name} 是同一个量，只能给出一个",
+                    f"{other} and {name} are one quantity; give one of them",
+                ),
+                code="contradiction",
+            )
     touched[here] = name
 
 

@@ -1,4 +1,4 @@
-"""What a problem says, as frozen text values with their places: from it the problem is built anew with other values, without YAML."""
+"""What a problem says, as frozen texts with their places: from it the problem is built anew with other values."""
 
 from __future__ import annotations
 
@@ -31,7 +31,11 @@ class Written:
 
 def written_of(tree: Tree) -> Written:
     """What the tree says now: what was taken away by null is gone, two components in one text are two values."""
-    data = {key: _paired(value) if key in _PAIRS else value for key, value in tree.data.items() if value is not None and key != "extends"}
+    data = {
+        key: _paired(value) if key in _PAIRS else value
+        for key, value in tree.data.items()
+        if value is not None and key != "extends"
+    }
     return Written(tree.name, frozen(data), FrozenMap(tree.places))
 
 

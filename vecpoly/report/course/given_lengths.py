@@ -1,4 +1,4 @@
-"""The dimensions a problem gives, each by name: coordinates of pivots, lengths and angles of links, places of guides."""
+"""The dimensions a problem gives, each by name: coordinates of pivots, lengths and angles, places of guides."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ import cmath
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from ...mechanism import dimension
 from ...mechanism import dimensions as dims
-from ...mechanism.dimensions import ANGLES, Bar, Coordinate, Led, Part, Placed, upright, value, varied
+from ...mechanism.dimension import ANGLES, Bar, Coordinate, Led, Part, Placed
+from ...mechanism.dimensions import upright, value, varied
 from ...mechanism.model import ByAngle, ByLengths, ByOffsets, Link, Mechanism, Placement, Prismatic
 from ...words import Words
 
@@ -16,11 +18,11 @@ _NEAR = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
-    """A given dimension: how it is called, the mechanism that has it, which one it is; of what lies to the right the size is told."""
+    """A given dimension: its name, the mechanism that has it, which one it is; unsigned: of it the size is told."""
 
     name: Words
     mech: Mechanism
-    one: dims.Dimension
+    one: dimension.Dimension
     unsigned: bool = False
 
     @property
@@ -44,7 +46,7 @@ class Dimension:
 
 
 def given_dimensions(mech: Mechanism, written: frozenset[str] = frozenset()) -> Iterator[Dimension]:
-    """All dimensions of a mechanism as its file gives them; the drive's pivot is the origin from which the frame is told.
+    """All dimensions of a mechanism as its file gives them; the frame is told from the drive's pivot.
 
     written: symbols of lengths as the problem writes them, l_CD.
     """
@@ -54,7 +56,10 @@ def given_dimensions(mech: Mechanism, written: frozenset[str] = frozenset()) -> 
         yield from _of_link(mech, link, written)
     for letter in mech.frame:
         if letter != origin:
-            yield from (Dimension(Words.same(f"${axis}_{{{letter}}}$"), mech, Coordinate(letter=letter, axis=axis)) for axis in "xy")
+            yield from (
+                Dimension(Words.same(f"${axis}_{{{letter}}}$"), mech, Coordinate(letter=letter, axis=axis))
+                for axis in "xy"
+            )
     for i, joint in enumerate(mech.joints):
         if isinstance(joint, Prismatic) and joint.block not in mech.substitutes:
             yield from (_of_guide(mech, joint, one) for one in dims.of_guide(i, joint))
@@ -63,7 +68,7 @@ def given_dimensions(mech: Mechanism, written: frozenset[str] = frozenset()) -> 
 
 
 def _of_link(mech: Mechanism, link: Link, written: frozenset[str]) -> Iterator[Dimension]:
-    """The distance of its first two points, then what sets out the others; points at one foot share the distance along."""
+    """The distance of its first two points, then what sets out the others; points at one foot share it."""
     for one in dims.of_link(mech, link):
         if isinstance(one, Bar):
             yield Dimension(_length(written, *list(link.points)[:2]), mech, one)
@@ -79,13 +84,21 @@ def _of_placement(mech: Mechanism, link: Link, one: Placed, written: frozenset[s
         case ByAngle(point=point, base=base) if one.part is Part.DISTANCE:
             yield Dimension(_length(written, base[0], point), mech, one)
         case ByAngle(point=point, base=base):
-            known = Words.same(f"$∠{base[1]}{base[0]}{point}$") if len(base) == 2 else Words(f"${base[0]}{point}$ 的倾角", f"angle of ${base[0]}{point}$")
+            known = (
+                Words.same(f"$∠{base[1]}{base[0]}{point}$")
+                if len(base) == 2
+                else Words(f"${base[0]}{point}$ 的倾角", f"angle of ${base[0]}{point}$")
+            )
             yield Dimension(known, mech, one)
         case ByOffsets(point=point, base=base, left=left) if one.part is Part.ALONG:
             feet = tuple(k for k, other in enumerate(link.placements) if _one_foot(other, placement))
             if feet[0] == i:
                 line = "".join(base)
-                name = Words(f"${point}$ 沿 ${line}$ 的距离", f"${point}$ along ${line}$") if left else _length(written, base[0], point)
+                name = (
+                    Words(f"${point}$ 沿 ${line}$ 的距离", f"${point}$ along ${line}$")
+                    if left
+                    else _length(written, base[0], point)
+                )
                 yield Dimension(name, mech, Placed(link=link.name, places=feet, part=Part.ALONG))
         case ByOffsets(point=point, base=base, left=left) if left:
             line = "".join(base)
@@ -102,7 +115,7 @@ def _length(written: frozenset[str], a: str, b: str) -> Words:
 
 
 def _of_guide(mech: Mechanism, guide: Prismatic, one: Led) -> Dimension:
-    """The place of a fixed guide, or its angle where it is set out from a pivot; the offset of a pin, the turn of a block."""
+    """The place of a fixed guide, or its angle through a pivot; the offset of a pin, the turn of a block."""
     pin, number = guide.pin, mech.number(guide.block)
     match one.part:
         case Part.PLACE:
