@@ -7,7 +7,7 @@ import inspect
 import os
 import textwrap
 from collections.abc import Generator
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import pytest
 from _pytest.assertion import util
@@ -61,7 +61,7 @@ def _function(item: pytest.Item) -> str:
 
 def _asserts(item: pytest.Item) -> bool:
     """Whether there is an assertion in the test itself, not only in what it calls."""
-    function = getattr(item, "function", None)
+    function: Any = getattr(item, "function", None)
     law = getattr(function, "hypothesis", None)
     try:
         text = textwrap.dedent(inspect.getsource(law.inner_test if law else function))

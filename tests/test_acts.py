@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import pickle
+import re
 from copy import deepcopy
 from dataclasses import fields
 from functools import cache
+from unicodedata import east_asian_width
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vecpoly import Mistake, Slip, load, slips, solve
+from vecpoly import Mistake, Slip, Solution, load, slips, solve
 from vecpoly.board.acts import Act, Answer, Compute, Locate, Measure
 from vecpoly.board.amended import AS_DRAWN, Amended
 from vecpoly.board.chain import following, numbers
@@ -19,10 +21,11 @@ from vecpoly.board.construction import Construction
 from vecpoly.board.hand import hand
 from vecpoly.board.ink import marks
 from vecpoly.board.place import Pane
+from vecpoly.board.told import told as told_as_list
 from vecpoly.errors import UnknownNameError, VecpolyError
 from vecpoly.frozen import FrozenMap
 from vecpoly.record import from_json, to_json
-from vecpoly.solution import Solution, constructed
+from vecpoly.solution import constructed
 
 SEVERAL = ("3-2", "3-3", "3-9", "3-12", "4-3a", "4-4", "4-5", "C-inertia", "slider-crank-dynamic", "5-2", "geared-five-bar", "tipper", "three-legged-plate")
 KINDS = (Measure, Locate)
@@ -170,9 +173,21 @@ def test_a_slip_with_what_is_not_there_is_refused() -> None:
 
 def test_a_construction_reads_as_a_list_of_steps_and_acts() -> None:
     text = str(solved("3-9").construction)
-    assert "measure bc2 = " in text
-    assert "point c2" in text
+    assert re.search(r"#\d+  measure +bc2 = ", text) and re.search(r"point +c2 \(", text)
     assert len(str(solved("3-9")).splitlines()) == len(solved("3-9").answers) + 1
+
+
+def test_the_list_of_acts_keeps_its_columns_in_chinese() -> None:
+    construction = solved("3-9").construction
+    lines = [line for line in told_as_list(construction.steps, construction.acts, "zh").splitlines() if "← " in line]
+    wide = {sum(2 if east_asian_width(letter) in "WF" else 1 for letter in line.partition("←")[0]) for line in lines}
+    assert len(lines) > 40 and len(wide) == 1
+
+
+def test_the_list_of_acts_writes_units_and_symbols_as_people_do() -> None:
+    text = str(solved("3-9").construction)
+    assert "m/s²" in text and "n_2′c_2′" in text
+    assert not re.search(r"\^2|[$^{}]′|  ω|\$", text)
 
 
 @pytest.mark.parametrize("problem", SEVERAL)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from math import inf, nan
 from pathlib import Path
+from typing import Any
 
 import pdfplumber
 import pytest
@@ -20,8 +21,10 @@ from vecpoly.cli.app import app
 from vecpoly.cli.errors import SUSPECT
 from vecpoly.errors import DeadPointError, NotAskedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
+from vecpoly.methods.answers import answer
 from vecpoly.problem.library import entries
 from vecpoly.solution import fewer_digits
+from vecpoly.words import Lang
 
 Spoil = Callable[[complex], complex]
 RED = (0.78, 0.0, 0.0)
@@ -40,13 +43,14 @@ find: [v_C, a_C, omega_3, alpha_3]
 @pytest.fixture
 def spoilt(monkeypatch: pytest.MonkeyPatch) -> Callable[[Spoil], None]:
     """Make a method read v_E of 3-9 otherwise, by every hand."""
-    honest = plan.answer
+    honest = answer
 
     def spoil(by: Spoil) -> None:
         def read(desk, rel):  # type: ignore[no-untyped-def]
             reading, scalars = honest(desk, rel)
             if rel.key != "v_E":
                 return reading, scalars
+            assert reading.vector is not None
             vector = by(reading.vector)
             return replace(reading, vector=vector, scalar=abs(vector)), scalars / reading.scalar * abs(vector)
 
@@ -108,7 +112,7 @@ def test_every_command_that_draws_leaves_with_the_code_of_the_alarm(
 
 
 @pytest.mark.parametrize(("lang", "said"), [("zh", "不得作为答案"), ("en", "not to be taken as an answer")])
-def test_report_and_sheet_carry_a_red_box(spoilt: Callable[[Spoil], None], tmp_path: Path, lang: str, said: str) -> None:
+def test_report_and_sheet_carry_a_red_box(spoilt: Callable[[Spoil], None], tmp_path: Path, lang: Lang, said: str) -> None:
     spoilt(lambda v: 1.2 * v)
     solve(load("3-9")).report(tmp_path / "x.pdf", lang=lang)
     with pdfplumber.open(tmp_path / "x.pdf") as pdf:
@@ -130,7 +134,7 @@ def test_the_player_opens_with_the_alarm(spoilt: Callable[[Spoil], None], tmp_pa
     assert 'id="alarm"' in page.html
 
 
-def weighed(**changed: float) -> Weighed:
+def weighed(**changed: Any) -> Weighed:
     return replace(Weighed(drawn=1.0, exact=1.0, ideal=1.0, true=1.0, reach=0.01, noise=0.0, size=1.0), **changed)
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from test_oracle_models import (
+
+from tests.test_oracle_models import (
     a16,
     a26,
     class_three,
@@ -17,7 +18,6 @@ from test_oracle_models import (
     pins,
     sine,
 )
-
 from vecpoly.errors import MobilityError
 from vecpoly.mechanism.assur import decompose, hinges
 from vecpoly.mechanism.mobility import check, mobility

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from vecpoly import load, loads
 from vecpoly.errors import MobilityError, NotAskedError, ProblemFileError, UnknownNameError, VecpolyError
 from vecpoly.limits import FILE as LIMIT
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.problem.library import library
-from vecpoly.problem.load import load, loads
 
 GOOD = """\
 id: t

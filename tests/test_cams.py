@@ -11,7 +11,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from vecpoly import load, loads, oracle
+from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
 from vecpoly.board.marks import Arc, Disc, FixedGuide, Point, Role, Segment
@@ -24,7 +24,6 @@ from vecpoly.methods.plan import _draw, construct
 from vecpoly.names import parse_rel
 from vecpoly.oracle.contact import touching
 from vecpoly.problem.asks import AskRel
-from vecpoly.problem.problem import Problem
 
 PLACES = dict(zip(View, slots(3), strict=False))
 LEVER = """
@@ -170,7 +169,10 @@ def test_the_flat_tappet_follows_the_closed_formula(phi: float, turn: float) -> 
     e, x, radius, t, w = 0.03, 0.015, 0.05, radians(phi), 4.0
     n = exp(1j * radians(90.0 + turn)) * 1j  # square to the face, away from the disc
     o = e * exp(1j * t)
-    along = lambda z: (n.conjugate() * z).real / n.imag  # noqa: E731
+
+    def along(z: complex) -> float:
+        return (n.conjugate() * z).real / n.imag
+
     truth = {"p_F": complex(x, along(o - x) + radius / n.imag), "v_F2": 1j * along(1j * w * o), "a_F2": 1j * along(-w * w * o), "p_K": o + radius * n}
     problem = flat_tappet(phi, turn)
     found, motion = drawn(problem, " ".join(truth)), oracle.solve(problem.mechanism)

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from vecpoly import load, loads, oracle
+from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.construction import Construction, Pane, View
 from vecpoly.board.marks import Point, Role, Segment, Vector
 from vecpoly.check.printed import check_problem
@@ -25,7 +25,6 @@ from vecpoly.mechanism.model import FRAME
 from vecpoly.methods.centres.search import Known, order
 from vecpoly.names import omega, parse_rel
 from vecpoly.oracle.centres import Centres
-from vecpoly.problem.problem import Problem
 from vecpoly.record import from_json, to_json
 from vecpoly.solution import Answer, Solution
 
@@ -354,7 +353,7 @@ def test_the_drafting_hand_stays_within_the_expected_error_and_fits_the_sheets(n
     names = {figure.name for figure in solution.construction.figures}
     assert {"", "centres", "centre polygon"} <= names
     for lang in ("zh", "en"):
-        drawn = {placed.name for sheet in sheets(solution.construction, lang=lang) for placed in sheet.figures}  # type: ignore[arg-type]
+        drawn = {placed.name for sheet in sheets(solution.construction, lang=lang) for placed in sheet.figures}
         assert drawn == names
     assert from_json(to_json(solution.construction), Construction) == solution.construction
 

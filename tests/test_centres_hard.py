@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from label_faults import faults
-from texts import CLASS_III
 
+from tests.label_faults import faults
+from tests.texts import CLASS_III
 from vecpoly import load, loads, oracle
 from vecpoly.board.marks import Role, Segment
 from vecpoly.cycle.pose import posed

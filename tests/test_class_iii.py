@@ -179,15 +179,15 @@ def test_a_summed_term_with_a_gap_is_refused() -> None:
 def test_peaucellier_s_point_moves_across_the_line_of_the_pivots() -> None:
     answers = exact("peaucellier").answers
     for key in ("v_P", "a_P"):
-        assert answers[key].drawn_vector is not None and abs(answers[key].drawn_vector.real) < 1e-9 * abs(
-            answers[key].drawn_vector
-        )
+        vector = answers[key].drawn_vector
+        assert vector is not None and abs(vector.real) < 1e-9 * abs(vector)
 
 
 def test_the_pantograph_enlarges_every_motion_two_and_a_half_times() -> None:
     answers = exact("pantograph").answers
     for kind in ("v", "a"):
-        assert answers[f"{kind}_E"].drawn_vector == pytest.approx(2.5 * answers[f"{kind}_D"].drawn_vector, rel=1e-9)
+        large, small = (answers[f"{kind}_{point}"].drawn_vector for point in "ED")
+        assert large is not None and small is not None and large == pytest.approx(2.5 * small, rel=1e-9)
 
 
 @pytest.mark.parametrize(("name", "flat", "stride"), [("jansen-leg", 2.5, 60.0), ("klann-leg", 5.0, 95.0)])

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 import pytest
-from texts import CLASS_III, CLASS_IV
 
+from tests.texts import CLASS_III, CLASS_IV
 from vecpoly import loads, solve
 from vecpoly.board.construction import Step
 from vecpoly.board.hand import hand

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
-from texts import CLASS_IV
 from typer.testing import CliRunner, Result
 
+from tests.texts import CLASS_IV
 from vecpoly.board.hand import HandName
 from vecpoly.cli import app
 from vecpoly.cli.options import Hand, Lang, Style

@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
+from vecpoly import load
 from vecpoly.cli import app
 from vecpoly.cli.demo import ASSIGNMENTS
 from vecpoly.data import data_dir
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.problem.library import entries
-from vecpoly.problem.load import load
 
 Run = Callable[..., Result]
 

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdfium2 import PdfDocument
-from texts import CLASS_III
 
+from tests.texts import CLASS_III
 from vecpoly import oracle
 from vecpoly.board.marks import Point
 from vecpoly.curves.turning import turning
@@ -179,7 +179,7 @@ def test_a_sliding_motion_has_one_symbol_in_the_model_and_in_the_tables(name: st
 def test_one_quantity_has_the_same_decimals_in_all_columns_of_a_table() -> None:
     it = studied("B-24")
     made = table(it.turn, ("phi_2", "phi_5", "omega_2", "omega_5", "alpha_2", "alpha_5", "v_E", "a_E"), it.rows)
-    told = {}
+    told: dict[str, set[object]] = {}
     for column, places in list(zip(made.columns, _formats(made.columns, made.values), strict=True))[1:]:
         told.setdefault(column.key.partition("_")[0], set()).add(places)
     assert (told["phi"], told["omega"], told["alpha"]) == ({2}, {4}, {3}) and all(len(one) == 1 for one in told.values())

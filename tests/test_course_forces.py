@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from test_oracle_forces_models import slider_crank
 
+from tests.test_oracle_forces_models import slider_crank
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.duties import Cause, duties, idle, stills
 from vecpoly.cycle.sample import sample

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import cache
 from math import pi
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 import pdfplumber
@@ -13,6 +15,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pypdf import PdfReader
+from pypdf.generic import DictionaryObject
 
 from vecpoly import oracle
 from vecpoly.errors import NotAskedError
@@ -67,18 +70,18 @@ def test_the_printed_formulas_give_the_oracle_s_motion(name: str) -> None:
     assert all(float(np.max(gap)) < 1e-8 * max(1.0, it.mech.drive.rate**2) for _, gap in it.model.gaps(phi))
 
 
-def same(env: dict[str, object], symbol: str, value: np.ndarray) -> bool:  # type: ignore[type-arg]
+def same(env: Mapping[str, object], symbol: str, value: np.ndarray) -> bool:
     """Whether the formulas tell it, and then rightly; what they leave out is zero."""
     found = np.asarray(env.get(symbol, 0.0), np.float64)
     assert np.max(np.abs(found - value)) < 1e-8 * max(1.0, float(np.abs(value).max())), symbol
     return symbol in env
 
 
-def well_conditioned(it: Study, phi: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+def well_conditioned(it: Study, phi: np.ndarray) -> np.ndarray:
     """Where every group's determinant is more than a fiftieth of its largest."""
     env = it.model.values(phi)
     shares = [np.abs(one.group.determinant.value(env)) / one.largest for one in conditioning(it) if one.group.determinant is not None]
-    return np.logical_and.reduce([np.ones(phi.shape, bool), *(np.broadcast_to(s > 0.02, phi.shape) for s in shares)])
+    return np.asarray(np.logical_and.reduce([np.ones(phi.shape, bool), *(np.broadcast_to(s > 0.02, phi.shape) for s in shares)]))
 
 
 def test_the_other_sign_of_m_is_another_assembly() -> None:
@@ -186,7 +189,7 @@ def test_nothing_of_the_report_lies_outside_its_pages(report: Path) -> None:
 
 def test_every_font_of_the_report_is_embedded(report: Path) -> None:
     for page in PdfReader(report).pages:
-        for font in page["/Resources"].get("/Font", {}).values():
+        for font in cast("DictionaryObject", page["/Resources"]).get("/Font", {}).values():
             descriptor = font.get_object().get("/FontDescriptor")
             assert descriptor is not None and "/FontFile2" in descriptor.get_object()
 

@@ -126,7 +126,7 @@ def test_a_curve_goes_through_the_oracle_s_values_and_within_its_axes(name: str,
     turn = cycle(problem, n=91)
     plot = curves(turn, keys)
     assert len(plot.figure.axes) >= len(keys)
-    lines = {line.get_gid() or line.get_label(): (panel, line) for panel in plot.figure.axes for line in panel.get_lines() if len(line.get_xdata()) >= 80}
+    lines = {line.get_gid() or line.get_label(): (panel, line) for panel in plot.figure.axes for line in panel.get_lines() if np.size(line.get_xdata()) >= 80}
     assert len(lines) == len(keys)
     for key, (panel, line) in zip(keys, lines.values(), strict=True):
         x, y = np.asarray(line.get_xdata(), float), np.asarray(line.get_ydata(), float)

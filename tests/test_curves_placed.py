@@ -142,7 +142,7 @@ def test_the_skeleton_has_every_link_in_millimetres_and_a_plate_closed() -> None
 def test_a_path_that_is_run_to_and_fro_is_drawn_once() -> None:
     figure = trace(cycle(loads(CRANK)), ("C", "B")).figure
     lines = [line for axes in figure.axes for line in axes.lines]
-    paths = [np.asarray(line.get_xydata()) for line in lines if len(line.get_xydata()) > 100]
+    paths = [np.asarray(line.get_xydata()) for line in lines if len(np.asarray(line.get_xydata())) > 100]
     straight, round_ = sorted(paths, key=lambda path: np.ptp(path[:, 1]))
     assert np.ptp(straight[:, 1]) < 1e-6 and np.abs(np.diff(straight[:, 0])).sum() == pytest.approx(60.0, abs=1e-3) == np.ptp(straight[:, 0])
     assert np.hypot(*round_.T) == pytest.approx(np.full(len(round_), 30.0))

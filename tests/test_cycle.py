@@ -9,6 +9,7 @@ from dataclasses import replace
 from io import BytesIO, StringIO
 from math import acos, degrees, hypot, pi
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -80,7 +81,7 @@ def nephroid() -> Mechanism:
 def derivative(turn: Cycle, key: str) -> np.ndarray:
     """d/dt of a column by seven points."""
     weights = np.array([-1, 9, -45, 0, 45, -9, 1])[::-1] / 60
-    return np.convolve(np.asarray(turn.column(key)), weights, "valid") * turn.mech.drive.rate / (turn.phi[1] - turn.phi[0])
+    return np.asarray(np.convolve(np.asarray(turn.column(key)), weights, "valid") * turn.mech.drive.rate / (turn.phi[1] - turn.phi[0]))
 
 
 def sizes(turn: Cycle, key: str, phi: np.ndarray) -> np.ndarray:
@@ -336,7 +337,7 @@ def test_a_plot_in_a_pdf_is_lines_and_embedded_type(tmp_path: Path) -> None:
         file.write_bytes(plot.pdf())
         (page,) = pypdf.PdfReader(file).pages
         assert not page.images and float(page.mediabox.width) == pytest.approx(plot.width * 72 / 25.4, abs=0.1)
-        fonts = [font.get_object() for font in page["/Resources"]["/Font"].values()]
+        fonts = [font.get_object() for font in cast("Any", page["/Resources"])["/Font"].values()]
         assert fonts and all("/FontFile2" in font["/FontDescriptor"] for font in fonts)
         assert "[U+" not in page.extract_text()
 

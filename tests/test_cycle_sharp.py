@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_cycle import four_bar, nephroid, slider_crank
 
+from tests.test_cycle import four_bar, nephroid, slider_crank
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.breaks import breaks
 from vecpoly.cycle.pieces import pieces

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -77,7 +78,7 @@ def test_a_point_inside_the_friction_circle_has_no_tangent() -> None:
 
 def test_an_unsteady_hand_tilts_the_tangent_and_nothing_else() -> None:
     shaky = Board(hand("drafting", repeats=50), {})
-    u = shaky.tangent_from(100 + 0j, 0j, 5.0, 1.0, 1 + 0j)
+    u = np.asarray(shaky.tangent_from(100 + 0j, 0j, 5.0, 1.0, 1 + 0j))
     turned = [abs(cmath.phase(v / u[0])) for v in u]
     assert u.shape == (51,)
     assert 0 < max(turned) < math.radians(0.5)
@@ -307,7 +308,7 @@ def test_the_drawn_reactions_of_the_clamp_are_in_equilibrium() -> None:
         assert acts is not None and vector is not None
         forces.append((vector, acts.point))
     assert abs(sum(vector for vector, _ in forces)) < 1e-9 * 400
-    assert abs(sum(cross(at - (0.3 + 0.7j), vector) for vector, at in forces)) < 1e-9 * 400
+    assert np.abs(sum(cross(at - (0.3 + 0.7j), vector) for vector, at in forces)) < 1e-9 * 400
 
 
 def test_the_reaction_of_the_pin_touches_the_friction_circle_on_the_side_that_resists() -> None:

@@ -15,6 +15,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from vecpoly import Problem, load, loads
 from vecpoly.board.construction import Construction, Reading, View
 from vecpoly.board.hand import hand
 from vecpoly.board.marks import Vector
@@ -29,8 +30,7 @@ from vecpoly.errors import LockedError, ProblemFileError
 from vecpoly.methods.devices.plan import construct_device
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.problem.asks import AskNamed
-from vecpoly.problem.load import load, loads
-from vecpoly.problem.problem import Problem, Scales
+from vecpoly.problem.problem import Scales
 from vecpoly.words import Words
 
 CASES = json.loads((Path(__file__).parent / "data" / "ch5-wedges.json").read_text(encoding="utf-8"))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 import pytest
-from drawn_library import desk_of, drawn, ids
 
+from tests.drawn_library import desk_of, drawn, ids
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.marks import Block, Ground, Point, Segment, Vector

@@ -7,8 +7,8 @@ from itertools import combinations
 
 import pytest
 import shapely
-from drawn_library import drawn, ids
 
+from tests.drawn_library import drawn, ids
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.marks import AngleMark, Disc, Outline, Role, Segment, Vector
 

@@ -7,8 +7,8 @@ import re
 from math import pi
 
 import pytest
-from drawn_library import drawn, ids
 
+from tests.drawn_library import drawn, ids
 from vecpoly.board.construction import EquationTable, Figure, Reading, Step, View
 from vecpoly.board.marks import AngleMark, Dot, FrictionCircle, Point, Role, Segment, TurnArrow, Vector
 from vecpoly.formula import plain

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from drawn_library import desk_of, drawn, ids
 
+from tests.drawn_library import desk_of, drawn, ids
 from vecpoly.board.construction import Step, View
 from vecpoly.formula import plain
 from vecpoly.names import At, Kind, parse_rel

@@ -8,8 +8,8 @@ from math import pi
 from typing import TypeVar
 
 import pytest
-from drawn_library import desk_of, drawn, ids
 
+from tests.drawn_library import desk_of, drawn, ids
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, View
 from vecpoly.board.marks import (
@@ -109,14 +109,15 @@ def _from_rims(name: str, mark: LinkNumber) -> list[float]:
 @pytest.mark.parametrize("name", IDS)
 def test_a_block_lies_on_its_guide_and_along_it(name: str) -> None:
     mech, mm = drawn(name).problem.mechanism, 1 / diagram(name).scale.value
-    lines = []
+    lines: list[tuple[complex, complex]] = []
     for joint in (j for j in mech.joints if isinstance(j, Prismatic)):
         turn = 1 + 0j if joint.guide == FRAME else cmath.rect(1, motion(name).angle(joint.guide))
-        origin = 0j if joint.guide == FRAME else motion(name).origin(joint.guide)
+        origin = 0j if joint.guide == FRAME else complex(motion(name).origin(joint.guide))
         lines.append(((origin + turn * joint.origin) * mm, turn * cmath.rect(1, joint.direction)))
     for block in marks(name, Block):
         assert any(abs(((block.at - at) / along).imag) < NEAR and abs((block.along / along).imag) < 1e-9 for at, along in lines), block
-    for guide in (m for m in (*marks(name, FixedGuide), *marks(name, Slot)) if lines):
+    guides: tuple[FixedGuide | Slot, ...] = (*marks(name, FixedGuide), *marks(name, Slot))
+    for guide in (m for m in guides if lines):
         along = (guide.b - guide.a) / abs(guide.b - guide.a)
         assert any(abs((along / line).imag) < 1e-9 for _, line in lines) or isinstance(guide, FixedGuide)
 
@@ -174,7 +175,7 @@ def off(p: complex, a: complex, b: complex) -> float:
 
 def test_angles_of_the_drive_are_marked_from_where_they_are_counted() -> None:
     desk = desk_of("3-9")
-    (mark,) = [m for m in diagram("3-9").marks if getattr(m, "label", "") == "φ_1"]
+    (mark,) = [m for m in diagram("3-9").marks if isinstance(m, AngleMark) and m.label == "φ_1"]
     assert abs(mark.start) < 1e-12 and abs((mark.sweep - desk.mech.drive.position + pi) % (2 * pi) - pi) < 1e-9
 
 

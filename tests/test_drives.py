@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from vecpoly.board.marks import Vector
 from vecpoly.errors import AssemblyError, ProblemFileError
 from vecpoly.mechanism.assur import decompose
 from vecpoly.mechanism.mobility import mobility
+from vecpoly.mechanism.model import Prismatic
 from vecpoly.methods import exchange
 from vecpoly.methods.registry import Stage
 from vecpoly.solution import Solution, solve
@@ -50,7 +52,7 @@ def test_a_cylinder_has_one_degree_of_freedom_and_is_drawn_as_it_is_computed(nam
 def test_the_relative_velocity_along_the_cylinder_is_the_one_given(name: str) -> None:
     drive = load(name).mechanism.drive
     motion = oracle.solve(load(name).mechanism)
-    pair = next(joint for joint in motion.mech.joints if getattr(joint, "pin", "") and {joint.guide, joint.block} == drive.pair)
+    pair = next(joint for joint in motion.mech.joints if isinstance(joint, Prismatic) and {joint.guide, joint.block} == drive.pair)
     speeds = [motion.velocity(f"{pair.pin}{link}") for link in (pair.block, pair.guide)]
     assert abs(complex(speeds[0] - speeds[1])) == pytest.approx(abs(drive.rate), rel=1e-12)
 
@@ -225,7 +227,12 @@ def test_a_thrust_between_two_moving_links_is_found_by_virtual_power() -> None:
 def test_trials_of_another_driver_are_drawn_once_for_all_places_of_the_drive(monkeypatch: pytest.MonkeyPatch) -> None:
     drawn: list[float] = []
     draw = exchange._Trial._drawn
-    monkeypatch.setattr(exchange._Trial, "_drawn", lambda trial, at: (drawn.append(at), draw(trial, at))[1])
+
+    def counted(trial: Any, at: float) -> Any:
+        drawn.append(at)
+        return draw(trial, at)
+
+    monkeypatch.setattr(exchange._Trial, "_drawn", counted)
     exchange._structure.cache_clear()
     exchange.exchanged.cache_clear()
     mech = load("scissor-lift").mechanism

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from dataclasses import replace
 from math import pi
 
@@ -13,9 +14,10 @@ from hypothesis import strategies as st
 from vecpoly import oracle
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.hand import hand
+from vecpoly.board.marks import Point
 from vecpoly.errors import AssemblyError, EquilibriumError, NoSlipSenseError, VecpolyError
 from vecpoly.mechanism.loads import GRAVITY, Force, Friction, Loads, Mass, Moment
-from vecpoly.mechanism.model import FRAME, Drive, Link, Mechanism, Prismatic, Revolute, Side, SideOf
+from vecpoly.mechanism.model import FRAME, Drive, Joint, Link, Mechanism, Prismatic, Revolute, Side, SideOf
 from vecpoly.mechanism.quantities import quantities
 from vecpoly.methods.plan import construct
 from vecpoly.names import parse_rel
@@ -39,7 +41,7 @@ def link(name: str, **points: complex) -> Link:
     return Link(name=name, points=points)
 
 
-def crank_and(frame: dict[str, complex], two: Link, three: Link, joints: tuple, phi: float, rate: float, branches: tuple = ()) -> Mechanism:
+def crank_and(frame: dict[str, complex], two: Link, three: Link, joints: tuple[Joint, ...], phi: float, rate: float, branches: tuple[SideOf, ...] = ()) -> Mechanism:
     one = link("1", A=0j, B=0.1 + 0j)
     return Mechanism(frame={"A": 0j, **frame}, links=(one, two, three), joints=(Revolute(point="A", a="0", b="1"), *joints),
                      drives=(Drive(link="1", position=phi, rate=rate, accel=7.0),), branches=branches)
@@ -110,7 +112,7 @@ def drawn(mech: Mechanism, loads: Loads, by: str = "exact", repeats: int = 0) ->
 def own_solve(mech: Mechanism, loads: Loads) -> tuple[dict[str, complex], float]:
     """Reactions (N, force of the first link on the second by printed numbers), the balancing moment, and the system's condition."""
     motion = oracle.solve(mech)
-    at = {p: motion.value(parse_rel(f"p_{p}")) for li in mech.links for p in li.points} | dict(mech.frame)
+    at = {p: complex(motion.value(parse_rel(f"p_{p}"))) for li in mech.links for p in li.points} | dict(mech.frame)
     names = [li.name for li in mech.links]
     columns: list[np.ndarray] = []
     labels: list[tuple[str, str, complex]] = []
@@ -128,7 +130,7 @@ def own_solve(mech: Mechanism, loads: Loads) -> tuple[dict[str, complex], float]
             for unit in (1 + 0j, 1j):
                 columns.append(column(joint.b, joint.a, unit, at[joint.point]))
                 labels.append((joint.a, joint.b, unit))
-        else:
+        elif isinstance(joint, Prismatic):
             heading = joint.direction + (0.0 if joint.guide == FRAME else turned(motion, mech, joint.guide))
             normal = 1j * np.exp(1j * heading)
             columns.append(column(joint.block, joint.guide, normal, at[joint.pin]))
@@ -201,9 +203,9 @@ def test_the_powers_of_all_loads_sum_to_zero(kind) -> None:  # type: ignore[no-u
                 else load.size * float(motion.value(parse_rel(f"omega_{load.link}")))
             total, largest = total + power, max(largest, abs(power))
     for mass in loads.masses:
-        v, a = (motion.value(parse_rel(f"{stem}_{mass.centre}")) for stem in "va")
+        v, a = (complex(motion.value(parse_rel(f"{stem}_{mass.centre}"))) for stem in "va")
         omega, alpha = (float(motion.value(parse_rel(f"{stem}_{mass.link}"))) for stem in ("omega", "alpha"))
-        total += (np.conj(-mass.mass * (a + 1j * GRAVITY)) * v).real - mass.inertia * alpha * omega
+        total += ((-mass.mass * (a + 1j * GRAVITY)).conjugate() * v).real - mass.inertia * alpha * omega
     assert abs(total) <= 1e-9 * largest
 
 
@@ -215,24 +217,27 @@ def test_the_drawn_reactions_hold_every_link_in_equilibrium(kind) -> None:  # ty
     readings, motion = drawn(mech, loads).readings, oracle.solve(mech)
     for li in mech.links:
         force, moment, largest = 0j, 0.0, 1.0
-        acting = [(r.vector, r.acts.point) for key, r in readings.items() if key.startswith("R_") and key.endswith(li.name) and r.acts is not None]
+        acting = [(r.vector, r.acts.point) for key, r in readings.items() if key.startswith("R_") and key.endswith(li.name) and r.acts is not None and r.vector is not None]
         for load in loads.on(li.name):
             if isinstance(load, Force):
-                acting.append((load.size * np.exp(1j * load.direction), motion.value(parse_rel(f"p_{load.point}"))))
+                assert load.size is not None
+                acting.append((load.size * cmath.exp(1j * load.direction), complex(motion.value(parse_rel(f"p_{load.point}")))))
             else:
                 moment += readings["M_1"].scalar if load.size is None else load.size
         mass = loads.mass(li.name)
         if mass is not None:
-            acting.append((-1j * mass.mass * GRAVITY, motion.value(parse_rel(f"p_{mass.centre}"))))
+            centre = complex(motion.value(parse_rel(f"p_{mass.centre}")))
+            acting.append((-1j * mass.mass * GRAVITY, centre))
             inertia = readings[f"F_I{li.name}"]
-            arm_kept = inertia.acts.point != motion.value(parse_rel(f"p_{mass.centre}"))
-            acting.append((inertia.vector, motion.value(parse_rel(f"p_{mass.centre}"))))
+            assert inertia.acts is not None and inertia.vector is not None
+            arm_kept = inertia.acts.point != centre
+            acting.append((inertia.vector, centre))
             moment += readings[f"M_I{li.name}"].scalar
             if arm_kept and readings[f"M_I{li.name}"].scalar:  # the displaced force alone does the same
-                turn = (np.conj(inertia.acts.point - motion.value(parse_rel(f"p_{mass.centre}"))) * inertia.vector).imag
+                turn = ((inertia.acts.point - centre).conjugate() * inertia.vector).imag
                 assert turn == pytest.approx(readings[f"M_I{li.name}"].scalar, rel=1e-6) or abs(readings[f"h_{li.name}"].scalar) > mech.scale
         for vector, point in acting:
-            force, moment, largest = force + vector, moment + (np.conj(point) * vector).imag, max(largest, abs(vector))
+            force, moment, largest = force + vector, moment + (point.conjugate() * vector).imag, max(largest, abs(vector))
         assert abs(force) <= 1e-9 * largest
         assert abs(moment) <= 1e-9 * largest
 
@@ -247,6 +252,7 @@ def test_inertia_displaces_the_force_against_the_acceleration_and_the_angular_ac
         assert force.vector == pytest.approx(-mass.mass * a, rel=1e-9)
         assert couple.scalar == pytest.approx(-mass.inertia * alpha, rel=1e-9)
         assert arm.scalar == pytest.approx(abs(mass.inertia * alpha) / abs(mass.mass * a), rel=1e-9)
+        assert force.acts is not None
         assert abs(force.acts.point - motion.value(parse_rel(f"p_S{name}"))) == pytest.approx(arm.scalar, rel=1e-9)
 
 
@@ -321,7 +327,9 @@ def test_with_friction_the_drawing_agrees_with_the_oracle_or_both_refuse(kind, p
 def test_a_slide_with_friction_that_does_not_slide_is_refused() -> None:
     """Crank and rod in line: the rod does not move through the swinging block."""
     mech = rpr_block(0.0, 10.0, 1.0)
-    mech = replace(mech, joints=(*mech.joints[:3], replace(mech.joints[3], offset=0.0)))
+    slide = mech.joints[3]
+    assert isinstance(slide, Prismatic)
+    mech = replace(mech, joints=(*mech.joints[:3], replace(slide, offset=0.0)))
     with pytest.raises(NoSlipSenseError):
         drawn(mech, both_loaded(mech, 120.0, -90.0, 8.0, friction=RUBBING[rpr_block]))
 
@@ -339,16 +347,17 @@ def test_an_unsteady_hand_scatters_about_the_exact_answer() -> None:
     exact = drawn(mech, loads).readings
     for key in ("M_1", "M_1_lever", "M_1_power", "R_12", "R_43", "F_I2"):
         assert np.isfinite(repeats[key]).all()
-        spread = float(np.std(repeats[key][1:]))
+        first, *others = np.asarray(repeats[key])
+        spread = float(np.std(others))
         assert 0 < spread < 0.2 * abs(exact[key].scalar)
-        assert abs(float(np.mean(repeats[key][1:])) - exact[key].scalar) < 3 * spread
-        assert construction.readings[key].scalar == pytest.approx(float(repeats[key][0]))
+        assert abs(float(np.mean(others)) - exact[key].scalar) < 3 * spread
+        assert construction.readings[key].scalar == pytest.approx(float(first))
 
 
 def test_the_lever_is_the_velocity_polygon_turned_by_a_right_angle() -> None:
     construction = drawn(rrr(0.9, 10.0, 1.1), both_loaded(rrr(0.9, 10.0, 1.1), 120.0, -90.0, 8.0))
     velocity, lever = (next(f for f in construction.figures if f.view is View.VELOCITY and f.name == name) for name in ("", "lever"))
-    tips, turned_tips = ({m.label: m.at for m in figure.marks if type(m).__name__ == "Point"} for figure in (velocity, lever))
+    tips, turned_tips = ({m.label: m.at for m in figure.marks if isinstance(m, Point)} for figure in (velocity, lever))
     for letter in ("b", "c", "s_2", "s_3"):
         assert turned_tips[letter] == pytest.approx(-1j * tips[letter], abs=1e-9)
 

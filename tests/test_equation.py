@@ -44,9 +44,9 @@ def test_two_unknown_magnitudes_close_where_two_lines_meet(size: float, known: f
     eq = Equation(left=(term(V_C, along=cmath.rect(1, one)),),
                   right=(term(V_B, vector=cmath.rect(size, known)), term(V_CB, along=cmath.rect(1, two))))
     ends = close(board(), View.VELOCITY, 0j, eq).ends
-    assert abs(ends["v_C"][1] - ends["v_CB"][1]) < 1e-9
+    assert np.abs(ends["v_C"][1] - ends["v_CB"][1]) < 1e-9
     assert ends["v_CB"][0] == pytest.approx(cmath.rect(size, known))
-    assert abs((ends["v_C"][1] * cmath.rect(1, -one)).imag) < 1e-7
+    assert np.abs((ends["v_C"][1] * cmath.rect(1, -one)).imag) < 1e-7
 
 
 @given(sizes, angles, sizes, angles)
@@ -73,7 +73,7 @@ def test_a_direction_and_a_magnitude_close_where_line_and_arc_meet(size: float, 
     eq = Equation(left=(term(V_C, along=cmath.rect(1, b)),), right=(term(V_B, vector=cmath.rect(size, a)), term(V_CB, mm=length)))
     ends = close(board(), View.VELOCITY, 0j, eq).ends
     assert abs(ends["v_CB"][1] - ends["v_CB"][0]) == pytest.approx(length)
-    assert abs((ends["v_C"][1] * cmath.rect(1, -b)).imag) < 1e-6
+    assert np.abs((ends["v_C"][1] * cmath.rect(1, -b)).imag) < 1e-6
 
 
 @given(sizes, angles, angles, angles)
@@ -139,8 +139,8 @@ def test_a_sum_of_forces_closes_at_its_start(size: float, known: float, one: flo
     ends = close(board(), View.FORCE, 3 + 4j, eq).ends
     assert ends["Q"][0] == ends["R_12"][1] == 3 + 4j
     assert (ends["Q"][1], ends["R_32"][1]) == (ends["R_32"][0], ends["R_12"][0])
-    assert abs(sum(b - a for a, b in ends.values())) < 1e-9 * size
-    assert all(abs(((ends[key][1] - ends[key][0]) * cmath.rect(1, -way)).imag) < 1e-7 for key, way in (("R_32", one), ("R_12", two)))
+    assert np.abs(sum(b - a for a, b in ends.values())) < 1e-9 * size
+    assert all(np.abs(((ends[key][1] - ends[key][0]) * cmath.rect(1, -way)).imag) < 1e-7 for key, way in (("R_32", one), ("R_12", two)))
 
 
 @given(sizes, angles, sizes, angles)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -9,6 +11,7 @@ from typing import Any
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
+from vecpoly.cli.errors import Tally
 from vecpoly.cli.exact import _plain
 from vecpoly.cli.files import put, spared, write_json
 from vecpoly.cli.jobs import Job, each, jobs
@@ -109,17 +112,12 @@ def test_the_files_of_a_job_are_its_own_and_those_of_its_problems() -> None:
     assert Job(name="a", problems=(problem_of(Path("x")),)).files == (Path("x"),)
 
 
-class _Tally:
+class _Tally(Tally):
     """Stands for the tally of a command: every job goes well."""
 
-    failed: tuple[str, ...] = ()
-
-    def job(self) -> _Tally:
-        return self
-
-    def __enter__(self) -> None: ...
-
-    def __exit__(self, *_: object) -> None: ...
+    @contextmanager
+    def job(self) -> Iterator[None]:
+        yield
 
     def settle(self) -> None: ...
 

@@ -9,8 +9,8 @@ from typing import Any
 import pdfplumber
 import pytest
 from reportlab.platypus.flowables import Spacer
-from texts import ZH, equation
 
+from tests.texts import ZH, equation
 from vecpoly.report.flow import (
     Callout,
     DataTable,

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from set_blocks import Paper, pairs, paper_of, remembered
-from texts import ZH, equation
 
+from tests.set_blocks import Paper, pairs, paper_of, remembered
+from tests.texts import ZH, equation
 from vecpoly.formula import Row, Txt, sym
 from vecpoly.report.flow import (
     Callout,
@@ -24,6 +24,7 @@ from vecpoly.report.flow.equation import CAPTIONS
 from vecpoly.report.flow.listing import Listing
 from vecpoly.report.flow.style import BODY, GREY
 from vecpoly.typeset.box import MM
+from vecpoly.words import Lang
 
 
 def table(count: int, caption: str = "") -> DataTable:
@@ -109,7 +110,8 @@ def test_a_page_break_leaves_enough_rows_of_a_table_on_both_pages(whole: bool, l
 
 
 def test_a_chinese_paragraph_begins_two_em_in_and_an_english_one_at_the_edge() -> None:
-    for lang, text, first in (("zh", "构件的速度" * 30, 2 * 10.5), ("en", "the velocity of a link " * 12, 0.0)):
+    cases: tuple[tuple[Lang, str, float], ...] = (("zh", "构件的速度" * 30, 2 * 10.5), ("en", "the velocity of a link " * 12, 0.0))
+    for lang, text, first in cases:
         paper = paper_of(Para(text, lang=lang), 300)
         top, *rest = paper.lines()
         starts = {line: min(piece.x for piece in paper.texts if round(piece.y, 3) == line) for line in paper.lines()}
@@ -336,7 +338,7 @@ def test_a_verdict_has_the_colour_of_its_kind_and_its_text_within() -> None:
     for kind in ("pass", "warn", "fail", "note"):
         block = Callout("word " * 40, kind, "en")
         drawn = list[tuple[float, float]]()
-        block._para.drawOn = lambda _, x, y, drawn=drawn: drawn.append((x, y))  # type: ignore[method-assign, misc]
+        block._para.drawOn = lambda _, x, y, drawn=drawn: drawn.append((x, y))
         paper = paper_of(block, 300)
         ground, bar = paper.called("setFillColorRGB")
         grounds[kind] = bar

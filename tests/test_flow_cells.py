@@ -9,8 +9,8 @@ from typing import Any
 import pdfplumber
 import pytest
 from reportlab.platypus.flowables import PageBreak
-from set_blocks import paper_of
 
+from tests.set_blocks import paper_of
 from vecpoly.report.flow import (
     Callout,
     DataTable,
@@ -41,7 +41,7 @@ EM = 10.5 / MM
 def test_chinese_and_latin_stand_a_fifth_of_an_em_apart_and_marks_stand_close(text: str, width: float, breakable: bool) -> None:
     a, b = cells(text, EM, True)
     between = gap(a, b, EM)
-    assert (between.width, between.breakable) == (pytest.approx(width), breakable)
+    assert between.width == pytest.approx(width) and between.breakable is breakable
 
 
 def test_two_marks_together_lose_half_an_em_and_a_dash_is_not_torn() -> None:

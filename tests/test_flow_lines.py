@@ -7,8 +7,8 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from texts import ZH, equation
 
+from tests.texts import ZH, equation
 from vecpoly.formula import Row, Txt, sym
 from vecpoly.report.flow import DataTable, EquationFlow, Para
 from vecpoly.report.flow.cells import NO_END, NO_START, Cell, Kind, cells, gap

@@ -7,14 +7,14 @@ import math
 from dataclasses import replace
 from io import BytesIO
 
-import force_figures as ff
 import pdfplumber
 import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from label_faults import faults
 
+from tests import force_figures as ff
+from tests.label_faults import faults
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.extent import bounds
 from vecpoly.board.marks import (

@@ -6,6 +6,7 @@ import cmath
 import json
 from math import cos, radians, sin
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
@@ -92,6 +93,7 @@ def drawn(kind: str, given: dict[str, object], share: float) -> Construction:
 @given(kind=kinds, given=data)
 def test_action_and_reaction_are_equal_and_opposite_on_one_line(kind: str, given: dict[str, object]) -> None:
     every = problem(kind, given, 1.0)
+    assert every.loads is not None
     names = [n for key, n in quantities(every.mechanism, every.loads).items() if key.startswith("R_") and not key.endswith("_0")]
     everything = Problem(id="r", title=every.title, subject=every.subject, loads=every.loads, asks=tuple(AskNamed(rel=n) for n in names), given=every.given)
     try:
@@ -217,20 +219,20 @@ def test_the_exported_reactions_balance_every_link(name: str, tmp_path: Path) ->
         assert abs(moment) <= 1e-9 * size * 0.1, (link, moment)
 
 
-def _read(name: str) -> dict:
+def _read(name: str) -> dict[str, Any]:
     """The problem file, laid on the one that it extends."""
     own = YAML(typ="safe").load((ROOT / "problems" / "ch4" / f"{name}.yaml").read_text(encoding="utf-8"))
     return _laid_on(_read(own.pop("extends")), own) if "extends" in own else own
 
 
-def _laid_on(below: dict, own: dict) -> dict:
+def _laid_on(below: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
     merged = dict(below)
     for key, value in own.items():
         merged[key] = _laid_on(merged[key], value) if isinstance(value, dict) and isinstance(merged.get(key), dict) else value
     return {key: value for key, value in merged.items() if value is not None}
 
 
-def _fixed(source: dict, letter: str) -> complex:
+def _fixed(source: dict[str, Any], letter: str) -> complex:
     x, y = (float(str(part).split()[0]) / 1000 for part in source["frame"][letter])
     return complex(x, y)
 

@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 
 from tests.generators.judge import Kind, judge
-from vecpoly import load, loads, oracle
+from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.construction import View
 from vecpoly.board.marks import GearMark, RackMark
 from vecpoly.errors import NoMethodError, ProblemFileError
 from vecpoly.mechanism.model import Circle, Rolling, Side
-from vecpoly.problem.problem import Problem
 
 MACHINES = ("planet-drive", "geared-five-bar", "hypocycloid-drive", "rack-drives-pinion", "pinion-drives-rack", "crank-rack-pinion",
             "rack-on-a-rocker", "planetary-sun-drives", "ring-output", "travel-doubler", "stepped-planet")

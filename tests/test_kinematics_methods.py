@@ -49,8 +49,8 @@ def test_another_scale_changes_millimetres_and_not_answers(name: str) -> None:
     one, two = (construct(p, hand("exact"), PLACES)[0].readings for p in (coarse, fine))
     for key, reading in one.items():
         assert reading.scalar == pytest.approx(two[key].scalar, rel=1e-9, abs=1e-12)
-        if reading.mm and key.startswith("v"):
-            assert reading.mm * 0.02 == pytest.approx(two[key].mm * 0.007)
+        if reading.mm and (other := two[key].mm) and key.startswith("v"):
+            assert reading.mm * 0.02 == pytest.approx(other * 0.007)
 
 
 def test_the_swinging_block_asks_for_an_expanded_link_where_the_guide_is_offset() -> None:

@@ -9,8 +9,8 @@ from functools import cache
 
 import pytest
 import shapely
-from label_faults import astray, faults
 
+from tests.label_faults import astray, faults
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.marks import Dot, LinkNumber, Point, Role, Segment, Vector
 from vecpoly.drawing.figure import Drawing, drawing

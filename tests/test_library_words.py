@@ -6,8 +6,8 @@ import re
 from functools import cache
 
 import pytest
-from drawn_library import IDS, drawn, sentences
 
+from tests.drawn_library import IDS, drawn, sentences
 from vecpoly.cycle.cycle import cycle
 from vecpoly.cycle.facts import facts
 from vecpoly.cycle.sentences import sentences as facts_told

@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-from test_manuals_equal import codes, headings, sections, tables
 
+from tests.test_manuals_equal import codes, headings, sections, tables
 from vecpoly import limits
 
 DOCS = Path(__file__).parent.parent / "docs"

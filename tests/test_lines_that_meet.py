@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import atan2, pi
 
 import pytest
 
 import vecpoly
 from vecpoly.board.construction import View
-from vecpoly.board.marks import Point, Role, Segment, TurnArrow
+from vecpoly.board.marks import Mark, Point, Role, Segment, TurnArrow
 
 MET = "problems/machines/"
 
 
-def _diagram(name: str):
+def _diagram(name: str) -> tuple[vecpoly.Solution, dict[str, complex], tuple[Mark, ...]]:
     solution = vecpoly.load(f"{MET}{name}.yaml").solve()
     figure = solution.construction.figure(View.MECHANISM)
     assert figure is not None
     return solution, {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}, figure.marks
 
 
-def _lines_through(at: complex, marks) -> set[int]:
+def _lines_through(at: complex, marks: Sequence[Mark]) -> set[int]:
     """Directions (degrees) of the lines of action that pass through a point."""
     lines = [m for m in marks if isinstance(m, Segment) and m.role is Role.DIRECTION]
     through = [m for m in lines if abs(((m.b - m.a).conjugate() * (at - m.a)).imag) / abs(m.b - m.a) < 1e-3]

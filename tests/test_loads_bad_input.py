@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 from pydantic import BaseModel
-from texts import SLIDER_CRANK
 
+from tests.texts import SLIDER_CRANK
 from vecpoly.devices.base import Angle, Device, Length, Ratio
 from vecpoly.errors import ProblemFileError, UnknownNameError
 from vecpoly.names import Named

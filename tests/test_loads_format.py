@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from texts import SLIDER_CRANK
 
+from tests.texts import SLIDER_CRANK
 from vecpoly.check.exact import exact_values
 from vecpoly.check.printed import check_problem
 from vecpoly.check.verdict import Verdict
@@ -120,7 +120,7 @@ def test_a_centre_of_mass_is_a_lettered_point_that_the_hand_can_set_out() -> Non
     link = problem.mechanism.link("2")
     assert link.points["S2"] == pytest.approx(0.1 + 0.02j)
     assert [placement.point for placement in link.placements] == ["S2"]
-    assert [ask.rel.to for ask in problem.asks if not isinstance(ask, AskNamed)] == [At("S2")] * 3  # type: ignore[union-attr]
+    assert [ask.rel.to for ask in problem.asks if not isinstance(ask, AskNamed)] == [At("S2")] * 3
     assert problem.loads and problem.loads.masses == (Mass(link="2", mass=3.0, inertia=0.02, centre="S2"), Mass(link="3", mass=2.0, inertia=0.0, centre="C"))
 
 

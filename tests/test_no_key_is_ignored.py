@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 
 import pytest
+from pydantic import BaseModel
 
 from vecpoly.check.printed import check_problem
 from vecpoly.drawing.sheet import sheets
@@ -93,7 +94,7 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "printed.direction": (BASE, "direction: 150 deg", "direction: 10 deg"), "printed.kind": (BASE, "kind: graphical", "kind: calculated"), "printed.note": (BASE, "note: read off", "note: other"),
     "sheet.orientation": (BASE, "orientation: landscape", "orientation: portrait"),
 }  # fmt: skip
-SPECS = {"": ProblemSpec, "input": InputSpec, "load": LoadSpec, "friction": FrictionSpec, "mass": MassSpec, "rod": RodSpec, "scales": ScalesSpec, "find": FindSpec, "printed": PrintedSpec, "sheet": SheetSpec}
+SPECS: dict[str, type[BaseModel]] = {"": ProblemSpec, "input": InputSpec, "load": LoadSpec, "friction": FrictionSpec, "mass": MassSpec, "rod": RodSpec, "scales": ScalesSpec, "find": FindSpec, "printed": PrintedSpec, "sheet": SheetSpec}
 
 
 def effect(text: str) -> object:

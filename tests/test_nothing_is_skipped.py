@@ -56,7 +56,7 @@ def test_a_test_that_passes_passes_in_ci(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not RUN, reason="no checkout")
 def test_ci_installs_the_browser_that_the_tests_look_for() -> None:
-    from chromium import NAMES
+    from tests.chromium import NAMES
 
     assert "export CI=true" in RUN and "apt-get install" in RUN and "chromium" in RUN and RUN.rstrip().endswith("make test")
     assert all(name in RUN for name in NAMES)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from cmath import exp
+from collections.abc import Callable
 from math import pi, radians
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from test_oracle_models import (
+
+from tests.test_oracle_models import (
     MM,
     a16,
     a26,
@@ -29,7 +31,6 @@ from test_oracle_models import (
     sloped_slot,
     swinging_block,
 )
-
 from vecpoly.errors import AssemblyError, DeadPointError, MobilityError, NotAskedError, UnknownNameError
 from vecpoly.mechanism.model import FRAME, Circle, Drive, Mechanism, Rack, Rolling
 from vecpoly.names import parse_rel
@@ -61,7 +62,7 @@ def rates_agree(mech: Mechanism, position: float | None = None, tolerance: float
             assert abs(path @ SECOND / h**2 - a) < 30 * tolerance * (pace**2 * size + abs(a)), key
 
 
-CASES = {
+CASES: dict[str, Callable[[], Mechanism]] = {
     "3-8 slotted rocker with a point C": lambda: rocker(0.06, 0.02 - 0.12j, 35.0, 8.0, P=0.15 + 0.055j),
     "3-11 driving guide rod": guide_rod,
     "3-12 slider-crank and slotted rocker": crank_and_slot,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from test_oracle_models import (
+
+from tests.test_oracle_models import (
     MM,
     a16,
     a26,
@@ -20,8 +21,7 @@ from test_oracle_models import (
     sloped_slot,
     swinging_block,
 )
-from test_oracle_numbers import EXPECTED, TABLES
-
+from tests.test_oracle_numbers import EXPECTED, TABLES
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.names import parse_rel
 from vecpoly.oracle import solve

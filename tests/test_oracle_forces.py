@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from math import radians
 
 import numpy as np
 import pytest
-from test_oracle_forces_models import (
+
+from tests.test_oracle_forces_models import (
     CASES,
     CRANK,
     PUSH,
@@ -20,7 +22,7 @@ from test_oracle_forces_models import (
     slider_crank,
     slotted_rocker,
 )
-from test_oracle_models import (
+from tests.test_oracle_models import (
     a27,
     class_three,
     crank_and_slot,
@@ -34,10 +36,9 @@ from test_oracle_models import (
     rocker,
     sloped_slot,
 )
-
 from vecpoly.errors import EquilibriumError
 from vecpoly.mechanism.loads import Force, Friction, Loads, Mass, Moment
-from vecpoly.mechanism.model import Circle, Contact, Prismatic, Revolute, Rolling
+from vecpoly.mechanism.model import Circle, Contact, Mechanism, Prismatic, Revolute, Rolling
 from vecpoly.mechanism.quantities import quantities
 from vecpoly.oracle import solve
 from vecpoly.oracle.forces import forces
@@ -120,7 +121,7 @@ def test_every_quantity_that_may_be_asked_for_has_a_value() -> None:
     assert result.value("h_2") == pytest.approx(abs(result.value("M_I2")) / abs(result.value("F_I2")))
 
 
-OTHERS = {
+OTHERS: dict[str, Callable[[], Mechanism]] = {
     "compound hinges": lambda: peaucellier(0.05, 0.07, 0.15, 0.062, 0.14, 0.078, 0.066, -0.085 - 0.01j, 62.0),
     "hay press": lambda: hay_press(0.4),
     "gears on a rack": geared,
@@ -161,7 +162,7 @@ def test_balancing_moment_is_the_rate_of_the_kinetic_energy() -> None:
     def energy(at: np.ndarray) -> np.ndarray:
         motion = solve(mech, at, order=1)
         kinetic = sum(m.mass * np.abs(motion.velocity(f"{m.centre}{m.link}")) ** 2 / 2 + m.inertia * motion.omega(m.link) ** 2 / 2 for m in masses)
-        return kinetic + sum(m.mass * 9.81 * motion.position(m.centre).imag for m in masses)
+        return np.asarray(kinetic + sum(m.mass * 9.81 * motion.position(m.centre).imag for m in masses))
 
     gained = rate * sum(w * energy(q + k * h) for k, w in zip(range(-3, 4), (-1, 9, -45, 0, 45, -9, 1), strict=True)) / (60 * h)
     given = -1000.0 * solve(mech, q, order=1).velocity("C").real

@@ -9,7 +9,8 @@ from math import pi, radians
 import numpy as np
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from test_oracle_forces_models import (
+
+from tests.test_oracle_forces_models import (
     disc_cam,
     four_bar,
     heavy,
@@ -18,7 +19,6 @@ from test_oracle_forces_models import (
     softened,
     turned,
 )
-
 from vecpoly.errors import AssemblyError, EquilibriumError, LockedError
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.mechanism.model import Mechanism

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from test_oracle_models import guided, link, pins, says
 
+from tests.test_oracle_models import guided, link, pins, says
 from vecpoly.mechanism.loads import GRAVITY, Force, Friction, Load, Loads, Mass, Moment
 from vecpoly.mechanism.model import FRAME, Circle, Contact, Drive, Mechanism, Rack, Side
 from vecpoly.mechanism.quantities import pairs

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
-from test_oracle_forces_models import CASES, CRANK, PUSH, ROUGH, case, crank, slider_crank
 
+from tests.test_oracle_forces_models import CASES, CRANK, PUSH, ROUGH, case, crank, slider_crank
 from vecpoly.errors import EquilibriumError, LockedError, NoSlipSenseError, UnknownNameError
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.mechanism.model import Mechanism
@@ -46,7 +47,7 @@ def test_a_crank_that_drives_never_locks() -> None:
     assert q.size > 800 and (result.value("M_1") > result.value("M_1_0")).all() and (result.value("M_1_0") > 0).all()
 
 
-def refused(error: type[Exception], match: str, mech: Mechanism, **changes: object) -> None:
+def refused(error: type[Exception], match: str, mech: Mechanism, **changes: Any) -> None:
     """Loads of the slider-crank with these changes are refused with one clear sentence."""
     loads = replace(Loads(forces=(PUSH,), moments=(CRANK,)), **changes)
     with pytest.raises(error, match=match):

@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 import pytest
-from texts import CLASS_III, CLASS_IV, SLIDER_CRANK
 
+from tests.texts import CLASS_III, CLASS_IV, SLIDER_CRANK
 from vecpoly import oracle
 from vecpoly.cycle.grid import CLOSE, FAIR, STEPS, places
 from vecpoly.mechanism.assur import decompose

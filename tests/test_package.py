@@ -21,7 +21,7 @@ def test_every_public_name_is_there() -> None:
     for name in vecpoly.__all__:
         assert callable(getattr(vecpoly, name))
     with pytest.raises(AttributeError, match="no attribute 'sovle'"):
-        vecpoly.sovle  # type: ignore[attr-defined]
+        vecpoly.sovle
 
 
 def test_importing_vecpoly_imports_nothing_else() -> None:
@@ -91,7 +91,7 @@ def test_the_readme_file_gives_the_numbers_the_readme_prints(name: str) -> None:
     assert f"{-answers['omega_3'].drawn:.5g} rad/s ↻ | {-answers['omega_3'].exact:.5g} rad/s ↻" in text
 
 
-@pytest.mark.parametrize("name", ["README.md", "README.zh.md", "docs/architecture.md"])
+@pytest.mark.parametrize("name", ["README.md", "README.zh.md", "CONTRIBUTING.md", "docs/architecture.md"])
 def test_every_link_of_a_page_leads_somewhere(name: str) -> None:
     page = ROOT / name
     for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):

@@ -24,8 +24,8 @@ def test_lines_meet_on_both_lines(p: complex, q: complex, a: float, b: float) ->
     assume(abs(np.sin(a - b)) > 0.05)
     g, h = Line(p, cmath.rect(1, a)), Line(q, cmath.rect(1, b))
     x = lines_meet(g, h)
-    assert abs(cross(g.along, x - p)) < 1e-8
-    assert abs(cross(h.along, x - q)) < 1e-8
+    assert np.abs(cross(g.along, x - p)) < 1e-8
+    assert np.abs(cross(h.along, x - q)) < 1e-8
 
 
 def test_parallel_lines_give_no_point() -> None:
@@ -49,10 +49,10 @@ def test_a_circle_out_of_reach_gives_no_point() -> None:
 
 @given(points, points, points, points, points)
 def test_a_similar_figure_keeps_angles_and_letter_order(a: complex, b: complex, c: complex, a1: complex, b1: complex) -> None:
-    assume(abs(b - a) > 1 and abs(b1 - a1) > 1 and abs(cross(b - a, c - a)) > 1)
+    assume(abs(b - a) > 1 and abs(b1 - a1) > 1 and np.abs(cross(b - a, c - a)) > 1)
     c1 = similar(a, b, c, a1, b1)
     assert np.sign(cross(b - a, c - a)) == np.sign(cross(b1 - a1, c1 - a1))
-    assert abs(c1 - a1) / abs(b1 - a1) == pytest.approx(abs(c - a) / abs(b - a), rel=1e-6)
+    assert np.abs(c1 - a1) / np.abs(b1 - a1) == pytest.approx(np.abs(c - a) / np.abs(b - a), rel=1e-6)
 
 
 @given(st.floats(1e-6, 1e6))

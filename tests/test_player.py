@@ -25,6 +25,7 @@ from vecpoly.data import data_dir
 from vecpoly.drawing.figure import scale_box
 from vecpoly.drawing.scene import Rect
 from vecpoly.mechanism.branch import margin
+from vecpoly.mechanism.model import SideOf
 from vecpoly.player.figures import key_of, shown_figures
 from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened, scales_of
 from vecpoly.player.ink import Ink, path
@@ -219,7 +220,7 @@ def test_the_assembly_is_kept_round_the_turn(name: str) -> None:
     motion = oracle.solve(mech, places, order=0)
     for i, turn in enumerate(turns):
         moved = turn.solution.problem.mechanism
-        at = {letter: complex(np.broadcast_to(motion.position(letter), places.shape)[i]) for s in moved.branches for letter in (s.point, *s.ref)}
+        at = {letter: complex(np.broadcast_to(motion.position(letter), places.shape)[i]) for s in moved.branches if isinstance(s, SideOf) for letter in (s.point, *s.ref)}
         assert all(margin(statement, at) >= 0 for statement in moved.branches)
         own = oracle.solve(moved, order=0)
         for link in mech.links:

@@ -8,8 +8,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from chromium import Page, browser, chromium
 
+from tests.chromium import Page, browser, chromium
 from vecpoly.player.page import player_html
 from vecpoly.player.turned import cycle
 from vecpoly.problem.load import load

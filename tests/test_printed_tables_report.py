@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 from pypdfium2 import PdfDocument
 
+from vecpoly import load, solve
 from vecpoly.errors import ProblemFileError
-from vecpoly.problem.load import load
-from vecpoly.solution import solve
 
 
 def text_of(path: Path) -> str:

@@ -10,12 +10,13 @@ import pytest
 
 from vecpoly.errors import ProblemFileError
 from vecpoly.limits import FAULTS
-from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Side
+from vecpoly.mechanism.model import Prismatic, Rack, Revolute, Side, SideOf
 from vecpoly.problem.assignment import is_assignment, load_assignment
+from vecpoly.problem.bodies import Bodies
 from vecpoly.problem.branches import read_branch
 from vecpoly.problem.draft import Draft
 from vecpoly.problem.editors import json_schema
-from vecpoly.problem.joints import Bodies, read_joint
+from vecpoly.problem.joints import read_joint
 from vecpoly.problem.links import read_link
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Problem, Shape
@@ -142,6 +143,7 @@ def test_rack_on_the_right_and_rack_on_a_link() -> None:
 )
 def test_branch_in_words(text: str, side: Side, ref: tuple[str, ...]) -> None:
     branch = read_branch(text, "ABCD")
+    assert isinstance(branch, SideOf)
     assert (branch.point, branch.side, branch.ref) == ("C", side, ref)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import force_figures
 import pytest
 
+from tests import force_figures
 from vecpoly.board.construction import Construction, Pane, Step, View
 from vecpoly.errors import VecpolyError
 from vecpoly.problem.load import load

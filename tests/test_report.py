@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any, cast
 
 import pdfplumber
 import pypdfium2
 import pytest
 from pypdf import PdfReader
+from pypdf.generic import DictionaryObject
 
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.marks import Role, Vector
@@ -42,7 +45,7 @@ def test_chinese_text_can_be_selected(chinese: Path) -> None:
 
 def test_every_font_is_embedded(chinese: Path) -> None:
     for page in PdfReader(chinese).pages:
-        for font in page["/Resources"].get("/Font", {}).values():
+        for font in cast("DictionaryObject", page["/Resources"]).get("/Font", {}).values():
             descriptor = font.get_object().get("/FontDescriptor")
             assert descriptor is not None and "/FontFile2" in descriptor.get_object()
 
@@ -59,7 +62,7 @@ def test_the_document_has_bookmarks_and_metadata(chinese: Path) -> None:
     assert reader.metadata is not None and "3-9" in (reader.metadata.title or "")
 
 
-def _flat(outline):  # type: ignore[no-untyped-def]
+def _flat(outline: list[Any]) -> Iterator[Any]:
     for item in outline:
         if isinstance(item, list):
             yield from _flat(item)

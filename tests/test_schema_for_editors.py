@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 from ruamel.yaml import YAML
-from schema_check import errors
 from typer.testing import CliRunner
 
+from tests.schema_check import errors
 from vecpoly.cli import app
 from vecpoly.data import data_dir
 from vecpoly.problem.editors import ID, json_schema

@@ -9,8 +9,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import shapely
-from drawn_library import IDS, drawn, ids
 
+from tests.drawn_library import IDS, drawn, ids
 from vecpoly import oracle
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.marks import Arc, Dot, ImageOf, Point, Role, Segment, Vector

@@ -98,6 +98,6 @@ def test_slots_lie_within_the_usable_page() -> None:
 def test_both_languages_fill_the_strip_without_running_over() -> None:
     for lang in ("zh", "en"):
         long = Words("一个非常非常非常非常非常长的题目名称写在标题栏里", "A very long title of a problem in the title block of a sheet")
-        (sheet,) = sheets(construction((100, 90)), lang=lang, title=long)  # type: ignore[arg-type]
+        (sheet,) = sheets(construction((100, 90)), lang=lang, title=long)
         strip = [rect_of(i) for i in sheet.scene.items if type(i).__name__ == "TextBox" and rect_of(i).y1 < FRAME + STRIP]
         assert not any(a.overlaps(b) for i, a in enumerate(strip) for b in strip[:i])

@@ -10,7 +10,7 @@ import pytest
 
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.extent import extent
-from vecpoly.board.marks import AngleMark, Dot, Point, Role, Segment, Vector
+from vecpoly.board.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
 from vecpoly.board.scales import finer
 from vecpoly.drawing.detail import detailed, find_knot
 from vecpoly.drawing.packing import fits_sheet
@@ -25,7 +25,7 @@ SCALE = Scale(symbol="μ_a", value=0.006, unit="m/s^2")
 def polygon(spread: float, far: float = 80.0) -> Figure:
     """Five letters round the pole at a distance of `spread` mm, and one far away."""
     near = [cmath.rect(spread, 2 * math.pi * k / 5) for k in range(5)]
-    marks = [Point(at=0j, label="p′", dot=Dot.POLE), Point(at=far + 0j, label="f^′", dot=Dot.POINT), Vector(a=0j, b=far + 0j, role=Role.RESULT)]
+    marks: list[Mark] = [Point(at=0j, label="p′", dot=Dot.POLE), Point(at=far + 0j, label="f^′", dot=Dot.POINT), Vector(a=0j, b=far + 0j, role=Role.RESULT)]
     for k, at in enumerate(near):
         marks += [Point(at=at, label="bcden"[k] + "^′", dot=Dot.POINT), Vector(a=0j, b=at, role=Role.GIVEN)]
     return Figure(view=View.ACCELERATION, title=Words("加速度多边形", "Acceleration polygon"), scale=SCALE, marks=tuple(marks))

@@ -28,6 +28,11 @@ input: {link: 1, phi: 90 deg, omega: 10 rad/s ccw}
 """
 
 
+def vectors(text: str, *find: str) -> dict[str, complex]:
+    """The vectors drawn by the exact hand."""
+    return {key: answer.drawn_vector for key, answer in solved(text, *find).answers.items() if answer.drawn_vector is not None}
+
+
 def solved(text: str, *find: str) -> Solution:
     """The problem drawn by the exact hand; drawing and oracle agree."""
     solution = solve(loads(f"id: test\ntitle: test\n{text}find: [{', '.join(find)}]\n"), by="exact", repeats=0)
@@ -49,11 +54,11 @@ def test_a_bar_that_slides_across_a_turning_bar_keeps_to_its_block() -> None:
 
 
 def test_relative_motion_of_a_sliding_pair_is_the_same_at_every_point_and_turns_round() -> None:
-    found = solved(OLDHAM, "v_K2K1", "v_K1K2", "v_D2D1", "ak_K2K1", "ak_D2D1", "ak_D1D2", "ar_K2K1", "ar_K1K2", "a_K2K1").answers
-    assert found["v_K2K1"].drawn_vector == pytest.approx(found["v_D2D1"].drawn_vector)
-    assert found["v_K1K2"].drawn_vector == pytest.approx(-found["v_K2K1"].drawn_vector)
-    assert found["ak_D1D2"].drawn_vector == pytest.approx(-found["ak_K2K1"].drawn_vector)
-    assert found["ak_K2K1"].drawn_vector + found["ar_K2K1"].drawn_vector == pytest.approx(found["a_K2K1"].drawn_vector)
+    found = vectors(OLDHAM, "v_K2K1", "v_K1K2", "v_D2D1", "ak_K2K1", "ak_D2D1", "ak_D1D2", "ar_K2K1", "ar_K1K2", "a_K2K1")
+    assert found["v_K2K1"] == pytest.approx(found["v_D2D1"])
+    assert found["v_K1K2"] == pytest.approx(-found["v_K2K1"])
+    assert found["ak_D1D2"] == pytest.approx(-found["ak_K2K1"])
+    assert found["ak_K2K1"] + found["ar_K2K1"] == pytest.approx(found["a_K2K1"])
 
 
 @pytest.mark.parametrize(("angle", "place"), [(0, (109.951, -0.985)), (60, (105.829, 8.125)), (170, (90.371, 2.699)), (180, (90.049, 0.985))])
@@ -82,7 +87,7 @@ def test_a_guide_that_could_point_either_way_asks_for_a_branch() -> None:
     text = OFFSET_ROD.replace("2: {rod: B}", "2: {BE: 140 mm}").replace("2 passes through 3 with B 20 mm left", "3 slides on EB")
     with pytest.raises(AssemblyError, match="either way"):
         solved(text, "omega_2")
-    ways = [solved(text + f"branch: [E {side} of BA]\n", "p_E", "omega_2").answers["p_E"].drawn_vector for side in ("left", "right")]
+    ways = [vectors(text + f"branch: [E {side} of BA]\n", "p_E", "omega_2")["p_E"] for side in ("left", "right")]
     assert abs(ways[0] - ways[1]) == pytest.approx(0.28)  # E ahead of B, and behind it
     for way in ways:
         rough = f"guesses: {{E: [{1e3 * way.real + 30:.0f} mm, {1e3 * way.imag - 30:.0f} mm]}}\n"

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from vecpoly import load, loads
 from vecpoly.errors import AssemblyError, DeadPointError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.library import library
-from vecpoly.problem.load import load, loads
 from vecpoly.solution import solve
 
 LIBRARY = [e.id for e in library()]

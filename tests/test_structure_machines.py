@@ -8,12 +8,11 @@ import math
 import pytest
 
 import vecpoly
-from vecpoly import loads
+from vecpoly import Problem, loads
 from vecpoly.check.structure import dependence
 from vecpoly.devices.structure import Structure
 from vecpoly.errors import ProblemFileError
 from vecpoly.methods.devices.structure_count import count
-from vecpoly.problem.problem import Problem
 from vecpoly.report.content import cautions
 from vecpoly.solution import Solution
 

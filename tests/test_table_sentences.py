@@ -22,7 +22,7 @@ DEG = np.arange(0.0, 360.0, 30.0)
 TRUE = 10.0 + 5.0 * np.sin(np.radians(DEG))  # rad/s
 
 
-def column(values: Sequence[float], symbol: str = "omega3", *, decimals: int = 3, unit: str = "rad/s", factor: float = 1.0, renumbered: str = "") -> Column:
+def column(values: Sequence[float] | Reals, symbol: str = "omega3", *, decimals: int = 3, unit: str = "rad/s", factor: float = 1.0, renumbered: str = "") -> Column:
     texts = tuple("" if np.isnan(value) else f"{value / factor:.{decimals}f}" for value in values)
     target = read_target(symbol)
     assert target is not None

@@ -7,6 +7,7 @@ import pytest
 import vecpoly
 from vecpoly.board.construction import View
 from vecpoly.board.marks import AngleMark, Point, TurnArrow
+from vecpoly.words import Lang
 
 LIBRARY = "problems/machines/"
 
@@ -15,7 +16,7 @@ def _solved(name: str) -> vecpoly.Solution:
     return vecpoly.load(f"{LIBRARY}{name}.yaml").solve()
 
 
-def _given(name: str, lang: str) -> str:
+def _given(name: str, lang: Lang) -> str:
     given = vecpoly.load(f"{LIBRARY}{name}.yaml").given
     return "; ".join(datum.of(lang) for datum in (*given.lengths, *given.motion))
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
-from drawn_library import drawn
-
+from tests.drawn_library import drawn
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.marks import Point
+from vecpoly.board.place import Place
 from vecpoly.formula import plain
 from vecpoly.problem.library import library
 
@@ -24,7 +24,9 @@ def lettered(construction: Construction, view: View) -> dict[Letter, list[comple
     figure = construction.figure(view)
     found: dict[Letter, list[complex]] = {}
     for mark in figure.marks if figure else ():
-        for part in (mark.label.replace("，", ",").split(",") if isinstance(mark, Point) else ()):
+        if not isinstance(mark, Point):
+            continue
+        for part in mark.label.replace("，", ",").split(","):
             if part.strip()[:1].islower():
                 found.setdefault(letter(part.strip()), []).append(mark.at)
     return found
@@ -34,7 +36,7 @@ def test_every_length_that_is_written_lies_between_its_letters() -> None:
     written, other = 0, []
     for entry in library():
         construction = drawn(entry.id).construction
-        places = {view: lettered(construction, view) for view in (View.VELOCITY, View.ACCELERATION)}
+        places: dict[Place | None, dict[Letter, list[complex]]] = {view: lettered(construction, view) for view in (View.VELOCITY, View.ACCELERATION)}
         for step in construction.steps:
             for line in (plain(node) for node in step.formulas if step.view in places):
                 found = LENGTH.match(line)

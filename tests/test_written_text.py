@@ -28,7 +28,7 @@ def test_a_file_typed_on_a_chinese_keyboard_is_the_same_problem() -> None:
     problem = loads(CHINESE)
     assert [ask.rel.key for ask in problem.asks] == ["v_E", "a_E", "omega_3"]
     assert problem.title.zh == "曲柄滑块，机构：一" and problem.statement.zh == "已知：AB = 30 mm，求 v_C（m/s）。"
-    assert problem.subject.frame == {"A": 0j, "D": 0.12 + 0j} and problem.scales.mu_v == pytest.approx(0.02)
+    assert problem.mechanism.frame == {"A": 0j, "D": 0.12 + 0j} and problem.scales.mu_v == pytest.approx(0.02)
 
 
 @pytest.mark.parametrize(("text", "plain"), [

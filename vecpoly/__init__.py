@@ -12,45 +12,43 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .board.construction import Construction
+    from .answer import Answer
     from .board.slip import Mistake, Slip
     from .check.printed import PrintedCheck, check_problem
     from .check.table import TableCheck, check_table
+    from .door import Construction, Problem, Solution, from_json, load, load_assignment, loads, problem, solve
     from .errors import VecpolyError
     from .mechanism.model import Mechanism
     from .mistakes import slips
-    from .problem.assignment import Assignment, load_assignment
-    from .problem.load import load, loads
-    from .problem.made import build_mechanism, problem
-    from .problem.problem import Problem
-    from .record import from_json, to_json
+    from .problem.assignment import Assignment
+    from .problem.made import build_mechanism
+    from .record import to_json
     from .report.document import write_report
-    from .solution import Answer, Solution, solve
 
 __version__ = "0.1.0"
 
 _HOMES = {
-    "Answer": ("solution", "Answer"),
+    "Answer": ("answer", "Answer"),
     "Assignment": ("problem.assignment", "Assignment"),
-    "Construction": ("board.construction", "Construction"),
+    "Construction": ("door", "Construction"),
     "Mechanism": ("mechanism.model", "Mechanism"),
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
-    "Problem": ("problem.problem", "Problem"),
+    "Problem": ("door", "Problem"),
     "Slip": ("board.slip", "Slip"),
-    "Solution": ("solution", "Solution"),
+    "Solution": ("door", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
     "build_mechanism": ("problem.made", "build_mechanism"),
     "check_problem": ("check.printed", "check_problem"),
     "check_table": ("check.table", "check_table"),
-    "from_json": ("record", "from_json"),
-    "load": ("problem.load", "load"),
-    "load_assignment": ("problem.assignment", "load_assignment"),
-    "loads": ("problem.load", "loads"),
-    "problem": ("problem.made", "problem"),
+    "from_json": ("door", "from_json"),
+    "load": ("door", "load"),
+    "load_assignment": ("door", "load_assignment"),
+    "loads": ("door", "loads"),
+    "problem": ("door", "problem"),
     "slips": ("mistakes", "slips"),
-    "solve": ("solution", "solve"),
+    "solve": ("door", "solve"),
     "to_json": ("record", "to_json"),
     "write_report": ("report.document", "write_report"),
 }

@@ -181,6 +181,10 @@ class MissingPackageError(VecpolyError, ImportError):
     """What needs a package that is not installed: which, and what goes without it."""
 
 
+class PluginError(VecpolyError, ImportError):
+    """A module that another package registers cannot be loaded."""
+
+
 class ReportTemplateError(VecpolyError, ValueError):
     """A report template that cannot be filled: file, line, cause."""
 

@@ -101,7 +101,7 @@ def _names() -> Mapping[type, str]:
 
 
 def _name(thing: Any) -> str:
-    name = _names().get(type(thing))
+    name = next((_names()[kind] for kind in type(thing).__mro__ if kind in _names()), None)  # those at the door are ours too
     if name is None:
         kind = type(thing).__name__
         raise ArgumentError(

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, isfinite, isnan, nan
-from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
@@ -34,7 +33,7 @@ from .methods.passes import needs_centres, stages
 from .methods.plan import construct
 from .names import Key
 from .problem.problem import Problem
-from .words import Lang, Words, language
+from .words import Words, language
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
 
@@ -92,19 +91,6 @@ class Solution:
             data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
         forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
-
-    def report(self, path: str | Path, *, lang: Lang = "zh", style: str = "solution") -> Path:
-        """Write the report of this problem as a PDF."""
-        from .report.document import write_report
-
-        return write_report([self], path, lang=lang, style=style)
-
-    def _repr_svg_(self) -> str:
-        """The first sheet as a picture, in Jupyter."""
-        from .drawing.sheet import sheets
-        from .drawing.svg import to_svg
-
-        return to_svg(sheets(self.construction, way=self.problem.orientation)[0].scene, self.problem.title.zh)
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True,

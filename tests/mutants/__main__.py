@@ -65,7 +65,7 @@ def _tried(drawn: Sequence[Mutant], budget: float, files: Sequence[str]) -> None
         print(f"{fate.value:9s} {time.monotonic() - start:5.0f} s  {mutant}", flush=True)
 
     known = None if files else touched()
-    try_all(drawn, known and (lambda mutant: (*_OF_SOURCES.get(mutant.kind, ()), *known.chosen(str(mutant.path), mutant.function, budget))), files, int(3 * budget) + 10, tell)
+    try_all(drawn, None if known is None else (lambda mutant: (*_OF_SOURCES.get(mutant.kind, ()), *known.chosen(str(mutant.path), mutant.function, budget))), files, int(3 * budget) + 10, tell)
     print(_table(fates))
 
 

@@ -125,7 +125,7 @@ class Touched:
         here = self.calls.get(f"{path}:{function}") or sorted({test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests})
         files, known = {test.split("::")[0] for test in here}, set(here)
         near = [test for test in self.seconds if test.split("::")[0] in files and test not in known]
-        taken, spent = [], 0.0
+        taken, spent = list[str](), 0.0
         for test in [*sorted(here, key=self._took), *sorted(near, key=self._took)]:
             spent += self._took(test)
             if spent > budget and taken:

@@ -12,6 +12,7 @@ from .acts import Act
 from .chain import following, keys_of, needed, numbers
 from .marks import Mark
 from .place import Pane, Place, View, view_of
+from .told import told
 
 __all__ = ["Construction", "EquationTable", "Figure", "LineOfAction", "Pane", "Place", "Reading", "Scale", "Step", "View", "view_of"]
 
@@ -123,9 +124,7 @@ class Construction:
 
     def __str__(self) -> str:
         """The steps, and under each its acts with what they gave and what they needed."""
-        from .told import told
-
-        return told(self, language())
+        return told(self.steps, self.acts, language())
 
     def depends(self, key: str) -> tuple[str, ...]:
         """The keys of all that this rests on, in the order in which they were found: letters, readings, quantities."""

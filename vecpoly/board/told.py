@@ -2,73 +2,108 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, assert_never
+import re
+from collections.abc import Iterator, Sequence
+from typing import Protocol, assert_never
+from unicodedata import east_asian_width
 
 from ..quantity import number
-from ..words import Lang
+from ..words import Lang, Words
 from . import acts as done
 from .acts import Act
 
-if TYPE_CHECKING:
-    from .construction import Construction
-
-WIDE = 34  # characters of the column of what is done
+VERB, OBJECT = 14, 28  # columns of a terminal: what is done, and with what
 
 
-def told(construction: Construction, lang: Lang = "zh") -> str:
-    """Steps and acts, one a line; lengths and places in mm on paper."""
-    return "\n".join(_lines(construction, lang))
+class Stepped(Protocol):
+    """A step, as far as it is told here."""
+
+    @property
+    def number(self) -> int: ...
+
+    @property
+    def section(self) -> Words: ...
+
+    @property
+    def words(self) -> Words: ...
 
 
-def _lines(construction: Construction, lang: Lang) -> Iterator[str]:
-    acts = construction.acts
-    for step in construction.steps:
-        yield f"{step.number}. {_bare(step.words.of(lang))}"
-        for act in acts:
-            if act.head.step == step.number and (line := _line(act, lang)):
-                needed = ", ".join(dict.fromkeys(acts[n].key or str(n) for n in act.inputs))
-                yield f"   {act.number:4d}  {line:{WIDE}s}{'  ← ' + needed if needed else ''}".rstrip()
+def told(steps: Sequence[Stepped], acts: Sequence[Act], lang: Lang = "zh") -> str:
+    """Steps and acts, one a line, each act with its number; lengths and places in mm on paper, values in SI units."""
+    return "\n".join(_lines(steps, acts, lang))
 
 
-def _line(act: Act, lang: Lang) -> str:
-    """What was done and what it gave; nothing for acts that only leave ink."""
-    named = _NAMES[type(act)][0 if lang == "zh" else 1]
+def _lines(steps: Sequence[Stepped], acts: Sequence[Act], lang: Lang) -> Iterator[str]:
+    section = ""
+    for step in steps:
+        if step.section.of(lang) != section:
+            section = step.section.of(lang)
+            yield f"— {bare(section)} —"
+        yield f"{step.number}. {bare(step.words.of(lang))}"
+        yield from (_line(act, acts, lang) for act in acts if act.head.step == step.number and _shown(act))
+
+
+def _line(act: Act, acts: Sequence[Act], lang: Lang) -> str:
+    """Number, verb, object, and what was needed, in columns that Chinese letters keep too."""
+    needed = ("、" if lang == "zh" else ", ").join(dict.fromkeys(acts[n].key or f"#{n}" for n in act.inputs))
+    verb, what = _VERBS[type(act)].of(lang), _object(act)
+    return f"{f'#{act.number}':>7s}  {wide(verb, VERB)}{wide(what, OBJECT)}{'← ' + needed if needed else ''}".rstrip()
+
+
+def wide(text: str, columns: int) -> str:
+    """The text with blanks up to this many columns of a terminal, at least one; a Chinese letter takes two."""
+    taken = sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+    return text + " " * max(columns - taken, 1)
+
+
+def bare(text: str) -> str:
+    """A sentence without the signs of its symbols: n_2′ for $n_2^′$."""
+    plain = re.sub(r"\^\{?([′'])\}?", r"\1", text).translate({ord(sign): None for sign in "${}"})
+    return re.sub(" {2,}", " ", plain)
+
+
+def unit(name: str) -> str:
+    """A unit as it is written by hand: m/s², °; yes and no have none."""
+    return {"deg": "°", "yes/no": ""}.get(name, name.replace("^2", "²"))
+
+
+def _shown(act: Act) -> bool:
+    """Acts that only leave ink are not told, nor vectors and lines without a name."""
+    return type(act) in _VERBS and bool(act.key or isinstance(act, done.Meet | done.Image))
+
+
+def _object(act: Act) -> str:
+    """What was done it with, and what it gave."""
     match act:
-        case done.Locate() | done.Image():
-            return f"{named} {act.key} ({_mm(act.at)})"
+        case done.Locate() | done.Image() | done.Meet():
+            return f"{act.key} ({_mm(act.at.real)}, {_mm(act.at.imag)}) mm".lstrip()
         case done.LayOff():
-            return f"{named} {act.key} {number(act.mm)} mm"
-        case done.Meet():
-            return f"{named} ({_mm(act.at)})"
+            return f"{act.key}: {number(act.mm)} mm"
         case done.Measure():
-            return f"{named} {act.key} = {number(act.mm)} mm"
+            return f"{act.key} = {number(act.mm)} mm"
         case done.Compute():
-            return f"{named} {act.key} = {number(act.value)} {act.unit}".rstrip()
+            return f"{act.key} = {_value(act.value, act.unit)}"
         case done.Answer():
-            value = number(act.value.real) if not isinstance(act.value, complex) else number(abs(act.value))
-            return f"{named} {act.key} = {value} {act.unit}".rstrip()
-        case done.Arrow() | done.Parallel() | done.Follow() | done.Transfer() | done.Touch():
-            return f"{named} {act.key}" if act.key else ""
-        case (done.Plot() | done.Join() | done.Turn() | done.Rule() | done.Swing() | done.Corner() | done.Tint() | done.Gauge() | done.Depict()):
-            return ""
+            return f"{act.key} = {_value(abs(act.value) if isinstance(act.value, complex) else act.value, act.unit)}"
+        case (done.Arrow() | done.Parallel() | done.Follow() | done.Transfer() | done.Touch() | done.Plot() | done.Join() | done.Turn() | done.Rule()
+              | done.Swing() | done.Corner() | done.Tint() | done.Gauge() | done.Depict()):
+            return act.key
         case _:
             assert_never(act)
 
 
-def _mm(at: complex) -> str:
-    return f"{at.real:.2f}, {at.imag:.2f}"
+def _value(value: float, name: str) -> str:
+    printed, mark = bare(number(value)), unit(name)
+    return f"{printed}°" if mark == "°" else f"{printed} {mark}".rstrip()
 
 
-def _bare(text: str) -> str:
-    """A sentence without the signs of its symbols."""
-    return text.translate({ord(sign): None for sign in "${}"})
+def _mm(place: float) -> str:
+    return f"{place + 0.0:.2f}".replace("-0.00", "0.00").replace("-", "−")
 
 
-_NAMES: dict[type, tuple[str, str]] = {
-    done.Locate: ("定点", "point"), done.Image: ("作影像", "image"), done.LayOff: ("量取", "lay off"), done.Meet: ("交点", "meet"),
-    done.Measure: ("量得", "measure"), done.Compute: ("计算", "compute"), done.Answer: ("结果", "answer"), done.Arrow: ("矢量", "vector"),
-    done.Parallel: ("作方向线", "direction of"), done.Follow: ("沿已有矢量", "along"), done.Transfer: ("移画", "transfer"), done.Touch: ("作切线", "tangent"),
-    done.Plot: ("", ""), done.Join: ("", ""), done.Turn: ("", ""), done.Rule: ("", ""), done.Swing: ("", ""), done.Corner: ("", ""),
-    done.Tint: ("", ""), done.Gauge: ("", ""), done.Depict: ("", ""),
+_VERBS: dict[type, Words] = {
+    done.Locate: Words("定点", "point"), done.Image: Words("作影像", "image"), done.LayOff: Words("量取", "lay off"), done.Meet: Words("求交点", "meet"),
+    done.Measure: Words("量得", "measure"), done.Compute: Words("计算", "compute"), done.Answer: Words("结果", "answer"), done.Arrow: Words("画矢量", "vector"),
+    done.Parallel: Words("作方向线", "direction of"), done.Follow: Words("沿已有矢量", "go along"), done.Transfer: Words("移画", "transfer"),
+    done.Touch: Words("作切线", "tangent"),
 }  # fmt: skip

@@ -63,6 +63,8 @@ HELP = {
     "With --plot: the hodograph of a vector, a_F.": "与 --plot 同用：绘矢量的矢端图，如 a_F。",
     "mechanism, velocity, acceleration, body, force; one of several by its name: force:3; sheet is the whole A4 page.":
         "mechanism、velocity、acceleration、body、force；同类有几个时用名称，如 force:3；sheet 为整张 A4 图纸。",
+    "The paper as it stands after step N.": "只画到第 N 步为止。",
+    "List the steps of the construction too, and what the hand did in each.": "同时列出作图各步，以及每步中的作图动作。",
     "Resolution of a PNG.": "PNG 的分辨率（dpi）。",
     "Places of the crank over its turn; 0 leaves its slider away.": "曲柄一周的位置数；0 则不显示转动滑条。",
     "Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.": "以题库中的题目为样板：5-5 为螺旋千斤顶，4-3a 为力分析。",

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from .tongue import tongue
+from .wording import bare
+
 
 def ids(incomplete: str) -> list[tuple[str, str]]:
     """The ids that begin so, in their order; where there is none, the shell completes names of files."""
     from ..problem.library import library
-    from .tongue import tongue
-    from .wording import bare
 
     return [(entry.id, bare(entry.title.of(tongue()))) for entry in library() if entry.id.startswith(incomplete)]

@@ -27,6 +27,7 @@ FORMATS = (".svg", ".png", ".pdf")
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as 3-9, or a file.", show_default=False, autocompletion=ids)]
 FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
                                            "force:3; sheet is the whole A4 page.")]
+StepOption = Annotated[int | None, typer.Option("--step", min=1, metavar="N", show_default=False, help="The paper as it stands after step N.")]
 Dpi = Annotated[float, typer.Option("--dpi", min=10, max=1200, help="Resolution of a PNG.")]
 
 
@@ -38,6 +39,7 @@ def draw(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     dpi: Dpi = 150.0,
+    step: StepOption = None,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG or PDF.
@@ -54,7 +56,10 @@ def draw(
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             warn_of_letters([problem], lang)
-            for target, data in encoded(scenes(solution, figure, lang), each(path, problem.id, len(found)), dpi):
+            pages = scenes(solution, figure, lang)
+            if step is not None:
+                pages = tuple(page.upto(known_step(solution.construction, step)) for page in pages)
+            for target, data in encoded(pages, each(path, problem.id, len(found)), dpi):
                 put(target, data)
             warn(problem.id, solution.warnings, lang)
             tally.weigh(problem.id, solution.construction.warning, lang)
@@ -79,6 +84,16 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
             f"there is no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
     scene = draw_figure(drawn, lang=lang)
     return (Scene(scene.items, scene.extents.grown(3.0)),)
+
+
+def known_step(construction: Construction, step: int) -> int:
+    """The number of a step; raises UnknownNameError where the solution has fewer."""
+    if step > len(construction.steps):
+        raise UnknownNameError(Words(
+            f"没有第 {step} 步：题 {construction.problem} 的解答有 {len(construction.steps)} 步；vecpoly solve {construction.problem} --acts 列出各步",
+            f"there is no step {step}: the solution of {construction.problem} has {len(construction.steps)}; 'vecpoly solve {construction.problem} --acts' lists them"),
+            code="no-step", numbers={"step": step, "steps": len(construction.steps)})
+    return step
 
 
 def placed(figure: str) -> Place | None:

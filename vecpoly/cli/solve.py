@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -27,6 +27,8 @@ _HANDS = {
     "pencil": {"zh": "铅笔手绘", "en": "pencil hand"},
 }  # fmt: skip
 
+ActsOption = Annotated[bool, typer.Option("--acts", help="List the steps of the construction too, and what the hand did in each.")]
+
 
 def solve(
     names: Problems,
@@ -35,11 +37,13 @@ def solve(
     json: JsonOption = None,
     lang: LangOption = "en",
     allow_outside: OutsideOption = False,
+    acts: ActsOption = False,
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
     tally = Tally()
     found = problems(names, tally, allow_outside)
     spared(json, JSON, found)
+    from ..board.told import told
     from ..solution import solve as solved
 
     solutions: list[Solution] = []
@@ -50,6 +54,8 @@ def solve(
         tally.weigh(solution.problem.id, solution.construction.warning, lang)
         if json != STDOUT:
             _print(solution, lang)
+            if acts:
+                typer.echo(told(solution.construction.steps, solution.construction.acts, lang) + "\n")
         warn(solution.problem.id, solution.warnings, lang)
     if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isnan
 from typing import TYPE_CHECKING
 
-from .options import Lang
+from ..words import Lang
 
 if TYPE_CHECKING:
     from ..solution import Answer

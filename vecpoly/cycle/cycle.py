@@ -20,7 +20,7 @@ from ..problem.problem import Problem
 from ..words import Words
 from .columns import Column, catalogue, column_of
 from .follow import follow
-from .frame import arrays, frame
+from .frame import frame
 from .grid import places, range_of
 from .sample import Sample, reader, sample
 
@@ -131,11 +131,12 @@ class Cycle:
 
     def arrays(self, *keys: str) -> dict[str, NDArray[Any]]:
         """The drive's position and these columns (all where none is named) as numpy arrays, SI; vectors are complex."""
-        return arrays(self, keys)
+        names = keys or tuple(column.key for column in self.columns)
+        return {key: np.asarray(self.column(key)) for key in dict.fromkeys((self.drive.key, *names))}
 
     def to_frame(self, *keys: str) -> Any:
         """The same as a pandas DataFrame over the drive's position; a vector is two columns, v_C.x and v_C.y."""
-        return frame(self, keys)
+        return frame(self.arrays(*keys))
 
     def real(self, key: str) -> Reals:
         """The column as real numbers: a vector's magnitude."""

@@ -12,9 +12,9 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 
-from ..errors import FaultError, UnknownNameError
+from ..errors import FaultError, PluginError, UnknownNameError
 from ..names import Named
-from ..plugins import load_modules
+from ..plugins import DEVICES, load_entries, load_modules
 from ..units import Dim, Quantity, positive, pure, read
 from ..words import Words
 
@@ -98,15 +98,32 @@ def _hashable(value: Any) -> Any:
 
 @cache
 def kinds() -> dict[str, type[Device]]:
-    """Every device on file by the name that a problem file uses."""
+    """Every device on file, and of other packages (entry points ``vecpoly.devices``), by the name that a problem file uses.
+
+    Raises PluginError where two have one name.
+    """
     load_modules("vecpoly.devices")
-    return {sub.kind: sub for sub in sorted(Device.__subclasses__(), key=lambda s: s.kind)}
+    load_entries(DEVICES)
+    return _by_name()
 
 
 def kind_of(name: str) -> type[Device]:
-    """The device class of this name; raises UnknownNameError."""
+    """The device class of this name, other packages being asked where the house has none; raises UnknownNameError."""
+    load_modules("vecpoly.devices")
+    if (own := _by_name().get(name)) is not None:
+        return own
     if name not in kinds():
         raise UnknownNameError(Words(
             f"没有装置“{name}”；已有：{', '.join(kinds())}",
             f"no device '{name}'; known: {', '.join(kinds())}"))
     return kinds()[name]
+
+
+def _by_name() -> dict[str, type[Device]]:
+    found: dict[str, type[Device]] = {}
+    for sub in sorted(Device.__subclasses__(), key=lambda s: s.kind):
+        if sub.kind in found:
+            places = f"{found[sub.kind].__module__}, {sub.__module__}"
+            raise PluginError(Words(f"两个装置同名“{sub.kind}”：{places}；请改其中一个的 kind", f"two devices are named '{sub.kind}': {places}; give one another kind"), code="plugin")
+        found[sub.kind] = sub
+    return found

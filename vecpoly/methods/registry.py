@@ -8,7 +8,7 @@ from enum import StrEnum
 from typing import Any
 
 from ..errors import NoMethodError
-from ..plugins import load_modules
+from ..plugins import METHODS, load_entries, load_modules
 from ..words import Words
 
 
@@ -58,13 +58,14 @@ _METHODS: dict[tuple[Stage, str], Method] = {}
 def method(*, stage: Stage, group: str, title: Words, source: str, example: str) -> Callable[[Draw], Draw]:
     """Register a function as the method for one stage of one kind of group.
 
-    Raises ValueError where another function already covers it, or where it stands in the folder of another stage.
+    Raises ValueError where another function already covers it, or where a file of the house stands in the folder of another stage.
+    A module of another package names itself in the entry points ``vecpoly.methods`` instead.
     """
 
     def register(draw: Draw) -> Draw:
         if (stage, group) in _METHODS:
             raise ValueError(f"two methods cover the {stage} of {group}")
-        if not draw.__module__.startswith(f"{stage.folder}."):
+        if draw.__module__.startswith("vecpoly.") and not draw.__module__.startswith(f"{stage.folder}."):
             raise ValueError(f"a method that draws the {stage} belongs into the package {stage.folder}, not into {draw.__module__}")
         _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example, draw=draw)
         return draw
@@ -76,12 +77,15 @@ def methods() -> tuple[Method, ...]:
     """All registered methods, by stage and group."""
     for stage in Stage:
         load_modules(stage.folder)
+    load_entries(METHODS)
     return tuple(sorted(_METHODS.values(), key=lambda m: (list(Stage).index(m.stage), m.group)))
 
 
 def find(stage: Stage, group: str) -> Method:
     """The method for this stage and kind of group; raises NoMethodError where none is on file."""
     load_modules(stage.folder)
+    if (stage, group) not in _METHODS:
+        load_entries(METHODS)  # asked only where the house has nothing: other packages add methods, and replace none
     try:
         return _METHODS[stage, group]
     except KeyError:

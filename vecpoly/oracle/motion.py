@@ -14,6 +14,7 @@ from ..words import Words
 from .contact import touching
 from .pitch import pitch_point
 from .state import Body, Points, Reals
+from .symbols import value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,7 +69,6 @@ class Motion:
 
         Raises UnknownNameError where a letter or link does not exist.
         """
-        from .symbols import value
         return value(self, rel)
 
     def point_with(

@@ -2,20 +2,36 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, assert_never
+from typing import Protocol, assert_never
 
 from ..errors import UnknownNameError
 from ..mechanism.assur import hinges
-from ..mechanism.model import FRAME, Prismatic
+from ..mechanism.model import FRAME, Mechanism, Prismatic
 from ..names import At, Kind, Rel
 from ..words import Words
 from .state import Points, Reals
 
-if TYPE_CHECKING:
-    from .motion import Motion
+
+class Moving(Protocol):
+    """What a symbol's value is found from: the places and rates of links and letters, as `Motion` gives them."""
+
+    @property
+    def mech(self) -> Mechanism: ...
+
+    def at(self, point: str | At) -> At: ...
+
+    def omega(self, link: str) -> Reals: ...
+
+    def alpha(self, link: str) -> Reals: ...
+
+    def position(self, point: str | At) -> Points: ...
+
+    def velocity(self, point: str | At) -> Points: ...
+
+    def acceleration(self, point: str | At) -> Points: ...
 
 
-def value(motion: Motion, rel: Rel) -> Points | Reals:
+def value(motion: Moving, rel: Rel) -> Points | Reals:
     """The quantity's value in SI units, of the motion's shape."""
     match rel.kind:
         case Kind.OMEGA:
@@ -39,7 +55,7 @@ def value(motion: Motion, rel: Rel) -> Points | Reals:
             assert_never(rel.kind)
 
 
-def _thought(motion: Motion, point: At, rel: Rel) -> At:
+def _thought(motion: Moving, point: At, rel: Rel) -> At:
     """The point on the link that carries both letters, where neither names its link."""
     at = motion.at(point)
     if at.link or rel.ref is None:
@@ -48,7 +64,7 @@ def _thought(motion: Motion, point: At, rel: Rel) -> At:
     return At(at.point, link) if link and link in motion.mech.links_at(at.point) else at
 
 
-def _common(motion: Motion, to: At, ref: At) -> str:
+def _common(motion: Moving, to: At, ref: At) -> str:
     """The link that carries both points; of numbers, the one that carries the other letter; empty if none."""
     shared = [n for n in motion.mech.links_at(to.point) if n in motion.mech.links_at(ref.point)]
     for own, other in ((to, ref), (ref, to)):
@@ -58,7 +74,7 @@ def _common(motion: Motion, to: At, ref: At) -> str:
     return shared[0] if shared else ""
 
 
-def _component(motion: Motion, rel: Rel) -> Points:
+def _component(motion: Moving, rel: Rel) -> Points:
     """a^n_CB = -ω² (C - B), a^t_CB = iα (C - B) of the link with both points; a^n_C about its frame pivot."""
     to = motion.at(rel.to)
     if rel.ref is None:
@@ -78,7 +94,7 @@ def _component(motion: Motion, rel: Rel) -> Points:
     return 1j * motion.alpha(link) * ray
 
 
-def _pivoted(motion: Motion, at: At, rel: Rel) -> tuple[str, str]:
+def _pivoted(motion: Moving, at: At, rel: Rel) -> tuple[str, str]:
     """The link that carries the point and has a pivot on the frame, and the pivot's letter."""
     names = [at.link] if at.link else [n for n in motion.mech.links_at(at.point) if n != FRAME]
     for name in names:
@@ -90,7 +106,7 @@ def _pivoted(motion: Motion, at: At, rel: Rel) -> tuple[str, str]:
         f"{rel.key}: no link with the point {at} has a frame pivot; name a reference point"))
 
 
-def _sliding(motion: Motion, rel: Rel) -> Points:
+def _sliding(motion: Moving, rel: Rel) -> Points:
     """a^k_B3B2 = 2iω (v_B3 - v_B2) with the ω of the guide; a^r_B3B2 = a_B3 - a_B2 - a^k."""
     to, ref = motion.at(rel.to), None if rel.ref is None else motion.at(rel.ref)
     if ref is None or not to.link or not ref.link:
@@ -103,7 +119,7 @@ def _sliding(motion: Motion, rel: Rel) -> Points:
     return motion.acceleration(to) - motion.acceleration(ref) - coriolis
 
 
-def _guide(motion: Motion, to: At, ref: At) -> str:
+def _guide(motion: Moving, to: At, ref: At) -> str:
     """The link with the guide along which B3 slides over B2: a block turns with it, a pin in a slot or a disc on a face does not."""
     slides = (j for j in motion.mech.joints if isinstance(j, Prismatic) and j.pin == to.point == ref.point)
     return next((j.guide for j in slides if j.guide in (to.link, ref.link)), ref.link)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Literal
 
+from ..devices.base import Device
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
@@ -16,12 +16,6 @@ from .current import current
 from .given import Datum, Given, Shape, as_printed
 from .held import Held
 from .written import Written
-
-if TYPE_CHECKING:
-    from ..cycle import Cycle
-    from ..devices.base import Device
-    from ..solution import Solution
-
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
@@ -99,44 +93,3 @@ class Problem:
         """The device; a problem about a mechanism has none."""
         assert not isinstance(self.subject, Mechanism), f"problem {self.id} is about a mechanism"
         return self.subject
-
-    def solve(self, *, by: str = "drafting", seed: int = 0) -> Solution:
-        """Draw the solution of this problem by a hand: exact, drafting or pencil."""
-        from ..solution import solve
-
-        return solve(self, by=by, seed=seed)
-
-    def vary(self, **changes: Any) -> Problem:
-        """The same problem with other values: vary(AB="120 mm", phi="30 deg", F="200 N"); numbers are in SI.
-
-        `parameters` has the names. Raises UnknownNameError for any other, ProblemFileError for what no problem file may hold.
-        """
-        from .vary import vary
-
-        return vary(self, changes)
-
-    @property
-    def parameters(self) -> Mapping[str, str]:
-        """The names by which values may be varied, with what is written: {'AB': '30 mm', 'phi': '60 deg', ...}."""
-        from .vary import parameters
-
-        return parameters(self)
-
-    @property
-    def data(self) -> dict[str, Any]:
-        """What it says as a plain dictionary of texts, as a problem file has it; vecpoly.problem(data) makes the problem again."""
-        from .vary import data_of
-
-        return data_of(self)
-
-    def cycle(self, n: int = 361) -> Cycle:
-        """The mechanism at n positions over its whole cycle: columns as numpy arrays, or as a DataFrame."""
-        from ..cycle import cycle
-
-        return cycle(self, n)
-
-    def _repr_svg_(self) -> str:
-        """The kinematic diagram in Jupyter."""
-        from ..notebook import problem_svg
-
-        return problem_svg(self)

@@ -9,8 +9,7 @@ from typing import Any
 from jinja2 import TemplateNotFound
 
 from ..arguments import known_language, of_kind
-from ..check.printed import PrintedCheck, check_problem
-from ..check.verdict import Verdict
+from ..check.printed import check_problem
 from ..data import data_dir
 from ..drawing.figure import draw_figure
 from ..drawing.pdf import draw_pdf
@@ -28,16 +27,15 @@ from .flow.xml import to_flowables
 from .lines import lines_table
 from .picture import diagram, frames, picture
 from .printed_tables import printed_tables
-from .tables import empty_table, percent, printed_table, readings_table, symbol_of
+from .tables import empty_table, printed_table, readings_table
 from .templates import filled
 from .titles import subject
+from .verdicts import verdicts
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
     "en": ("Class", "Name", "Student no.", "Mark", "Lecturer", "Marked on"),
 }
-_HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
-             "note": Words("关于原书：", "On the printed solution: "), "pass": Words.same("")}
 _SOLVED = Words("解答（solve 的结果）", "a solution, as solve gives it,")
 STYLES = ("solution", "question", "course")
 PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
@@ -133,33 +131,6 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
         "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
     }
-
-
-def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tuple[str, str]]:
-    """What is to be said of the printed answers, as (kind of box, text)."""
-    said: list[tuple[str, str]] = []
-    if checked.whole is not None:
-        said.append(("fail", checked.whole.of(lang)))
-    for c in checked.answers:
-        symbol = symbol_of(c)
-        if c.verdict in (Verdict.WRONG, Verdict.ROUNDING) and c.printed.note is not None:
-            said.append(("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang)))
-        elif c.verdict is Verdict.OUTLIER and checked.fit is None:
-            off = percent(c.deviation, 1)
-            said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
-    if checked.answers and not said and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers):
-        said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
-    said += [("note", e.of(lang)) for e in solution.problem.errata]
-    return [(kind, _HEADINGS[kind].of(lang) + _listed([text for k, text in said if k == kind], lang))
-            for kind in dict.fromkeys(k for k, _ in said)]
-
-
-def _listed(texts: Sequence[str], lang: Lang) -> str:
-    """One text, or several numbered ones run on."""
-    if len(texts) == 1:
-        return texts[0]
-    gap = "　" if lang == "zh" else "  "
-    return gap.join(f"({i}) {text}" for i, text in enumerate(texts, 1))
 
 
 def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:

@@ -34,14 +34,14 @@ def smooth_all_round(solution: Solution) -> str:
 @family("change-points", smooth_all_round)
 def changing(rng: np.random.Generator) -> str:
     """Parallelogram, antiparallelogram, kite, or the sum of the shortest and the longest side that of the others; a dyad on the coupler."""
-    short, long = rng.integers(30, 60), rng.integers(90, 140)
+    short, long = int(rng.integers(30, 60)), int(rng.integers(90, 140))
     kind = rng.choice(["parallelogram", "antiparallelogram", "kite", "sum"])
     side = rng.choice(["left", "right"])
     match kind:
         case "kite":
             (ab, bc, cd, ad), branch = (short, long, long, short), f"C {side} of BD"
         case "sum":
-            other = rng.integers(short + 5, long)
+            other = int(rng.integers(short + 5, long))
             (ab, bc, cd, ad), branch = (short, other, short + long - other, long), f"C {side} of BD"
         case figure:
             (ab, bc, cd, ad), branch = (short, long, short, long), f"ABCD {figure}"

@@ -75,7 +75,7 @@ class Sketch:
     def letter(self) -> str:
         """A letter not used yet."""
         self.letters += 1
-        return LETTERS[self.letters - 1]
+        return str(LETTERS[self.letters - 1])
 
     def chance(self, share: float) -> bool:
         return bool(self.rng.random() < share)

@@ -89,7 +89,8 @@ def points(rng: np.random.Generator) -> str:
     mark, text = original(rng, JOINTED)
     data, solution = data_of(text), solved(text)
     turning = [name for name in data["links"] if solution.answers.get(f"omega_{name}") and abs(solution.answers[f"omega_{name}"].exact) > 1e-3]
-    asks: list[object] = [{"coriolis": key.removeprefix("ak_")} for key in data["find"] if key.startswith("ak_")][:2]
+    asks: list[object] = []
+    asks += [{"coriolis": key.removeprefix("ak_")} for key in data["find"] if key.startswith("ak_")][:2]
     for i, name in enumerate(rng.permutation(turning)[:2]):
         kind, unit = [("velocity", "m/s"), ("acceleration", "m/s^2")][int(rng.integers(2))]
         given: object = "0" if rng.random() < 0.3 else [f"{rng.uniform(-0.6, 0.6):.3f} {unit}" for _ in range(2)]

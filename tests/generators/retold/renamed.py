@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -47,7 +48,7 @@ class Names:
 
     def joint(self, text: str) -> str:
         """A sentence of a joint, in which numbers are links."""
-        return _LOOSE.sub(lambda m: self.number.get(m[1], m[1]), self.text(text))
+        return _LOOSE.sub(lambda m: str(self.number.get(m[1], m[1])), self.text(text))
 
     def tree(self, value: Any) -> Any:
         match value:
@@ -80,7 +81,7 @@ class Names:
         return "-".join(self.number.get(part, part) for part in name.split("-")) if "-" in name else self.text(name)
 
     def _load(self, load: Data) -> Data:
-        linked = {"on": self.number.get, "link": self.number.get, "cylinder": self._pair}
+        linked: dict[str, Callable[[str], str | None]] = {"on": self.number.get, "link": self.number.get, "cylinder": self._pair}
         return {key: linked[key](value) if key in linked else self.text(value) for key, value in load.items()}
 
 

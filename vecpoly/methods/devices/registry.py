@@ -8,7 +8,7 @@ from typing import Any
 
 from ...devices.base import Device
 from ...errors import NoMethodError
-from ...plugins import load_modules
+from ...plugins import DEVICES, load_entries, load_modules
 from ...words import Words
 from .bench import Bench
 
@@ -44,6 +44,7 @@ def device_method(device: type[Device], *, title: Words, source: str, example: s
 def device_methods() -> tuple[DeviceMethod, ...]:
     """All registered constructions, by the device's name."""
     load_modules("vecpoly.methods.devices")
+    load_entries(DEVICES)
     return tuple(sorted(_METHODS.values(), key=lambda m: m.device.kind))
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from ...errors import UnknownNameError
@@ -14,13 +12,11 @@ from ...words import Words
 from ..state import Points, Reals, cross
 from .acting import Acting, inertia
 from .pairs import Wrench
+from .solved import Equilibrium
 from .system import ROUNDING, Balance
 
-if TYPE_CHECKING:
-    from .equilibrium import Forces
 
-
-def value(result: Forces, key: str) -> Points | Reals:
+def value(result: Equilibrium, key: str) -> Points | Reals:
     """The quantity with this key; UnknownNameError where there is none."""
     if key not in result.named:
         raise UnknownNameError(Words(
@@ -31,7 +27,7 @@ def value(result: Forces, key: str) -> Points | Reals:
     return result.shaped(found)  # type: ignore[type-var, return-value]
 
 
-def line(result: Forces, key: str) -> Points:
+def line(result: Equilibrium, key: str) -> Points:
     """A point of the line of action of this reaction; NaN where there is no force."""
     index, _ = _find(result, key)
     if index is None:
@@ -43,7 +39,7 @@ def line(result: Forces, key: str) -> Points:
         return result.shaped(np.where(wrench.force == 0, complex(np.nan, np.nan), pair.at + away))
 
 
-def couple(result: Forces, key: str) -> Reals:
+def couple(result: Equilibrium, key: str) -> Reals:
     """The couple (N·m) that goes with this reaction where a slide passes on a couple and no force; 0 elsewhere."""
     index, sign = _find(result, key)
     wrench = Wrench(np.zeros(1, np.complex128), np.zeros(1)) if index is None else result.wet.wrench(result.system.pairs, index)
@@ -51,7 +47,7 @@ def couple(result: Forces, key: str) -> Reals:
     return result.shaped(np.where(np.abs(passed) <= ROUNDING * result.wet.largest * result.system.scale, 0.0, passed))
 
 
-def _value(result: Forces, key: str) -> Points | Reals:
+def _value(result: Equilibrium, key: str) -> Points | Reals:
     free = result.loads.unknown.name
     if key == free:
         return _balancing(result, result.wet.load)
@@ -70,13 +66,13 @@ def _value(result: Forces, key: str) -> Points | Reals:
     return _inertia(result, key)
 
 
-def _balancing(result: Forces, load: Reals) -> Reals:
+def _balancing(result: Equilibrium, load: Reals) -> Reals:
     """The balancing load; a moment or force that is nothing but rounding is zero."""
     unit = 1.0 if result.system.free.force.any() else result.system.scale
     return np.where(np.abs(load) <= ROUNDING * result.wet.largest * unit, 0.0, load)
 
 
-def _find(result: Forces, key: str) -> tuple[int | None, int]:
+def _find(result: Equilibrium, key: str) -> tuple[int | None, int]:
     """The pair of these links, and +1 where it holds the force on its link b; None: a hinge's links that are pinned through a third."""
     for index, pair in enumerate(result.system.pairs):
         if key in pair.keys:
@@ -88,7 +84,7 @@ def _find(result: Forces, key: str) -> tuple[int | None, int]:
         f"there is no {key}: the two links do not touch each other; known: {', '.join(name for name in result.named if name.startswith('R_'))}"))
 
 
-def _reaction(result: Forces, key: str, balance: Balance) -> Points:
+def _reaction(result: Equilibrium, key: str, balance: Balance) -> Points:
     index, sign = _find(result, key)
     if index is None:
         return np.zeros(1, np.complex128)
@@ -96,13 +92,13 @@ def _reaction(result: Forces, key: str, balance: Balance) -> Points:
     return force
 
 
-def _virtual(result: Forces) -> Reals:
+def _virtual(result: Equilibrium) -> Reals:
     """Virtual power: the balancing load's size from the powers of the other loads alone, Σ F·v + Σ M ω = 0."""
     powers: Reals = sum((act.power(result.rates) for act in result.system.known), np.zeros(1))
     return -powers / result.system.free.power(result.rates)
 
 
-def _arm(result: Forces) -> Reals:
+def _arm(result: Equilibrium) -> Reals:
     """|M| / R: the frame's reaction (any reaction where the link has none) and everything else but M make a couple with this arm."""
     link = result.loads.unknown.link
     own = [index for index, pair in enumerate(result.system.pairs) if link in (pair.a, pair.b)]
@@ -111,7 +107,7 @@ def _arm(result: Forces) -> Reals:
     return np.abs(result.wet.load) / np.abs(wrench.force)
 
 
-def _inertia(result: Forces, key: str) -> Points | Reals:
+def _inertia(result: Equilibrium, key: str) -> Points | Reals:
     mass = next(mass for mass in result.loads.masses if key in (f"F_I{mass.link}", f"M_I{mass.link}", f"h_{mass.link}"))
     act = _acting(result, mass)
     if key[0] == "F":
@@ -119,7 +115,7 @@ def _inertia(result: Forces, key: str) -> Points | Reals:
     return act.couple if key[0] == "M" else np.abs(act.couple) / np.abs(act.force)
 
 
-def _acting(result: Forces, mass: Mass) -> Acting:
+def _acting(result: Equilibrium, mass: Mass) -> Acting:
     if result.loads.dynamic:
         return inertia(result.mech, mass, result.motion.bodies)
     return Acting(name=f"F_I{mass.link}", link=mass.link, at=np.zeros(1, np.complex128),

@@ -6,8 +6,8 @@ from typing import Any
 
 from ...check.printed import check_problem
 from ...words import Words
-from ..document import verdicts
 from ..tables import printed_table
+from ..verdicts import verdicts
 from .numbering import SMALL, Press
 from .study import Study
 
