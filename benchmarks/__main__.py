@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from . import (
+    chains,
     cold_start,
     course_report,
     cycle,
@@ -13,9 +14,10 @@ from . import (
     pencil_hands,
     player,
     printed_tables,
+    redraw,
     report_pages,
 )
 
 if __name__ == "__main__":
-    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, lettering, printed_tables, player, cold_start, course_report, memory):
+    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, lettering, chains, redraw, printed_tables, player, cold_start, course_report, memory):
         print(module.run(), flush=True)

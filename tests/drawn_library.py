@@ -11,6 +11,7 @@ import pytest
 
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.devices.base import Device
+from vecpoly.methods import draw as drawing
 from vecpoly.methods import plan
 from vecpoly.methods.desk import Desk
 from vecpoly.problem.library import library
@@ -39,7 +40,7 @@ class Drawn:
 def drawn(name: str) -> Drawn:
     """The problem of this id, drawn by the exact hand."""
     desks: list[Desk] = []
-    draw = plan._draw
+    draw = drawing.draw
 
     def watched(*args: Any) -> Desk:
         desks.append(draw(*args))
@@ -47,7 +48,7 @@ def drawn(name: str) -> Drawn:
 
     problem = load(name)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(plan, "_draw", watched)
+        patch.setattr(plan, "draw", watched)
         solution = solve(problem, by="exact", repeats=0, precise=False)
     return Drawn(problem, solution.construction, desks[-1] if desks else None)
 

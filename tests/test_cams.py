@@ -12,6 +12,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from vecpoly import Problem, load, loads, oracle
+from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
 from vecpoly.board.marks import Arc, Disc, FixedGuide, Point, Role, Segment
@@ -20,7 +21,8 @@ from vecpoly.errors import AssemblyError, DeadPointError, ProblemFileError
 from vecpoly.mechanism.assur import decompose
 from vecpoly.mechanism.mobility import mobility
 from vecpoly.methods.desk import Desk
-from vecpoly.methods.plan import _draw, construct
+from vecpoly.methods.draw import draw
+from vecpoly.methods.plan import construct
 from vecpoly.names import parse_rel
 from vecpoly.oracle.contact import touching
 from vecpoly.problem.asks import AskRel
@@ -82,7 +84,7 @@ def drawn(problem: Problem, keys: str) -> dict[str, complex]:
 
 def desk_of(problem: Problem) -> Desk:
     scales = {View.MECHANISM: SLIDES["l"], View.VELOCITY: SLIDES["v"], View.ACCELERATION: SLIDES["a"]}
-    return _draw(asking(problem, "omega_2"), hand("exact"), scales)
+    return draw(asking(problem, "omega_2"), Board(hand("exact"), scales))
 
 
 def agree(problem: Problem, keys: str) -> None:

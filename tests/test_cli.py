@@ -164,7 +164,7 @@ def test_a_sheet_in_svg_is_an_a4_page(run: Run, tmp_path: Path) -> None:
 def test_draw_refuses_other_formats_and_figures_that_do_not_exist(run: Run) -> None:
     other, missing = run("draw", "3-9", "-o", "x.gif"), run("draw", "3-4a", "--figure", "acceleration", "-o", "x.svg")
     assert (other.exit_code, missing.exit_code) == (2, 2)
-    assert ".svg, .png or .pdf" in other.stderr and "mechanism, velocity" in missing.stderr
+    assert ".svg, .png, .pdf or .dxf" in other.stderr and "mechanism, velocity" in missing.stderr
 
 
 # -- list, new, schema ----------------------------------------------------------------------------------------------

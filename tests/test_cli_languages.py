@@ -62,7 +62,7 @@ def test_help_is_chinese_where_it_is_said(run: Run, name: str) -> None:
     (("solve", "--foo"), "没有选项 --foo"), (("foo",), "没有命令“foo”"), (("solve",), "缺少参数"), (("cycle", "A-27", "-n", "1"), "不得小于 2"),
     (("solve", "3-9", "--hand", "x"), "应为 'exact', 'drafting', 'pencil' 之一"), (("solve", "nix"), "没有题目“nix”"),
     (("solve", "bad.yaml"), "bad.yaml 第 2 行第 8 列"), (("report", "3-9", "-o", "base.docx"), "写出的是 .pdf 文件"),
-    (("play", "3-9", "-o", "a.pdf"), "写出的是 .html 或 .htm 文件"), (("draw", "3-9", "-o", "a.gif"), "写出的是 .svg、.png 或 .pdf 文件"), (("new", "bad.yaml"), "已存在"),
+    (("play", "3-9", "-o", "a.pdf"), "写出的是 .html 或 .htm 文件"), (("draw", "3-9", "-o", "a.gif"), "写出的是 .svg、.png、.pdf 或 .dxf 文件"), (("new", "bad.yaml"), "已存在"),
 ])
 def test_what_is_refused_is_told_in_the_language_that_is_said(run: Run, args: tuple[str, ...], zh: str) -> None:
     said = run(*args, VECPOLY_LANG="zh")

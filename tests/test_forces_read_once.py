@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from vecpoly.board.board import Board
 from vecpoly.board.hand import hand
 from vecpoly.formula import plain, sym
 from vecpoly.mechanism.quantities import pairs
-from vecpoly.methods.plan import _choose_scales, _draw
+from vecpoly.methods.draw import draw
+from vecpoly.methods.plan import _choose_scales
 from vecpoly.names import Named, reaction
 from vecpoly.problem.load import load
 from vecpoly.quantity import number
@@ -23,7 +25,7 @@ def by_every_hand(name: str) -> tuple[dict[str, np.ndarray], list[tuple[str, str
     """Every force by 400 pencil hands, and the keys of actions and reactions."""
     problem = load(name)
     with np.errstate(all="ignore"):
-        desk = _draw(problem, hand("pencil", repeats=HANDS), _choose_scales(problem, {}, None)[0])
+        desk = draw(problem, Board(hand("pencil", repeats=HANDS), _choose_scales(problem, {}, None)[0]))
     mech = problem.mechanism
     keys = [(reaction(mech.number(a), mech.number(b)).key, reaction(mech.number(b), mech.number(a)).key) for a, b in pairs(mech)]
     return {key: np.asarray(value) for key, value in desk.board.found.items()}, keys

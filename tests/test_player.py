@@ -27,7 +27,7 @@ from vecpoly.drawing.scene import Rect
 from vecpoly.mechanism.branch import margin
 from vecpoly.mechanism.model import SideOf
 from vecpoly.player.figures import key_of, shown_figures
-from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened, scales_of
+from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened
 from vecpoly.player.ink import Ink, path
 from vecpoly.player.motion import moving
 from vecpoly.player.page import LIMIT, PLACES, player_html
@@ -35,7 +35,7 @@ from vecpoly.player.steps import said
 from vecpoly.player.turned import Cycle, cycle, in_order
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
-from vecpoly.solution import Solution, solve
+from vecpoly.solution import Solution, scales_of, solve
 from vecpoly.typeset.fonts import Face
 
 KINEMATICS, FORCES, DEVICE, LARGE = "3-9", "4-3a", "5-5", "six-bar-dynamic"

@@ -12,13 +12,13 @@ from vecpoly.board.marks import Role, Segment
 from vecpoly.drawing.scene import Rect, Scene
 from vecpoly.drawing.style import LETTER
 from vecpoly.player.figures import LANGS, box, caption, key_of
-from vecpoly.player.fitting import SIDE, coarsened, fitted, scales_of
+from vecpoly.player.fitting import SIDE, coarsened, fitted
 from vecpoly.player.ink import Ink, path
 from vecpoly.player.panes import AROUND, BESIDE, magnified, pane
 from vecpoly.player.turned import Cycle, cycle
 from vecpoly.problem.load import load
 from vecpoly.problem.load import loads as load_text
-from vecpoly.solution import solve
+from vecpoly.solution import scales_of, solve
 from vecpoly.words import Words
 
 CRANK = """\

@@ -8,11 +8,13 @@ from typing import Any
 import pytest
 
 from tests.drawn_library import drawn, ids
+from vecpoly.data import data_dir
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.kinematics.bars import WELD, weld
 from vecpoly.problem.current import _motion
 from vecpoly.problem.given import Given
 from vecpoly.problem.load import load, loads
+from vecpoly.report.course.example import _valued
 
 CRANK = """\
 id: t
@@ -71,3 +73,18 @@ def test_devices_are_read_in_millimetres() -> None:
 def test_a_pin_that_runs_in_two_slots_has_no_turn_of_its_own_to_tell() -> None:
     said = [step.words for step in drawn("pin-in-two-slots").construction.steps]
     assert said and not any("组成移动副" in words.zh or "form a sliding pair" in words.en for words in said)
+
+
+@pytest.mark.parametrize(("value", "text"), [(0.5, "28.648°"), (-0.5, "−28.648°"), (4.0, "−130.817°"), (-6.0, "16.225°")])
+def test_an_angle_of_the_worked_example_lies_within_half_a_turn_and_has_a_true_minus(value: float, text: str) -> None:
+    assert _valued("φ_{2}", value) == _valued("ψ_{2}", value) == text
+
+
+@pytest.mark.parametrize(
+    ("given", "symbol", "text"), [("length: 1500 mm", "l_DC", "1500 mm"), ("s: 1500 mm", "s_32", "1500 mm")]
+)
+def test_the_given_position_of_a_cylinder_is_its_length_or_its_travel(given: str, symbol: str, text: str) -> None:
+    file = data_dir("problems") / "machines" / "lift-gate.yaml"
+    problem = loads(file.read_text(encoding="utf-8").replace("length: 1500 mm", given))
+    first, speed, _ = problem.given.motion
+    assert (first.symbol, first.si, first.text) == (symbol, 1.5, text) and speed.symbol == "v_C3C2"

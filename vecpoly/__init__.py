@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .check.table import TableCheck, check_table
     from .door import Construction, Problem, Solution, from_json, load, load_assignment, loads, problem, solve
     from .errors import VecpolyError
+    from .live import Redrawn, redraw
     from .mechanism.model import Mechanism
     from .mistakes import slips
     from .problem.assignment import Assignment
@@ -35,6 +36,7 @@ _HOMES = {
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("door", "Problem"),
+    "Redrawn": ("live", "Redrawn"),
     "Slip": ("board.slip", "Slip"),
     "Solution": ("door", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
@@ -47,6 +49,7 @@ _HOMES = {
     "load_assignment": ("door", "load_assignment"),
     "loads": ("door", "loads"),
     "problem": ("door", "problem"),
+    "redraw": ("live", "redraw"),
     "slips": ("mistakes", "slips"),
     "solve": ("door", "solve"),
     "to_json": ("record", "to_json"),
@@ -61,6 +64,7 @@ __all__ = [
     "Mistake",
     "PrintedCheck",
     "Problem",
+    "Redrawn",
     "Slip",
     "Solution",
     "TableCheck",
@@ -73,6 +77,7 @@ __all__ = [
     "load_assignment",
     "loads",
     "problem",
+    "redraw",
     "slips",
     "solve",
     "to_json",

@@ -27,12 +27,13 @@ from .drawing.packing import fits_sheet
 from .drawing.space import room, slots
 from .frozen import FrozenMap
 from .methods.centres.compare import comparable
+from .methods.desk import Desk
 from .methods.devices.plan import construct_device
 from .methods.drawn import Drawn
 from .methods.passes import needs_centres, stages
 from .methods.plan import construct
 from .names import Key
-from .problem.problem import Problem
+from .problem.problem import Problem, Scales
 from .words import Words, language
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
@@ -94,11 +95,13 @@ class Solution:
 
 
 def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True,
-          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None, slip: Slip | None = None) -> Solution:
+          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None, slip: Slip | None = None,
+          sketch: Desk | None = None) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
     readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by somebody else: the
     construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this mistake.
+    sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is one already.
 
     precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
@@ -109,7 +112,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     size = sizes(problem, values)
     off = noise(problem, truth, size) if precise else dict.fromkeys(values, 0.0)
     amended = amend(readings, points, slip)
-    drawn = constructed(problem, hand(by, seed=seed, repeats=repeats), amended)
+    drawn = constructed(problem, hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts)
     read, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
     ideal, true, _ = comparable(drawn.ideal, values, {})
@@ -146,14 +149,20 @@ def fewer_digits(solution: Solution) -> Words | None:
                  f"So near to a dead point (change point) the exact values keep only a few digits: {en}.")
 
 
-def constructed(problem: Problem, by: Hand, amended: Amended) -> Drawn:
+def scales_of(construction: Construction) -> Scales:
+    """The scales of a drawing; those of levers are their own."""
+    used = {f.view: f.scale.value for f in reversed(construction.figures) if not f.name.startswith("lever")}
+    return Scales(mu_l=used.get(View.MECHANISM), mu_v=used.get(View.VELOCITY), mu_a=used.get(View.ACCELERATION), mu_f=used.get(View.FORCE))
+
+
+def constructed(problem: Problem, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
     """The construction of a mechanism or a device, each figure as large as its place on the sheet allows."""
     if isinstance(problem.subject, Device):
         return construct_device(problem, by, {}, amended)
     if problem.loads is not None:
-        return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View}, amended=amended)
+        return construct(problem, by, {view: POLYGON if view is View.FORCE else room(view, 3) for view in View}, amended=amended, sketch=sketch)
     drawn = [view for view in View if view.value in {stage.value for stage in stages(problem)} or view is View.MECHANISM]
-    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"), amended)
+    return construct(problem, by, dict(zip(drawn, slots(len(drawn) + needs_centres(problem)), strict=False)), partial(fits_sheet, landscape=problem.orientation == "landscape"), amended, sketch)
 
 
 def _expected(scalars: Any) -> float:

@@ -18,7 +18,11 @@ from .slips import Mutant, compiles, mutants
 from .touched import MAP, ROOT, listen, touched
 from .trial import Fate, try_all
 
-_OF_SOURCES = {"swapped languages": ("tests/test_words_in_order.py::test_chinese_stands_first_in_every_sentence_of_the_code",)}  # they call nothing, and read all
+_READERS = ("tests/test_words_in_order.py::test_who_reads_chinese_is_given_chinese_and_who_reads_english_english",)
+_OF_SOURCES = {  # they call nothing, and read all
+    "swapped languages": ("tests/test_words_in_order.py::test_chinese_stands_first_in_every_sentence_of_the_code",),
+    "swapped branches": _READERS, "turned comparison": _READERS,
+}
 _COUNTED = (Fate.KILLED, Fate.HUNG)
 
 

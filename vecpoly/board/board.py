@@ -8,6 +8,7 @@ it needed. It is the one mutable object of the program, while it is drawn on.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import cast
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from ..errors import NotAskedError
 from ..formula import Node, Row, row
 from ..names import ascii_key
 from ..plane import Points, Reals, nominal
+from ..plane.derived import variable
 from ..plane.traced import Acts, acts_of, traced
 from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
@@ -26,24 +28,29 @@ from .hand import hand as hand_of
 from .instruments import Instruments
 from .place import Place, View
 from .ruler import Ruler
-from .strokes import NO_ARROW, NO_LENGTH, spot
+from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 from .wrongly import FACTOR
 
-__all__ = ["NO_ARROW", "NO_LENGTH", "Board", "letters_node", "spot"]
+__all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
 
 
 class Board(Instruments):
     """One sheet under one hand (and its repetitions), drawn as the hand would, or with amendments."""
 
-    def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN) -> None:
+    def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN, *, recorded: bool = False) -> None:
         super().__init__(hand, scales, amended)
+        self.recorded = recorded  # whether the numbers of its acts know how they were computed
         self.readings: dict[str, Reading] = {}  # what was found of the quantities: each in one place, as it is read
         self.found: dict[str, Reals] = {}  # the same by every hand
         self._ruler = Ruler(hand)
 
     def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
         """Scratch paper for an exact hand: its acts are not remembered, and what it gives came from where its inputs came from."""
-        return _Scratch(hand_of("exact"), scales or self.scales)
+        return Scratch(hand_of("exact"), scales or self.scales)
+
+    def given(self, value: float, name: str) -> float:
+        """What the problem gives and may be changed: on a recorded sheet a variable of this name."""
+        return cast("float", variable(value, name)) if self.recorded else value
 
     # -- measuring and computing --------------------------------------------------------------------------------
 
@@ -56,19 +63,19 @@ class Board(Instruments):
         place = next((act.head.place for n in sorted(acts_of(a, b), reverse=True) if (act := self._act(n)) is not None and act.head.place is not None), None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
-        return traced(mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=float(nominal(mm)))))
+        return traced(mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))))
 
     def _act(self, number: int) -> done.Act | None:
         return self.acts[number] if number < len(self.acts) else None  # scratch paper remembers none
 
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
-        return self._ruler.bearing(a, b, lambda read: traced(read, self.log(done.Gauge(head=self.head(a, b), angle=float(np.angle(nominal(read)))))))
+        return self._ruler.bearing(a, b, lambda read: traced(read, self.log(done.Gauge(head=self.head(a, b), angle=amount(np.angle(nominal(read)))))))
 
     def gauge(self, a: Points, b: Points) -> Reals:
         """The angle of the direction from a to b as the protractor shows it (rad)."""
         read = self.hand.gauge(np.angle(b - a))
-        return traced(read, self.log(done.Gauge(head=self.head(a, b), angle=float(nominal(read)))))
+        return traced(read, self.log(done.Gauge(head=self.head(a, b), angle=amount(read))))
 
     def coordinates(self, at: Points, letter: str) -> Points:
         """How far a point lies to the right of the origin and above it, both read off the rule (mm)."""
@@ -87,7 +94,7 @@ class Board(Instruments):
 
     def conclude(self, key: str, value: Reals, unit: str) -> Reals:
         """A value follows from others (SI): ω of a link, with its sense."""
-        return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=float(nominal(value)), unit=unit)))
+        return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit)))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str, *, key: str = "") -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result; key: where the symbol's own is not meant. NotAskedError where it is 0/0."""
@@ -98,7 +105,7 @@ class Board(Instruments):
                 f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
                 f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
         self._slipped |= {key or ascii_key(symbol)} if factor is not None else set()
-        act = self.log(done.Compute(head=self.head(value, key=key or ascii_key(symbol)), value=float(nominal(value)), unit=unit_text))
+        act = self.log(done.Compute(head=self.head(value, key=key or ascii_key(symbol)), value=amount(value), unit=unit_text))
         result = magnitude(symbol, traced(value, act), unit_text)
         self.write(worked(result.node, expr, unit_text))
         return result
@@ -108,8 +115,8 @@ class Board(Instruments):
         self.write(worked(paper(letters_node(letters), 0.0).node, quantity / self.mu(view), "mm"))
 
 
-class _Scratch(Board):
-    """Paper that is thrown away."""
+class Scratch(Board):
+    """Paper that is thrown away: sketches, trials. Only what stands on it counts."""
 
     def log(self, act: done.Act) -> Acts:
         self.ink(act)

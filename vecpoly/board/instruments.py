@@ -19,7 +19,7 @@ from .construction import Scale
 from .hand import Hand
 from .place import Place, View
 from .slip import Mistake
-from .strokes import NO_LENGTH, Strokes, spot
+from .strokes import NO_LENGTH, Strokes, amount, spot
 from .wrongly import as_taken, before
 
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
@@ -65,7 +65,7 @@ class Instruments(Strokes):
         view = self.steps[-1].view if self.steps else None
         along = along if key in self._slipped else self._wrongly(view, key, along)
         at = start + self.hand.tilt(along) * self.hand.carry(mm)
-        act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=float(nominal(mm)))
+        act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))
 
     def parallel(self, at: Points, along: Points, *, key: str = "") -> Line:

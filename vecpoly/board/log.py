@@ -56,7 +56,8 @@ class Log:
     def head(self, *inputs: Any, on: Place | None = None, key: str = "", owner: str = "") -> Head:
         """The head of the next act: what it needs, what it is done on, what it stands for."""
         place = on if on is not None or not self.steps else self.steps[-1].view
-        return Head(number=len(self.acts), step=len(self.steps), inputs=tuple(sorted(acts_of(*inputs))), place=place, key=key, owner=owner)
+        known = acts_of(*inputs)
+        return Head(number=len(self.acts), step=len(self.steps), inputs=tuple(sorted(known)) if known else (), place=place, key=key, owner=owner)
 
     def log(self, act: Act) -> Acts:
         """Remember an act, and leave its marks; what it gave is known by its number."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..plane import Line, Points, Reals, nominal
+from ..plane.derived import Derived
 from . import acts as done
 from .log import Log
 from .marks import Dot, Role, Vector
@@ -16,8 +17,15 @@ NO_LENGTH = 1e-9  # mm: points nearer than this are one point, and have no direc
 
 
 def spot(at: Points) -> complex:
-    """The point on the nominal sheet."""
-    return complex(nominal(at))
+    """The point on the nominal sheet; on a recorded one it still knows how it was computed."""
+    found = nominal(at)
+    return found if type(found) is Derived else complex(found)  # type: ignore[return-value]
+
+
+def amount(value: Reals) -> float:
+    """The length, or the number, on the nominal sheet; on a recorded one it still knows how it was computed."""
+    found = nominal(value)
+    return found if type(found) is Derived else float(found)  # type: ignore[return-value]
 
 
 class Strokes(Log):
@@ -34,13 +42,13 @@ class Strokes(Log):
     def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
         """Draw the vector `key` from a to b; one without length leaves no ink."""
         start, end = spot(a), spot(b)
-        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=role, label=label, shown=abs(end - start) > NO_ARROW))
+        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=role, label=label, shown=bool(abs(end - start) > NO_ARROW)))
 
     def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
         start, end = spot(a), spot(b)
         there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < NO_ARROW for m in self._marks[view])
-        shown = not there and abs(end - start) > NO_ARROW
+        shown = not there and bool(abs(end - start) > NO_ARROW)
         self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=Role.RESULT, shown=shown))
 
     def right_angle(self, view: Place, at: Points, u: Points, v: Points) -> None:
@@ -58,10 +66,10 @@ class Strokes(Log):
     def swing(self, view: Place, centre: Points, radius: Reals, through: Points) -> None:
         """Leave the short compass arc about a centre near the point it passes."""
         c, p = spot(centre), spot(through)
-        size = float(nominal(radius))
-        half = min(0.5, 7.0 / max(size, 1e-6))
-        start = float(np.angle(p - c)) - half
-        self.log(done.Swing(head=self.head(centre, radius, through, on=view), centre=c, radius=size, start=start, sweep=2 * half))
+        far = amount(radius)
+        half = min(0.5, 7.0 / max(far, 1e-6))
+        start = amount(np.angle(p - c)) - half
+        self.log(done.Swing(head=self.head(centre, radius, through, on=view), centre=c, radius=far, start=start, sweep=2 * half))
 
     def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""

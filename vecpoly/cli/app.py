@@ -14,6 +14,7 @@ from .demo import demo
 from .draw import draw
 from .errors import REFUSED, tell, tell_as, told
 from .exact import exact
+from .export import export
 from .help import Command, in_chinese
 from .listing import listing
 from .new import new
@@ -75,7 +76,7 @@ def vecpoly(
 
 
 COMMANDS: dict[str, Callable[..., None]] = {
-    "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "list": listing, "play": play,
+    "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "export": export, "list": listing, "play": play,
     "new": new, "schema": schema, "demo": demo,
 }  # fmt: skip
 for _name, _command in COMMANDS.items():

@@ -26,8 +26,12 @@ HELP = {
         "用 --table 时逐列比较一个运动循环的数据表。答案也可写在题号之后：check 3-12 v_D=0.49 \"omega_3=2.1 rad/s\"。\n\n退出码：0 全部相符，1 有错误，2 无法核对。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.":
         "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。",
-    "Draw a figure or the sheet as SVG, PNG or PDF.\n\n1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).":
-        "将一个图形或整张图纸绘成 SVG、PNG 或 PDF。\n\n图上 1 mm 即纸上 1 mm。图纸的第二页写入 x-2.svg（PDF 含所有页）。",
+    "Draw a figure or the sheet as SVG, PNG, PDF or DXF.\n\n"
+    "1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all). A DXF has layers by what a line is for.":
+        "将一个图形或整张图纸绘成 SVG、PNG、PDF 或 DXF。\n\n图上 1 mm 即纸上 1 mm。图纸的第二页写入 x-2.svg（PDF 含所有页）。DXF 按线的用途分图层。",
+    "Write a GeoGebra file: turn the crank with a slider, and diagram, velocity and acceleration polygon follow.\n\n"
+    "Points are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; loads are left away.":
+        "写出 GeoGebra 文件：用滑动条转动曲柄，机构图、速度多边形和加速度多边形随之变动。\n\n各点都由先前的点作出，与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。",
     "List the library of problems, or the methods.": "列出题库中的题目，或已有的图解法。",
     "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\n"
     "It shows the construction line by line with the sentence of each step beside it, and the finished figures for every place of the crank.":

@@ -1,4 +1,4 @@
-"""vecpoly draw: one figure, or the sheet, as SVG, PNG or PDF at its true size."""
+"""vecpoly draw: one figure, or the sheet, as SVG, PNG, PDF or DXF at its true size."""
 
 from __future__ import annotations
 
@@ -18,12 +18,13 @@ from .options import HandOption, Lang, LangOption, OutOption, OutsideOption, See
 from .terminal import warn
 
 if TYPE_CHECKING:
-    from ..board.construction import Construction, Place
+    from ..board.construction import Construction, Figure, Place
     from ..drawing.scene import Scene
+    from ..drawing.sheet import Sheet
     from ..solution import Solution
 
 SHEET = "sheet"
-FORMATS = (".svg", ".png", ".pdf")
+FORMATS = (".svg", ".png", ".pdf", ".dxf")
 Id = Annotated[str, typer.Argument(metavar="ID_OR_PATH", help="A problem or an assignment: an id such as 3-9, or a file.", show_default=False, autocompletion=ids)]
 FigureOption = Annotated[str, typer.Option("--figure", metavar="NAME", help="mechanism, velocity, acceleration, body, force; one of several by its name: "
                                            "force:3; sheet is the whole A4 page.")]
@@ -42,9 +43,9 @@ def draw(
     step: StepOption = None,
     allow_outside: OutsideOption = False,
 ) -> None:
-    """Draw a figure or the sheet as SVG, PNG or PDF.
+    """Draw a figure or the sheet as SVG, PNG, PDF or DXF.
 
-    1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
+    1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all). A DXF has layers by what a line is for.
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     tally = Tally()
@@ -56,25 +57,45 @@ def draw(
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
             warn_of_letters([problem], lang)
-            pages = scenes(solution, figure, lang)
-            if step is not None:
-                pages = tuple(page.upto(known_step(solution.construction, step)) for page in pages)
-            for target, data in encoded(pages, each(path, problem.id, len(found)), dpi):
+            upto = None if step is None else known_step(solution.construction, step)
+            for target, data in _files(solution, figure, lang, each(path, problem.id, len(found)), dpi, upto):
                 put(target, data)
             warn(problem.id, solution.warnings, lang)
             tally.weigh(problem.id, solution.construction.warning, lang)
     tally.settle()
 
 
+def _files(solution: Solution, figure: str, lang: Lang, path: Path, dpi: float, upto: int | None) -> list[tuple[Path, bytes]]:
+    if path.suffix.lower() != ".dxf":
+        pages = scenes(solution, figure, lang)
+        return encoded(pages if upto is None else tuple(page.upto(upto) for page in pages), path, dpi)
+    from ..export.dxf.document import figure_dxf, sheet_dxf
+
+    if figure != SHEET:
+        return [(path, figure_dxf(_drawn(solution, figure), lang, upto))]
+    files = [sheet_dxf(solution.construction, page, upto) for page in _sheets(solution, lang)]
+    return list(zip(_names(path, len(files)), files, strict=True))
+
+
+def _sheets(solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
+    from ..drawing.sheet import sheets
+
+    return sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)
+
+
 def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
     """The pages of a sheet, or the one scene of a figure."""
     if figure == SHEET:
-        from ..drawing.sheet import sheets
-
-        return tuple(page.scene for page in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation))
+        return tuple(page.scene for page in _sheets(solution, lang))
     from ..drawing.figure import draw_figure
     from ..drawing.scene import Scene
 
+    scene = draw_figure(_drawn(solution, figure), lang=lang)
+    return (Scene(scene.items, scene.extents.grown(3.0)),)
+
+
+def _drawn(solution: Solution, figure: str) -> Figure:
+    """The figure of this name; raises UnknownNameError where none is drawn."""
     place = placed(figure)
     drawn = None if place is None else solution.construction.figure(place)
     if drawn is None:
@@ -82,8 +103,7 @@ def scenes(solution: Solution, figure: str, lang: Lang) -> tuple[Scene, ...]:
         raise UnknownNameError(Words(
             f"没有图“{figure}”，所求各量用不到它；已绘的图：{there}",
             f"there is no figure '{figure}', for nothing it asks needs one; drawn: {there}"))
-    scene = draw_figure(drawn, lang=lang)
-    return (Scene(scene.items, scene.extents.grown(3.0)),)
+    return drawn
 
 
 def known_step(construction: Construction, step: int) -> int:
@@ -120,8 +140,12 @@ def encoded(pages: tuple[Scene, ...], path: Path, dpi: float) -> list[tuple[Path
     if path == STDOUT and len(pages) > 1:
         raise VecpolyError(Words(f"共 {len(pages)} 页，标准输出只容一页；请用 -o 文件.pdf，或用 --figure 取一图",
                                  f"there are {len(pages)} pages, and standard output takes one; write -o FILE.pdf, or ask for one with --figure"), code="pages")
-    names = [path, *(path.with_name(f"{path.stem}-{n}{path.suffix}") for n in range(2, len(pages) + 1))]
-    return [(target, _picture(page, path.suffix.lower(), dpi)) for target, page in zip(names, pages, strict=True)]
+    return [(target, _picture(page, path.suffix.lower(), dpi)) for target, page in zip(_names(path, len(pages)), pages, strict=True)]
+
+
+def _names(path: Path, count: int) -> list[Path]:
+    """A file for every page."""
+    return [path, *(path.with_name(f"{path.stem}-{n}{path.suffix}") for n in range(2, count + 1))]
 
 
 def _picture(page: Scene, ending: str, dpi: float) -> bytes:

@@ -66,6 +66,8 @@ def find_knot(figure: Figure) -> Knot | None:
     for at in places:
         order = sorted(places, key=lambda z: abs(z - at))
         for n in range(KNOTTED, len(order) + 1):
+            if abs(order[n - 1] - at) > 2 * WIDEST + APART:
+                break  # no circle of the widest radius holds both
             ring = shapely.minimum_bounding_circle(shapely.MultiPoint([(z.real, z.imag) for z in order[:n]]))
             radius = shapely.minimum_bounding_radius(ring)
             if radius <= min(CLOSE * n, WIDEST) and (best is None or (-n, radius) < (-best[0], best[1])):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from ..board.construction import Figure, Scale
 from ..formula import Power, Row, Txt, row
@@ -17,6 +18,7 @@ from .symbols import Surroundings, draw
 from .wants import wants
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
+KEPT = 64  # drawings
 TITLE_WIDTH = 70.0  # a title wider than this and than its figure takes two lines
 
 
@@ -44,8 +46,12 @@ def draw_figure(figure: Figure, *, lang: Lang = "zh", upto_step: int | None = No
     return scene if highlight is None else scene.highlighted(highlight)
 
 
+@lru_cache(maxsize=KEPT)
 def drawing(figure: Figure, *, lang: Lang = "zh", caption: bool = True, frame: Rect | None = None) -> Drawing:
-    """The figure drawn, with its labels and obstacles; letters stay within `frame` where one is given."""
+    """The figure drawn, with its labels and obstacles; letters stay within `frame` where one is given.
+
+    What was drawn last is kept: question, solution, course report and player of one problem draw a figure once.
+    """
     around = Surroundings.of(figure.view, figure.marks, lang)
     items = unique(tuple(item for mark in figure.marks for item in draw(mark, around)))
     bare = Scene.of(items)

@@ -64,7 +64,8 @@ def sheets(construction: Construction, *, lang: Lang = "zh", title: Words = NO_T
     drawn = _drawn(apart, lang)
     pages = paged(drawn, way)
     if len(apart) > len(figures) and (pages is None or len(pages) > 1):
-        whole = _drawn(figures, lang)
+        done = dict(zip(apart, drawn, strict=True))
+        whole = tuple(done.get(f) or _drawn((f,), lang)[0] for f in figures)
         plain = paged(whole, way)
         if pages is None or (plain is not None and len(pages) > len(plain)):
             drawn, pages = whole, plain

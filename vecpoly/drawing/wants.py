@@ -1,14 +1,13 @@
-"""What is to be lettered in a figure, and all the places where each letter could stand."""
+"""What is to be lettered in a figure."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
-
-import numpy as np
+from functools import lru_cache
 
 from ..board.construction import View
 from ..board.marks import (
@@ -28,16 +27,10 @@ from ..formula import Txt, row
 from ..typeset import Box, layout
 from ..words import Lang
 from .notes import lines
-from .obstacles import Complexes, Floats
 from .style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
 from .symbols import NEAR, TAIL, TURN, narrow
 
-DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
-GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
-FAR = (6.5, 9.5, 13.0, 18.0)
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
-LEADER = 22.0  # what resorting to a leader line costs
-PER_DISTANCE, PER_FRACTION = 1.2, 6.0
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -70,56 +63,15 @@ class Want:
     scale: float = 1.0
     thing: Thing = Thing.OTHER
 
-    @property
-    def width(self) -> float:
-        """Of the whole label, mm."""
-        return max(p.dx + p.box.width for p in self.pieces)
+    width: float = field(init=False)  # of the whole label, mm
+    ascent: float = field(init=False)  # over the baseline, mm
+    height: float = field(init=False)  # of the whole label, mm
 
-    @property
-    def ascent(self) -> float:
-        """Over the baseline, mm."""
-        return max(p.box.ascent for p in self.pieces)
-
-    @property
-    def height(self) -> float:
-        """Of the whole label, mm."""
-        return self.ascent + max(p.box.descent for p in self.pieces)
-
-
-@dataclass(frozen=True, slots=True)
-class Spots:
-    """Places for the middle of a label: what each costs, and the foot of its leader line (nan: none)."""
-
-    centre: Complexes
-    cost: Floats
-    foot: Complexes
-
-
-def spots(want: Want, middle: complex) -> Spots:
-    """All the places to be tried for a label; `middle`: of the figure, from which letters tend away."""
-    half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
-    feet, number = np.array(want.feet)[:, None], np.arange(len(want.feet))[:, None] / len(want.feet)
-    normals = np.array(want.normals)[:, None]
-    sides = DIRECTIONS[None] if all_round else normals if want.one_sided else np.hstack([normals, -normals])
-    away, reach = feet - middle, np.abs(feet - middle)
-    away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
-    base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
-    gap, far = np.array(GAPS)[:, None], np.array(FAR)[:, None]
-    near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
-    led = want.feet[0] + _offset(DIRECTIONS, want.radius + far, half, True)
-    at = np.broadcast_to(want.feet[0] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
-    return Spots(
-        np.concatenate([near.ravel(), led.ravel()]),
-        np.concatenate([(base[:, None] + PER_DISTANCE * gap).ravel(), np.broadcast_to(LEADER + PER_DISTANCE * far, led.shape).ravel()]),
-        np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]))
-
-
-def _offset(u: Complexes, distance: Floats, half: complex, round_point: bool) -> Complexes:
-    """From a point to the middle of a box that stands clear of it by `distance` in direction u."""
-    if round_point:  # the box slides round the point
-        x, y = np.clip(u.real * 1.42, -1, 1), np.clip(u.imag * 1.42, -1, 1)
-        return distance * u + half.real * x + 1j * half.imag * y
-    return u * (distance + half.real * np.abs(u.real) + half.imag * np.abs(u.imag))
+    def __post_init__(self) -> None:
+        ascent = max(p.box.ascent for p in self.pieces)
+        object.__setattr__(self, "width", max(p.dx + p.box.width for p in self.pieces))
+        object.__setattr__(self, "ascent", ascent)
+        object.__setattr__(self, "height", ascent + max(p.box.descent for p in self.pieces))
 
 
 def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want, ...]:
@@ -148,7 +100,13 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want,
 
 
 def _piece(text: str, hue: Hue, step: int, dx: float = 0.0) -> Piece:
-    return Piece(layout(row(text), LETTER), dx, hue, step)
+    return Piece(_lettered(text), dx, hue, step)
+
+
+@lru_cache(maxsize=1024)
+def _lettered(text: str) -> Box:
+    """A symbol in type; the same few come again and again."""
+    return layout(row(text), LETTER)
 
 
 def _points(marks: tuple[Mark, ...]) -> Iterable[Want]:
@@ -227,6 +185,8 @@ def _circle(mark: FrictionCircle) -> Want:
 
 def smaller(want: Want, factor: float) -> Want:
     """The label in smaller type: the last resort."""
+    if factor == 1.0:
+        return want
     pieces = tuple(replace(p, box=_scaled(p.box, factor), dx=p.dx * factor) for p in want.pieces)
     return replace(want, pieces=pieces, scale=want.scale * factor)
 

@@ -6,37 +6,28 @@ round scales with which every figure fills its place on the sheet.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from ..board.amended import AS_DRAWN, Amended
-from ..board.board import Board
+from ..board.board import Board, Scratch
 from ..board.construction import Construction, Reading, Scale, View
 from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
-from ..board.marks import Dot, Mark, Vector
+from ..board.marks import Mark, Vector
 from ..board.scales import Sketched, enlarged, round_scale
-from ..mechanism.assur import Group, decompose
-from ..names import subscripted
 from ..problem.asks import AskNamed
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
-from .coincident import coincident_letters
-from .desk import POLE, Desk
+from .desk import Desk
+from .draw import draw
 from .drawn import Drawn, motion_of
 from .exchange import exchanged
-from .higher import refuse_higher
-from .kinematics.cam import letter_contacts, say_replaced
-from .kinematics.diagram import draw_frame, draw_links
-from .kinematics.drive_arrow import draw_drive_arrow
-from .kinematics.position_drive import say_fixed_points, say_welded
-from .kinematics.standing import told_point
-from .kinematics.wanted import draw_wanted
 from .passes import stages
-from .registry import Stage, find
+from .registry import Stage
 
 TITLES = {
     View.MECHANISM: Words("机构运动简图", "Kinematic diagram"),
@@ -45,40 +36,76 @@ TITLES = {
     View.BODY: Words("构件受力图", "Free body"),
     View.FORCE: Words("力多边形", "Force polygon"),
 }
-SECTIONS = {
-    Stage.POSITION: Words("作机构位置图", "Position diagram"),
-    Stage.CENTRES: Words("瞬心法", "Instant centres"),
-    Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
-    Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
-    Stage.FORCE: Words("力分析", "Force analysis"),
-}
 _UNIT = {View.MECHANISM: ("μ_l", "m"), View.BODY: ("μ_l", "m"), View.FORCE: ("μ_F", "N"), View.VELOCITY: ("μ_v", "m/s"), View.ACCELERATION: ("μ_a", "m/s^2")}
 FAR = 2.0  # a scale that comes out so much finer than guessed is guessed again
 SPECK = 1e-6  # mm: a force polygon of less is rounding; nothing acts there
 Fit = Callable[[list[tuple[float, float]]], bool]
 WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
-NOTHING: Mapping[Stage, Words] = {}
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
-def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None, amended: Amended = AS_DRAWN) -> Drawn:
+def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None, amended: Amended = AS_DRAWN,
+              sketch: Desk | None = None) -> Drawn:
     """Solve the problem on a board.
 
     slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet; they are drawn
     as large as it allows. amended: what is done otherwise than this hand would; the ideal hand, and the choice of scales, know nothing of it.
-    Raises AssemblyError, DeadPointError, NoMethodError.
+    sketch: of this problem, where there is one (`sketched`). Raises AssemblyError, DeadPointError, NoMethodError.
     """
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # a repeated hand may miss a grazing meeting: NaN
-        exchange = exchanged(problem.mechanism, stages(problem))
-        problem = replace(problem, subject=exchange.mech)
-        scales, sketch = _choose_scales(problem, slots, fit)
-        desk = _draw(problem, by, scales, exchange.said, amended)
+    with _quietly():
+        problem, said = _driven(problem)
+        scales, last = _choose_scales(problem, slots, fit)
+        desk = draw(problem, Board(by, scales, amended), said)
         readings, repeats = _answers(desk, problem)
-        plain = sketch or _draw(problem, hand("exact"), scales)
+        plain = last or sketch or _sketch(problem, scales)
         ideal, _ = _answers(plain, problem)
-    construction = Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES),
-                                steps=tuple(desk.board.steps), acts=tuple(desk.board.acts), readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
-    return Drawn(construction, repeats, ideal, motion_of(plain))
+    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain))
+
+
+def drawn_alone(problem: Problem, by: Hand) -> Construction:
+    """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is weighed."""
+    with _quietly():
+        problem, said = _driven(problem)
+        desk = draw(problem, Board(by, _choose_scales(problem, {}, None)[0]), said)
+        return _finished(problem, by, desk, _answers(desk, problem)[0])
+
+
+def sketched(problem: Problem) -> tuple[Desk, Construction]:
+    """The problem drawn by an exact hand at its own scales: the desk, and what lies on it."""
+    by = hand("exact")
+    with _quietly():
+        problem, _ = _driven(problem)
+        desk = _sketch(problem, _choose_scales(problem, {}, None)[0])
+    return desk, _finished(problem, by, desk, {})
+
+
+def _quietly() -> np.errstate:
+    """A repeated hand may miss a grazing meeting: NaN."""
+    return np.errstate(invalid="ignore", divide="ignore", over="ignore")
+
+
+def _driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
+    """The problem with the driver that the drawing goes out from, and what is said of it."""
+    exchange = exchanged(problem.mechanism, stages(problem))
+    return replace(problem, subject=exchange.mech), exchange.said
+
+
+def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Reading]) -> Construction:
+    return Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(TITLES), steps=tuple(desk.board.steps), acts=tuple(desk.board.acts),
+                        readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
+
+
+def drawn_exactly(problem: Problem, scales: Mapping[View, Scale], *, recorded: bool = False) -> Desk:
+    """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the position of the driving link."""
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        desk = draw(problem, Board(hand("exact"), scales, recorded=recorded))
+        _answers(desk, problem)
+    return desk
+
+
+def scale_symbols() -> dict[View, Scale]:
+    """A scale of one for every kind of figure."""
+    return {view: _scale(view, 1.0) for view in View}
 
 
 def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:
@@ -115,7 +142,7 @@ def _given_scales(problem: Problem) -> dict[View, float | None]:
 
 def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> tuple[dict[View, Scale], Desk]:
     """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
-    sketch = _draw(problem, hand("exact"), {v: _scale(v, value) for v, value in guess.items()})
+    sketch = _sketch(problem, {v: _scale(v, value) for v, value in guess.items()})
     given = _given_scales(problem)
     figures = [f for f in sketch.board.figures(TITLES) if f.view is not View.FORCE or any(isinstance(m, Vector) and abs(m.b - m.a) > SPECK for m in f.marks)]
     chosen = {}
@@ -142,77 +169,9 @@ def _scale(view: View, value: float) -> Scale:
     return Scale(symbol=symbol, value=value, unit=unit_text)
 
 
-def _draw(problem: Problem, by: Hand, scales: Mapping[View, Scale], said: Mapping[Stage, Words] = NOTHING, amended: Amended = AS_DRAWN) -> Desk:
-    mech = problem.mechanism
-    groups = decompose(mech)
-    refuse_higher(mech, groups)
-    desk = Desk(board=Board(by, scales, amended), mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
-    for name, at in mech.frame.items():
-        desk.letter(name, at * desk.mm(1.0))
-    for stage in stages(problem):
-        desk.board.section(SECTIONS[stage])
-        if stage in said:
-            desk.board.step(said[stage], View(stage.value) if stage is not Stage.POSITION else View.MECHANISM)
-        if stage is Stage.CENTRES:
-            from .centres.plan import centre_pass
-
-            centre_pass(desk, problem, groups)
-        elif stage is Stage.FORCE:
-            from .forces.plan import force_pass
-
-            before = set(desk.board.readings)
-            force_pass(desk, problem)
-            desk.forces = tuple(key for key in desk.board.readings if key not in before)
-        else:
-            _pass(desk, problem, stage, groups)
-    return desk
-
-
-def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
-    shapes, held = problem.given.shapes, [drive for drive in desk.mech.drives if not drive.between]
-    position = stage is Stage.POSITION
-    if not held and position:
-        say_fixed_points(desk)
-    if position and desk.mech.welded:
-        say_welded(desk)
-    for drive in held:
-        find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
-    if position:
-        _further_points(desk, tuple(drive.link for drive in held))
-        draw_frame(desk, shapes)
-        draw_links(desk, shapes, tuple(drive.link for drive in held))
-    else:
-        view = View(stage.value)
-        desk.board.plot(view, 0j, POLE[view], Dot.POLE)
-    for group in groups:
-        say_replaced(desk, stage, group)
-        find(stage, group.kind).draw(desk, group.subject)
-        if position:
-            letter_contacts(desk, group.links)
-            _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})
-            draw_links(desk, shapes, group.links)
-    if position:
-        draw_drive_arrow(desk)
-    else:
-        draw_wanted(desk, problem.asks, View(stage.value))
-
-
-def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] = ()) -> None:
-    """Say that the other lettered points of these links are set out too; `found`: the pins of their group."""
-    parts: list[tuple[str, list[str]]] = []
-    for name in links:
-        link = desk.mech.link(name)
-        placed = [p.point for p in link.placements]
-        if set(placed) & set(found):  # a pin was given on a longer bar, whose other end follows
-            placed += [p for p in link.points if p not in (*placed, *found, *desk.mech.frame)]
-        points = [subscripted(p) for p in placed if p not in (*found, told_point(desk, name))]
-        parts += [(name, points)] if points else []
-    if parts:
-        zh = "、".join(f"构件 {name} 上的 ${'$、$'.join(points)}$" for name, points in parts)
-        en = ", ".join(f"${'$, $'.join(points)}$ of link {name}" for name, points in parts)
-        desk.board.remark(Words(f"按已知尺寸定出{zh}。", f" Set out {en} from the given lengths."))
-
-
+def _sketch(problem: Problem, scales: Mapping[View, Scale]) -> Desk:
+    """The construction by an exact hand, of which only what stands on the paper is of use."""
+    return draw(problem, Scratch(hand("exact"), scales))
 
 
 def _answers(desk: Desk, problem: Problem) -> tuple[dict[str, Reading], Repeats]:

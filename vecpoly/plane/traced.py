@@ -142,7 +142,9 @@ class Traced:
 
 
 def traced(value: Number, acts: Acts) -> Number:
-    """The number, knowing these acts; it behaves like the number that it stands for, and is typed as such."""
+    """The number, knowing these acts; it behaves like the number that it stands for, and is typed as such. One of no acts is the number."""
+    if not acts:
+        return bare(value)  # type: ignore[no-any-return]
     return Traced(bare(value), acts)  # type: ignore[return-value]
 
 
@@ -155,8 +157,11 @@ def acts_of(*values: Any) -> Acts:
     """The acts that these numbers came from; of a line or a tuple those of its parts."""
     known: Acts = NO_ACTS
     for value in values:
-        if type(value) is Traced:
-            known = known | value.acts if known else value.acts
+        kind = type(value)
+        if kind is Traced:
+            known = known | value.acts if known and known is not value.acts else value.acts
+        elif kind is complex or kind is float or kind is np.complex128 or kind is np.float64 or kind is np.ndarray:
+            continue
         elif isinstance(value, tuple):
             known = known | acts_of(*value)
         elif hasattr(value, "along") and hasattr(value, "at"):

@@ -12,6 +12,7 @@ from ..board.extent import bounds
 from ..board.scales import SERIES, round_up
 from ..drawing.scene import Rect
 from ..problem.problem import Scales
+from ..solution import scales_of
 
 FIELDS = {View.VELOCITY: "mu_v", View.ACCELERATION: "mu_a", View.FORCE: "mu_f"}
 SIDE = 150.0  # mm: a pane is no wider and no higher, unless the given polygon needs more
@@ -21,12 +22,6 @@ COARSE = (1.0, 2.0, 5.0, 10.0)  # steps of the scales of those that do not: few 
 POLE = Rect(0.0, 0.0, 0.0, 0.0)
 
 Panes = Mapping[str, Rect]
-
-
-def scales_of(construction: Construction) -> Scales:
-    """The scales of a drawing; those of levers are their own."""
-    used = {f.view: f.scale.value for f in reversed(construction.figures) if not f.name.startswith("lever")}
-    return Scales(mu_l=used.get(View.MECHANISM), mu_v=used.get(View.VELOCITY), mu_a=used.get(View.ACCELERATION), mu_f=used.get(View.FORCE))
 
 
 def fitted(places: Sequence[Construction], start: int) -> list[Scales]:

@@ -9,13 +9,13 @@ from itertools import groupby
 
 from ..board.construction import Construction, Figure
 from ..board.marks import Cell, Note
+from ..drawing.following import Follower
 from ..drawing.paging import reading_order
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
 from ..drawing.style import Hue
 from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of
 from .ink import Ink
-from .lettering import Follower
 from .panes import magnified, pane
 from .turned import Cycle
 

@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import oracle
+from ..board.construction import Construction
 from ..cycle.pose import posed
 from ..errors import VecpolyError
 from ..mechanism.model import Mechanism
+from ..methods.desk import Desk
+from ..methods.plan import sketched
 from ..problem.problem import Problem, Scales
-from ..solution import Solution, solve
-from .fitting import fitted, scales_of
+from ..solution import Solution, scales_of, solve
+from .fitting import fitted
 
 Places = NDArray[np.float64]
 TRAVEL = 4.0  # sizes of the mechanism to each side that a sliding drive is tried in
@@ -47,32 +50,41 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
         return Cycle(())
     mech, hand = problem.subject, solution.construction.hand
     fixed = replace(problem, scales=scales_of(solution.construction))
-    found: dict[int, Turned] = {}
     places = _places(mech, count)
+    sketches: dict[int, _Sketched] = {}
     for number, moved in enumerate(posed(fixed, places)):
         if moved is None:
             continue
         try:
-            found[number] = Turned(_shown(problem, float(places[number]) - mech.drive.position), solve(moved, by=hand, seed=seed, repeats=0, precise=False))
+            sketches[number] = _Sketched(moved, *sketched(moved))
         except VecpolyError:
             continue  # a dead point, or a load that cannot act as it is said to there: no drawing of this place
+    order, _ = (sorted(sketches), False) if mech.drive.slide else in_order(sorted(sketches), count)
+    fits = fitted([sketches[number].construction for number in order], _given(order, places, mech.drive.position))
+    found = {number: Turned(_shown(problem, float(places[number]) - mech.drive.position), drawn)
+             for number, scales in zip(order, fits, strict=True) if (drawn := _drawn(sketches[number], scales, hand, seed)) is not None}
     order, goes_round = (sorted(found), False) if mech.drive.slide else in_order(sorted(found), count)
     own = _given(order, places, mech.drive.position)
-    turns = tuple(found[number] for number in order)
-    return Cycle(_rescaled(turns, own, hand, seed), own, len(order) == count and not mech.drive.slide, goes_round)
+    return Cycle(tuple(found[number] for number in order), own, len(order) == count and not mech.drive.slide, goes_round)
 
 
-def _rescaled(turns: tuple[Turned, ...], own: int, hand: str, seed: int) -> tuple[Turned, ...]:
-    """Those places drawn again whose polygons fit their panes only at coarser scales."""
-    return tuple(turn if scales == turn.solution.problem.scales else _redrawn(turn, scales, hand, seed)
-                 for turn, scales in zip(turns, fitted([turn.solution.construction for turn in turns], own), strict=True))
+@dataclass(frozen=True, slots=True)
+class _Sketched:
+    """The problem with the drive at another place, drawn once by an exact hand: its polygons tell the scales, its readings are the ideal ones."""
+
+    problem: Problem
+    desk: Desk
+    construction: Construction
 
 
-def _redrawn(turn: Turned, scales: Scales, hand: str, seed: int) -> Turned:
-    try:
-        return replace(turn, solution=solve(replace(turn.solution.problem, scales=scales), by=hand, seed=seed, repeats=0, precise=False))
-    except VecpolyError:
-        return turn  # what is small there is too small to be drawn so: it leaves its pane
+def _drawn(sketch: _Sketched, scales: Scales, hand: str, seed: int) -> Solution | None:
+    """The place drawn at these scales; at its own where what is small there is too small to be drawn so: it leaves its pane."""
+    for tried in (scales, sketch.problem.scales):
+        try:
+            return solve(replace(sketch.problem, scales=tried), by=hand, seed=seed, repeats=0, precise=False, sketch=sketch.desk)
+        except VecpolyError:
+            continue
+    return None
 
 
 def in_order(numbers: list[int], count: int) -> tuple[list[int], bool]:

@@ -29,7 +29,7 @@ def position_crank(desk: Desk, drive: Drive) -> None:
     link, board = desk.mech.link(drive.link), desk.board
     pivot, others = desk.crank(drive.link)
     board.step(_said(desk, drive, pivot, others), View.MECHANISM)
-    along = board.turn(complex(np.exp(1j * drive.position)))
+    along = board.turn(np.exp(1j * board.given(drive.position, f"phi_{drive.link}")))
     local = link.points[pivot]
     desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
     for name in others:
@@ -75,7 +75,7 @@ def position_slide(desk: Desk, drive: Drive) -> None:
         View.MECHANISM,
     )
     line = desk.locus(joint, drive.link, joint.pin)
-    desk.letter(joint.pin, board.lay_off(line.at, line.along, desk.mm(drive.position)))
+    desk.letter(joint.pin, board.lay_off(line.at, line.along, desk.mm(board.given(drive.position, f"s_{drive.link}"))))
     desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
 
 

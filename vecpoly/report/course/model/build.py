@@ -112,8 +112,8 @@ def _crossed(scope: Scope, d: Dyad, inner: Prismatic, outer: Prismatic) -> Solve
     turned = inner.direction + inner.turn
     turn_j = settle(scope, d.link_j, d.link_k, turned if inner.block == d.link_j else -turned)
     on_first, _ = track(scope, inner, d.link_k, local, name=scope.name(d.link_j))
-    solved = crossing(scope, on_known, on_first, letter, first=(*turn_k.position, *turn_j.position))
-    return _turning(solved, Turning((), (*turn_k.velocity, *turn_j.velocity), (*turn_k.acceleration, *turn_j.acceleration)))
+    first = Turning((*turn_k.position, *turn_j.position), (*turn_k.velocity, *turn_j.velocity), (*turn_k.acceleration, *turn_j.acceleration))
+    return crossing(scope, on_known, on_first, letter, first)
 
 
 def _turning(solved: Solved, turning: Turning) -> Solved:

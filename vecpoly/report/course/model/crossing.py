@@ -7,22 +7,28 @@ from .equations import Equation, Part, Stage
 from .expr import Expr, Var
 from .scope import Scope, both
 from .stages import ACCELERATION, POSITION, VELOCITY, Solved
-from .track import Track
+from .track import Track, Turning
 
 _KEEPS = Words("两移动副使构件间的夹角保持不变：", "The slides keep the angles between the links:")
 
 
-def crossing(scope: Scope, one: Track, two: Track, c: str, first: tuple[Equation, ...] = ()) -> Solved:
-    """C on both lines: two linear equations in both travels at every order. first: equations of the angles on which the lines depend."""
+def crossing(scope: Scope, one: Track, two: Track, c: str, first: Turning | None = None) -> Solved:
+    """C on both lines: two linear equations in both travels at every order. first: how the links turn on whose angles the lines depend."""
     (u1, w1), (u2, w2) = one.unit, two.unit
-    determinant = u1 * w2 - w1 * u2
+    determinant, known = u1 * w2 - w1 * u2, first or Turning()
     return Solved(
-        (Stage(POSITION, (*((Part(_KEEPS, first),) if first else ()), *_position(scope, one, two, c, determinant))), Stage(VELOCITY, _velocity(scope, one, two, c)),
-         Stage(ACCELERATION, _acceleration(scope, one, two, c))),
+        (Stage(POSITION, (*_kept(known.position), *_position(scope, one, two, c, determinant))),
+         Stage(VELOCITY, (*_kept(known.velocity), *_velocity(scope, one, two, c))),
+         Stage(ACCELERATION, (*_kept(known.acceleration), *_acceleration(scope, one, two, c)))),
         determinant,
         Words("$G_1$ 为两导路夹角的正弦；两导路平行时 $G_1$ = 0，杆组处于奇异位置，接近平行时方程组病态。",
               "$G_1$ is the sine of the angle between both guides; where they are parallel the group is singular, and near there ill-conditioned."),
     )
+
+
+def _kept(equations: tuple[Equation, ...]) -> tuple[Part, ...]:
+    """What must be known of the angles before the lines are; nothing where no link turns."""
+    return (Part(_KEEPS, equations),) if equations else ()
 
 
 def _position(scope: Scope, one: Track, two: Track, c: str, determinant: Expr) -> tuple[Part, ...]:

@@ -17,7 +17,7 @@ from .newton import Loops
 from .points import points
 from .scope import Scope, both
 from .stages import ACCELERATION, POSITION, VELOCITY
-from .track import track
+from .track import lettered, track
 
 DETERMINANT = "Δ_{J}"
 
@@ -34,15 +34,20 @@ class _Chains:
     places: list[Equation] = field(default_factory=list)  # of the letters on the way
     speeds: list[Equation] = field(default_factory=list)
     pushes: list[Equation] = field(default_factory=list)
+    closed: list[tuple[Expr, Expr]] = field(default_factory=list)  # conditions met on the way
 
     def grow(self) -> list[Joint]:
-        """Reach all links; slides are gone along first, so that none is left to close a loop. Gives the closing joints."""
-        joints = [*(out.joint for out in self.group.outer), *self.group.inner]
-        rest = sorted(joints, key=lambda joint: isinstance(joint, Revolute))
+        """Reach all links; slides and a motor's hinge are gone along first, so that none is left to close a loop.
+
+        Gives the closing joints.
+        """
+        joints, driven = [*(out.joint for out in self.group.outer), *self.group.inner], self.scope.mech.drive.pair
+        rest = sorted(joints, key=lambda joint: isinstance(joint, Revolute) and set(ends(joint)) != driven)
         while len(self.placed) < len(self.group.links):
-            joint = next((j for j in rest if len(set(ends(j)) & self._open()) == 1 and set(ends(j)) - self._open()), None)
-            if joint is None:
+            near = [joint for joint in rest if len(set(ends(joint)) & self._open()) == 1 and set(ends(joint)) - self._open()]
+            if not near:
                 break
+            joint = min(near, key=self._against_the_drive)
             rest.remove(joint)
             self._reach(joint)
         if len(self.placed) < len(self.group.links) or not all(isinstance(joint, Revolute) for joint in rest):
@@ -50,6 +55,11 @@ class _Chains:
                 f"没有{self.group.name.zh}的数学模型：其封闭环应由转动副闭合",
                 f"no mathematical model on file for a {self.group.name.en}: its loops must close in hinges"))
         return rest
+
+    def _against_the_drive(self, joint: Joint) -> bool:
+        """Whether the given motion of a driven slide would be that of the link from which it is reached."""
+        drive = self.scope.mech.drive
+        return isinstance(joint, Prismatic) and set(ends(joint)) == drive.pair and drive.link not in self._open()
 
     def _open(self) -> set[str]:
         """Links of the group that are not reached yet."""
@@ -91,17 +101,24 @@ class _Chains:
     def _slide(self, joint: Prismatic, link: str) -> None:
         """The link keeps its angle to the other; its place along the guide is unknown."""
         mech, parent = self.scope.mech, next(end for end in ends(joint) if end != link)
-        letter, local = next(iter(mech.link(link).points.items()))
+        points = lettered(self.scope, link).items()
+        letter, local = min(points, key=lambda point: point[0] in self.scope.done)  # one whose place is not told yet
         path, turning = track(self.scope, joint, link, local)
         self.locate(parent, path.base)
         base = self.scope.at[path.base] if path.base in self.scope.at else mech.frame[path.base]
         if {link, parent} != mech.drive.pair:  # of a cylinder it is given
             self._unknown(path.travel, path.speed, path.push, ((self.scope.at[letter] - base) * path.along.conjugate()).real)
         self.scope.anchors[link] = letter
+        self.places += turning.position
+        self.speeds += turning.velocity
+        self.pushes += turning.acceleration
+        if letter in self.scope.done:
+            self.closed += zip(self.scope.xy(letter), path.point(self.scope), strict=True)
+            return
         self.scope.done.add(letter)
-        self.places += [*turning.position, *both(self.scope.xy(letter), path.point(self.scope))]
-        self.speeds += [*turning.velocity, *both(self.scope.v(letter), path.velocity(self.scope, letter))]
-        self.pushes += [*turning.acceleration, *both(self.scope.a(letter), path.acceleration(self.scope, letter))]
+        self.places += both(self.scope.xy(letter), path.point(self.scope))
+        self.speeds += both(self.scope.v(letter), path.velocity(self.scope, letter))
+        self.pushes += both(self.scope.a(letter), path.acceleration(self.scope, letter))
 
     def locate(self, link: str, letter: str) -> None:
         """The letter's coordinates and rates from the link's anchor, where they are not told yet."""
@@ -115,12 +132,17 @@ class _Chains:
         self.pushes += both(scope.a(letter), scope.acceleration(link, start, letter))
 
     def closing(self, joints: list[Joint]) -> Iterator[tuple[Expr, Expr]]:
-        """Both sides of the scalar conditions of these hinges."""
+        """Both sides of the scalar conditions of these hinges, and of those met on the way.
+
+        A hinge between two links that are both anchored in it says nothing.
+        """
+        yield from self.closed
         for joint in joints:
             assert isinstance(joint, Revolute)
             one, two = self._seen(joint.a, joint.point), self._seen(joint.b, joint.point)
             left, right = (two, one) if joint.a not in self.group.links else (one, two)
-            yield from zip(left, right, strict=True)
+            if left != right:
+                yield from zip(left, right, strict=True)
             self.locate(joint.a if joint.a in self.group.links else joint.b, joint.point)
 
     def _seen(self, link: str, letter: str) -> tuple[Expr, Expr]:

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from ....errors import NoMethodError
 from ....mechanism.model import FRAME, Prismatic
+from ....words import Words
 from .equations import Equation
 from .expr import TWO, ZERO, Const, Expr, Var
 from .functions import cos, sin, square
@@ -142,9 +145,18 @@ def _clean(turn: float) -> float:
     return 0.0 if abs(turn) < _NONE else turn
 
 
+def lettered(scope: Scope, link: str) -> Mapping[str, complex]:
+    """The letters of a link with their coordinates on it. Raises NoMethodError where it carries none: there is nothing to tell its place by."""
+    if not (points := scope.mech.link(link).points):
+        raise NoMethodError(Words(
+            f"没有构件 {scope.name(link)} 的数学模型：其上没有标字母的点；请在该构件上给出一点",
+            f"no mathematical model on file for link {scope.name(link)}: it carries no letter; name a point on it"))
+    return points
+
+
 def _base(scope: Scope, parent: str, base: complex, along: complex, wanted: str, zero: complex) -> tuple[str, float]:
     """The letter from which the line is told, and its distance from the line: the one abreast of the travel's zero, else one on the line if there is any."""
-    points = scope.mech.link(parent).points
+    points = lettered(scope, parent)
     gaps = {letter: (along.conjugate() * (base - place)).imag for letter, place in points.items()}
     abreast = {letter: abs((along.conjugate() * (zero - place)).real) < _NONE for letter, place in points.items()}
     letter = min(gaps, key=lambda p: (not abreast[p], round(abs(gaps[p]), 9), p != wanted))

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from ..board.construction import Figure
-from ..drawing.figure import unique
-from ..drawing.labels import BAD, Placed, place
-from ..drawing.obstacles import Obstacles
-from ..drawing.scene import Item, Rect, Scene
-from ..drawing.symbols import Surroundings, draw
-from ..drawing.wants import DIRECTIONS, GAPS, Want, smaller, spots, wants
 from ..words import Lang
+from .figure import unique
+from .labels import BAD, Placed, place
+from .obstacles import Floats, Obstacles
+from .scene import Item, Rect, Scene
+from .spots import spot, spots
+from .symbols import Surroundings, draw
+from .wants import Want, smaller, wants
 
 APART = 0.7  # mm between two labels
 CLASH = 200.0  # what standing on another label costs
 
 Name = tuple[object, ...]
+Choice = tuple[int, float]  # which of its places a label has, and its size
 
 
 @dataclass(slots=True)
@@ -27,7 +29,7 @@ class Follower:
 
     lang: Lang
     size: float = 1.0  # of the letters, beside that on paper
-    choice: dict[Name, tuple[int, float]] = field(default_factory=dict)  # which of its places each label has, and its size
+    choice: dict[Name, Choice] = field(default_factory=dict)  # which of its places each label has, and its size
 
     def lettered(self, figure: Figure) -> tuple[Item, ...]:
         """All items of the figure with its letters in place, without its title."""
@@ -49,12 +51,10 @@ class Follower:
     def _follow(self, named: list[tuple[Name, Want]], obstacles: Obstacles, drawn: Rect) -> list[Placed]:
         """Those that may stay first, then the others round them."""
         kept: dict[Name, Placed] = {}
-        for name, want in named:
-            if name in self.choice:
-                label = _at(_sized(want, self.choice[name][1]), self.choice[name][0], drawn)
-                free = label is not None and not any(_touch(label, other) for other in kept.values())
-                if label is not None and free and obstacles.cost(np.array([label.centre]), label.want.width, label.want.height, label.want.own)[0] < BAD:
-                    kept[name] = label
+        stayed = [(name, label) for name, want in named if name in self.choice and (label := _at(_sized(want, self.choice[name][1]), self.choice[name][0]))]
+        for (name, label), cost in zip(stayed, _costs([label for _, label in stayed], obstacles), strict=True):
+            if cost < BAD and not any(_touch(label, other) for other in kept.values()):
+                kept[name] = label
         for name, want in named:
             if name not in kept:
                 kept[name] = self._moved(name, want, obstacles, drawn, list(kept.values()))
@@ -71,7 +71,7 @@ class Follower:
             cost = cost + np.where((np.abs(gap.real) < w) & (np.abs(gap.imag) < h), CLASH, 0.0)
         best = int(np.argmin(cost))
         self.choice[name] = best, want.scale
-        label = _at(want, best, drawn)
+        label = _at(want, best)
         assert label is not None
         return label
 
@@ -91,18 +91,19 @@ def _sized(want: Want, scale: float) -> Want:
     return want if scale == want.scale else smaller(want, scale / want.scale)
 
 
-def _at(want: Want, index: int, drawn: Rect) -> Placed | None:
+def _at(want: Want, index: int) -> Placed | None:
     """The label at one of its places; none where it has not so many."""
-    sides = len(DIRECTIONS) if want.normals[0] == 0 else 1 if want.one_sided else 2
-    number, rest = divmod(index, len(GAPS) * sides)
-    alone = number < len(want.feet)  # a place beside one of its points, not on a leader: the places of that point will do
-    found = spots(replace(want, feet=want.feet[number : number + 1], normals=want.normals[number : number + 1]) if alone else want, drawn.centre)
-    at = rest if alone else index
-    if at >= len(found.centre):
-        return None
-    foot = complex(found.foot[at])
-    return Placed(want, complex(found.centre[at]), 0.0, None if foot != foot else foot)
+    found = spot(want, index)
+    return None if found is None else Placed(want, found[0], 0.0, found[1])
+
+
+def _costs(labels: list[Placed], obstacles: Obstacles) -> Floats:
+    """What each label stands on."""
+    own = np.array([label.want.own for label in labels], dtype=complex).reshape(-1, 2)
+    sizes = np.array([(label.want.width, label.want.height) for label in labels]).reshape(-1, 2)
+    return obstacles.cost(np.array([label.centre for label in labels], dtype=complex), sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]))
 
 
 def _touch(a: Placed, b: Placed) -> bool:
-    return a.rect.grown(APART / 2).overlaps(b.rect.grown(APART / 2))
+    gap, w, h = a.centre - b.centre, a.want.width + b.want.width, a.want.height + b.want.height
+    return abs(gap.real) < w / 2 + APART and abs(gap.imag) < h / 2 + APART

@@ -1,0 +1,1 @@
+"""A construction in the hands of other programs: CAD drawings (DXF), and constructions that move (GeoGebra)."""

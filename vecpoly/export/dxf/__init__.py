@@ -1,0 +1,1 @@
+"""CAD drawings (DXF): figures in mm on layers by what a line is for."""

@@ -1,0 +1,1 @@
+"""GeoGebra files (.ggb): a construction whose objects depend on each other; the input is a slider."""

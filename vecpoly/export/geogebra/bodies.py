@@ -1,0 +1,109 @@
+"""The symbols of links and joints: each is carried along by the link that it belongs to."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...board import acts as done
+from ...board.marks import (
+    AngleMark,
+    Arc,
+    Disc,
+    FixedGuide,
+    FrictionCircle,
+    GearMark,
+    Ground,
+    LinkNumber,
+    Mark,
+    Slot,
+)
+from ...board.place import View
+from ...drawing.scene import Stroke
+from ...drawing.style import LINK, THIN, Dash, Hue, Pen
+from ...drawing.symbols import Surroundings, draw
+from ...mechanism.model import Drive
+from ...methods.desk import Desk, Pose
+from ...plane.derived import plain
+from ...plane.traced import bare
+from .figure import Figure
+
+PLAIN = Surroundings(view=View.MECHANISM)
+FINEST = 9  # decimals of a mm: ink need be no finer
+FINE = 12  # points; a stroke through more is a ring or a rounded end
+CIRCLES = Pen(width=THIN, dash=Dash.DASH_DOT, hue=Hue.GREY)
+
+
+class Bodies:
+    """What is drawn of the links of a mechanism."""
+
+    def __init__(self, figure: Figure, desk: Desk, drive: Drive) -> None:
+        self.figure, self.desk, self.drive = figure, desk, drive
+        self._poses: dict[str, Pose] = {}
+
+    def draw(self, act: done.Depict) -> None:
+        """The symbols of one act, fixed on the frame or on the link that owns them."""
+        for mark in act.marks:
+            pose = None if isinstance(mark, Ground | FixedGuide) else self._pose(act.head.owner.removeprefix("link "))
+            self._mark(mark, pose)
+
+    def _mark(self, mark: Mark, pose: Pose | None) -> None:
+        match mark:
+            case AngleMark(at=at, radius=radius, label=label) if label == f"φ_{self.drive.link}" and pose is None:
+                self._crank_angle(at, radius)
+            case (
+                GearMark(centre=centre, radius=radius)
+                | Disc(centre=centre, radius=radius)
+                | FrictionCircle(centre=centre, radius=radius)
+            ):
+                self.figure.circle(
+                    _carried(centre, pose), radius, CIRCLES if isinstance(mark, GearMark) else Pen(width=LINK)
+                )
+            case Slot(a=a, b=b):
+                off = 2.5j * (b - a) / abs(b - a)
+                for side in (off, -off):
+                    self.figure.segment(_carried(a + side, pose), _carried(b + side, pose), Pen(width=0.5))
+            case Arc() | LinkNumber():
+                return
+            case _:
+                for stroke in draw(mark, PLAIN):
+                    if isinstance(stroke, Stroke) and len(stroke.points) <= FINE:
+                        self._stroke(stroke, pose)
+
+    def _stroke(self, stroke: Stroke, pose: Pose | None) -> None:
+        look = Pen(width=stroke.width, dash=stroke.dash, hue=stroke.hue)
+        points = [_carried(point, pose) for point in stroke.points]
+        if stroke.closed:
+            points.append(points[0])
+        if len(points) == 2:
+            self.figure.segment(points[0], points[1], look)
+        else:
+            self.figure.lines(points, look)
+
+    def _crank_angle(self, at: complex, radius: float) -> None:
+        """The arc of φ, which ends on the crank wherever it is."""
+        along = bare(self.desk.pose[self.drive.link].along)
+        ends = (at, at + radius, at + radius * along)
+        self.figure.page.line("CircleArc", "conicpart", [self.figure.at(end) for end in ends], Pen(width=THIN))
+
+    def _pose(self, link: str) -> Pose | None:
+        """Where a link is: numbers of its own, so that all its lines are written short; None for what stands still."""
+        if link not in self.desk.pose:
+            return None
+        if link not in self._poses:
+            pose = self.desk.pose[link]
+            self._poses[link] = Pose(bare(pose.origin), bare(pose.along))
+            for value in (pose.origin, pose.along):
+                for part in self.figure.terms.parts(bare(value)):
+                    if not self.figure.spelling.knows(part):
+                        self.figure.spelling.know(part, self.figure.page.hidden(self.figure.spelling.text(part)))
+        return self._poses[link]
+
+
+def _carried(at: complex, pose: Pose | None) -> Any:
+    """A place fixed on a link, wherever the link goes."""
+    if pose is None:
+        return at
+    own = complex((at - plain(pose.origin)) * np.conj(plain(pose.along)))
+    return pose.origin + pose.along * complex(round(own.real, FINEST), round(own.imag, FINEST))

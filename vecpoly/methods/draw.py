@@ -1,0 +1,105 @@
+"""A problem drawn on a board, whose scales are known: the groups in order, each with its textbook methods."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from ..board.board import Board
+from ..board.construction import View
+from ..board.marks import Dot
+from ..mechanism.assur import Group, decompose
+from ..names import subscripted
+from ..problem.problem import Problem
+from ..words import Words
+from .coincident import coincident_letters
+from .desk import POLE, Desk
+from .higher import refuse_higher
+from .kinematics.cam import letter_contacts, say_replaced
+from .kinematics.diagram import draw_frame, draw_links
+from .kinematics.drive_arrow import draw_drive_arrow
+from .kinematics.position_drive import say_fixed_points, say_welded
+from .kinematics.standing import told_point
+from .kinematics.wanted import draw_wanted
+from .passes import stages
+from .registry import Stage, find
+
+SECTIONS = {
+    Stage.POSITION: Words("作机构位置图", "Position diagram"),
+    Stage.CENTRES: Words("瞬心法", "Instant centres"),
+    Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
+    Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
+    Stage.FORCE: Words("力分析", "Force analysis"),
+}
+NOTHING: Mapping[Stage, Words] = {}
+
+
+def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) -> Desk:
+    """The desk after all stages of the problem; said: what comes first of a stage."""
+    mech = problem.mechanism
+    groups = decompose(mech)
+    refuse_higher(mech, groups)
+    desk = Desk(board=board, mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
+    for name, at in mech.frame.items():
+        desk.letter(name, at * desk.mm(1.0))
+    for stage in stages(problem):
+        desk.board.section(SECTIONS[stage])
+        if stage in said:
+            desk.board.step(said[stage], View(stage.value) if stage is not Stage.POSITION else View.MECHANISM)
+        if stage is Stage.CENTRES:
+            from .centres.plan import centre_pass
+
+            centre_pass(desk, problem, groups)
+        elif stage is Stage.FORCE:
+            from .forces.plan import force_pass
+
+            before = set(desk.board.readings)
+            force_pass(desk, problem)
+            desk.forces = tuple(key for key in desk.board.readings if key not in before)
+        else:
+            _pass(desk, problem, stage, groups)
+    return desk
+
+
+def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
+    shapes, held = problem.given.shapes, [drive for drive in desk.mech.drives if not drive.between]
+    position = stage is Stage.POSITION
+    if not held and position:
+        say_fixed_points(desk)
+    if position and desk.mech.welded:
+        say_welded(desk)
+    for drive in held:
+        find(stage, "slide" if drive.slide else "crank").draw(desk, drive)
+    if position:
+        _further_points(desk, tuple(drive.link for drive in held))
+        draw_frame(desk, shapes)
+        draw_links(desk, shapes, tuple(drive.link for drive in held))
+    else:
+        view = View(stage.value)
+        desk.board.plot(view, 0j, POLE[view], Dot.POLE)
+    for group in groups:
+        say_replaced(desk, stage, group)
+        find(stage, group.kind).draw(desk, group.subject)
+        if position:
+            letter_contacts(desk, group.links)
+            _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})
+            draw_links(desk, shapes, group.links)
+    if position:
+        draw_drive_arrow(desk)
+    else:
+        draw_wanted(desk, problem.asks, View(stage.value))
+
+
+def _further_points(desk: Desk, links: tuple[str, ...], found: Collection[str] = ()) -> None:
+    """Say that the other lettered points of these links are set out too; `found`: the pins of their group."""
+    parts: list[tuple[str, list[str]]] = []
+    for name in links:
+        link = desk.mech.link(name)
+        placed = [p.point for p in link.placements]
+        if set(placed) & set(found):  # a pin was given on a longer bar, whose other end follows
+            placed += [p for p in link.points if p not in (*placed, *found, *desk.mech.frame)]
+        points = [subscripted(p) for p in placed if p not in (*found, told_point(desk, name))]
+        parts += [(name, points)] if points else []
+    if parts:
+        zh = "、".join(f"构件 {name} 上的 ${'$、$'.join(points)}$" for name, points in parts)
+        en = ", ".join(f"${'$, $'.join(points)}$ of link {name}" for name, points in parts)
+        desk.board.remark(Words(f"按已知尺寸定出{zh}。", f" Set out {en} from the given lengths."))
