@@ -21,10 +21,10 @@ from vecpoly.board.construction import Construction
 from vecpoly.board.hand import hand
 from vecpoly.board.ink import marks
 from vecpoly.board.place import Pane
-from vecpoly.board.record import from_json, to_json
 from vecpoly.board.told import told as told_as_list
 from vecpoly.errors import UnknownNameError, VecpolyError
 from vecpoly.frozen import FrozenMap
+from vecpoly.record import from_json, to_json
 from vecpoly.solution import constructed
 
 SEVERAL = ("3-2", "3-3", "3-9", "3-12", "4-3a", "4-4", "4-5", "C-inertia", "slider-crank-dynamic", "5-2", "geared-five-bar", "tipper", "three-legged-plate")
@@ -140,7 +140,7 @@ def test_a_letter_that_is_not_on_the_sheet_is_refused_with_those_that_are() -> N
 @pytest.mark.parametrize("problem", SEVERAL)
 def test_a_construction_survives_json_pickle_and_copy(problem: str) -> None:
     construction = drawn(problem)
-    assert from_json(to_json(construction)) == construction
+    assert from_json(to_json(construction), Construction) == construction
     assert pickle.loads(pickle.dumps(construction)) == construction
     assert deepcopy(construction) == construction
 

@@ -14,9 +14,8 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from vecpoly import Problem, load, loads, oracle
-from vecpoly.board.construction import Pane, View
+from vecpoly.board.construction import Construction, Pane, View
 from vecpoly.board.marks import Point, Role, Segment, Vector
-from vecpoly.board.record import from_json, to_json
 from vecpoly.check.printed import check_problem
 from vecpoly.check.verdict import Verdict
 from vecpoly.drawing.sheet import sheets
@@ -26,6 +25,7 @@ from vecpoly.mechanism.model import FRAME
 from vecpoly.methods.centres.search import Known, order
 from vecpoly.names import omega, parse_rel
 from vecpoly.oracle.centres import Centres
+from vecpoly.record import from_json, to_json
 from vecpoly.solution import Answer, Solution
 
 DATA: dict[str, Any] = json.loads((Path(__file__).parent / "data" / "centres.json").read_text("utf-8"))
@@ -355,7 +355,7 @@ def test_the_drafting_hand_stays_within_the_expected_error_and_fits_the_sheets(n
     for lang in ("zh", "en"):
         drawn = {placed.name for sheet in sheets(solution.construction, lang=lang) for placed in sheet.figures}
         assert drawn == names
-    assert from_json(to_json(solution.construction)) == solution.construction
+    assert from_json(to_json(solution.construction), Construction) == solution.construction
 
 
 def test_velocity_polygons_are_drawn_only_where_they_are_wanted() -> None:

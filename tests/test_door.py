@@ -9,8 +9,8 @@ import pytest
 
 import vecpoly
 from vecpoly import solution as inside
-from vecpoly.board.record import from_json, to_json
 from vecpoly.problem.load import load as plain_load
+from vecpoly.record import to_json
 from vecpoly.words import Lang
 
 
@@ -20,7 +20,7 @@ def test_what_a_user_holds_equals_what_is_inside(name: str) -> None:
     assert problem == plain and plain == problem and hash(problem) == hash(plain)
     solution, within = problem.solve(by="exact"), inside.solve(plain, by="exact")
     assert solution == within and within == solution
-    assert solution.construction == from_json(to_json(within.construction))
+    assert solution.construction == vecpoly.from_json(to_json(within.construction), vecpoly.Construction)
 
 
 def test_other_data_are_not_equal() -> None:

@@ -47,7 +47,7 @@ def test_a_weld_is_a_small_triangle_between_its_two_bars() -> None:
     ("s_3", 0.12, "120 mm"), ("v_3", -0.5, "-0.5 m/s"), ("a_3", 2.0, "2 m/s^2"),
 ])
 def test_a_changed_motion_is_written_with_its_sense_and_unit(symbol: str, value: float, text: str) -> None:
-    assert _motion(SimpleNamespace(symbol=symbol), value, None) == text  # type: ignore[arg-type]
+    assert _motion(SimpleNamespace(symbol=symbol), value) == text  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(("written", "meant"), [("blok: C", "block"), ("slto: C", "slot"), ("gaer: C", "gear"), ("x: C", "")])

@@ -16,11 +16,14 @@ if TYPE_CHECKING:
     from .board.slip import Mistake, Slip
     from .check.printed import PrintedCheck, check_problem
     from .check.table import TableCheck, check_table
-    from .door import Construction, Problem, Solution, load, load_assignment, loads, solve
+    from .door import Construction, Problem, Solution, from_json, load, load_assignment, loads, problem, solve
     from .errors import VecpolyError
     from .live import Redrawn, redraw
+    from .mechanism.model import Mechanism
     from .mistakes import slips
     from .problem.assignment import Assignment
+    from .problem.made import build_mechanism
+    from .record import to_json
     from .report.document import write_report
 
 __version__ = "0.1.0"
@@ -29,6 +32,7 @@ _HOMES = {
     "Answer": ("answer", "Answer"),
     "Assignment": ("problem.assignment", "Assignment"),
     "Construction": ("door", "Construction"),
+    "Mechanism": ("mechanism.model", "Mechanism"),
     "Mistake": ("board.slip", "Mistake"),
     "PrintedCheck": ("check.printed", "PrintedCheck"),
     "Problem": ("door", "Problem"),
@@ -37,14 +41,18 @@ _HOMES = {
     "Solution": ("door", "Solution"),
     "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
+    "build_mechanism": ("problem.made", "build_mechanism"),
     "check_problem": ("check.printed", "check_problem"),
     "check_table": ("check.table", "check_table"),
+    "from_json": ("door", "from_json"),
     "load": ("door", "load"),
     "load_assignment": ("door", "load_assignment"),
     "loads": ("door", "loads"),
+    "problem": ("door", "problem"),
     "redraw": ("live", "redraw"),
     "slips": ("mistakes", "slips"),
     "solve": ("door", "solve"),
+    "to_json": ("record", "to_json"),
     "write_report": ("report.document", "write_report"),
 }
 
@@ -52,6 +60,7 @@ __all__ = [
     "Answer",
     "Assignment",
     "Construction",
+    "Mechanism",
     "Mistake",
     "PrintedCheck",
     "Problem",
@@ -60,14 +69,18 @@ __all__ = [
     "Solution",
     "TableCheck",
     "VecpolyError",
+    "build_mechanism",
     "check_problem",
     "check_table",
+    "from_json",
     "load",
     "load_assignment",
     "loads",
+    "problem",
     "redraw",
     "slips",
     "solve",
+    "to_json",
     "write_report",
 ]
 

@@ -10,21 +10,27 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from functools import wraps
 from pathlib import Path
-from typing import Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
+from . import record
 from . import solution as inside
 from .amend import Length, Spot
 from .board import construction as board
 from .board.slip import Slip
-from .problem import assignment, problem
+from .problem import assignment, made
 from .problem import load as files
+from .problem import problem as exercise
+from .problem.vary import data_of, parameters, vary
 from .words import Lang, language
+
+if TYPE_CHECKING:
+    from .cycle import Cycle
 
 Kind = TypeVar("Kind")
 P = ParamSpec("P")
 
 
-class Problem(problem.Problem):
+class Problem(exercise.Problem):
     """One exercise, as `load` and `loads` give it."""
 
     __slots__ = ()
@@ -34,8 +40,31 @@ class Problem(problem.Problem):
         """Draw the solution of this problem by a hand: exact, drafting or pencil; readings, points, slip: as in `solve`."""
         return solve(self, by=by, seed=seed, readings=readings, points=points, slip=slip)
 
+    def vary(self, **changes: Any) -> Problem:
+        """The same problem with other values: vary(AB="120 mm", phi="30 deg", F="200 N"); numbers are in SI.
+
+        `parameters` has the names. Raises UnknownNameError for any other, ProblemFileError for what no file may hold.
+        """
+        return _as(Problem, vary(self, changes))
+
+    @property
+    def parameters(self) -> Mapping[str, str]:
+        """The names by which values may be varied, with what is written: {'AB': '30 mm', 'phi': '60 deg', ...}."""
+        return parameters(self)
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """What it says as a dictionary of texts, as a problem file has it; vecpoly.problem(data) makes it again."""
+        return data_of(self)
+
+    def cycle(self, n: int = 361) -> Cycle:
+        """The mechanism at n positions over its whole cycle: columns as numpy arrays, or as a DataFrame."""
+        from .cycle import cycle
+
+        return cycle(self, n)
+
     def __eq__(self, other: object) -> bool:
-        return _same(self, other, problem.Problem)
+        return _same(self, other, exercise.Problem)
 
     def __hash__(self) -> int:
         return super().__hash__()
@@ -102,7 +131,7 @@ class Solution(inside.Solution):
         return solution_html(self, language())
 
 
-def _as_held(find: Callable[P, problem.Problem]) -> Callable[P, Problem]:
+def _as_held(find: Callable[P, exercise.Problem]) -> Callable[P, Problem]:
     """The same function, giving problems as a user holds them."""
 
     @wraps(find)
@@ -117,10 +146,29 @@ def _as_solved(solve: Callable[P, inside.Solution]) -> Callable[P, Solution]:
 
     @wraps(solve)
     def solved(*args: P.args, **kwargs: P.kwargs) -> Solution:
-        done = solve(*args, **kwargs)
-        return Solution(_as(Problem, done.problem), _as(Construction, done.construction), done.answers, done.warnings)
+        return _held(solve(*args, **kwargs))
 
     return solved
+
+
+def _held(done: inside.Solution) -> Solution:
+    """A solution as a user holds it."""
+    return Solution(_as(Problem, done.problem), _as(Construction, done.construction), done.answers, done.warnings)
+
+
+def from_json(text: str, kind: type[Kind]) -> Kind:
+    """The Problem, Mechanism, Construction or Solution of a JSON text; raises VecpolyError where it holds none."""
+    match kind.__name__:
+        case "Problem":
+            found: Any = _as(Problem, record.from_json(text, exercise.Problem))
+        case "Construction":
+            found = _as(Construction, record.from_json(text, board.Construction))
+        case "Solution":
+            found = _held(record.from_json(text, inside.Solution))
+        case _:
+            found = record.from_json(text, kind)
+    made_of: Kind = found
+    return made_of
 
 
 def _with_problems(find: Callable[P, assignment.Assignment]) -> Callable[P, assignment.Assignment]:
@@ -141,9 +189,10 @@ def _as(kind: type[Kind], plain: Any) -> Kind:
 
 def _same(one: Any, other: object, kind: type) -> bool:
     """Whether two are the same data, held by a user or inside."""
-    return isinstance(other, kind) and all(getattr(one, field.name) == getattr(other, field.name) for field in fields(one))
+    return isinstance(other, kind) and all(getattr(one, field.name) == getattr(other, field.name) for field in fields(one) if field.compare)
 
 
 load, loads = _as_held(files.load), _as_held(files.loads)
 load_assignment = _with_problems(assignment.load_assignment)
 solve = _as_solved(inside.solve)
+problem = _as_held(made.problem)

@@ -177,6 +177,10 @@ class ArgumentError(VecpolyError, ValueError):
     """An argument that no function of ours takes: what it is, and what it may be."""
 
 
+class MissingPackageError(VecpolyError, ImportError):
+    """What needs a package that is not installed: which, and what goes without it."""
+
+
 class PluginError(VecpolyError, ImportError):
     """A module that another package registers cannot be loaded."""
 

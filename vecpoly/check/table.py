@@ -14,6 +14,7 @@ import numpy as np
 from ..arguments import of_kind
 from ..errors import TableError
 from ..mechanism.model import Mechanism
+from ..problem.held import Held
 from ..problem.problem import Problem
 from ..words import Words
 from .table_base import explained, weighed_by
@@ -72,18 +73,18 @@ class TableCheck:
         return next(one for one in self.columns if one.column.header == header)
 
 
-def check_table(problem: Problem, path: str | Path, columns: Mapping[str, str] | None = None) -> TableCheck:
+def check_table(problem: Problem, path: str | Path | Held, columns: Mapping[str, str] | None = None) -> TableCheck:
     """Compare each column of a CSV or XLSX table with the exact values; `columns`: header → quantity, unit, or - to leave it out.
 
     Raises TableError where the table cannot be read or has nothing to do with the mechanism.
     """
-    of_kind(path, (str, Path), Words("文件名", "the name of a file"))
+    of_kind(path, (str, Path, Held), Words("文件名", "the name of a file"))
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     if not isinstance(problem.subject, Mechanism):
         raise TableError(Words(
             f"{problem.id} 是机械装置题，不是作运动的机构，没有整周数据表",
             f"{problem.id} is about a device, not about a mechanism that moves; it has no table over a cycle"))
-    sheet = read_sheet(Path(path))
+    sheet = read_sheet(path if isinstance(path, Held) else Path(path))
     table = read_table(sheet, problem, columns or {})
     given = suspect(problem.mechanism, table.positions, table.columns)
     if given is None:

@@ -11,6 +11,7 @@ from zipfile import BadZipFile, ZipFile
 
 from ..errors import TableError
 from ..limits import CELL, TABLE_BYTES, TABLE_COLUMNS, TABLE_ROWS, TABLE_UNPACKED
+from ..problem.held import Held
 from ..words import Words
 
 Lines = Iterator[tuple[int, list[Any]]]
@@ -18,8 +19,10 @@ _DAMAGED = (OSError, ValueError, KeyError, IndexError, AttributeError, TypeError
             NotImplementedError, BadZipFile, zlib.error)  # what openpyxl, zipfile and the XML parser raise for damaged workbooks
 
 
-def read_table(path: Path) -> bytes:
+def read_table(path: Path | Held) -> bytes:
     """All bytes of the file. Raises TableError for what is no regular file (a pipe, a device, a folder) or too large."""
+    if isinstance(path, Held):
+        return _not_too_large(path, path.data)
     try:
         if not path.is_file():
             what = Words("不存在这个文件", "No such file") if not path.exists() else Words("不是普通文件（而是文件夹、管道或设备）", "it is no regular file but a folder, a pipe or a device")
@@ -28,12 +31,16 @@ def read_table(path: Path) -> bytes:
             data = file.read(TABLE_BYTES + 1)
     except OSError as error:
         raise TableError(Words(f"{path}：不能读取（{error.strerror or type(error).__name__}）", f"{path}: {error.strerror or 'cannot be read'}")) from None
+    return _not_too_large(path, data)
+
+
+def _not_too_large(path: Path | Held, data: bytes) -> bytes:
     if len(data) > TABLE_BYTES:
         raise _too_much(path, Words(f"大于 {TABLE_BYTES / 1e6:g} MB", f"larger than {TABLE_BYTES / 1e6:g} MB"))
     return data
 
 
-def rows_of_workbook(path: Path) -> Lines:
+def rows_of_workbook(path: Path | Held) -> Lines:
     """The rows of the first sheet, numbered from 1. Raises TableError where the file is damaged, or would burst when unpacked."""
     try:
         from openpyxl import load_workbook
@@ -58,7 +65,7 @@ def rows_of_workbook(path: Path) -> Lines:
                          code="damaged") from None
 
 
-def _unpacks(path: Path, data: bytes) -> None:
+def _unpacks(path: Path | Held, data: bytes) -> None:
     with ZipFile(BytesIO(data)) as archive:
         size = sum(part.file_size for part in archive.infolist())
         for part in archive.infolist():
@@ -68,7 +75,7 @@ def _unpacks(path: Path, data: bytes) -> None:
         raise _too_much(path, Words(f"解压后 {size / 1e6:.0f} MB，大于 {TABLE_UNPACKED / 1e6:g} MB", f"{size / 1e6:.0f} MB when unpacked, more than {TABLE_UNPACKED / 1e6:g} MB"))
 
 
-def counted(lines: Iterator[tuple[int, list[str]]], path: Path) -> Iterator[tuple[int, list[str]]]:
+def counted(lines: Iterator[tuple[int, list[str]]], path: Path | Held) -> Iterator[tuple[int, list[str]]]:
     """The lines, as long as rows, columns and cells are within their limits; raises TableError for the first that is not."""
     for count, (line, cells) in enumerate(lines, 1):
         if count > TABLE_ROWS:
@@ -82,5 +89,5 @@ def counted(lines: Iterator[tuple[int, list[str]]], path: Path) -> Iterator[tupl
         yield line, cells
 
 
-def _too_much(path: Path, what: Words) -> TableError:
+def _too_much(path: Path | Held, what: Words) -> TableError:
     return TableError(Words(f"{path.name}：{what.zh}，不予读取；请只保留要核对的部分", f"{path.name}: {what.en}; it is not read: keep only what is to be checked"), code="too large")

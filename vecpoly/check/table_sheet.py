@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import Place, TableError
+from ..problem.held import Held
 from ..words import Words
 from .table_file import counted, read_table, rows_of_workbook
 
@@ -73,7 +74,7 @@ def digits(text: str) -> int:
     return len(re.split("[eE]", text)[0].translate({ord(c): None for c in "+-."}).lstrip("0"))
 
 
-def read_sheet(path: Path) -> Sheet:
+def read_sheet(path: Path | Held) -> Sheet:
     """Read a CSV file (comma, semicolon, tab or spaces; UTF-8, UTF-16 or GB 18030; 3.14 or 3,14) or the first sheet of an XLSX file.
 
     Raises TableError where the file cannot be read, is ragged, has no header or too few rows.
@@ -117,7 +118,7 @@ def _is_in_words(lines: list[tuple[int, list[str]]]) -> bool:
     return symbols > words
 
 
-def _title(path: Path) -> Words:
+def _title(path: Path | Held) -> Words:
     """A first line '# 表 1-A / Table 1-A' of a text file; else the file's name."""
     first = b"" if path.suffix.lower() in (".xlsx", ".xlsm") else read_table(path).partition(b"\n")[0]
     if not first.startswith((b"#", b"\xef\xbb\xbf#")):
@@ -126,13 +127,13 @@ def _title(path: Path) -> Words:
     return Words(zh.strip(), (en or zh).strip())
 
 
-def _lines(path: Path) -> Lines:
+def _lines(path: Path | Held) -> Lines:
     if path.suffix.lower() in (".xlsx", ".xlsm"):
         return ((n, [_cell(cell) for cell in row]) for n, row in rows_of_workbook(path))
     return _of_text(path)
 
 
-def _of_text(path: Path) -> Lines:
+def _of_text(path: Path | Held) -> Lines:
     text = _decoded(read_table(path), path.name)
     rows = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
     first = max((line for _, line in rows[:3]), key=lambda line: max(map(line.count, _MARKS)), default="")
@@ -145,7 +146,7 @@ def _of_text(path: Path) -> Lines:
     return _separated(rows, mark, path)
 
 
-def _separated(rows: list[tuple[int, str]], mark: str, path: Path) -> Lines:
+def _separated(rows: list[tuple[int, str]], mark: str, path: Path | Held) -> Lines:
     """The cells between these marks; quotes may hold marks and new lines."""
     cells = csv.reader((line for _, line in rows), delimiter=mark)
     try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +20,8 @@ from ..problem.problem import Problem
 from ..words import Words
 from .columns import Column, catalogue, column_of
 from .follow import follow
-from .grid import places
+from .frame import frame
+from .grid import places, range_of
 from .sample import Sample, reader, sample
 
 Points = NDArray[np.complex128]
@@ -127,6 +129,15 @@ class Cycle:
             self._kept[key] = self._followed(key) if self.info(key).turns else self.solved(key)
         return self._kept[key]
 
+    def arrays(self, *keys: str) -> dict[str, NDArray[Any]]:
+        """The drive's position and these columns (all where none is named) as numpy arrays, SI; vectors are complex."""
+        names = keys or tuple(column.key for column in self.columns)
+        return {key: np.asarray(self.column(key)) for key in dict.fromkeys((self.drive.key, *names))}
+
+    def to_frame(self, *keys: str) -> Any:
+        """The same as a pandas DataFrame over the drive's position; a vector is two columns, v_C.x and v_C.y."""
+        return frame(self.arrays(*keys))
+
     def real(self, key: str) -> Reals:
         """The column as real numbers: a vector's magnitude."""
         values = self.column(key)
@@ -219,7 +230,7 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
         raise AssemblyError(Words(
             f"{n} 个位置不成一周；至少取 2 个",
             f"{n} positions make no cycle; ask for at least 2"))
-    low, high, whole = _range(mech)
+    low, high, whole = range_of(mech)
     phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
     acting = own if loads is None else loads
     return Cycle(name, mech, acting, phi, low, high, whole, points)
@@ -231,17 +242,3 @@ def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
             "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
             "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input"))
     return problem.subject, problem.loads, problem.id
-
-
-def _range(mech: Mechanism) -> tuple[float, float, bool]:
-    """Ends of the range of the drive in which the given position lies, told on its turn; whether it is a whole turn."""
-    drive, full = mech.drive, 2 * np.pi
-    for low, high in oracle.spans(mech):
-        if not drive.slide and high - low >= full * (1 - 1e-12):
-            return low, low + full, True
-        turn = 0.0 if drive.slide else full * float(np.floor((drive.position - low) / full + 1e-9))
-        if low - 1e-9 <= drive.position - turn <= high + 1e-9:
-            return low + turn, high + turn, False
-    raise AssemblyError(Words(
-        "原动件在任何位置机构都不能装配",
-        "the drive can stand in no position: the mechanism cannot be assembled"))

@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import oracle
+from ..errors import AssemblyError
 from ..mechanism.model import Mechanism
+from ..words import Words
 from .sample import sample
 
 Points = NDArray[np.complex128]
@@ -83,3 +85,17 @@ def _coarse(phi: Reals, rows: Points, least: Reals) -> NDArray[np.bool_]:
     for i in (-2, -1, 0, 1):
         coarse[beside + i] = True
     return coarse
+
+
+def range_of(mech: Mechanism) -> tuple[float, float, bool]:
+    """Ends of the range of the drive in which the given position lies, told on its turn; whether it is a whole turn."""
+    drive, full = mech.drive, 2 * np.pi
+    for low, high in oracle.spans(mech):
+        if not drive.slide and high - low >= full * (1 - 1e-12):
+            return low, low + full, True
+        turn = 0.0 if drive.slide else full * float(np.floor((drive.position - low) / full + 1e-9))
+        if low - 1e-9 <= drive.position - turn <= high + 1e-9:
+            return low + turn, high + turn, False
+    raise AssemblyError(Words(
+        "原动件在任何位置机构都不能装配",
+        "the drive can stand in no position: the mechanism cannot be assembled"))

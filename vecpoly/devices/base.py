@@ -64,6 +64,9 @@ class Device(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     kind: ClassVar[str] = ""
 
+    def __hash__(self) -> int:
+        return hash((type(self), tuple(_hashable(value) for _, value in self)))
+
     def quantities(self) -> tuple[Named, ...]:
         """All that may be asked of it, in the order in which a solution gives it."""
         raise NotImplementedError
@@ -81,6 +84,16 @@ class Device(BaseModel):
     def force(self) -> float:
         """A force typical of its polygons (N)."""
         return 100.0
+
+
+def _hashable(value: Any) -> Any:
+    """The same with mappings as sets of pairs, lists as tuples."""
+    match value:
+        case dict():
+            return frozenset((key, _hashable(item)) for key, item in value.items())
+        case list() | tuple():
+            return tuple(_hashable(item) for item in value)
+    return value
 
 
 @cache

@@ -62,6 +62,7 @@ class Prismatic:
     offset: float = 0.0
     turn: float = 0.0
     through: str = ""  # letter of the point of the guide link from which the line is set out, if any
+    towards: str = ""  # where two letters give it: the second
     pin_in_slot: bool = False
 
 
@@ -194,11 +195,9 @@ class Mechanism:
     @property
     def slot_pins(self) -> Mapping[str, SlotPin]:
         """The pins that run in slots, by the name of the block that is only thought there."""
-        found = {}
-        for joint in self.joints:
-            if isinstance(joint, Prismatic) and joint.pin_in_slot and joint.block not in self.substitutes:
-                found[joint.block] = SlotPin(point=joint.pin, carrier=self._carrier(joint), guide=joint.guide, block=joint.block)
-        return found
+        led = (joint for joint in self.joints if isinstance(joint, Prismatic) and joint.pin_in_slot)
+        return {joint.block: SlotPin(point=joint.pin, carrier=self._carrier(joint), guide=joint.guide, block=joint.block)
+                for joint in led if joint.block not in self.substitutes}
 
     def _carrier(self, slide: Prismatic) -> str:
         """The link in which the pin is fixed that runs in this slot."""

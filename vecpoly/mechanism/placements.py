@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from math import nan
 
 
 class Side(StrEnum):
@@ -49,3 +52,30 @@ class ByAngle:
 
 
 Placement = ByLengths | ByOffsets | ByAngle
+
+
+def local(placement: Placement, points: Mapping[str, complex]) -> complex:
+    """The placed point as seen along its base's ray (m); NaN where its triangle does not close."""
+    match placement:
+        case ByAngle():
+            return cmath.rect(placement.distance, placement.angle)
+        case ByOffsets():
+            return complex(placement.along, placement.left)
+        case ByLengths(base=(a, b), lengths=(p, q)):
+            top = apex(abs(points[b] - points[a]), p, q)
+            return top if placement.side is Side.LEFT else top.conjugate()
+
+
+def apex(c: float, p: float, q: float) -> complex:
+    """The apex left of a base of length c, at p and q from its ends, seen along the base; NaN where no triangle closes.
+
+    x = (p² − q² + c²) / 2c, y = √(p² − x²).
+    """
+    x = (p * p - q * q + c * c) / (2 * c)
+    square = p * p - x * x
+    return complex(x, max(square, 0.0) ** 0.5) if square >= -1e-12 * c * c else complex(nan, nan)
+
+
+def along(start: complex, end: complex) -> complex:
+    """The unit vector from one point to another."""
+    return cmath.exp(1j * cmath.phase(end - start))

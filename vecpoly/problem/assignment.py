@@ -13,11 +13,11 @@ from ..frozen import FrozenMap
 from ..words import Words
 from .build import build
 from .faults import Faults, meant
-from .load import locate, tree_of
+from .load import opened
 from .problem import Problem
-from .reach import Reach, refuse_foreign
+from .reach import Reach, Resolver
 from .schema import AssignmentSpec
-from .source import Tree, overlay, read, read_text
+from .source import Tree, decoded, overlay, parse, read
 from .validate import validate
 
 FIELDS = {
@@ -50,12 +50,11 @@ def is_assignment(path: Path) -> bool:
     return "problems" in data and "links" not in data
 
 
-def load_assignment(where: str | Path, *, allow_outside: bool = False) -> Assignment:
-    """The assignment in this file; allow_outside: as in `load`. Raises ProblemFileError."""
+def load_assignment(where: str | Path, *, allow_outside: bool = False, resolver: Resolver | None = None) -> Assignment:
+    """The assignment in this file; allow_outside, resolver: as in `load`. Raises ProblemFileError."""
     of_kind(where, (str, Path), Words("文件名", "the name of a file"))
     path = Path(where)
-    tree = read(path)
-    tree.reach = Reach(path.parent, allow_outside)
+    tree = _tree(path, str(where), Reach(path.parent, allow_outside, resolver))
     faults = Faults(tree.name, tree.places)
     spec = validate(AssignmentSpec, tree.data, faults)
     block = _block(spec.title_block, faults)
@@ -64,6 +63,14 @@ def load_assignment(where: str | Path, *, allow_outside: bool = False) -> Assign
     found = tuple(problem for problem in problems if problem is not None)
     _no_twins(found, faults)
     return Assignment(title=spec.title, block=block, problems=found, path=path)
+
+
+def _tree(path: Path, name: str, reach: Reach) -> Tree:
+    """The values of the assignment: the resolver's, or the file's."""
+    data = reach.held(name)
+    tree = read(path) if data is None else parse(decoded(data, name), name)
+    tree.reach = reach
+    return tree
 
 
 def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
@@ -91,11 +98,9 @@ def _problem(
                 "请写出题号，如 {problem: 3-9, input: {omega: 10 rad/s ccw}}",
                 "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"), code="missing")
         try:
-            file = locate(name, path.parent, tree.reach)
-            refuse_foreign(read_text(file), file)
+            base, file = opened(name, path.parent, tree.reach)
         except (ProblemFileError, UnknownNameError) as error:
-            raise FaultError(error.words) from None
-        base = tree_of(file, reach=tree.reach)
+            raise FaultError(error.words, code=error.code) from None
         if over is None:
             return build(base, file)
         over.data.pop("problem")

@@ -42,6 +42,7 @@ from .unasked import default_asks
 from .validate import validate
 from .wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
 from .warnings import warnings_of
+from .written import written_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -82,6 +83,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         text=tree.text,
         read=tree.files,
         warnings=warnings_of(tree),
+        written=written_of(tree),
     )
 
 

@@ -16,6 +16,7 @@ from .source import Tree
 from .validate import validate
 from .wanted import as_given, read_scales
 from .warnings import warnings_of
+from .written import written_of
 
 
 def about_device(tree: Tree) -> bool:
@@ -55,6 +56,7 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
         text=tree.text,
         read=tree.files,
         warnings=warnings_of(tree),
+        written=written_of(tree),
     )
 
 

@@ -24,11 +24,12 @@ ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A guide line on a link, in its coordinates; `through` is the letter from which it is set out."""
+    """A guide line on a link, in its coordinates; `through` is the letter from which it is set out, `towards` that to which it runs."""
 
     origin: complex
     direction: float
     through: str
+    towards: str = ""
 
 
 @dataclass(slots=True)

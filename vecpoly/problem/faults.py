@@ -35,7 +35,7 @@ class Faults:
         """Keep a fault, with the place of the nearest key that is written."""
         path = fault.path
         cut = next((path[:n] for n in range(len(path), 0, -1) if path[:n] in self.places), ())
-        place = self.places.get(cut, Place(self.file, 1, 1))
+        place = self.places.get(cut, Place(self.file, 1, 1) if self.places else Place(self.file))
         new = Fault(said=fault.words, code=fault.code, place=place, path=path, numbers=fault.numbers)
         if new not in self.found:
             self.found.append(new)

@@ -92,13 +92,13 @@ Link = Annotated[
 Centre = Annotated[Any, WithJsonSchema({"anyOf": [_ONE, _PLACE]})]
 
 
-def _pair(value: Any) -> Any:
+def pair_of(value: Any) -> Any:
     """Two components in one text, "(0 mm, 0 mm)" or 0 mm, 0 mm, as a list; anything else as it is."""
     found = re.fullmatch(r"[(（\[]?([^,，()\[\]]+)[,，]([^,，()\[\]]+)[)）\]]?", value.strip()) if isinstance(value, str) else None
     return value if found is None else [found[1].strip(), found[2].strip()]
 
 
-Pair = Annotated[tuple[Number, Number], BeforeValidator(_pair)]
+Pair = Annotated[tuple[Number, Number], BeforeValidator(pair_of)]
 ID = r"^\w[\w.\-]*$"
 
 

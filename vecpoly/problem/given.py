@@ -28,7 +28,7 @@ class Shape(StrEnum):
 class Datum:
     """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
 
-    Where no symbol is usual, the symbol is empty and `words` say it all.
+    Where no symbol is usual, the symbol is empty and `words` say it all. Words with a symbol have a gap `{}` for the value.
     """
 
     symbol: str = ""
@@ -38,7 +38,8 @@ class Datum:
 
     def of(self, lang: Lang) -> str:
         """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
-        return as_printed(self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}", lang)
+        told = self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}"
+        return as_printed(told.replace("{}", self.text) if self.symbol else told, lang)
 
 
 _LONG = re.compile(r"\d+\.\d{4,}")  # more digits than a person writes
@@ -67,7 +68,8 @@ class Given:
     letters: tuple[str, ...] = ()  # frame's letters first, then by link
     shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
     bound: frozenset[str] | None = None  # symbols of which the mechanism is believed (see `current`); None: not yet found
-    lead: float | None = None  # how far the drive's coordinate is ahead of its datum (rad, or m)
+    leads: Mapping[str, float] = field(default_factory=dict)  # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "shapes", FrozenMap(dict(self.shapes)))
+        for name in ("shapes", "leads"):
+            object.__setattr__(self, name, FrozenMap(dict(getattr(self, name))))

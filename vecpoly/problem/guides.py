@@ -51,7 +51,7 @@ def own_line(draft: Draft) -> Line:
 def _along(points: Mapping[str, complex], first: str, second: str) -> Line:
     if points[first] == points[second]:
         raise FaultError(Words(f"{first}、{second} 重合，不能确定直线；请另取两点", f"{first} and {second} are one place, through which no line is given; name two points"))
-    return Line(points[first], cmath.phase(points[second] - points[first]), first)
+    return Line(points[first], cmath.phase(points[second] - points[first]), first, second)
 
 
 def fixed_line(text: str, bodies: Bodies) -> Line | None:

@@ -11,30 +11,59 @@ from .build import build
 from .faults import Place, meant
 from .library import entries, find
 from .problem import Problem
-from .reach import Reach, refuse_foreign
-from .source import Tree, overlay, parse, read, read_text
+from .reach import Reach, Resolver, refuse_foreign
+from .source import Tree, decoded, overlay, parse, read, read_text
+
+Seen = tuple[Path | str, ...]  # files, and names that a resolver has
 
 
-def load(where: str | Path, *, allow_outside: bool = False) -> Problem:
+def load(where: str | Path, *, allow_outside: bool = False, resolver: Resolver | None = None) -> Problem:
     """The problem with this id ('3-9', 'ch3/3-9') or in this file.
 
-    allow_outside: whether the file may name others that are neither in its folder nor in the library.
+    allow_outside: whether the file may name others that are neither in its folder nor in the library. resolver: asked first for this
+    name and for all that the problem names (`extends`, `tables`): the text that stands under it, in an editor say; None: look for a file.
     Raises ProblemFileError (file, line, YAML path, cause, remedy), UnknownNameError for an unknown id,
     MobilityError where inputs and degrees of freedom disagree.
     """
     if not isinstance(where, (str, Path)):
         raise UnknownNameError(Words(f"题目须以题号或文件名给出，而不是 {type(where).__name__}",
                                      f"a problem is named by its id or its file, not by {type(where).__name__}"), code="no name")
+    held = Reach(None, allow_outside, resolver)
+    if (tree := held_tree(str(where), (), held)) is not None:
+        return build(tree)
     path = locate(where)
-    return build(tree_of(path, reach=Reach(path.parent, allow_outside)), path)
+    return build(tree_of(path, reach=Reach(path.parent, allow_outside, resolver)), path)
 
 
-def loads(text: str, name: str = "<text>") -> Problem:
-    """The problem in this text, which may build on those of the library."""
+def loads(text: str, name: str = "<text>", *, resolver: Resolver | None = None) -> Problem:
+    """The problem in this text, which may build on those of the library, and on what the resolver has (see `load`)."""
     if not isinstance(text, str):
         raise ProblemFileError(Words(f"loads 需要题目文件的文本，而不是 {type(text).__name__}",
                                      f"loads takes the text of a problem file, not {type(text).__name__}"), code="no text")
-    return build(_extended(parse(text, name), None, (), Reach()))
+    return build(reaching(parse(text, name), (), Reach(resolver=resolver)))
+
+
+def opened(name: str, near: Path | None, reach: Reach, seen: Seen = ()) -> tuple[Tree, Path | None]:
+    """What is named in a file: the resolver's text, or the file of this id or path and where it is."""
+    if (tree := held_tree(name, seen, reach)) is not None:
+        return tree, None
+    path = locate(name, near, reach)
+    refuse_foreign(read_text(path), path)
+    return tree_of(path, seen, reach=reach), path
+
+
+def held_tree(name: str, seen: Seen, reach: Reach) -> Tree | None:
+    """The values of what the resolver has under this name, laid on what it extends; None where it has nothing."""
+    data = reach.held(name)
+    if data is None:
+        return None
+    return reaching(parse(decoded(data, name), name), (*seen, name), reach)
+
+
+def reaching(tree: Tree, seen: Seen, reach: Reach) -> Tree:
+    """The tree of a text on what it extends, within this reach."""
+    tree.reach = reach
+    return _extended(tree, None, seen, reach)
 
 
 def locate(where: str | Path, near: Path | None = None, reach: Reach | None = None) -> Path:
@@ -65,30 +94,41 @@ def locate(where: str | Path, near: Path | None = None, reach: Reach | None = No
     return found
 
 
-def tree_of(path: Path, seen: tuple[Path, ...] = (), *, reach: Reach) -> Tree:
+def tree_of(path: Path, seen: Seen = (), *, reach: Reach) -> Tree:
     """A file's values, laid on those of the file that it extends."""
     tree = read(path)
     tree.reach = reach
-    return _extended(tree, path, seen, reach)
+    return _extended(tree, path, (*seen, path.resolve()), reach)
 
 
-def _extended(tree: Tree, path: Path | None, seen: tuple[Path, ...], reach: Reach) -> Tree:
+def _extended(tree: Tree, path: Path | None, seen: Seen, reach: Reach) -> Tree:
+    """The tree on what it extends; `seen`: the files upon each other so far, its own the last."""
     base = tree.data.get("extends")
     if base is None:
         return tree
-    place = Place(tree.name, tree.places[("extends",)].line)
+    place = Place(tree.name, tree.places[("extends",)].line) if ("extends",) in tree.places else Place(tree.name)
     if not isinstance(base, str):
         no_name = Words("此处应写题号或题目文件的路径", "the id or path of a problem is expected here")
         raise ProblemFileError(no_name, code="spelling").at(place, "extends")
+    if len(seen) > EXTENDS:
+        raise ProblemFileError(Words(f"已有 {EXTENDS} 层，过深", f"more than {EXTENDS} files upon each other"), code="too deep").at(place, "extends")
+    return overlay(_below(base, path, seen, reach, place), tree)
+
+
+def _below(base: str, path: Path | None, seen: Seen, reach: Reach, place: Place) -> Tree:
+    """What a file extends; raises ProblemFileError at this place where it is not there, or is above it already."""
     try:
-        below = locate(base, path.parent if path else None, reach)
-        refuse_foreign(read_text(below), below)
+        found = _stands_at(base, path, reach)
+        if isinstance(found, Path):
+            refuse_foreign(read_text(found), found)
     except (ProblemFileError, UnknownNameError) as error:
         raise ProblemFileError(error.words, code=error.code).at(place, "extends") from None
-    if below.resolve() in seen or (path and below.resolve() == path.resolve()):
+    if (found.resolve() if isinstance(found, Path) else found) in seen:
         circle = Words(f"“{base}”循环引用了自身", f"'{base}' extends itself in a circle")
         raise ProblemFileError(circle, code="contradiction").at(place, "extends")
-    here = (*seen, path.resolve()) if path else seen
-    if len(here) > EXTENDS:
-        raise ProblemFileError(Words(f"已有 {EXTENDS} 层，过深", f"more than {EXTENDS} files upon each other"), code="too deep").at(place, "extends")
-    return overlay(tree_of(below, here, reach=reach), tree)
+    return opened(base, path.parent if path else None, reach, seen)[0]
+
+
+def _stands_at(base: str, path: Path | None, reach: Reach) -> Path | str:
+    """The file of this name, or the name itself where the resolver has it."""
+    return base if reach.held(base) is not None else locate(base, path.parent if path else None, reach)

@@ -208,4 +208,5 @@ def _told(load: Load, size: str, direction: str) -> Datum:
         name = Words(f"{role.zh}力矩" if role.zh else "力矩", f"{role.en}moment")
     if load.size is None:
         return Datum(words=Words(f"待求的{name.zh} ${load.name}$ {zh}", f"the unknown {name.en} ${load.name}$ acts {en}"))
-    return Datum(words=Words(f"{name.zh} ${load.name}$ = {size}，{zh}", f"{name.en} ${load.name}$ = {size} {en}"))
+    told = Words(f"{name.zh} ${load.name}$ = {{}}，{zh}", f"{name.en} ${load.name}$ = {{}} {en}")
+    return Datum(symbol=load.name, si=load.size, text=size, words=told)

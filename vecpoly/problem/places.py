@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ..errors import FaultError
-from ..mechanism.model import ByAngle, ByLengths, ByOffsets, Placement, Side
+from ..mechanism.placements import ByAngle, ByLengths, ByOffsets, Placement, Side, local
 from ..names import subscripted
 from ..units import Dim, Quantity, positive, read
 from ..words import Words
@@ -58,7 +58,8 @@ def _by_offsets(draft: Draft, point: str, data: Mapping[str, Value]) -> tuple[Pl
     at = read(data.get("at"), Dim.LENGTH)
     left = aside(data)
     _note_offsets(draft, point, data, start + unit * at.si, base[0], at)
-    return ByOffsets(point=point, base=base, along=at.si, left=left), start + unit * complex(at.si, left)
+    placement = ByOffsets(point=point, base=base, along=at.si, left=left)
+    return placement, start + unit * local(placement, draft.points)
 
 
 def aside(data: Mapping[str, Value]) -> float:
@@ -107,8 +108,8 @@ def _by_angle(
     draft: Draft, point: str, data: Mapping[str, Value], lengths: list[str]
 ) -> tuple[Placement, complex]:
     if len(lengths) == 1 and is_phased(draft, str(data["angle"])):
-        local = phased(draft, point, lengths[0], data[lengths[0]], str(data["angle"]))
-        return ByAngle(point=point, base=(next(iter(draft.points)),), distance=abs(local), angle=cmath.phase(local)), local
+        spot = phased(draft, point, lengths[0], data[lengths[0]], str(data["angle"]))
+        return ByAngle(point=point, base=(next(iter(draft.points)),), distance=abs(spot), angle=cmath.phase(spot)), spot
     m = ANGLE_FROM.fullmatch(str(data["angle"]))
     if m is None or len(lengths) != 1:
         raise FaultError(Words(
@@ -132,10 +133,8 @@ def _by_angle(
                 f"${ends[0]}{ends[1]}$ is at {m[1]} to the guide of link {draft.name}",
             )
         )
-    return (
-        ByAngle(point=point, base=base, distance=distance.si, angle=angle),
-        start + unit * cmath.rect(distance.si, angle),
-    )
+    placement = ByAngle(point=point, base=base, distance=distance.si, angle=angle)
+    return placement, start + unit * local(placement, draft.points)
 
 
 def _by_lengths(
@@ -163,21 +162,18 @@ def _by_lengths(
         raise FaultError(Words(
             f"需要两个长度：{base[0]}{point} 和 {base[1]}{point}",
             f"two lengths are needed: {base[0]}{point} and {base[1]}{point}"), code="missing")
-    apex = _apex(point, base, abs(draft.points[base[1]] - start), found[base[0]], found[base[1]])
-    side = Side(m[1])
-    local = apex if side is Side.LEFT else apex.conjugate()
-    return ByLengths(
-        point=point, base=base, lengths=(found[base[0]], found[base[1]]), side=side
-    ), start + unit * local
+    placement = ByLengths(point=point, base=base, lengths=(found[base[0]], found[base[1]]), side=Side(m[1]))
+    seen = local(placement, draft.points)
+    if cmath.isnan(seen):
+        raise _no_triangle(point, base, abs(draft.points[base[1]] - start), *placement.lengths)
+    return placement, start + unit * seen
 
 
-def _apex(point: str, base: tuple[str, str], c: float, p: float, q: float) -> complex:
-    """Apex left of the base of length c at distances p and q from its ends."""
-    x = (p * p - q * q + c * c) / (2 * c)
-    square = p * p - x * x
-    if square < -1e-12 * c * c:
-        a, b = base
-        raise FaultError(Words(
-            f"不成三角形：{a}{point} = {p * 1e3:g}、{b}{point} = {q * 1e3:g}、{a}{b} = {c * 1e3:g} mm；最长边应小于另两边之和（{max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}），请检查长度",
-            f"no triangle: {a}{point} = {p * 1e3:g}, {b}{point} = {q * 1e3:g}, {a}{b} = {c * 1e3:g} mm; the longest must be less than the sum of the other two ({max(c, p, q) * 1e3:g} > {(c + p + q - max(c, p, q)) * 1e3:g}); check the lengths"), code="out-of-range")
-    return complex(x, max(square, 0.0) ** 0.5)
+def _no_triangle(point: str, base: tuple[str, str], c: float, p: float, q: float) -> FaultError:
+    """The three lengths, and which of them is too long."""
+    (a, b), longest = base, max(c, p, q)
+    sizes = (f"{a}{point} = {p * 1e3:g}", f"{b}{point} = {q * 1e3:g}", f"{a}{b} = {c * 1e3:g} mm")
+    more = f"{longest * 1e3:g} > {(c + p + q - longest) * 1e3:g}"
+    return FaultError(Words(
+        f"不成三角形：{'、'.join(sizes)}；最长边应小于另两边之和（{more}），请检查长度",
+        f"no triangle: {', '.join(sizes)}; the longest must be less than the sum of the other two ({more}); check the lengths"), code="out-of-range")

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from ..devices.base import Device
 from ..figures import Mu
 from ..frozen import FrozenMap
 from ..mechanism.loads import Loads
@@ -17,7 +16,12 @@ from ..words import Words
 from .asks import Ask
 from .current import current
 from .given import Datum, Given, Shape, as_printed
+from .held import Held
 from .subject import Subject
+from .written import Written
+
+if TYPE_CHECKING:
+    from ..devices.base import Device
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
@@ -74,22 +78,23 @@ class Problem:
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()
-    tables: tuple[Path, ...] = ()  # printed tables over the cycle
+    tables: tuple[Path | Held, ...] = ()  # printed tables over the cycle
     given: Given = field(default_factory=Given)
     orientation: Literal["portrait", "landscape"] | None = None
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
     read: tuple[Path, ...] = ()  # these files
     warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant
+    written: Written | None = field(default=None, repr=False, compare=False)  # the values it was built from
 
     @property
     def files(self) -> tuple[Path, ...]:
         """All files that the problem was read from, and its printed tables."""
-        return (*((self.path,) if self.path else ()), *self.read, *self.tables)
+        return (*((self.path,) if self.path else ()), *self.read, *(table for table in self.tables if isinstance(table, Path)))
 
     def __post_init__(self) -> None:
         if isinstance(self.subject, Mechanism):
-            object.__setattr__(self, "given", current(self.given, self.subject))
+            object.__setattr__(self, "given", current(self.given, self.subject, self.loads))
 
     @property
     def mechanism(self) -> Mechanism:
@@ -100,5 +105,7 @@ class Problem:
     @property
     def device(self) -> Device:
         """The device; a problem about anything else has none."""
+        from ..devices.base import Device  # late: its data are checked by pydantic, which is slow to load
+
         assert isinstance(self.subject, Device), f"problem {self.id} is about no device"
         return self.subject

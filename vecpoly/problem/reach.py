@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,12 +14,26 @@ from ..words import Words
 _PROBLEM = re.compile(r"""^[\s{"']*(?:id|title|extends|device|problems|frame|links|find)["']?\s*[:：]""", re.M)
 
 
+Resolver = Callable[[str], "str | bytes | None"]  # a name as written in a problem -> what stands there; None: look for a file
+
+
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """The folder of the file that the user named (None: a text, which has none), or anywhere."""
+    """The folder of the file that the user named (None: a text, which has none), or anywhere; and who knows files that are in memory."""
 
     folder: Path | None = None
     anywhere: bool = False
+    resolver: Resolver | None = None
+
+    def held(self, name: str) -> bytes | None:
+        """What the resolver has under this name; raises ProblemFileError for what is neither text nor bytes, or too large."""
+        found = None if self.resolver is None else self.resolver(name)
+        if found is None or isinstance(found, bytes):
+            return found
+        if not isinstance(found, str):
+            raise ProblemFileError(Words(f"resolver 对“{name}”应给出文本或 None，而不是 {type(found).__name__}",
+                                         f"the resolver must give a text or None for '{name}', not {type(found).__name__}"), code="no text")
+        return found.encode(errors="surrogatepass")
 
     def allows(self, path: Path) -> bool:
         """Whether a file may be read, links in its path followed."""

@@ -54,6 +54,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
         direction=line.direction,
         pin=pin,
         through=line.through,
+        towards=line.towards,
         offset=_left(m),
         turn=read(m["turn"], Dim.ANGLE).si if m["turn"] else 0.0,
     )
@@ -84,7 +85,8 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
     check_cylinder(rod, block, bodies.drafts)
     line, beside = own_line(guide), m["off"] or pin
     led = next(iter(block.points))
-    joint = Prismatic(guide=rod, block=through, origin=line.origin, direction=line.direction, pin=led, through=line.through)
+    joint = Prismatic(guide=rod, block=through, origin=line.origin, direction=line.direction, pin=led,
+                      through=line.through, towards=line.towards)
     if beside is None:
         return joint
     if m["offset"]:
@@ -152,6 +154,7 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
         direction=line.direction,
         pin=pin,
         through=line.through,
+        towards=line.towards,
         pin_in_slot=True,
     )
 

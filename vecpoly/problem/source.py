@@ -38,19 +38,29 @@ class Tree:
 def read_text(path: FilePath) -> str:
     """The text of a file. Refuses by size before reading; UTF-8 only, with or without a byte order mark."""
     try:
-        size = path.stat().st_size
-        if size > limits.FILE:
-            raise ProblemFileError(Words(
-                f"{path}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {limits.FILE / 1e6:.0f} MB",
-                f"{path}: {size / 1e6:.1f} MB is no problem file; the limit is {limits.FILE / 1e6:.0f} MB"))
-        return path.read_bytes().decode("utf-8-sig")
+        _not_too_large(path.stat().st_size, str(path))
+        return decoded(path.read_bytes(), str(path))
+    except OSError as error:
+        raise ProblemFileError(Words(f"{path}：不能读取：", f"{path}: cannot be read: ") + of_system(error), code="file") from None
+
+
+def decoded(data: bytes, name: str) -> str:
+    """The text of these bytes, UTF-8 with or without a byte order mark; raises ProblemFileError for other bytes, or too many."""
+    _not_too_large(len(data), name)
+    try:
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         raise ProblemFileError(Words(
-            f"{path} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）不是 UTF-8 编码；请将文件另存为 UTF-8",
-            f"{path}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; save the file with the encoding UTF-8")) from None
-    except OSError as error:
-        raise ProblemFileError(Words(f"{path}：不能读取：", f"{path}: cannot be read: ") + of_system(error), code="file") from None
+            f"{name} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）不是 UTF-8 编码；请将文件另存为 UTF-8",
+            f"{name}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; save the file with the encoding UTF-8")) from None
+
+
+def _not_too_large(size: int, name: str) -> None:
+    if size > limits.FILE:
+        raise ProblemFileError(Words(
+            f"{name}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {limits.FILE / 1e6:.0f} MB",
+            f"{name}: {size / 1e6:.1f} MB is no problem file; the limit is {limits.FILE / 1e6:.0f} MB"))
 
 
 def read(path: FilePath) -> Tree:

@@ -7,15 +7,19 @@ from pathlib import Path
 from ..errors import FaultError
 from ..words import Words
 from .faults import Faults
+from .held import Held
 from .schema import ProblemSpec
 from .source import Tree
 
 
-def read_tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path, ...]:
+def read_tables(spec: ProblemSpec, tree: Tree, faults: Faults) -> tuple[Path | Held, ...]:
     """Files of printed tables, found beside the file that names them."""
-    found = []
+    found: list[Path | Held] = []
     for i, name in enumerate(spec.tables):
         with faults.at("tables", i):
+            if (data := tree.reach.held(name)) is not None:
+                found.append(Held(name, data))
+                continue
             place = tree.places.get(("tables", i))
             file = (Path(place.file).parent if place else Path()) / name
             tree.reach.refuse_outside(file)

@@ -59,5 +59,5 @@ def _friction(key: str, text: str) -> float:
 
 def _placed(tree: Tree, path: Path, said: Words) -> Words:
     place = next((tree.places[path[:n]] for n in range(len(path), 0, -1) if path[:n] in tree.places), None)
-    zh, en = (f"第 {place.line} 行，", f"line {place.line}, ") if place else ("", "")
+    zh, en = (f"第 {place.line} 行，", f"line {place.line}, ") if place and place.line else ("", "")
     return Words(f"{zh}{dotted(path)}：{said.zh}", f"{en}{dotted(path)}: {said.en}")

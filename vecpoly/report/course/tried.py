@@ -13,6 +13,7 @@ from ...cycle.facts import Facts
 from ...cycle.sample import sample
 from ...errors import VecpolyError
 from ...mechanism.model import Link, Mechanism, Prismatic
+from ...mechanism.set_out import stretched
 from ...words import Words
 from .motion_words import shown
 from .output import ends, motions
@@ -65,16 +66,10 @@ def tried(study: Study, sides: tuple[Side, ...]) -> Tried | None:
 
 
 def _stretched(link: Link, sides: list[Side]) -> Link:
-    """The link with its own coordinates again: origin in its first letter, axis towards its second."""
-    points = dict(link.points)
+    """The link with each of these sides as long as asked."""
     for side in sides:
-        along = points[side.moved] - points[side.fast]
-        points[side.moved] = points[side.fast] + along * side.length / abs(along)
-    if points == dict(link.points):
-        return link
-    first, second, *_ = points.values()
-    unit = (second - first) / abs(second - first)
-    return replace(link, points={letter: (at - first) / unit for letter, at in points.items()}, placements=())
+        link = stretched(link, side.fast, side.moved, side.length)
+    return link
 
 
 def _lost(mech: Mechanism) -> float:
