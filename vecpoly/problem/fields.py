@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
 from ..errors import FaultError
 from ..words import Words
+from .pairs import pair_of
 
 _LETTER = "[A-Z][a-z'′]?"
 _QUANTITY = {"type": ["string", "number"], "description": "a number with its unit, e.g. 30 mm"}
@@ -90,12 +90,6 @@ Link = Annotated[
     ),
 ]
 Centre = Annotated[Any, WithJsonSchema({"anyOf": [_ONE, _PLACE]})]
-
-
-def pair_of(value: Any) -> Any:
-    """Two components in one text, "(0 mm, 0 mm)" or 0 mm, 0 mm, as a list; anything else as it is."""
-    found = re.fullmatch(r"[(（\[]?([^,，()\[\]]+)[,，]([^,，()\[\]]+)[)）\]]?", value.strip()) if isinstance(value, str) else None
-    return value if found is None else [found[1].strip(), found[2].strip()]
 
 
 Pair = Annotated[tuple[Number, Number], BeforeValidator(pair_of)]

@@ -9,7 +9,7 @@ from typing import Any
 
 from ..frozen import FrozenMap
 from .faults import Path, Place
-from .fields import pair_of
+from .pairs import pair_of
 from .source import Tree, Value
 
 _PAIRS = ("frame", "guesses")
