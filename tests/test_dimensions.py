@@ -71,10 +71,11 @@ def name(mech: Mechanism, one: Dimension) -> str:
 
 
 def known(problem: Problem) -> Iterator[tuple[Dimension, str]]:
-    """The dimensions that the problem can vary too."""
-    for one in dimensions(problem.mechanism):
-        called = name(problem.mechanism, one)
-        if called in problem.parameters and value(problem.mechanism, one):
+    """The dimensions that the problem can vary too; not those of which two have one name, as at_E of a point of two links."""
+    named = [(one, name(problem.mechanism, one)) for one in dimensions(problem.mechanism)]
+    for one, called in named:
+        alone = sum(called == other for _, other in named) == 1
+        if alone and called in problem.parameters and value(problem.mechanism, one):
             yield one, called
 
 

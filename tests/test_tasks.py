@@ -17,8 +17,8 @@ from hypothesis import strategies as st
 from pytest import MonkeyPatch
 
 from tests.kinds.press import Press, PressDrawing, PressTruth, problem
+from vecpoly.board.construction import Construction
 from vecpoly.board.extent import extent
-from vecpoly.board.record import from_json, to_json
 from vecpoly.check.truth import knows, truth_of
 from vecpoly.cli.draw import placed
 from vecpoly.drawing.figure import scale_box
@@ -30,6 +30,7 @@ from vecpoly.methods.drawing import drawing_of, draws
 from vecpoly.player.page import player
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
+from vecpoly.record import from_json, to_json
 from vecpoly.solution import Solution, solve
 from vecpoly.task import task_of
 
@@ -121,7 +122,7 @@ def test_a_scale_that_makes_a_speck_of_the_new_kind_is_told() -> None:
 def test_a_kind_is_one_value_after_pickle_copy_and_json(work: View) -> None:
     assert all(pickle.loads(pickle.dumps(view)) is deepcopy(view) is view for view in views()) and work in views()
     construction = drawn().construction
-    assert from_json(to_json(construction)).figures == construction.figures
+    assert from_json(to_json(construction), Construction).figures == construction.figures
 
 
 def test_two_kinds_have_neither_one_name_nor_one_place(work: View) -> None:
