@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from ..devices.base import Device
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
@@ -14,6 +13,9 @@ from ..words import Words
 from .asks import Ask
 from .current import current
 from .given import Datum, Given, Shape, as_printed
+
+if TYPE_CHECKING:
+    from ..devices.base import Device  # not at once: pydantic, which checks its data, is slow to load
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
