@@ -23,6 +23,9 @@ from .written import Written
 if TYPE_CHECKING:
     from ..devices.base import Device
 
+if TYPE_CHECKING:
+    from ..devices.base import Device  # not at once: pydantic, which checks its data, is slow to load
+
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
 
 
