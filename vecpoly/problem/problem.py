@@ -21,9 +21,6 @@ from .subject import Subject
 from .written import Written
 
 if TYPE_CHECKING:
-    from ..devices.base import Device
-
-if TYPE_CHECKING:
     from ..devices.base import Device  # not at once: pydantic, which checks its data, is slow to load
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
