@@ -28,20 +28,19 @@ def found_all(amended: Amended, acts: Sequence[Act]) -> None:
     _known(amended.readings, [act for act in acts if isinstance(act, Measure)], Words("读数", "length read"))
     if amended.slip is not None:
         key = amended.slip.key
-        if not any(key in (act.key, f"{act.figure}:{act.key}") for act in acts if act.key):
+        if not any(key in act.names for act in acts):
             raise UnknownNameError(Words(f"图上没有 {key}，不能在此出错", f"there is no {key} on the sheet to make a mistake with"), code="unknown-act")
     _known(amended.points, [act for act in acts if isinstance(act, Locate)], Words("点", "point"))
 
 
 def _known(given: Iterable[str], acts: Sequence[Act], what: Words) -> None:
     for key in given:
-        figures = sorted({act.figure for act in acts if key in (act.key, f"{act.figure}:{act.key}")})
-        if not figures:
+        full = sorted({act.names[0] for act in acts if key in act.names})
+        if not full:
             there = list(dict.fromkeys(act.key for act in acts))
             near = get_close_matches(key, there, n=3, cutoff=0.4) or there
             raise UnknownNameError(Words(f"图上没有名为 {key} 的{what.zh}；有 {'、'.join(near)}", f"there is no {what.en} '{key}' on the sheet; there are {', '.join(near)}"), code="unknown-act")
-        if len(figures) > 1:
-            full = [f"{figure}:{key}" for figure in figures]
+        if len(full) > 1:
             raise UnknownNameError(Words(f"{what.zh} {key} 在几个图上都有；请写 {'、'.join(full)} 之一",
                                          f"the {what.en} '{key}' stands on several figures; write one of {', '.join(full)}"), code="ambiguous-act")
 

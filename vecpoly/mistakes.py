@@ -8,7 +8,6 @@ from .board.acts import Act, Follow, LayOff, Locate, Meet, Parallel, Touch, Tran
 from .board.amended import AS_DRAWN
 from .board.hand import hand
 from .board.slip import Mistake, Slip
-from .plane.traced import NO_ACTS
 from .problem.problem import Problem
 from .solution import constructed
 
@@ -34,7 +33,7 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield from (Slip(Mistake.COINCIDENT, _name(act, acts), letter) for letter in _coincident(act, acts))
         case Parallel() if act.key:
             yield Slip(Mistake.TURNED, _name(act, acts))
-        case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs or NO_ACTS):
+        case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
             yield Slip(Mistake.OTHER_MEETING, _name(act, acts))
         case Touch(free=False) if act.key:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
@@ -45,7 +44,7 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
 def _name(act: Act, acts: Sequence[Act]) -> str:
     """The act's key, with its figure where the same key stands on several."""
     figures = {one.figure for one in acts if one.key == act.key and type(one) is type(act)}
-    return act.key if len(figures) < 2 else f"{act.figure}:{act.key}"
+    return act.key if len(figures) < 2 else act.names[0]
 
 
 def _coincident(act: Follow, acts: Sequence[Act]) -> Iterator[str]:

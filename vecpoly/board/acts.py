@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .marks import Dot, Mark, Role
-from .place import Place, called
+from .place import Place, called, named
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +45,11 @@ class Done:
     def figure(self) -> str:
         """The figure it was done on: ``velocity``, ``force 23``."""
         return "" if self.head.place is None else called(self.head.place)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Its key with the figure before it, ``velocity:bc``, and alone; none where it stands for nothing."""
+        return named(self.head.place, self.key) if self.key else ()
 
     @property
     def inputs(self) -> tuple[int, ...]:

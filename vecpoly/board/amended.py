@@ -11,7 +11,7 @@ import numpy as np
 from ..frozen import FrozenMap
 from ..plane import Points, Reals
 from ..plane.traced import acts_of, bare, traced
-from .place import Place, called
+from .place import Place, named
 from .slip import Mistake, Slip
 
 T = TypeVar("T")
@@ -39,7 +39,6 @@ class Amended:
         own = _of(self.points, place, plain_letters(letter))
         return at if own is None else _moved(at, own)
 
-
     def mistake(self, place: Place | None, key: str) -> Mistake | None:
         """What is done wrongly with this quantity, or at this letter."""
         slip = self.slip
@@ -64,11 +63,6 @@ def _of(given: Mapping[str, T], place: Place | None, *letters: str) -> T | None:
     if not given:
         return None
     return next((given[key] for name in letters for key in named(place, name) if key in given), None)
-
-
-def named(place: Place | None, key: str) -> tuple[str, ...]:
-    """The names of something on a figure: with the figure before it, and without."""
-    return (key,) if place is None else (f"{called(place)}:{key}", key)
 
 
 def plain_letters(letters: str) -> str:

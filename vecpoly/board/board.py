@@ -60,13 +60,11 @@ class Board(Instruments):
         return paper(letters_node(letters), mm)
 
     def _measured(self, read: Reals, a: Points, b: Points, letters: str) -> Reals:
-        place = next((act.head.place for n in sorted(acts_of(a, b), reverse=True) if (act := self._act(n)) is not None and act.head.place is not None), None)
+        known = [self.acts[n] for n in sorted(acts_of(a, b)) if n < len(self.acts)]  # scratch paper remembers none
+        place = next((act.head.place for act in reversed(known) if act.head.place is not None), None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
         return traced(mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))))
-
-    def _act(self, number: int) -> done.Act | None:
-        return self.acts[number] if number < len(self.acts) else None  # scratch paper remembers none
 
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
@@ -96,17 +94,18 @@ class Board(Instruments):
         """A value follows from others (SI): ω of a link, with its sense."""
         return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit)))
 
-    def compute(self, symbol: str, expr: Expr, unit_text: str, *, key: str = "") -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result; key: where the symbol's own is not meant. NotAskedError where it is 0/0."""
-        factor = FACTOR.get(self.amended.mistake(self.steps[-1].view if self.steps else None, key or ascii_key(symbol)))
+    def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
+        """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is 0/0."""
+        key = ascii_key(symbol)
+        factor = FACTOR.get(self.amended.mistake(self.here, key))
         value = expr.value if factor is None else factor * expr.value
         if np.isnan(nominal(value)):
             raise NotAskedError(Words(
                 f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
                 f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
-        self._slipped |= {key or ascii_key(symbol)} if factor is not None else set()
-        act = self.log(done.Compute(head=self.head(value, key=key or ascii_key(symbol)), value=amount(value), unit=unit_text))
-        result = magnitude(symbol, traced(value, act), unit_text)
+        if factor is not None:
+            self._slipped.add(key)
+        result = magnitude(symbol, self.conclude(key, value, unit_text), unit_text)
         self.write(worked(result.node, expr, unit_text))
         return result
 

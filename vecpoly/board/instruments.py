@@ -39,11 +39,12 @@ class Instruments(Strokes):
 
     def locate(self, view: Place, letter: str, at: Points) -> Points:
         """From now on the point has this letter; goes on with a point of somebody's own where there is one."""
-        if self.amended.mistake(view, plain_letters(letter)) is Mistake.OTHER_MEETING:
+        key = plain_letters(letter)
+        if self.amended.mistake(view, key) is Mistake.OTHER_MEETING:
             at = next((self._others[n] for n in acts_of(at) if n in self._others), at)
         at = self.amended.point(view, letter, at)
-        self.spots[view, plain_letters(letter)] = traced(at, self.log(done.Locate(head=self.head(at, on=view, key=plain_letters(letter)), at=spot(at))))
-        return self.spots[view, plain_letters(letter)]
+        self.spots[view, key] = traced(at, self.log(done.Locate(head=self.head(at, on=view, key=key), at=spot(at))))
+        return self.spots[view, key]
 
     def turn(self, along: Points) -> Points:
         """Carry a direction to another place with the set square."""
@@ -62,15 +63,14 @@ class Instruments(Strokes):
 
     def lay_off(self, start: Points, along: Points, mm: Reals, *, key: str = "") -> Points:
         """Lay off a length from a point in a direction carried by set square."""
-        view = self.steps[-1].view if self.steps else None
-        along = along if key in self._slipped else self._wrongly(view, key, along)
+        along = along if key in self._slipped else self._wrongly(self.here, key, along)
         at = start + self.hand.tilt(along) * self.hand.carry(mm)
         act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))
 
     def parallel(self, at: Points, along: Points, *, key: str = "") -> Line:
         """Rule a line through a point parallel to a drawn direction, that of the vector `key`."""
-        turned = self.amended.mistake(self.steps[-1].view if self.steps else None, key) is Mistake.TURNED
+        turned = self.amended.mistake(self.here, key) is Mistake.TURNED
         carried = self.hand.tilt(1j * along if turned else along)
         act = self.log(done.Parallel(head=self.head(at, along, key=key), at=spot(at), along=spot(carried)))
         return Line(traced(at, act), traced(carried, act))

@@ -53,9 +53,14 @@ class Log:
         last = self.steps[-1]
         self.steps[-1] = replace(last, formulas=(*last.formulas, *formulas))
 
+    @property
+    def here(self) -> Place | None:
+        """The figure that the step is drawn on."""
+        return self.steps[-1].view if self.steps else None
+
     def head(self, *inputs: Any, on: Place | None = None, key: str = "", owner: str = "") -> Head:
         """The head of the next act: what it needs, what it is done on, what it stands for."""
-        place = on if on is not None or not self.steps else self.steps[-1].view
+        place = self.here if on is None else on
         known = acts_of(*inputs)
         return Head(number=len(self.acts), step=len(self.steps), inputs=tuple(sorted(known)) if known else (), place=place, key=key, owner=owner)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from ..figures import View, view_named, views
 
-__all__ = ["Pane", "Place", "View", "called", "view_named", "view_of", "views"]
+__all__ = ["Pane", "Place", "View", "called", "named", "view_named", "view_of", "views"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +28,11 @@ Place = View | Pane  # where a mark stands: the only figure of its kind, or one 
 def called(place: Place) -> str:
     """The figure in a key: its kind, and its name where there are several, ``velocity``, ``force 23``."""
     return f"{place.view.name} {place.name}" if isinstance(place, Pane) else place.name
+
+
+def named(place: Place | None, key: str) -> tuple[str, ...]:
+    """The names of something on a figure: with the figure before it, and without."""
+    return (key,) if place is None else (f"{called(place)}:{key}", key)
 
 
 def view_of(place: Place) -> View:

@@ -21,10 +21,8 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
             return 1j * vector
         case Mistake.DROPPED:
             return 0.0 * vector
-        case Mistake.HALVED:
-            return vector / 2
-        case Mistake.DOUBLED:
-            return vector * 2
+        case Mistake.HALVED | Mistake.DOUBLED:
+            return vector * FACTOR[mistake]
         case Mistake.SCALED:
             return vector * scale
         case Mistake.COINCIDENT | Mistake.OTHER_MEETING | Mistake.OTHER_TANGENT:
