@@ -155,6 +155,11 @@ def reaction(by: str, on: str) -> Named:
     return Named(f"R_{by}{on}", f"R_{{{by}{on}}}", "N", True)
 
 
+def written_unit(unit: str) -> str:
+    """A unit as it is written by hand: m/s^2 → m/s², deg → °; yes and no have none."""
+    return {"deg": "°", "yes/no": ""}.get(unit, unit.replace("^2", "²"))
+
+
 _POINT = r"([A-Z][a-z']?)(\d*)"
 _VECTOR = re.compile(rf"^(p|v|a|an|at|ak|ar)_{_POINT}(?:{_POINT})?$")
 _NAMED_POINT = re.compile(r"^p_([A-Z][a-z']?\d*)$")

@@ -30,6 +30,14 @@ class Words:
         return Words(self.zh + other.zh, self.en + other.en)
 
 
+def bare(text: str) -> str:
+    """A sentence without the signs of its symbols: a_C for $a_{C}$."""
+    return text.translate(_MARKS)
+
+
+_MARKS = {ord(sign): None for sign in "${}"}
+
+
 def language() -> Lang:
     """The reader's language: what VECPOLY_LANG says, English else."""
     return "zh" if os.environ.get("VECPOLY_LANG") == "zh" else "en"

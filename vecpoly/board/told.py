@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol, assert_never
 from unicodedata import east_asian_width
 
+from ..names import written_unit
 from ..quantity import number
-from ..words import Lang, Words
+from ..words import Lang, Words, bare
 from . import acts as done
 from .acts import Act
 
@@ -38,8 +39,8 @@ def _lines(steps: Sequence[Stepped], acts: Sequence[Act], lang: Lang) -> Iterato
     for step in steps:
         if step.section.of(lang) != section:
             section = step.section.of(lang)
-            yield f"— {bare(section)} —"
-        yield f"{step.number}. {bare(step.words.of(lang))}"
+            yield f"— {primed(section)} —"
+        yield f"{step.number}. {primed(step.words.of(lang))}"
         yield from (_line(act, acts, lang) for act in acts if act.head.step == step.number and _shown(act))
 
 
@@ -56,15 +57,9 @@ def wide(text: str, columns: int) -> str:
     return text + " " * max(columns - taken, 1)
 
 
-def bare(text: str) -> str:
+def primed(text: str) -> str:
     """A sentence without the signs of its symbols: n_2′ for $n_2^′$."""
-    plain = re.sub(r"\^\{?([′'])\}?", r"\1", text).translate({ord(sign): None for sign in "${}"})
-    return re.sub(" {2,}", " ", plain)
-
-
-def unit(name: str) -> str:
-    """A unit as it is written by hand: m/s², °; yes and no have none."""
-    return {"deg": "°", "yes/no": ""}.get(name, name.replace("^2", "²"))
+    return re.sub(" {2,}", " ", bare(re.sub(r"\^\{?([′'])\}?", r"\1", text)))
 
 
 def _shown(act: Act) -> bool:
@@ -93,7 +88,7 @@ def _object(act: Act) -> str:
 
 
 def _value(value: float, name: str) -> str:
-    printed, mark = bare(number(value)), unit(name)
+    printed, mark = primed(number(value)), written_unit(name)
     return f"{printed}°" if mark == "°" else f"{printed} {mark}".rstrip()
 
 

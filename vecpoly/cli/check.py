@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..errors import UnknownNameError
-from ..words import Words
+from ..names import written_unit
+from ..words import Words, bare
 from .check_table import check_table_of, columns_said
 from .completion import ids
 from .errors import DISAGREES, Tally, about
@@ -17,7 +18,7 @@ from .files import STDOUT, spared, write_json
 from .jobs import problems
 from .options import JSON, ColumnsOption, JsonOption, Lang, LangOption, OutsideOption, TableOption
 from .terminal import add, progress, show, table
-from .wording import bare, beside, number, percent, symbol, unit
+from .wording import beside, number, percent, symbol
 
 if TYPE_CHECKING:
     from ..check.printed import PrintedCheck
@@ -117,7 +118,7 @@ def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
 
 
 def _unit(printed: Printed) -> str:
-    return unit(printed.rel.unit if printed.rel is not None else "m")
+    return written_unit(printed.rel.unit if printed.rel is not None else "m")
 
 
 def _as_json(problem: Problem, result: PrintedCheck) -> dict[str, Any]:

@@ -15,12 +15,11 @@ import typer
 
 from ..errors import TableError
 from ..limits import LONG_READ
-from ..words import Words
+from ..words import Words, bare
 from .errors import DISAGREES, about
 from .files import STDOUT, write_json
 from .options import Lang
 from .terminal import add, say, show, table
-from .wording import bare
 
 if TYPE_CHECKING:
     from ..check.table import ColumnCheck, TableCheck

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ..words import bare
 from .tongue import tongue
-from .wording import bare
 
 
 def ids(incomplete: str) -> list[tuple[str, str]]:

@@ -12,14 +12,15 @@ import typer
 
 from ..errors import NotAskedError, VecpolyError
 from ..limits import POSITIONS
-from ..words import Words
+from ..names import written_unit
+from ..words import Words, bare
 from .completion import ids
 from .errors import Tally, about
 from .files import STDOUT, put, spared
 from .jobs import each, problems
 from .options import Lang, LangOption, OutsideOption, place
 from .terminal import add, show, table, warn
-from .wording import bare, number, unit
+from .wording import number
 
 if TYPE_CHECKING:
     from ..curves import Plot
@@ -180,10 +181,10 @@ def _row(turn: Cycle, key: str) -> tuple[str, ...]:
     acute = transmission(turn, key) if key.startswith("gamma_") else None
     cells: list[str] = []
     for spot in (acute.greatest, acute.least) if acute else (found.highest, found.lowest):
-        here = "—" if spot is None or found.is_constant else number(turn.drive.factor * spot.phi, 7) + unit("deg" if turn.drive.unit == "rad" else " mm")
+        here = "—" if spot is None or found.is_constant else number(turn.drive.factor * spot.phi, 7) + written_unit("deg" if turn.drive.unit == "rad" else " mm")
         cells += ["—" if spot is None else _value(info.factor * spot.value), here]
     size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
-    return size, unit(info.shown_unit), *cells
+    return size, written_unit(info.shown_unit), *cells
 
 
 def _value(value: float) -> str:
@@ -191,4 +192,4 @@ def _value(value: float) -> str:
 
 
 def _plain(text: str) -> str:
-    return unit(bare(text))
+    return written_unit(bare(text))

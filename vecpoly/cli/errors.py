@@ -17,10 +17,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import typer
 
 from ..errors import Fault, VecpolyError, of_system
-from ..words import Words
+from ..words import Words, bare
 from .tongue import told_in, tongue
 from .usage import UsageError, in_chinese
-from .wording import bare
 
 if TYPE_CHECKING:
     from ..words import Lang

@@ -6,14 +6,14 @@ import cmath
 from math import degrees, isnan
 from typing import TYPE_CHECKING, Any
 
-from ..names import is_centre, is_place
-from ..words import Words
+from ..names import is_centre, is_place, written_unit
+from ..words import Words, bare
 from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
 from .options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
 from .terminal import add, progress, say, show, table, warn
-from .wording import YES_NO, bare, number, scalar, symbol, unit
+from .wording import YES_NO, number, scalar, symbol
 
 if TYPE_CHECKING:
     from ..check.truth import ActsAt
@@ -84,7 +84,7 @@ def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> 
             size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
         else:
             size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−") if value else "—"
-        add(made, (symbol(ask.rel.key), size, unit(ask.rel.unit), way))
+        add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
     show(made)
     if not problem.asks:
         from ..problem.hints import nothing_asked

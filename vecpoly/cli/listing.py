@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 import typer
 
+from ..words import bare
 from .options import Lang, LangOption
 from .terminal import add, show, table
-from .wording import bare
 
 What = Annotated[Literal["problems", "methods"], typer.Argument(help="What to list.")]
 

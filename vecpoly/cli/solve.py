@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..words import Words
+from ..names import written_unit
+from ..words import Words, bare
 from .errors import Tally, about
 from .files import STDOUT, spared, write_json
 from .jobs import problems
 from .options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
 from .terminal import add, progress, say, show, table, warn
-from .wording import bare, drawn, exact, gap, reach, symbol, unit, way
+from .wording import drawn, exact, gap, reach, symbol, way
 
 if TYPE_CHECKING:
     from ..answer import Answer
@@ -74,7 +75,7 @@ def _print(solution: Solution, lang: Lang) -> None:
     for answer in solution.answers.values():
         mm = answer.reading.mm
         add(made, (
-            symbol(answer.key), drawn(answer, lang), exact(answer, lang), unit(answer.reading.unit), gap(answer), reach(answer),
+            symbol(answer.key), drawn(answer, lang), exact(answer, lang), written_unit(answer.reading.unit), gap(answer), reach(answer),
             way(answer, lang), "—" if mm is None else f"{mm:.2f}",
         ), alarmed=answer.suspect is not None)  # fmt: skip
     show(made)

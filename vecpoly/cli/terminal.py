@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typer
 
-from ..words import Lang, Words
+from ..words import Lang, Words, bare
 from .tongue import told_in
-from .wording import bare
 
 if TYPE_CHECKING:
     from rich.table import Table

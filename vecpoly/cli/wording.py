@@ -27,16 +27,6 @@ def symbol(key: str) -> str:
     return f"a^{stem[1]}_{rest}" if stem in ("an", "at", "ak", "ar") else key
 
 
-def bare(text: str) -> str:
-    """Words without the dollar signs and braces of their symbols."""
-    return text.translate({ord(sign): None for sign in "${}"})
-
-
-def unit(text: str) -> str:
-    """m/s^2 → m/s², deg → °; yes and no have none."""
-    return {"deg": "°", YES_NO: ""}.get(text, text.replace("^2", "²"))
-
-
 def number(value: float, digits: int = 5) -> str:
     """A number for reading, with a zero that is a zero and a real minus."""
     text = "0" if abs(value) < _NOISE else f"{value:.{digits}g}"

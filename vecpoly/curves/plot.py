@@ -11,7 +11,7 @@ from ..drawing.pdf import to_pdf
 from ..drawing.png import to_png
 from ..drawing.scene import Scene
 from ..drawing.svg import to_svg
-from ..words import Lang, Words
+from ..words import Lang, Words, bare
 from .record import record
 
 
@@ -40,7 +40,7 @@ class Plot:
 
     def svg(self) -> str:
         """SVG in mm."""
-        return to_svg(self.scene, _bare(self.title.of(self.lang)))
+        return to_svg(self.scene, bare(self.title.of(self.lang)))
 
     def pdf(self) -> bytes:
         """A PDF page of the plot's size, lines as vectors, fonts embedded."""
@@ -49,7 +49,3 @@ class Plot:
     def png(self, dpi: float = 200.0) -> bytes:
         """A picture; 25.4 mm are `dpi` pixels."""
         return to_png(self.scene, dpi)
-
-
-def _bare(text: str) -> str:
-    return text.translate({ord(sign): None for sign in "${}"})

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import AssemblyError
-from ..words import Lang, Words
+from ..words import Lang, Words, bare
 from .columns import Column
 from .cycle import Cycle
 from .transmission import folded
@@ -114,8 +114,3 @@ def _letters(index: int) -> str:
 def plain(unit: str) -> str:
     """rad/s^2 as rad/s²."""
     return unit.replace("^2", "²")
-
-
-def bare(text: str) -> str:
-    """Words without the dollar signs and braces of their symbols."""
-    return text.translate({ord(sign): None for sign in "${}"})
