@@ -6,10 +6,12 @@ from functools import cache
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
 from pkgutil import iter_modules
+from typing import Generic, TypeVar
 
 from .errors import PluginError
 from .words import Words
 
+T = TypeVar("T")
 METHODS, DEVICES = "vecpoly.methods", "vecpoly.devices"  # the groups of entry points: each names a module that registers something
 
 
@@ -18,6 +20,25 @@ def load_modules(package: str) -> None:
     """Import every module of this package, so that what stands in them is registered; subpackages keep their own."""
     for module in iter_modules(import_module(package).__path__, f"{package}."):
         import_module(module.name)
+
+
+class BySubject(Generic[T]):
+    """What the modules of a package register for what a problem may be about."""
+
+    def __init__(self, package: str) -> None:
+        self._package = package
+        self._found: dict[type, T] = {}
+
+    def put(self, subject: type, registered: T, twice: str) -> None:
+        """Register it; raises ValueError, in these words, where something is on file."""
+        if subject in self._found:
+            raise ValueError(f"{twice} a {subject.__name__}")
+        self._found[subject] = registered
+
+    def find(self, subject: object) -> T | None:
+        """What is on file for this, or for the nearest class above its own."""
+        load_modules(self._package)
+        return next((self._found[kind] for kind in type(subject).__mro__ if kind in self._found), None)
 
 
 @cache

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import NotAskedError
 from ..names import Rel
-from ..plugins import load_modules
+from ..plugins import BySubject
 from ..problem.problem import Printed, Problem
 from ..words import Words
 
@@ -64,16 +64,14 @@ class Truth(Protocol):
 
 
 T = TypeVar("T", bound=Callable[[Problem], Truth])
-_TRUTHS: dict[type, Callable[[Problem], Truth]] = {}
+_TRUTHS: BySubject[Callable[[Problem], Truth]] = BySubject("vecpoly.check.truths")
 
 
 def knows(subject: type) -> Callable[[T], T]:
     """Register what knows problems about this; raises ValueError where that is on file."""
 
     def register(truth: T) -> T:
-        if subject in _TRUTHS:
-            raise ValueError(f"two truths about a {subject.__name__}")
-        _TRUTHS[subject] = truth
+        _TRUTHS.put(subject, truth, "two truths about")
         return truth
 
     return register
@@ -81,10 +79,8 @@ def knows(subject: type) -> Callable[[T], T]:
 
 def truth_of(problem: Problem) -> Truth:
     """The oracle's opinion of this problem; raises NotAskedError where it has none."""
-    load_modules("vecpoly.check.truths")
-    for kind in type(problem.subject).__mro__:
-        if kind in _TRUTHS:
-            return _TRUTHS[kind](problem)
+    if (truth := _TRUTHS.find(problem.subject)) is not None:
+        return truth(problem)
     raise NotAskedError(
         Words(
             f"“{type(problem.subject).__name__}”类题目没有独立的解析解；请用 @knows 登记",

@@ -9,7 +9,7 @@ from ..board.amended import Amended
 from ..board.hand import Hand
 from ..board.place import View
 from ..errors import NoMethodError
-from ..plugins import load_modules
+from ..plugins import BySubject
 from ..problem.problem import Problem
 from ..words import Words
 from .desk import Desk
@@ -46,16 +46,14 @@ class Drawing(Protocol):
 
 
 D = TypeVar("D", bound=Callable[[], Drawing])
-_DRAWINGS: dict[type, Drawing] = {}
+_DRAWINGS: BySubject[Drawing] = BySubject("vecpoly.methods.tasks")
 
 
 def draws(subject: type) -> Callable[[D], D]:
     """Register how problems about this are drawn; raises ValueError where that is on file."""
 
     def register(drawing: D) -> D:
-        if subject in _DRAWINGS:
-            raise ValueError(f"two drawings solve a problem about a {subject.__name__}")
-        _DRAWINGS[subject] = drawing()
+        _DRAWINGS.put(subject, drawing(), "two drawings solve a problem about")
         return drawing
 
     return register
@@ -63,10 +61,8 @@ def draws(subject: type) -> Callable[[D], D]:
 
 def drawing_of(problem: Problem) -> Drawing:
     """How this problem is drawn; raises NoMethodError where nobody knows."""
-    load_modules("vecpoly.methods.tasks")
-    for kind in type(problem.subject).__mro__:
-        if kind in _DRAWINGS:
-            return _DRAWINGS[kind]
+    if (drawing := _DRAWINGS.find(problem.subject)) is not None:
+        return drawing
     raise NoMethodError(
         Words(
             f"没有“{type(problem.subject).__name__}”类题目的图解法；请用 @draws 登记",

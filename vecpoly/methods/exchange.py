@@ -14,7 +14,7 @@ from math import degrees, floor, log10, pi, remainder
 
 import numpy as np
 
-from ..board.board import Board
+from ..board.board import Scratch
 from ..board.construction import Scale, View
 from ..board.hand import hand
 from ..board.place import views
@@ -119,7 +119,7 @@ class _Trial:
         mech = _driven_by(self.mech, self.drive, other)
         sizes = {view: mech.scale / 100 if view is View.MECHANISM else 0.01 for view in views()}
         unit = {view: Scale(symbol="μ", value=size, unit="") for view, size in sizes.items()}
-        desk = Desk(board=Board(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, self.groups))
+        desk = Desk(board=Scratch(hand("exact"), unit), mech=mech, coincident=coincident_letters(mech, self.groups))
         desk.at = {name: at * desk.mm(1.0) for name, at in mech.frame.items()}
         for stage in stages:
             for drive in (one for one in mech.drives if not one.between):

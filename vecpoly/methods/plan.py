@@ -90,7 +90,7 @@ def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Rea
 
 def drawn_exactly(problem: Problem, scales: Mapping[View, Scale], *, recorded: bool = False) -> Desk:
     """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the position of the driving link."""
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+    with _quietly():
         desk = draw(problem, Board(hand("exact"), scales, recorded=recorded))
         _answers(desk, problem)
     return desk
@@ -138,11 +138,11 @@ def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: 
         of_kind = [f.marks for f in figures if f.view is view and not f.aside]
         fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in of_kind), default=value)
         chosen[view] = Scale.of(view, given[view] or fitted)
-    views = {f.view: f for f in figures}
-    if fit is not None and len(views) == len(figures):
-        sketched = {view: _sketched(view, guess[view], f.marks) for view, f in views.items()}
-        fixed = frozenset(view for view in views if given[view])
-        values = enlarged(sketched, {view: chosen[view].value for view in views}, fixed, fit)
+    by_kind = {f.view: f for f in figures}
+    if fit is not None and len(by_kind) == len(figures):
+        of_sketch = {view: _sketched(view, guess[view], f.marks) for view, f in by_kind.items()}
+        fixed = frozenset(view for view in by_kind if given[view])
+        values = enlarged(of_sketch, {view: chosen[view].value for view in by_kind}, fixed, fit)
         chosen |= {view: Scale.of(view, value) for view, value in values.items()}
     return chosen | {View.BODY: chosen[View.MECHANISM]}, sketch
 
