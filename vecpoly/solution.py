@@ -20,7 +20,7 @@ from .board.slip import Slip
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
-from .check.truth import ActsAt
+from .check.truth import ActsAt, size_of
 from .frozen import FrozenMap
 from .methods.centres.compare import comparable
 from .methods.desk import Desk
@@ -116,7 +116,7 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
                             _weighed(reading, exact[key], ideal[key], true[key], reach=limit[key] if repeats else nan, noise=off[key], size=size[key], steady=not scatters))
                for key, reading in read.items()}
     if not precise and any(answer.suspect for answer in answers.values()):
-        return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip)
+        return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch)
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(truth, drawn.motion) if rel.key not in answers]
     told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, task.given))
@@ -152,7 +152,7 @@ def _expected(scalars: Any) -> float:
 
 def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed) -> Answer:
     return Answer(
-        rel=rel, reading=reading, drawn=reading.scalar, exact=_size(exact), expected_error=error, drawn_vector=reading.vector,
+        rel=rel, reading=reading, drawn=reading.scalar, exact=size_of(exact), expected_error=error, drawn_vector=reading.vector,
         exact_vector=exact if isinstance(exact, complex) else None,
         exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple), turns=turns, weighed=weighed,
     )
@@ -161,10 +161,5 @@ def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, li
 def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, *,
              reach: float, noise: float, size: float, steady: bool) -> Weighed:
     as_vector = ideal.vector is not None and isinstance(true, complex)
-    return Weighed(drawn=reading.scalar, exact=_size(exact), ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
-                   true=true if as_vector else _size(true), reach=reach, noise=noise, size=size, steady=steady)
-
-
-def _size(value: complex | float) -> float:
-    """The magnitude of a vector, the signed value of a scalar."""
-    return abs(value) if isinstance(value, complex) else float(value)
+    return Weighed(drawn=reading.scalar, exact=size_of(exact), ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
+                   true=true if as_vector else size_of(true), reach=reach, noise=noise, size=size, steady=steady)

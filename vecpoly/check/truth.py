@@ -96,7 +96,7 @@ def exact_values(problem: Problem) -> Values:
 
 def size_of(value: complex | float) -> float:
     """The magnitude of a vector, the value of a scalar."""
-    return abs(value) if isinstance(value, complex) else value
+    return abs(value) if isinstance(value, complex) else float(value)
 
 
 def finite(found: Values) -> Values:

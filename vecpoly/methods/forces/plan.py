@@ -39,8 +39,8 @@ from .state import Statics
 from .thrust import (
     as_moved,
     as_outer_forces,
+    floating_unknown,
     from_the_frame,
-    is_floating,
     is_outer,
     read_thrusts,
     without_cylinders,
@@ -61,7 +61,7 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
     if not problem.loads.friction and is_alone(problem) and not _are_reactions_drawn(desk, problem.loads):
         return _balance_alone(desk, problem)
     loads = as_outer_forces(desk, problem.loads)
-    floating = next((force for force in problem.loads.forces if force.against and force.size is None and is_floating(desk.mech, force)), None)
+    floating = floating_unknown(desk.mech, problem.loads)
     order = order_of(desk.mech, loads) if floating is None else order_without(desk.mech, floating)
     st = Statics(desk=replace(desk, mech=order.mech), loads=loads, hubs=hubs_of(desk.mech, order.mech), own=desk.mech)
     held, groups = order.held, without_cylinders(order.groups, problem.loads)
@@ -102,9 +102,9 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
     """Whether all groups are dyads of hinges and slides, and every thrust acts on a link from the frame."""
     if not all(is_outer(desk.mech, loads, force) for force in loads.forces if force.against):
         return False
-    floating = next((force for force in loads.forces if force.against and force.size is None and is_floating(desk.mech, force)), None)
-    if floating is not None:
-        return order_without(desk.mech, floating).held is not None and is_drawn(order_without(desk.mech, floating).groups)
+    if (floating := floating_unknown(desk.mech, loads)) is not None:
+        order = order_without(desk.mech, floating)
+        return order.held is not None and is_drawn(order.groups)
     moved = replace(loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces))
     return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
 

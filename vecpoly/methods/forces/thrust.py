@@ -55,6 +55,11 @@ def is_floating(mech: Mechanism, force: Force) -> bool:
     return mech.links_at(force.foot)[-1] != FRAME
 
 
+def floating_unknown(mech: Mechanism, loads: Loads) -> Force | None:
+    """The thrust that is sought, where its cylinder stands between two moving links."""
+    return next((force for force in loads.forces if force.against and force.size is None and is_floating(mech, force)), None)
+
+
 def as_moved(mech: Mechanism, force: Force) -> Force:
     """The thrust as a load on the link at the rod's end, its direction left open: enough to know which link it balances."""
     return replace(force, link=_beside(mech, force, force.point)[0], against="", foot="")
