@@ -9,6 +9,7 @@ import pytest
 
 from tests.generators.forces import friction, moment, numbered, renumbering, simple, some, template
 from tests.generators.loaded import rrp, rrr
+from tests.texts import SIX_BAR
 from vecpoly import loads
 from vecpoly.errors import ProblemFileError, VecpolyError
 from vecpoly.mechanism.model import FRAME, Mechanism, Revolute
@@ -17,15 +18,6 @@ from vecpoly.mechanism.seats import seat, seated
 from vecpoly.report.structure import numbering
 from vecpoly.solution import Solution, solve
 
-SIX_BAR = """
-id: six-bar
-title: six-bar
-frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm], F: [320 mm, 60 mm]}
-links: {1: {AB: 50 mm}, 2: {BC: 170 mm}, 3: {DC: 130 mm}, 4: {CE: 150 mm}, 5: {FE: 100 mm}}
-input: {link: 1, phi: 70 deg, omega: 5 rad/s ccw}
-branch: [C left of BD, E left of CF]
-loads: {M_5: {on: 5, size: 10 N*m}, M_1: {on: 1, size: "?"}}
-"""
 RUBBING = "friction: {A: {rho: 3 mm}, B: {rho: 3 mm}, C: {rho: 4 mm}, D: {rho: 3 mm}, E: {rho: 3 mm}, F: {rho: 3 mm}}\n"
 TWO_ROCKERS = """
 id: two-rockers

@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
+from tests.texts import CRANK
 from vecpoly.curves import style
 from vecpoly.curves.flat import plane, stations
 from vecpoly.curves.place import Placer
@@ -110,17 +111,6 @@ def test_a_plane_has_one_measure_in_both_directions_and_fits_its_paper() -> None
         assert marks * wide / (x1 - x0) == pytest.approx(marks[0] * wide / (x1 - x0)) and 10.0 <= marks[0] * wide / (x1 - x0) <= 25.1
         assert f"{marks[0]:e}"[0] in "125" and figure is not None
 
-
-CRANK = """\
-id: t
-title: test
-frame: {A: [0 mm, 0 mm]}
-links: {1: {AB: 30 mm}, 2: {BC: 100 mm}, 3: {block: C}}
-joints: [3 slides on y = 0 mm]
-branch: [C right of A]
-input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
-find: [v_C]
-"""
 
 
 def test_stations_stand_every_thirty_degrees_of_a_turn_and_inside_a_range() -> None:

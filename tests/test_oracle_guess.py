@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tests.texts import CLASS_III, CLASS_IV, SLIDER_CRANK
+from tests.texts import CLASS_III, CLASS_IV, CRANK, SLIDER_CRANK
 from vecpoly import oracle
 from vecpoly.cycle.grid import CLOSE, FAIR, STEPS, places
 from vecpoly.mechanism.assur import decompose
@@ -83,14 +83,3 @@ def test_beside_a_nearly_folded_group_the_grid_is_so_fine_that_a_cubic_will_do()
         cubic = sum(y[i] * np.prod([(even[k] - x[j]) / (x[i] - x[j]) for j in range(4) if j != i]) for i in range(4))
         assert abs(cubic - between[k]) < 2 * FAIR * np.ptp(values)
 
-
-CRANK = """\
-id: t
-title: test
-frame: {A: [0 mm, 0 mm]}
-links: {1: {AB: 30 mm}, 2: {BC: 100 mm}, 3: {block: C}}
-joints: [3 slides on y = 0 mm]
-branch: [C right of A]
-input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
-find: [v_C]
-"""

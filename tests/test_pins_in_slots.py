@@ -8,6 +8,7 @@ from math import radians
 import numpy as np
 import pytest
 
+from tests.texts import SIX_BAR
 from vecpoly import loads
 from vecpoly.errors import NoMethodError, ProblemFileError
 from vecpoly.problem.load import load
@@ -31,15 +32,6 @@ joints: [E runs in y = 0 mm, F runs in x = 0 mm]
 input: {link: 1, phi: 70 deg, omega: 2 rad/s ccw}
 branch: [E left of C, F above A]
 loads: {F: {on: 3, at: G, size: 100 N, direction: 180 deg}, M_1: {on: 1, size: "?"}}
-"""
-SIX_BAR = """
-id: six-bar
-title: six-bar
-frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm], F: [320 mm, 60 mm]}
-links: {1: {AB: 50 mm}, 2: {BC: 170 mm}, 3: {DC: 130 mm}, 4: {CE: 150 mm}, 5: {FE: 100 mm}}
-input: {link: 1, phi: 70 deg, omega: 5 rad/s ccw}
-branch: [C left of BD, E left of CF]
-loads: {M_5: {on: 5, size: 10 N*m}, M_1: {on: 1, size: "?"}}
 """
 
 

@@ -7,6 +7,7 @@ from math import pi
 
 import pytest
 
+from tests.texts import CRANK
 from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.marks import Role, Segment
 from vecpoly.drawing.scene import Rect, Scene
@@ -20,17 +21,6 @@ from vecpoly.problem.load import load
 from vecpoly.problem.load import loads as load_text
 from vecpoly.solution import scales_of, solve
 from vecpoly.words import Words
-
-CRANK = """\
-id: t
-title: test
-frame: {A: [0 mm, 0 mm]}
-links: {1: {AB: 30 mm}, 2: {BC: 100 mm}, 3: {block: C}}
-joints: [3 slides on y = 0 mm]
-branch: [C right of A]
-input: {link: 1, phi: 50 deg, omega: 10 rad/s SENSE}
-find: [v_C]
-"""
 
 
 def turned(text: str, count: int) -> Cycle:
@@ -129,7 +119,7 @@ def test_a_title_stands_in_the_middle_under_its_figure_and_grows_from_there() ->
 
 @pytest.mark.parametrize(("sense", "shown"), [("ccw", ["50°", "140°", "230°", "320°"]), ("cw", ["50°", "320°", "230°", "140°"])])
 def test_a_crank_is_turned_in_its_own_sense_from_where_it_stands(sense: str, shown: list[str]) -> None:
-    through = turned(CRANK.replace("SENSE", sense), 4)
+    through = turned(CRANK.replace("ccw", sense), 4)
     assert [turn.shown for turn in through.turns] == shown and (through.start, through.whole, through.round) == (0, True, True)
     angles = [turn.solution.problem.mechanism.drive.position for turn in through.turns]
     assert [(b - a) / (pi / 2) for a, b in pairwise(angles)] == pytest.approx([1.0 if sense == "ccw" else -1.0] * 3)
@@ -137,7 +127,7 @@ def test_a_crank_is_turned_in_its_own_sense_from_where_it_stands(sense: str, sho
 
 @pytest.mark.parametrize("velocity", ["0.2 m/s", "-0.2 m/s"])
 def test_a_slide_is_moved_from_one_end_of_its_travel_to_the_other(velocity: str) -> None:
-    text = CRANK.replace("link: 1, phi: 50 deg, omega: 10 rad/s SENSE", f"link: 3, s: 110 mm, v: {velocity}").replace("C right of A", "B above AC").replace("v_C", "v_B")
+    text = CRANK.replace("link: 1, phi: 50 deg, omega: 10 rad/s ccw", f"link: 3, s: 110 mm, v: {velocity}").replace("C right of A", "B above AC").replace("v_C", "v_B")
     through = turned(text, 9)
     places = [turn.solution.problem.mechanism.drive.position for turn in through.turns]
     assert places == sorted(places, reverse=velocity.startswith("-")) and not through.whole and not through.round
@@ -146,7 +136,7 @@ def test_a_slide_is_moved_from_one_end_of_its_travel_to_the_other(velocity: str)
 
 
 def test_one_place_alone_is_no_cycle() -> None:
-    assert turned(CRANK.replace("SENSE", "ccw"), 1) == Cycle(())
+    assert turned(CRANK, 1) == Cycle(())
 
 
 def test_an_arc_is_written_with_its_sense_and_whether_it_is_the_long_way_round() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from tests.drawn_library import drawn, ids
+from tests.texts import CRANK
 from vecpoly.data import data_dir
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.kinematics.bars import WELD, weld
@@ -15,17 +16,6 @@ from vecpoly.problem.current import _motion
 from vecpoly.problem.given import Given
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.example import _valued
-
-CRANK = """\
-id: t
-title: test
-frame: {A: [0 mm, 0 mm]}
-links: {1: {AB: 30 mm}, 2: {BC: 100 mm}, 3: {block: C}}
-joints: [3 slides on y = 0 mm]
-branch: [C right of A]
-input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
-find: [v_C]
-"""
 
 
 def test_nobody_changes_what_is_given() -> None:

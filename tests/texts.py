@@ -16,6 +16,27 @@ links:
 joints: [3 slides on y = -15 mm]
 """
 
+CRANK = """\
+id: t
+title: test
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 30 mm}, 2: {BC: 100 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+branch: [C right of A]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+find: [v_C]
+"""
+
+SIX_BAR = """
+id: six-bar
+title: six-bar
+frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm], F: [320 mm, 60 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 170 mm}, 3: {DC: 130 mm}, 4: {CE: 150 mm}, 5: {FE: 100 mm}}
+input: {link: 1, phi: 70 deg, omega: 5 rad/s ccw}
+branch: [C left of BD, E left of CF]
+loads: {M_5: {on: 5, size: 10 N*m}, M_1: {on: 1, size: "?"}}
+"""
+
 CLASS_III = """\
 id: c3
 title: {zh: Ⅲ 级六杆机构, en: A six-bar linkage of class III}

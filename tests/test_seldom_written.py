@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
+from tests.texts import CRANK
 from vecpoly.check.follow import _as_printed
 from vecpoly.check.verdict import check_printed
 from vecpoly.cli import app
@@ -128,17 +129,7 @@ def test_a_branch_of_a_train_is_named_by_one_capital(name: str, fine: bool) -> N
             Part.model_validate({"gear": "0.97", "name": name})
 
 
-QUOTED = """\
-id: t
-title: t
-statement: "%s"
-frame: {A: [0 mm, 0 mm]}
-links: {1: {AB: 30 mm}, 2: {BC: 100 mm}, 3: {block: C}}
-joints: [3 slides on y = 0 mm]
-branch: [C right of A]
-input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
-find: [v_C]
-"""
+QUOTED = CRANK.replace("title: test\n", 'title: t\nstatement: "%s"\n')
 
 
 @pytest.mark.parametrize(
