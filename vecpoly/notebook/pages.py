@@ -26,7 +26,7 @@ _ACTS = Words("各步的作图动作", "The acts of every step")
 
 def problem_svg(problem: Problem, lang: Lang) -> str:
     """The sketch of a problem as SVG, nothing solved yet; where it has none, the first figure of its solution."""
-    return _sketch(problem, solve(problem, by="exact", repeats=0).construction, lang)
+    return _sketch(problem, solve(problem, by="exact", repeats=0, precise=False).construction, lang)
 
 
 def solution_svg(solution: Solution, lang: Lang) -> str:
@@ -36,7 +36,7 @@ def solution_svg(solution: Solution, lang: Lang) -> str:
 
 def problem_html(problem: Problem, lang: Lang) -> str:
     """Title, statement, what is given and asked, and the sketch."""
-    unsolved = solve(problem, by="exact", repeats=0)
+    unsolved = solve(problem, by="exact", repeats=0, precise=False)
     said = statement(unsolved, lang)
     told_of = [paragraph(said["statement"]), paragraph(_GIVEN.of(lang) + said["given"] if said["given"] else ""), paragraph(_ASKED.of(lang) + said["asked"])]
     return f"{_title(problem, lang)}{''.join(told_of)}{_paper(_sketch(problem, unsolved.construction, lang))}"

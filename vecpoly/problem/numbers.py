@@ -8,6 +8,7 @@ from numbers import Real
 from ..errors import ArgumentError
 from ..units import Dim
 from ..words import Words
+from .pairs import pair_of
 
 Quantity = str | float
 SI = {
@@ -54,8 +55,8 @@ def as_pair(name: str, value: object) -> list[str]:
     """The two texts of a point: two quantities, one text with a comma, or x + iy in m."""
     if isinstance(value, complex):
         value = (value.real, value.imag)
-    parts = value.split(",") if isinstance(value, str) else value
-    if not isinstance(parts, Sequence) or len(parts) != 2:
+    parts = pair_of(value)
+    if isinstance(parts, str) or not isinstance(parts, Sequence) or len(parts) != 2:
         raise ArgumentError(
             Words(
                 f"点 {name} 需要两个坐标，如 ('120 mm', '0 mm')，而不是 {value!r}",
