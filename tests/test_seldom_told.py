@@ -13,7 +13,7 @@ from vecpoly.data import data_dir
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.kinematics.bars import WELD, weld
 from vecpoly.problem.current import _motion
-from vecpoly.problem.given import Given
+from vecpoly.problem.given import Given, as_printed
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.example import _valued
 
@@ -78,3 +78,8 @@ def test_the_given_position_of_a_cylinder_is_its_length_or_its_travel(given: str
     problem = loads(file.read_text(encoding="utf-8").replace("length: 1500 mm", given))
     first, speed, _ = problem.given.motion
     assert (first.symbol, first.si, first.text) == (symbol, 1.5, text) and speed.symbol == "v_C3C2"
+
+
+def test_a_degree_of_freedom_is_no_unit_where_values_are_printed() -> None:
+    assert as_printed("a passive degree of freedom, 45 deg cw", "en") == "a passive degree of freedom, 45° (clockwise)"
+    assert as_printed("45 deg from BC", "zh") == "45° 自 BC"

@@ -45,7 +45,7 @@ class Datum:
 _LONG = re.compile(r"\d+\.\d{4,}")  # more digits than a person writes
 _MINUS = re.compile(r"(?<![\w$}])-(?=\d)")
 _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
-    "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from ", " 自 ")),
+    "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自")),
     "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
 }
 
@@ -53,7 +53,7 @@ _SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
 def as_printed(text: str, lang: Lang) -> str:
     """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
     for written, printed in _SIGNS[lang]:
-        text = text.replace(written, printed)
+        text = re.sub(f"{written}(?![a-z])", printed, text)  # deg is a unit, degree a word
     text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
     return _MINUS.sub("−", text)
 
