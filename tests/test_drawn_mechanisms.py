@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import re
 from functools import cache
 from math import pi
 from typing import TypeVar
@@ -32,6 +33,7 @@ from vecpoly.mechanism.gearing import pitch_circles
 from vecpoly.mechanism.model import FRAME, Mechanism, Prismatic, Revolute, Rolling
 from vecpoly.names import At, Kind, Rel, subscripted
 from vecpoly.oracle import Motion
+from vecpoly.report.structure import structure
 
 IDS = ids(view=View.MECHANISM)
 M = TypeVar("M", bound=Mark)
@@ -87,6 +89,13 @@ def test_every_pin_is_an_open_circle_and_every_fixed_pin_stands_on_the_ground(na
     assert all(any(abs(at - place(name, point)) < NEAR for at in grounds) for point in fixed)
     assert len(grounds) == len({j.point for j in mech.joints if isinstance(j, Revolute)} & set(mech.frame))
     assert all(mark.down == -1j for mark in marks(name, Ground))
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_links_that_are_counted_are_those_that_have_numbers(name: str) -> None:
+    problem = drawn(name).problem
+    told = re.search(r"has (\d+) moving links", structure(problem).en)
+    assert told is not None and int(told[1]) == len(problem.mechanism.numbered)
 
 
 @pytest.mark.parametrize("name", IDS)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from ..mechanism.assur import Group, decompose, hinges
 from ..mechanism.mobility import Mobility, mobility
-from ..mechanism.model import FRAME, Mechanism, Prismatic
+from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.rams import driver_words
 from ..mechanism.seats import seat
 from ..problem.problem import Problem
@@ -66,7 +66,7 @@ def _any_speed(problem: Problem) -> Words:
 
 def _seen(mech: Mechanism, count: Mobility) -> tuple[Mobility, Words]:
     """The count of the links that are seen: a pin in a slot is a higher pair, for which the drawing puts a block."""
-    pins = sum(isinstance(joint, Prismatic) and joint.pin_in_slot for joint in mech.joints)
+    pins = len(mech.slot_pins)
     return (replace(count, links=count.links - pins, lower=count.lower - 2 * pins, higher=count.higher + pins),
             Words("（销与槽构成的运动副为高副）", " (a pin in a slot is a higher pair)") if pins else Words.same(""))
 
