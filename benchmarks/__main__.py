@@ -19,5 +19,19 @@ from . import (
 )
 
 if __name__ == "__main__":
-    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, lettering, chains, redraw, printed_tables, player, cold_start, course_report, memory):
+    for module in (
+        oracle_sixbar,
+        cycle,
+        oracle_forces,
+        pencil_hands,
+        report_pages,
+        lettering,
+        chains,
+        redraw,
+        printed_tables,
+        player,
+        cold_start,
+        course_report,
+        memory,
+    ):
         print(module.run(), flush=True)

@@ -22,7 +22,17 @@ def chain(dyads: int) -> Problem:
         links += [f"{2 * k + 2}: {{{pin}{tip}: {abs(new - at):.6f} mm}}", f"{2 * k + 3}: {{{pivot}{tip}: {rocker} mm}}"]
         pin, at = tip, new
     sides = [f"{LETTERS[2 * k + 2]} left of {LETTERS[2 * k]}{LETTERS[2 * k + 1]}" for k in range(dyads)]
-    return loads("\n".join([
-        f"id: chain-{dyads}", "title: {zh: 四杆链, en: A chain of four-bars}", f"frame: {{{', '.join(frame)}}}",
-        "links:", *(f"  {link}" for link in links), "input: {link: 1, phi: 70 deg, omega: 10 rad/s ccw}",
-        f"branch: [{', '.join(sides)}]", f"find: [v_{pin}, omega_{2 * dyads + 1}, a_{pin}]"]))
+    return loads(
+        "\n".join(
+            [
+                f"id: chain-{dyads}",
+                "title: {zh: 四杆链, en: A chain of four-bars}",
+                f"frame: {{{', '.join(frame)}}}",
+                "links:",
+                *(f"  {link}" for link in links),
+                "input: {link: 1, phi: 70 deg, omega: 10 rad/s ccw}",
+                f"branch: [{', '.join(sides)}]",
+                f"find: [v_{pin}, omega_{2 * dyads + 1}, a_{pin}]",
+            ]
+        )
+    )

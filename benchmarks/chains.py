@@ -1,4 +1,5 @@
-"""Sheets of a ten-bar and of chains of four-bars, how they grow, and the plan of thirty dyads: ratios to laying out the same marks without letters."""
+"""Sheets of a ten-bar and of chains of four-bars, how they grow, and the plan of thirty dyads: ratios to laying out the
+same marks without letters."""
 
 from __future__ import annotations
 
@@ -6,9 +7,9 @@ from math import log
 
 from vecpoly.board.construction import Construction
 from vecpoly.drawing.figure import drawing, unique
-from vecpoly.drawing.sheet import sheets
-from vecpoly.drawing.symbols import Surroundings, draw
-from vecpoly.mechanism.assur import decompose
+from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.drawing.symbols.marks import Surroundings, draw
+from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
 from vecpoly.solution import solve
@@ -23,8 +24,11 @@ def run() -> str:
     thirty = chain(30).mechanism
     (plan,) = best(lambda: decompose(thirty), runs=5)
     growth = log(long[0] / short[0]) / log(3)
-    return (f"sheets: A-30 {ten[0] * 1e3:.0f} ms = {ten[0] / ten[1]:.0f} × its lines without letters, 15 dyads {long[0] * 1e3:.0f} ms = {long[0] / long[1]:.0f} ×; "
-            f"from 5 to 15 dyads as n^{growth:.2f} (aim ≤ 1.6); plan of 30 dyads {plan * 1e3:.0f} ms (aim ≤ 60)")
+    return (
+        f"sheets: A-30 {ten[0] * 1e3:.0f} ms = {ten[0] / ten[1]:.0f} × its lines without letters, 15 dyads "
+        f"{long[0] * 1e3:.0f} ms = {long[0] / long[1]:.0f} ×; from 5 to 15 dyads as n^{growth:.2f} (aim ≤ 1.6); "
+        f"plan of 30 dyads {plan * 1e3:.0f} ms (aim ≤ 60)"
+    )
 
 
 def _sheets(problem: Problem) -> list[float]:

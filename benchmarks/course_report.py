@@ -29,4 +29,7 @@ def run() -> str:
         cold = perf_counter() - start
         (warm,) = best(build, runs=5)
         pages = len(PdfReader(path).pages)
-    return f"course report of A-27, {pages} pages: warm {warm:.2f} s of CPU time; the first in a process {cold:.2f} s; aim below 5 s"
+    return (
+        f"course report of A-27, {pages} pages: warm {warm:.2f} s of CPU time; the first in a process "
+        f"{cold:.2f} s; aim below 5 s"
+    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vecpoly.drawing.figure import draw_figure, drawing
-from vecpoly.drawing.paging import Drawn, paged, reading_order
+from vecpoly.drawing.sheets.paging import Drawn, paged, reading_order
 from vecpoly.problem.load import load
 from vecpoly.solution import solve
 
@@ -15,8 +15,10 @@ def run() -> str:
     figures = solve(load("4-3a"), repeats=0).construction.figures
     drawn = tuple(Drawn(f.view, f.name, draw_figure(f)) for f in reading_order(figures))
     lettered, placed = best(lambda: [drawing.__wrapped__(f) for f in figures], lambda: paged(drawn), runs=5)
-    return (f"lettering of 4-3a: {lettered / len(figures) * 1e3:.0f} ms a figure (aim < 150), "
-            f"its {len(figures)} figures placed on pages in {placed * 1e3:.0f} ms (aim < 200)")
+    return (
+        f"lettering of 4-3a: {lettered / len(figures) * 1e3:.0f} ms a figure (aim < 150), "
+        f"its {len(figures)} figures placed on pages in {placed * 1e3:.0f} ms (aim < 200)"
+    )
 
 
 if __name__ == "__main__":

@@ -22,9 +22,13 @@ def run() -> str:
     with TemporaryDirectory() as folder:
         floor = _mib("import numpy")
         solve = _mib("import vecpoly; vecpoly.load('3-9').solve()")
-        demo = _mib(f"import sys; sys.argv = ['vecpoly', 'demo', '-o', {folder!r}]; from vecpoly.__main__ import main; main()")
-    return (f"peak memory: solve 3-9 {solve:.0f} MiB = {solve / floor:.2f} × import numpy ({floor:.0f} MiB); "
-            f"demo, two reports of 20 problems, {demo:.0f} MiB = {demo / floor:.2f} ×")
+        demo = _mib(
+            f"import sys; sys.argv = ['vecpoly', 'demo', '-o', {folder!r}]; from vecpoly.__main__ import main; main()"
+        )
+    return (
+        f"peak memory: solve 3-9 {solve:.0f} MiB = {solve / floor:.2f} × import numpy ({floor:.0f} MiB); "
+        f"demo, two reports of 20 problems, {demo:.0f} MiB = {demo / floor:.2f} ×"
+    )
 
 
 def _mib(work: str) -> float:

@@ -49,13 +49,21 @@ def by_hand(theta: Reals) -> tuple[Reals, ...]:
 
 def mechanism() -> Mechanism:
     """The same six-bar as the oracle gets it: C right of B-D."""
-    links = (Link(name="1", points={"A": 0j, "B": AB}), Link(name="2", points={"B": 0j, "C": BC, "F": BE + 1j * EF}),
-             Link(name="3", points={"D": 0j, "C": CD}), Link(name="4", points={"F": 0j}), Link(name="5", points={"G": 0j}))
+    links = (
+        Link(name="1", points={"A": 0j, "B": AB}),
+        Link(name="2", points={"B": 0j, "C": BC, "F": BE + 1j * EF}),
+        Link(name="3", points={"D": 0j, "C": CD}),
+        Link(name="4", points={"F": 0j}),
+        Link(name="5", points={"G": 0j}),
+    )
     pins = (("A", "0", "1"), ("B", "1", "2"), ("C", "2", "3"), ("D", "3", "0"), ("F", "2", "4"), ("G", "5", "0"))
     return Mechanism(
-        frame={"A": 0j, "D": 1j * D_Y, "G": G_X + 1j * G_Y}, links=links,
-        joints=(*(Revolute(point=p, a=a, b=b) for p, a, b in pins),
-                Prismatic(guide="5", block="4", origin=0j, direction=0.0, pin="F", through="G")),
+        frame={"A": 0j, "D": 1j * D_Y, "G": G_X + 1j * G_Y},
+        links=links,
+        joints=(
+            *(Revolute(point=p, a=a, b=b) for p, a, b in pins),
+            Prismatic(guide="5", block="4", origin=0j, direction=0.0, pin="F", through="G"),
+        ),
         drives=(Drive(link="1", position=0.0, rate=RATE),),
         branches=(SideOf(point="C", side=Side.RIGHT, ref=("B", "D")),),
     )
@@ -65,8 +73,16 @@ def by_oracle(mech: Mechanism, theta: Reals) -> tuple[Reals, ...]:
     """The same eight answers from the general solver."""
     motion = solve(mech, theta)
     distance = np.abs(motion.position("F") - motion.position("G"))
-    return (motion.angle("5"), motion.omega("5"), motion.alpha("5"), distance,
-            motion.omega("2"), motion.omega("3"), motion.alpha("2"), motion.alpha("3"))
+    return (
+        motion.angle("5"),
+        motion.omega("5"),
+        motion.alpha("5"),
+        distance,
+        motion.omega("2"),
+        motion.omega("3"),
+        motion.alpha("2"),
+        motion.alpha("3"),
+    )
 
 
 def cpu_time(work: Callable[[], object]) -> float:
@@ -80,10 +96,16 @@ def cpu_time(work: Callable[[], object]) -> float:
 def run() -> str:
     """Check that both agree, then time them in turn: one line of the report."""
     mech = mechanism()
-    worst = max(float(np.abs(a - b).max() / np.abs(b).max())
-                for a, b in zip(by_oracle(mech, POSITIONS), by_hand(POSITIONS), strict=True))
+    worst = max(
+        float(np.abs(a - b).max() / np.abs(b).max())
+        for a, b in zip(by_oracle(mech, POSITIONS), by_hand(POSITIONS), strict=True)
+    )
     assert worst < 1e-12, worst
-    rounds = [(cpu_time(lambda: by_oracle(mech, POSITIONS)), cpu_time(lambda: by_hand(POSITIONS))) for _ in range(ROUNDS)]
+    rounds = [
+        (cpu_time(lambda: by_oracle(mech, POSITIONS)), cpu_time(lambda: by_hand(POSITIONS))) for _ in range(ROUNDS)
+    ]
     oracle, hand = (min(column) for column in zip(*rounds, strict=True))
-    return (f"oracle, six-bar A 27, {len(POSITIONS)} positions: {1e6 * oracle:.0f} µs = {oracle / hand:.2f} × numpy closed form by hand "
-            f"({1e6 * hand:.0f} µs); aim ≤ 2; largest relative difference {worst:.1e}")
+    return (
+        f"oracle, six-bar A 27, {len(POSITIONS)} positions: {1e6 * oracle:.0f} µs = {oracle / hand:.2f} × numpy "
+        f"closed form by hand ({1e6 * hand:.0f} µs); aim ≤ 2; largest relative difference {worst:.1e}"
+    )

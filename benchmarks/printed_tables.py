@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from time import process_time
 
-from vecpoly.check.table import check_table
+from vecpoly.check.table.whole import check_table
 from vecpoly.problem.load import load
 
 TABLES = Path(__file__).parent.parent / "problems" / "homework" / "tables"

@@ -23,14 +23,24 @@ def run() -> str:
 def _one(problem: Problem, aim: int) -> str:
     steps = count(1)
     last = redraw(solve(problem, repeats=0, precise=False), problem)
-    again, alone = best(lambda: redraw(last, turned(problem, 1e-4 * next(steps))), lambda: solve(problem, repeats=0, precise=False), runs=20)
-    return f"{problem.id} {again * 1e3:.1f} ms (aim ≤ {aim}) = {again / alone:.2f} × solving it alone ({alone * 1e3:.1f} ms)"
+    again, alone = best(
+        lambda: redraw(last, turned(problem, 1e-4 * next(steps))),
+        lambda: solve(problem, repeats=0, precise=False),
+        runs=20,
+    )
+    return (
+        f"{problem.id} {again * 1e3:.1f} ms (aim ≤ {aim}) = {again / alone:.2f} × solving it alone "
+        f"({alone * 1e3:.1f} ms)"
+    )
 
 
 def turned(problem: Problem, by: float) -> Problem:
     """The problem with its drive a little further on."""
     mech = problem.mechanism
-    return replace(problem, subject=replace(mech, drives=(replace(mech.drive, position=mech.drive.position + by), *mech.drives[1:])))
+    return replace(
+        problem,
+        subject=replace(mech, drives=(replace(mech.drive, position=mech.drive.position + by), *mech.drives[1:])),
+    )
 
 
 if __name__ == "__main__":

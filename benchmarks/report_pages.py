@@ -1,6 +1,7 @@
 """A warm solution report of 3-9 against the same pages drawn straight on a reportlab canvas, with no layout at all.
 
-The floor draws what was read back from the finished report: every word at its place in its own embedded face, every line and
+The floor draws what was read back from the finished report: every word at its place in its own embedded face, every
+line and
 filled shape. It solves nothing, chooses no place, breaks no line.
 """
 
@@ -41,9 +42,14 @@ def run() -> str:
         solved = solve(problem)
         write_report([solved], path)
         pages = _read(path)
-        whole, layout, floor = best(lambda: _write(solve(problem), path), lambda: _write(solved, path), lambda: _raw(raw, pages), runs=8)
-    return (f"solution report of 3-9, warm, {len(pages)} pages: {whole * 1e3:.0f} ms = {whole / floor:.2f} × the same pages drawn straight on a "
-            f"canvas ({floor * 1e3:.0f} ms); without solving {layout / floor:.2f} ×; aim ≤ 2.5")
+        whole, layout, floor = best(
+            lambda: _write(solve(problem), path), lambda: _write(solved, path), lambda: _raw(raw, pages), runs=8
+        )
+    return (
+        f"solution report of 3-9, warm, {len(pages)} pages: {whole * 1e3:.0f} ms = {whole / floor:.2f} × the "
+        f"same pages drawn straight on a canvas ({floor * 1e3:.0f} ms); without solving {layout / floor:.2f} ×; "
+        "aim ≤ 2.5"
+    )
 
 
 def _write(solution: Solution, path: Path) -> None:
@@ -59,8 +65,16 @@ def _read(path: Path) -> tuple[Page, ...]:
     with pdfplumber.open(path) as document:
         return tuple(
             Page(
-                tuple((names.get(w["fontname"].split("+")[-1], Face.SONG.value), w["size"], w["x0"], float(page.height) - w["bottom"], w["text"])
-                      for w in page.extract_words(extra_attrs=["fontname", "size"])),
+                tuple(
+                    (
+                        names.get(w["fontname"].split("+")[-1], Face.SONG.value),
+                        w["size"],
+                        w["x0"],
+                        float(page.height) - w["bottom"],
+                        w["text"],
+                    )
+                    for w in page.extract_words(extra_attrs=["fontname", "size"])
+                ),
                 tuple(tuple(line["pts"]) for line in page.lines),
                 tuple(tuple(curve["pts"]) for curve in (*page.curves, *page.rects)),
             )

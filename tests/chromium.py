@@ -60,7 +60,9 @@ class Page:
 
     def value(self, script: str) -> Any:
         """What an expression is worth on the page."""
-        return self.send("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)["result"].get("value")
+        return self.send("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)["result"].get(
+            "value"
+        )
 
     def wait(self, script: str, seconds: float = 30.0) -> Any:
         """The first value of the expression that is not empty."""
@@ -78,7 +80,9 @@ class Page:
             self.send("Input.dispatchKeyEvent", type=kind, key=key, text=text if kind == "keyDown" else "")
 
 
-_START = "import os, sys; os.dup2(int(sys.argv[1]), 3); os.dup2(int(sys.argv[2]), 4); os.execv(sys.argv[3], sys.argv[3:])"
+_START = (
+    "import os, sys; os.dup2(int(sys.argv[1]), 3); os.dup2(int(sys.argv[2]), 4); os.execv(sys.argv[3], sys.argv[3:])"
+)
 
 
 @contextmanager
@@ -88,9 +92,17 @@ def chromium() -> Iterator[Page]:
     assert program is not None
     (read_in, write_in), (read_out, write_out) = _pipe(), _pipe()
     with TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        options = ["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", f"--user-data-dir={profile}"]
+        options = [
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--remote-debugging-pipe",
+            f"--user-data-dir={profile}",
+        ]
         command = [sys.executable, "-c", _START, str(read_in), str(write_out), program, *options]
-        process = subprocess.Popen(command, pass_fds=(read_in, write_out), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            command, pass_fds=(read_in, write_out), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
         os.close(read_in)
         os.close(write_out)
         try:

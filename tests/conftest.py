@@ -1,4 +1,5 @@
-"""Laws are checked without a clock: a busy machine is no counterexample. Nothing is skipped in silence in CI, and no test passes that asserted nothing."""
+"""Laws are checked without a clock: a busy machine is no counterexample. Nothing is skipped in silence in CI, and no
+test passes that asserted nothing."""
 
 from __future__ import annotations
 
@@ -24,18 +25,32 @@ LAST = pytest.StashKey[bool]()
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """A test that was skipped in CI has failed: what it needs was to be installed. So has one that asserted nothing for any of its parameters."""
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """A test that was skipped in CI has failed: what it needs was to be installed. So has one that asserted nothing for
+    any of its parameters."""
     report = _no_skip((yield))
-    if report.passed and call.when == "call" and item.stash.get(LAST, False) and _function(item) not in ASSERTED and _asserts(item):
-        report.outcome, report.longrepr = "failed", "passed without an assertion: all of them stand in loops or branches that were never entered"
+    if (
+        report.passed
+        and call.when == "call"
+        and item.stash.get(LAST, False)
+        and _function(item) not in ASSERTED
+        and _asserts(item)
+    ):
+        report.outcome, report.longrepr = (
+            "failed",
+            "passed without an assertion: all of them stand in loops or branches that were never entered",
+        )
     return report
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> None:
     """The last test of a function is where all its parameters have had their turn."""
-    item.stash[LAST] = item.config.getini("enable_assertion_pass_hook") and (nextitem is None or _function(nextitem) != _function(item))
+    item.stash[LAST] = item.config.getini("enable_assertion_pass_hook") and (
+        nextitem is None or _function(nextitem) != _function(item)
+    )
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
@@ -51,7 +66,8 @@ def pytest_assertion_pass(item: pytest.Item) -> None:
 
 
 def _look_away() -> None:
-    """Until the next test: telling of an assertion that holds writes out all its values, which takes half the time of the suite."""
+    """Until the next test: telling of an assertion that holds writes out all its values, which takes half the time of
+    the suite."""
     util._assertion_pass = None
 
 
@@ -71,7 +87,9 @@ def _asserts(item: pytest.Item) -> bool:
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+def pytest_make_collect_report(
+    collector: pytest.Collector,
+) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
     """The same for a whole file that is skipped."""
     return _no_skip((yield))
 

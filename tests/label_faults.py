@@ -5,9 +5,9 @@ from __future__ import annotations
 import shapely
 
 from vecpoly.drawing.figure import Drawing
-from vecpoly.drawing.labels import Placed
+from vecpoly.drawing.labels.placing import Placed
+from vecpoly.drawing.labels.wants import Thing
 from vecpoly.drawing.scene import Fill, Stroke, TextBox
-from vecpoly.drawing.wants import Thing
 from vecpoly.typeset import Glyphs
 
 
@@ -42,8 +42,15 @@ def astray(drawn: Drawing) -> list[str]:
         box = shapely.box(label.rect.x0, label.rect.y0, label.rect.x1, label.rect.y1)
         own = _apart(box, label)
         for other in drawn.labels:
-            if other.want.thing is label.want.thing and other.want.own != label.want.own and _apart(box, other) < own - 1e-6:
-                found.append(f"{_text(label)} stands nearer to what {_text(other)} names ({_apart(box, other):.1f} mm) than to its own ({own:.1f} mm)")
+            if (
+                other.want.thing is label.want.thing
+                and other.want.own != label.want.own
+                and _apart(box, other) < own - 1e-6
+            ):
+                found.append(
+                    f"{_text(label)} stands nearer to what {_text(other)} names ({_apart(box, other):.1f} mm) "
+                    f"than to its own ({own:.1f} mm)"
+                )
     return found
 
 
@@ -58,4 +65,6 @@ def _line(label: Placed) -> shapely.LineString:
 
 
 def _text(label: Placed) -> str:
-    return "".join(glyphs.text for piece in label.want.pieces for glyphs in piece.box.items if isinstance(glyphs, Glyphs))
+    return "".join(
+        glyphs.text for piece in label.want.pieces for glyphs in piece.box.items if isinstance(glyphs, Glyphs)
+    )

@@ -6,10 +6,45 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-TYPES: dict[str, tuple[type, ...]] = {"string": (str,), "object": (dict,), "array": (list,), "number": (int, float), "integer": (int,), "boolean": (bool,), "null": (type(None),)}
+TYPES: dict[str, tuple[type, ...]] = {
+    "string": (str,),
+    "object": (dict,),
+    "array": (list,),
+    "number": (int, float),
+    "integer": (int,),
+    "boolean": (bool,),
+    "null": (type(None),),
+}
 KNOWN = {
-    "type", "properties", "patternProperties", "additionalProperties", "required", "anyOf", "allOf", "not", "if", "then", "else", "enum", "const", "pattern", "items",
-    "prefixItems", "minItems", "maxItems", "minProperties", "propertyNames", "minimum", "maximum", "$ref", "$defs", "$schema", "$id", "description", "title", "default",
+    "type",
+    "properties",
+    "patternProperties",
+    "additionalProperties",
+    "required",
+    "anyOf",
+    "allOf",
+    "not",
+    "if",
+    "then",
+    "else",
+    "enum",
+    "const",
+    "pattern",
+    "items",
+    "prefixItems",
+    "minItems",
+    "maxItems",
+    "minProperties",
+    "propertyNames",
+    "minimum",
+    "maximum",
+    "$ref",
+    "$defs",
+    "$schema",
+    "$id",
+    "description",
+    "title",
+    "default",
 }
 
 

@@ -1,4 +1,5 @@
-"""Blocks of a report set on a canvas that remembers: what stands where, in points from the block's lower left corner."""
+"""Blocks of a report set on a canvas that remembers: what stands where, in points from the block's lower left
+corner."""
 
 from __future__ import annotations
 
@@ -73,7 +74,11 @@ class remembered:
 
     def __enter__(self) -> Paper:
         self._patch, paper = pytest.MonkeyPatch(), Paper()
-        self._patch.setattr(Ink, "text", lambda _, glyphs, x, y, chars=0.0, blanks=0.0: paper.texts.append(_piece(glyphs, x, y, chars, blanks)))
+        self._patch.setattr(
+            Ink,
+            "text",
+            lambda _, glyphs, x, y, chars=0.0, blanks=0.0: paper.texts.append(_piece(glyphs, x, y, chars, blanks)),
+        )
         self._patch.setattr(Ink, "rule", lambda _, *box: paper.rules.append(box))
         self._patch.setattr(Ink, "flush", lambda _: paper.calls.append(("flush", ())))
         return paper

@@ -13,16 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .answer import Answer
-    from .board.slip import Mistake, Slip
-    from .check.printed import PrintedCheck, check_problem
-    from .check.table import TableCheck, check_table
+    from .board.otherwise.slip import Mistake, Slip
+    from .check.printed.answers import PrintedCheck, check_problem
+    from .check.table.whole import TableCheck, check_table
     from .door import Construction, Problem, Solution, from_json, load, load_assignment, loads, problem, solve
     from .errors import VecpolyError
     from .live import Redrawn, redraw
     from .mechanism.model import Mechanism
     from .mistakes import slips
     from .problem.assignment import Assignment
-    from .problem.made import build_mechanism
+    from .problem.values.made import build_mechanism
     from .record import to_json
     from .report.document import write_report
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import gc
 import sys
 
-_OBJECTS = 50_000  # new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
+_OBJECTS = (
+    50_000  # new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
+)
 
 
 def main() -> None:

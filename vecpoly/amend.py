@@ -6,21 +6,28 @@ from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 
 from .board.acts import Act, Locate, Measure
-from .board.amended import Amended, plain_letters
-from .board.slip import Slip
+from .board.otherwise.amended import Amended, plain_letters
+from .board.otherwise.slip import Slip
 from .errors import ArgumentError, UnknownNameError
-from .frozen import FrozenMap
-from .units import Dim, read
+from .foundation.frozen import FrozenMap
+from .units.reading import Dim, read
 from .words import Words
 
 Length = float | str  # mm on paper, or with its unit: "38 mm"
-Spot = complex | tuple[Length, Length]  # mm on paper, right and up from where the figure has its origin: the pole of a polygon
+Spot = (
+    complex | tuple[Length, Length]
+)  # mm on paper, right and up from where the figure has its origin: the pole of a polygon
 
 
-def amend(readings: Mapping[str, Length] | None, points: Mapping[str, Spot] | None, slip: Slip | None = None) -> Amended:
+def amend(
+    readings: Mapping[str, Length] | None, points: Mapping[str, Spot] | None, slip: Slip | None = None
+) -> Amended:
     """The amendments as the board takes them (mm); raises FaultError for what is no length."""
-    return Amended(readings=FrozenMap({_plain(key): _mm(value) for key, value in (readings or {}).items()}),
-                   points=FrozenMap({_plain(key): _spot(key, value) for key, value in (points or {}).items()}), slip=slip)
+    return Amended(
+        readings=FrozenMap({_plain(key): _mm(value) for key, value in (readings or {}).items()}),
+        points=FrozenMap({_plain(key): _spot(key, value) for key, value in (points or {}).items()}),
+        slip=slip,
+    )
 
 
 def found_all(amended: Amended, acts: Sequence[Act]) -> None:
@@ -29,7 +36,10 @@ def found_all(amended: Amended, acts: Sequence[Act]) -> None:
     if amended.slip is not None:
         key = amended.slip.key
         if not any(key in act.names for act in acts):
-            raise UnknownNameError(Words(f"图上没有 {key}，不能在此出错", f"there is no {key} on the sheet to make a mistake with"), code="unknown-act")
+            raise UnknownNameError(
+                Words(f"图上没有 {key}，不能在此出错", f"there is no {key} on the sheet to make a mistake with"),
+                code="unknown-act",
+            )
     _known(amended.points, [act for act in acts if isinstance(act, Locate)], Words("点", "point"))
 
 
@@ -39,10 +49,21 @@ def _known(given: Iterable[str], acts: Sequence[Act], what: Words) -> None:
         if not full:
             there = list(dict.fromkeys(act.key for act in acts))
             near = get_close_matches(key, there, n=3, cutoff=0.4) or there
-            raise UnknownNameError(Words(f"图上没有名为 {key} 的{what.zh}；有 {'、'.join(near)}", f"there is no {what.en} '{key}' on the sheet; there are {', '.join(near)}"), code="unknown-act")
+            raise UnknownNameError(
+                Words(
+                    f"图上没有名为 {key} 的{what.zh}；有 {'、'.join(near)}",
+                    f"there is no {what.en} '{key}' on the sheet; there are {', '.join(near)}",
+                ),
+                code="unknown-act",
+            )
         if len(full) > 1:
-            raise UnknownNameError(Words(f"{what.zh} {key} 在几个图上都有；请写 {'、'.join(full)} 之一",
-                                         f"the {what.en} '{key}' stands on several figures; write one of {', '.join(full)}"), code="ambiguous-act")
+            raise UnknownNameError(
+                Words(
+                    f"{what.zh} {key} 在几个图上都有；请写 {'、'.join(full)} 之一",
+                    f"the {what.en} '{key}' stands on several figures; write one of {', '.join(full)}",
+                ),
+                code="ambiguous-act",
+            )
 
 
 def _plain(key: str) -> str:
@@ -57,5 +78,11 @@ def _spot(key: str, value: Spot) -> complex:
     if isinstance(value, int | float | complex):
         return complex(value)
     if len(value) != 2:
-        raise ArgumentError(Words(f"点 {key} 需要两个坐标 (x, y)，而不是 {value!r}", f"the point {key} needs two coordinates (x, y), not {value!r}"), code="point")
+        raise ArgumentError(
+            Words(
+                f"点 {key} 需要两个坐标 (x, y)，而不是 {value!r}",
+                f"the point {key} needs two coordinates (x, y), not {value!r}",
+            ),
+            code="point",
+        )
     return complex(_mm(value[0]), _mm(value[1]))

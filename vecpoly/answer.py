@@ -22,8 +22,10 @@ YES_NO = "yes/no"  # unit of an answer that is 1 or 0
 class Answer:
     """One asked quantity: as drawn, exact, and the expected drawing error (3σ of repeated hands), all SI.
 
-    drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector, exact_vector:
-    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning. weighed: what the
+    drawn, exact: signed value of ω, α, a moment, a force along a given line; magnitude of a vector. drawn_vector,
+    exact_vector:
+    the vectors themselves. exact_acts: where a reaction acts. turns: whether the sign is a sense of turning. weighed:
+    what the
     alarm goes by.
     """
 
@@ -107,14 +109,21 @@ class Answer:
         elif self.drawn_vector is not None:
             exact = self.exact_vector or 0j
             towards = bearing(exact) if abs(exact) > 1e-9 * max(1.0, self.expected_error) else None
-            data |= {"direction_deg": self.direction, "exact_direction_deg": towards} | line_of("", self.reading.acts) | line_of("exact_", self.exact_acts)
+            data |= (
+                {"direction_deg": self.direction, "exact_direction_deg": towards}
+                | line_of("", self.reading.acts)
+                | line_of("exact_", self.exact_acts)
+            )
         elif self.turns:
             data["sense"] = self.sense
         if self.reading.mm is not None:
             data["reading_mm"] = self.reading.mm
         if self.digits < PLENTY:
             data["exact_digits"] = self.digits
-        return data | {"expected_error": self.expected_error if isfinite(self.expected_error) else None, "suspect": self.suspect is not None}
+        return data | {
+            "expected_error": self.expected_error if isfinite(self.expected_error) else None,
+            "suspect": self.suspect is not None,
+        }
 
 
 def bearing(vector: complex) -> float:
@@ -128,7 +137,8 @@ def place_of(at: complex) -> list[float]:
 
 
 def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:
-    """A point (m) of the line of action, the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
+    """A point (m) of the line of action, the sense of its moment about the pin where it touches a friction circle, a
+    slide's couple (N·m)."""
     if acts is None:
         return {}
     couple = {} if acts.couple is None else {f"{which}couple": acts.couple}
@@ -139,9 +149,17 @@ def small_table(answers: Iterable[Answer], lang: Lang) -> str:
     """Symbol, drawn and exact value, unit and expected drawing error of each answer, in columns."""
     rows = [_HEAD[lang], *(_row(answer) for answer in answers)]
     wide = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)).rstrip() for row in rows)
+    return "\n".join(
+        "  ".join(cell.ljust(width) for cell, width in zip(row, wide, strict=True)).rstrip() for row in rows
+    )
 
 
 def _row(answer: Answer) -> tuple[str, str, str, str, str]:
     flag = " !" if answer.suspect else ""
-    return (answer.key, f"{answer.drawn:.5g}{flag}", f"{answer.exact:.5g}", answer.reading.unit, f"±{answer.expected_error:.2g}")
+    return (
+        answer.key,
+        f"{answer.drawn:.5g}{flag}",
+        f"{answer.exact:.5g}",
+        answer.reading.unit,
+        f"±{answer.expected_error:.2g}",
+    )

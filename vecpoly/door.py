@@ -16,11 +16,12 @@ from . import record
 from . import solution as inside
 from .amend import Length, Spot
 from .board import construction as board
-from .board.slip import Slip
-from .problem import assignment, made
+from .board.otherwise.slip import Slip
+from .problem import assignment
 from .problem import load as files
 from .problem import problem as exercise
-from .problem.vary import data_of, parameters, vary
+from .problem.values import made
+from .problem.values.vary import data_of, parameters, vary
 from .words import Lang, language
 
 if TYPE_CHECKING:
@@ -35,9 +36,17 @@ class Problem(exercise.Problem):
 
     __slots__ = ()
 
-    def solve(self, *, by: str = "drafting", seed: int = 0, readings: Mapping[str, Length] | None = None,
-              points: Mapping[str, Spot] | None = None, slip: Slip | None = None) -> Solution:
-        """Draw the solution of this problem by a hand: exact, drafting or pencil; readings, points, slip: as in `solve`."""
+    def solve(
+        self,
+        *,
+        by: str = "drafting",
+        seed: int = 0,
+        readings: Mapping[str, Length] | None = None,
+        points: Mapping[str, Spot] | None = None,
+        slip: Slip | None = None,
+    ) -> Solution:
+        """Draw the solution of this problem by a hand: exact, drafting or pencil; readings, points, slip: as in
+        `solve`."""
         return solve(self, by=by, seed=seed, readings=readings, points=points, slip=slip)
 
     def vary(self, **changes: Any) -> Problem:
@@ -184,12 +193,18 @@ def _with_problems(find: Callable[P, assignment.Assignment]) -> Callable[P, assi
 
 def _as(kind: type[Kind], plain: Any) -> Kind:
     """The same data as a user holds it."""
-    return plain if isinstance(plain, kind) else kind(**{field.name: getattr(plain, field.name) for field in fields(plain)})
+    return (
+        plain
+        if isinstance(plain, kind)
+        else kind(**{field.name: getattr(plain, field.name) for field in fields(plain)})
+    )
 
 
 def _same(one: Any, other: object, kind: type) -> bool:
     """Whether two are the same data, held by a user or inside."""
-    return isinstance(other, kind) and all(getattr(one, field.name) == getattr(other, field.name) for field in fields(one) if field.compare)
+    return isinstance(other, kind) and all(
+        getattr(one, field.name) == getattr(other, field.name) for field in fields(one) if field.compare
+    )
 
 
 load, loads = _as_held(files.load), _as_held(files.loads)

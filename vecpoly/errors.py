@@ -1,6 +1,7 @@
 """One error root; every error also refines the built-in error a Python user would expect.
 
-What is refused is data first (`Fault`: a code, a place, a path, the numbers that disagree), then a text in Chinese and in
+What is refused is data first (`Fault`: a code, a place, a path, the numbers that disagree), then a text in Chinese and
+in
 English. `str(error)` is the English text; `error.words.of("zh")` the Chinese one.
 """
 
@@ -59,7 +60,11 @@ class Fault:
     @property
     def words(self) -> Words:
         """File, line, column, path, cause, remedy in one line."""
-        text = self.said if not self.path else Words(f"{dotted(self.path)}：{self.said.zh}", f"{dotted(self.path)}: {self.said.en}")
+        text = (
+            self.said
+            if not self.path
+            else Words(f"{dotted(self.path)}：{self.said.zh}", f"{dotted(self.path)}: {self.said.en}")
+        )
         return text if self.place is None else self.place.words + Words("：", ": ") + text
 
     @property
@@ -99,7 +104,8 @@ def dotted(path: Path) -> str:
 class VecpolyError(Exception):
     """Anything that vecpoly refuses to do; its text names the culprit, the numbers and the remedy.
 
-    words: the text in both languages. code: what kind of refusal it is, for programs; the name of the class where none is given.
+    words: the text in both languages. code: what kind of refusal it is, for programs; the name of the class where none
+    is given.
     numbers: symbol -> value as written. faults: the same as data, one for each thing that is wrong.
     """
 
@@ -190,9 +196,12 @@ class ReportTemplateError(VecpolyError, ValueError):
 
 
 class FaultError(ValueError):
-    """One thing wrong in a file, at a path below the one being read; the reader collects these into one ProblemFileError."""
+    """One thing wrong in a file, at a path below the one being read; the reader collects these into one
+    ProblemFileError."""
 
-    def __init__(self, text: Words | str, *path: str | int, code: str = "value", numbers: Numbers | None = None) -> None:
+    def __init__(
+        self, text: Words | str, *path: str | int, code: str = "value", numbers: Numbers | None = None
+    ) -> None:
         super().__init__(text)
         self.words, self.path, self.code, self.numbers = bilingual(text), path, code, dict(numbers or {})
 

@@ -1,4 +1,5 @@
-"""A drawing that follows its problem while somebody drags it about: scales are held, and letters carried on from where they stood."""
+"""A drawing that follows its problem while somebody drags it about: scales are held, and letters carried on from where
+they stood."""
 
 from __future__ import annotations
 
@@ -9,10 +10,10 @@ from .board.construction import Construction, Figure
 from .board.hand import hand
 from .devices.base import Device
 from .drawing.figure import caption_items
-from .drawing.following import Choice, Follower
-from .drawing.following import Name as Label
+from .drawing.labels.following import Choice, Follower
+from .drawing.labels.following import Name as Label
 from .drawing.scene import Scene
-from .frozen import FrozenMap
+from .foundation.frozen import FrozenMap
 from .methods.plan import drawn_alone
 from .problem.problem import Problem
 from .solution import Solution, scales_of, solve
@@ -23,7 +24,8 @@ Name = tuple[str, str]  # of a figure: its kind, and which of several
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Redrawn:
-    """What stands on the paper now: the problem, its construction, the scene of each figure (mm), and where its letters stand.
+    """What stands on the paper now: the problem, its construction, the scene of each figure (mm), and where its letters
+    stand.
 
     Nothing here has been weighed against exact values: `check` does that.
     """
@@ -40,13 +42,17 @@ class Redrawn:
 
 
 def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> Redrawn:
-    """Draw a problem that differs a little from the one drawn last: at its scales, by its hand, with its letters where they were if they may stay.
+    """Draw a problem that differs a little from the one drawn last: at its scales, by its hand, with its letters where
+    they were if they may stay.
 
-    Of a problem with another structure only the scales are held. Raises AssemblyError, DeadPointError, NoMethodError as `solve` does; what
+    Of a problem with another structure only the scales are held. Raises AssemblyError, DeadPointError, NoMethodError as
+    `solve` does; what
     was drawn last is untouched, so that one can go on from it.
     """
     construction = _constructed(last.construction, problem)
-    before = last.letters if isinstance(last, Redrawn) and last.lang == lang else _placed(last.construction.figures, lang)
+    before = (
+        last.letters if isinstance(last, Redrawn) and last.lang == lang else _placed(last.construction.figures, lang)
+    )
     scenes: list[Scene] = []
     letters: dict[Name, Mapping[Label, Choice]] = {}
     for figure in construction.figures:
@@ -55,7 +61,9 @@ def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> 
         scene = Scene.of(follower.lettered(figure))
         scenes.append(scene + Scene.of(caption_items(figure, scene.extents, lang)))
         letters[name] = FrozenMap(follower.choice)
-    return Redrawn(problem=problem, construction=construction, scenes=tuple(scenes), letters=FrozenMap(letters), lang=lang)
+    return Redrawn(
+        problem=problem, construction=construction, scenes=tuple(scenes), letters=FrozenMap(letters), lang=lang
+    )
 
 
 def _constructed(last: Construction, problem: Problem) -> Construction:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from .board.acts import Act, Follow, LayOff, Locate, Meet, Parallel, Touch, Transfer
-from .board.amended import AS_DRAWN
 from .board.hand import hand
-from .board.slip import Mistake, Slip
+from .board.otherwise.amended import AS_DRAWN
+from .board.otherwise.slip import Mistake, Slip
 from .problem.problem import Problem
 from .solution import constructed
 
@@ -16,7 +16,8 @@ KNOWN = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.HALVED, Mist
 
 
 def slips(problem: Problem) -> tuple[Slip, ...]:
-    """Every mistake that can be made in the solution, each once; `solve(problem, slip=...)` draws the solution of one who makes it."""
+    """Every mistake that can be made in the solution, each once; `solve(problem, slip=...)` draws the solution of one
+    who makes it."""
     acts = constructed(problem, hand("exact"), AS_DRAWN).construction.acts
     return tuple(dict.fromkeys(slip for act in acts for slip in _of(act, acts)))
 
@@ -53,6 +54,12 @@ def _coincident(act: Follow, acts: Sequence[Act]) -> Iterator[str]:
     if tip is None:
         return
     base = tip.key[:1]
-    for one in acts[:act.number]:
-        if isinstance(one, Locate) and one.figure == tip.figure and one.key[:1] == base and one.key != tip.key and abs(one.at - tip.at) > NOTHING:
+    for one in acts[: act.number]:
+        if (
+            isinstance(one, Locate)
+            and one.figure == tip.figure
+            and one.key[:1] == base
+            and one.key != tip.key
+            and abs(one.at - tip.at) > NOTHING
+        ):
             yield one.key

@@ -46,12 +46,26 @@ class Kind(StrEnum):
 
 
 _UNIT = {
-    Kind.P: "m", Kind.V: "m/s", Kind.A: "m/s^2", Kind.AN: "m/s^2", Kind.AT: "m/s^2", Kind.AK: "m/s^2",
-    Kind.AR: "m/s^2", Kind.OMEGA: "rad/s", Kind.ALPHA: "rad/s^2",
+    Kind.P: "m",
+    Kind.V: "m/s",
+    Kind.A: "m/s^2",
+    Kind.AN: "m/s^2",
+    Kind.AT: "m/s^2",
+    Kind.AK: "m/s^2",
+    Kind.AR: "m/s^2",
+    Kind.OMEGA: "rad/s",
+    Kind.ALPHA: "rad/s^2",
 }
 _STEM = {
-    Kind.P: "r", Kind.V: "v", Kind.A: "a", Kind.AN: "a^n", Kind.AT: "a^t", Kind.AK: "a^k", Kind.AR: "a^r",
-    Kind.OMEGA: "ω", Kind.ALPHA: "α",
+    Kind.P: "r",
+    Kind.V: "v",
+    Kind.A: "a",
+    Kind.AN: "a^n",
+    Kind.AT: "a^t",
+    Kind.AK: "a^k",
+    Kind.AR: "a^r",
+    Kind.OMEGA: "ω",
+    Kind.ALPHA: "α",
 }
 
 
@@ -118,7 +132,8 @@ class Sort(StrEnum):
 class Named:
     """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
 
-    key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI throughout,
+    key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI
+    throughout,
     except a unit `deg`, whose value is in degrees, `mm` and `kW`. sort: what it belongs to.
     """
 
@@ -169,7 +184,7 @@ _ANGULAR = re.compile(r"^(omega|alpha)_(\w+)$")
 def subscripted(letter: str) -> str:
     """C2 as printed: C_2; a plain letter stays itself."""
     bare = letter.rstrip("0123456789")
-    return f"{bare}_{letter[len(bare):]}" if letter != bare else letter
+    return f"{bare}_{letter[len(bare) :]}" if letter != bare else letter
 
 
 def ascii_key(symbol: str) -> str:
@@ -192,9 +207,12 @@ def parse_rel(text: str) -> Rel:
     if m := _VECTOR.match(text):
         ref = At(m[4], m[5] or "") if m[4] else None
         return Rel(Kind(m[1]), At(m[2], m[3] or ""), ref)
-    raise UnknownNameError(Words(
-        f"“{text}”不是可识别的符号；应写 v_E、a_E、v_CB、an_CB、at_CB、ak_B3B2、omega_2 或 alpha_2",
-        f"'{text}' is no symbol; write v_E, a_E, v_CB, an_CB, at_CB, ak_B3B2, omega_2 or alpha_2"))
+    raise UnknownNameError(
+        Words(
+            f"“{text}”不是可识别的符号；应写 v_E、a_E、v_CB、an_CB、at_CB、ak_B3B2、omega_2 或 alpha_2",
+            f"'{text}' is no symbol; write v_E, a_E, v_CB, an_CB, at_CB, ak_B3B2, omega_2 or alpha_2",
+        )
+    )
 
 
 def omega(link: str) -> Rel:

@@ -22,7 +22,7 @@ from pydantic import BaseModel
 
 from .board.place import View, view_named
 from .errors import ArgumentError, VecpolyError
-from .frozen import FrozenMap
+from .foundation.frozen import FrozenMap
 from .words import Words
 
 T = TypeVar("T")
@@ -102,7 +102,9 @@ def _names() -> Mapping[type, str]:
 
 
 def _name(thing: Any) -> str:
-    name = next((_names()[kind] for kind in type(thing).__mro__ if kind in _names()), None)  # those at the door are ours too
+    name = next(
+        (_names()[kind] for kind in type(thing).__mro__ if kind in _names()), None
+    )  # those at the door are ours too
     if name is None:
         kind = type(thing).__name__
         raise ArgumentError(

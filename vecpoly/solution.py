@@ -11,17 +11,17 @@ import numpy as np
 
 from .amend import Length, Spot, amend, found_all
 from .answer import YES_NO, Answer, bearing, line_of, small_table
-from .arguments import of_kind
-from .board.amended import Amended
 from .board.construction import Construction, LineOfAction, Reading
 from .board.hand import Hand, hand
-from .board.sizes import unfit
-from .board.slip import Slip
+from .board.otherwise.amended import Amended
+from .board.otherwise.slip import Slip
+from .board.paper.sizes import unfit
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt, size_of
-from .frozen import FrozenMap
+from .foundation.arguments import of_kind
+from .foundation.frozen import FrozenMap
 from .methods.centres.compare import comparable
 from .methods.desk import Desk
 from .methods.drawn import Drawn
@@ -36,7 +36,8 @@ REPEATS = 200  # repeated hands behind every expected drawing error
 
 
 def plain(data: Any) -> Any:
-    """The data for JSON: null for what is not finite, and twelve digits, behind which a float holds only its own rounding."""
+    """The data for JSON: null for what is not finite, and twelve digits, behind which a float holds only its own
+    rounding."""
     match data:
         case dict():
             return {key: plain(value) for key, value in data.items()}
@@ -78,25 +79,42 @@ class Solution:
 
     def as_json(self) -> dict[str, Any]:
         """Everything asked, as plain data; of a force analysis also everything else that was drawn, under `forces`."""
-        data: dict[str, Any] = {"id": self.problem.id, "hand": self.construction.hand,
-                                "suspect": self.suspect, "answers": {key: answer.as_json() for key, answer in self.answers.items()}}
+        data: dict[str, Any] = {
+            "id": self.problem.id,
+            "hand": self.construction.hand,
+            "suspect": self.suspect,
+            "answers": {key: answer.as_json() for key, answer in self.answers.items()},
+        }
         if self.warnings:
             data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
         forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
 
-def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int = REPEATS, precise: bool = True,
-          readings: Mapping[str, Length] | None = None, points: Mapping[str, Spot] | None = None, slip: Slip | None = None,
-          sketch: Desk | None = None) -> Solution:
+def solve(
+    problem: Problem,
+    *,
+    by: str = "drafting",
+    seed: int = 0,
+    repeats: int = REPEATS,
+    precise: bool = True,
+    readings: Mapping[str, Length] | None = None,
+    points: Mapping[str, Spot] | None = None,
+    slip: Slip | None = None,
+    sketch: Desk | None = None,
+) -> Solution:
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
-    readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by somebody else: the
-    construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this mistake.
+    readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by
+    somebody else: the
+    construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this
+    mistake.
     sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is one already.
 
-    precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is done only where something is suspect.
-    Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is read or found.
+    precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is
+    done only where something is suspect.
+    Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is
+    read or found.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     task = task_of(problem)
@@ -112,11 +130,31 @@ def solve(problem: Problem, *, by: str = "drafting", seed: int = 0, repeats: int
     reached = {key: _expected(spread[key]) for key in read}
     scatters = by == "pencil"
     limit = {key: alarm_at(reached[key], spread[key], scatters=scatters) for key in read}
-    answers = {key: _answer(asked[key], reading, exact[key], reached[key], truth.lines.get(key), reading.unit in task.turning,
-                            _weighed(reading, exact[key], ideal[key], true[key], reach=limit[key] if repeats else nan, noise=off[key], size=size[key], steady=not scatters))
-               for key, reading in read.items()}
+    answers = {
+        key: _answer(
+            asked[key],
+            reading,
+            exact[key],
+            reached[key],
+            truth.lines.get(key),
+            reading.unit in task.turning,
+            _weighed(
+                reading,
+                exact[key],
+                ideal[key],
+                true[key],
+                reach=limit[key] if repeats else nan,
+                noise=off[key],
+                size=size[key],
+                steady=not scatters,
+            ),
+        )
+        for key, reading in read.items()
+    }
     if not precise and any(answer.suspect for answer in answers.values()):
-        return solve(problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch)
+        return solve(
+            problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch
+        )
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(truth, drawn.motion) if rel.key not in answers]
     told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, task.given))
@@ -128,9 +166,14 @@ def fewer_digits(solution: Solution) -> Words | None:
     short = [(answer.reading.symbol, answer.digits) for answer in solution.answers.values() if answer.digits < PLENTY]
     if not short:
         return None
-    zh, en = "、".join(f"${symbol}$ 剩 {left} 位" for symbol, left in short), ", ".join(f"${symbol}$ {left}" for symbol, left in short)
-    return Words(f"机构离死点（变点）很近，精确值的有效数字减少：{zh}。",
-                 f"So near to a dead point (change point) the exact values keep only a few digits: {en}.")
+    zh, en = (
+        "、".join(f"${symbol}$ 剩 {left} 位" for symbol, left in short),
+        ", ".join(f"${symbol}$ {left}" for symbol, left in short),
+    )
+    return Words(
+        f"机构离死点（变点）很近，精确值的有效数字减少：{zh}。",
+        f"So near to a dead point (change point) the exact values keep only a few digits: {en}.",
+    )
 
 
 def scales_of(construction: Construction) -> Scales:
@@ -147,19 +190,47 @@ def _expected(scalars: Any) -> float:
     """3σ of the repeated hands; of none 0."""
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
-    return 3.0 * float(np.std(found)) if found.size else inf  # no repeated hand closes the polygon: nothing can be promised
+    return (
+        3.0 * float(np.std(found)) if found.size else inf
+    )  # no repeated hand closes the polygon: nothing can be promised
 
 
-def _answer(rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed) -> Answer:
+def _answer(
+    rel: Key, reading: Reading, exact: complex | float, error: float, line: ActsAt | None, turns: bool, weighed: Weighed
+) -> Answer:
     return Answer(
-        rel=rel, reading=reading, drawn=reading.scalar, exact=size_of(exact), expected_error=error, drawn_vector=reading.vector,
+        rel=rel,
+        reading=reading,
+        drawn=reading.scalar,
+        exact=size_of(exact),
+        expected_error=error,
+        drawn_vector=reading.vector,
         exact_vector=exact if isinstance(exact, complex) else None,
-        exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple), turns=turns, weighed=weighed,
+        exact_acts=None if line is None else LineOfAction(point=line.point, tangent=line.tangent, couple=line.couple),
+        turns=turns,
+        weighed=weighed,
     )
 
 
-def _weighed(reading: Reading, exact: complex | float, ideal: Reading, true: complex | float, *,
-             reach: float, noise: float, size: float, steady: bool) -> Weighed:
+def _weighed(
+    reading: Reading,
+    exact: complex | float,
+    ideal: Reading,
+    true: complex | float,
+    *,
+    reach: float,
+    noise: float,
+    size: float,
+    steady: bool,
+) -> Weighed:
     as_vector = ideal.vector is not None and isinstance(true, complex)
-    return Weighed(drawn=reading.scalar, exact=size_of(exact), ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
-                   true=true if as_vector else size_of(true), reach=reach, noise=noise, size=size, steady=steady)
+    return Weighed(
+        drawn=reading.scalar,
+        exact=size_of(exact),
+        ideal=ideal.vector if as_vector and ideal.vector is not None else ideal.scalar,
+        true=true if as_vector else size_of(true),
+        reach=reach,
+        noise=noise,
+        size=size,
+        steady=steady,
+    )

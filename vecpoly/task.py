@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .board.amended import Amended
 from .board.hand import Hand
+from .board.otherwise.amended import Amended
 from .check.truth import Truth, truth_of
-from .drawing.paper import A4Paper
+from .drawing.sheets.paper import A4Paper
 from .figures import View, views
 from .methods.desk import Desk
 from .methods.drawing import Drawing, drawing_of
@@ -47,7 +47,8 @@ class Task:
         return self.drawing.turning
 
     def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
-        """The construction, each figure as large as its place on the sheet allows; sketch: of this problem, where there is one."""
+        """The construction, each figure as large as its place on the sheet allows; sketch: of this problem, where there
+        is one."""
         return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation == "landscape"), amended, sketch)
 
 

@@ -1,4 +1,5 @@
-"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --kills N: damage, kill, and a table of what came of it."""
+"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --kills N: damage, kill, and a table of what came
+of it."""
 
 from __future__ import annotations
 
@@ -31,7 +32,11 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         if told.files:
             tasks = damaged_files(rng, told.files, Path(folder) / "p.yaml")
-            broken += _table("files", outcomes(partial(_file, report=told.report), tasks, 4 * LIMIT if told.report else LIMIT), told.keep)
+            broken += _table(
+                "files",
+                outcomes(partial(_file, report=told.report), tasks, 4 * LIMIT if told.report else LIMIT),
+                told.keep,
+            )
         if told.tables:
             broken += _table("tables", outcomes(_table_file, damaged_tables(rng, told.tables, Path(folder))), told.keep)
     for n in range(told.kills):

@@ -9,15 +9,21 @@ import numpy as np
 
 from tests.generators.family import families, member
 from vecpoly.cycle import csv_bytes, cycle, table, xlsx_bytes
-from vecpoly.data import data_dir
+from vecpoly.foundation.data import data_dir
 from vecpoly.problem.load import load
 
 from .mutants import mutant
 
 
 def good_files(rng: np.random.Generator, each: int) -> list[str]:
-    """The problem files of the library, and so many members of each random family that is made without solving others."""
-    made = [member(one, int(rng.integers(10**6)), n) for one in families() if not one.name.startswith(("retold", "asked", "library")) for n in range(each)]
+    """The problem files of the library, and so many members of each random family that is made without solving
+    others."""
+    made = [
+        member(one, int(rng.integers(10**6)), n)
+        for one in families()
+        if not one.name.startswith(("retold", "asked", "library"))
+        for n in range(each)
+    ]
     return [file.read_text(encoding="utf-8") for file in sorted(data_dir("problems").rglob("*.yaml"))] + made
 
 
@@ -35,7 +41,10 @@ def damaged_tables(rng: np.random.Generator, count: int, folder: Path) -> Iterat
     text, book = csv_bytes(made).decode(), xlsx_bytes(made, "A-27", "en")
     for n in range(count):
         if n % 3:
-            path, data = folder / "t.csv", mutant(rng, [text, text.replace(",", ";"), text.replace(",", "\t")]).encode("utf-8", "surrogatepass")
+            path, data = (
+                folder / "t.csv",
+                mutant(rng, [text, text.replace(",", ";"), text.replace(",", "\t")]).encode("utf-8", "surrogatepass"),
+            )
         else:
             path, data = folder / "t.xlsx", _bytes(rng, book)
         path.write_bytes(data)

@@ -1,4 +1,5 @@
-"""kill -9 at a random moment of a run that writes: afterwards outputs are whole or absent, inputs untouched, nothing else lies about."""
+"""kill -9 at a random moment of a run that writes: afterwards outputs are whole or absent, inputs untouched, nothing
+else lies about."""
 
 from __future__ import annotations
 
@@ -11,10 +12,15 @@ from pathlib import Path
 
 import numpy as np
 
-from vecpoly.data import data_dir
+from vecpoly.foundation.data import data_dir
 
 INPUT, KEPT = "in.yaml", b"what was there before"
-RUNS = (("report", INPUT, "-o", "out.pdf"), ("solve", INPUT, "--json", "out.json"), ("cycle", INPUT, "-n", "721", "-o", "out.xlsx"), ("play", INPUT, "--places", "6", "-o", "out.html"))
+RUNS = (
+    ("report", INPUT, "-o", "out.pdf"),
+    ("solve", INPUT, "--json", "out.json"),
+    ("cycle", INPUT, "-n", "721", "-o", "out.xlsx"),
+    ("play", INPUT, "--places", "6", "-o", "out.html"),
+)
 WHOLE = {".pdf": (b"%PDF", b"%%EOF\n"), ".json": (b"{", b"}\n"), ".xlsx": (b"PK", b""), ".html": (b"<!", b"</html>")}
 
 
@@ -34,7 +40,9 @@ def killed(rng: np.random.Generator, folder: Path, longest: float = 2.5) -> Kill
     old = bool(rng.integers(2))
     if old:
         (folder / words[-1]).write_bytes(KEPT)
-    with subprocess.Popen([sys.executable, "-m", "vecpoly", *words], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
+    with subprocess.Popen(
+        [sys.executable, "-m", "vecpoly", *words], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    ) as run:
         time.sleep(float(rng.uniform(0.0, longest)))
         early = run.poll() is None
         run.kill()

@@ -10,10 +10,101 @@ import numpy as np
 Rng = np.random.Generator
 Mutation = Callable[[Rng, str, Sequence[str]], str]
 
-_ODD = ("\0", "\x1b", "\u202e", "\u200b", "，", "：", "【", "\t", "'", '"', "{", "}", "[", "]", "#", "&", "*", "!", "|", ">", "%", "@", "\\", "\n", "\r", "-", "?", "℃", "𝜔", "é")
-_VALUES = ("", "null", "~", "[]", "{}", "0", "-1", "1e308", "1e-308", "nan", "inf", "?", "1 mm", "0 mm", "-5 mm", "1e19 m", "1e-19 m", "75 rad", "360 deg", "1e5 rad/s", "true", "yes",
-           "BB", "A", "Z", "AB", "centres", "auto", "'", "[1, 2, 3]", "{a: b}", "2024-01-01", "0x10", "1_000", "100 %", "x" * 150, "m*" * 60 + "m", "80 m^999", "5 m^-9")
-_UNITS = ("mm", "m", "km", "deg", "rad", "rad/s", "r/min", "m/s", "m/s^2", "N", "N*m", "kg", "s", "", "m^9", "(m/s)/mm", "°", "毫米", "parsec", "mm/mm")
+_ODD = (
+    "\0",
+    "\x1b",
+    "\u202e",
+    "\u200b",
+    "，",
+    "：",
+    "【",
+    "\t",
+    "'",
+    '"',
+    "{",
+    "}",
+    "[",
+    "]",
+    "#",
+    "&",
+    "*",
+    "!",
+    "|",
+    ">",
+    "%",
+    "@",
+    "\\",
+    "\n",
+    "\r",
+    "-",
+    "?",
+    "℃",
+    "𝜔",
+    "é",
+)
+_VALUES = (
+    "",
+    "null",
+    "~",
+    "[]",
+    "{}",
+    "0",
+    "-1",
+    "1e308",
+    "1e-308",
+    "nan",
+    "inf",
+    "?",
+    "1 mm",
+    "0 mm",
+    "-5 mm",
+    "1e19 m",
+    "1e-19 m",
+    "75 rad",
+    "360 deg",
+    "1e5 rad/s",
+    "true",
+    "yes",
+    "BB",
+    "A",
+    "Z",
+    "AB",
+    "centres",
+    "auto",
+    "'",
+    "[1, 2, 3]",
+    "{a: b}",
+    "2024-01-01",
+    "0x10",
+    "1_000",
+    "100 %",
+    "x" * 150,
+    "m*" * 60 + "m",
+    "80 m^999",
+    "5 m^-9",
+)
+_UNITS = (
+    "mm",
+    "m",
+    "km",
+    "deg",
+    "rad",
+    "rad/s",
+    "r/min",
+    "m/s",
+    "m/s^2",
+    "N",
+    "N*m",
+    "kg",
+    "s",
+    "",
+    "m^9",
+    "(m/s)/mm",
+    "°",
+    "毫米",
+    "parsec",
+    "mm/mm",
+)
 _TOKEN = re.compile(r"[A-Za-z_]+\d*|\d+\.?\d*(?:e[-+]?\d+)?|[^\w\s]")
 _QUANTITY = re.compile(r"(-?\d+\.?\d*)\s*(mm|cm|m|deg|rad/s\^?2?|r/min|m/s\^?2?|N\*m|N|kg|kW|rpm)\b")
 
@@ -68,7 +159,9 @@ def quantity(rng: Rng, text: str, _: Sequence[str]) -> str:
     if not found:
         return value(rng, text, ())
     one = found[int(rng.integers(len(found)))]
-    number = pick(rng, (one[1], "0", f"{-float(one[1]):g}", f"{float(one[1]) * 10.0 ** int(rng.integers(-15, 16)):g}", one[1] * 3))
+    number = pick(
+        rng, (one[1], "0", f"{-float(one[1]):g}", f"{float(one[1]) * 10.0 ** int(rng.integers(-15, 16)):g}", one[1] * 3)
+    )
     return text[: one.start()] + f"{number} {pick(rng, (one[2], *_UNITS))}" + text[one.end() :]
 
 

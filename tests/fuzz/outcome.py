@@ -47,7 +47,7 @@ def of_file(path: Path, report: bool = False) -> Outcome:
 
 def of_table(problem: str, path: Path) -> Outcome:
     """Compare a damaged table with a problem of the library."""
-    from vecpoly.check.table import check_table
+    from vecpoly.check.table.whole import check_table
     from vecpoly.problem.load import load
 
     return _ended(lambda: check_table(load(problem), path))
@@ -59,7 +59,10 @@ def _ended(act: object) -> Outcome:
     except VecpolyError as error:
         said = str(error)
         too_long = len(said) > 5000
-        return Outcome(End.TRACEBACK if too_long or not said.strip() else End.REFUSED, f"message of {len(said)} characters" if too_long else said.splitlines()[0])
+        return Outcome(
+            End.TRACEBACK if too_long or not said.strip() else End.REFUSED,
+            f"message of {len(said)} characters" if too_long else said.splitlines()[0],
+        )
     except OSError as error:
         return Outcome(End.REFUSED, str(error))
     except BaseException:

@@ -1,6 +1,7 @@
 """Worker processes with a limit of time: a worker that hangs is ended, and another takes its place.
 
-A hang is told by the time that the processor spends on the task, which does not depend on what else the machine does; the clock on the
+A hang is told by the time that the processor spends on the task, which does not depend on what else the machine does;
+the clock on the
 wall only catches what sleeps.
 """
 
@@ -56,7 +57,11 @@ class Worker:
         self.process.join()
         hung = self.process.exitcode == -signal.SIGPROF
         self._start()
-        return Outcome(End.HANG, f"more than {self.limit:g} s of the processor") if hung else Outcome(End.TRACEBACK, "the process died")
+        return (
+            Outcome(End.HANG, f"more than {self.limit:g} s of the processor")
+            if hung
+            else Outcome(End.TRACEBACK, "the process died")
+        )
 
     def _restart(self) -> None:
         self.process.kill()
@@ -69,7 +74,9 @@ class Worker:
         self.process.join()
 
 
-def outcomes(act: Callable[[str], Outcome], tasks: Iterable[str], limit: float = LIMIT) -> Iterator[tuple[str, Outcome]]:
+def outcomes(
+    act: Callable[[str], Outcome], tasks: Iterable[str], limit: float = LIMIT
+) -> Iterator[tuple[str, Outcome]]:
     """Each task with what became of it."""
     worker = Worker(act, limit)
     try:

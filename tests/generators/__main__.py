@@ -1,8 +1,8 @@
 """Soak: thousands of random problems judged.
 
-    python -m tests.generators                              # 200 of each family
-    python -m tests.generators --family rpp --count 10000 --seed 7 --jobs 2
-    python -m tests.generators --family rpp --seed 7 --only 118      # the text and the verdict of one
+python -m tests.generators                              # 200 of each family
+python -m tests.generators --family rpp --count 10000 --seed 7 --jobs 2
+python -m tests.generators --family rpp --seed 7 --only 118      # the text and the verdict of one
 """
 
 from __future__ import annotations
@@ -38,7 +38,9 @@ def _all(cases: list[Case], jobs: int) -> Iterator[tuple[Case, Verdict]]:
 
 def main() -> int:
     """Judge, count, show; exit code 1 where anything is wrong or broken."""
-    parser = argparse.ArgumentParser(prog="python -m tests.generators", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="python -m tests.generators", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--family", action="append", help="a name, or the start of several; all where none is given")
     parser.add_argument("--count", type=int, default=200, help="members of each family")
     parser.add_argument("--seed", type=int, default=0)

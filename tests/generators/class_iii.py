@@ -111,7 +111,9 @@ def _parallel(lay: Layout, plate: str, parent: str, at: complex, link: str) -> N
     """A block that slides on the parent and on the plate: the plate keeps its angle to the parent."""
     own, guide, slide = lay.letter(), lay.way(), lay.way()
     if parent == "frame":
-        joint = f"{link} slides on line through {lay.on('frame', at - 60 * guide)} at {np.degrees(np.angle(guide)):.9f} deg"
+        joint = (
+            f"{link} slides on line through {lay.on('frame', at - 60 * guide)} at {np.degrees(np.angle(guide)):.9f} deg"
+        )
     else:
         joint = f"{link} slides on {lay.on(parent, at - 60 * guide)}{lay.on(parent, at + 60 * guide)}"
     one, two = lay.on(plate, at - 60 * slide), lay.on(plate, at + 60 * slide)
@@ -136,7 +138,10 @@ def crank(lay: Layout) -> str:
         0j,
         {"A": 0j, "B": lay.rng.uniform(20, 60) * complex(np.exp(1j * np.radians(phi)))},
     )
-    return f"{{link: 1, phi: {phi} deg, omega: {lay.rng.choice([-8, 3, 10])} rad/s, alpha: {lay.rng.choice([0, 5, -20])} rad/s^2}}"
+    return (
+        f"{{link: 1, phi: {phi} deg, omega: {lay.rng.choice([-8, 3, 10])} rad/s, alpha: "
+        f"{lay.rng.choice([0, 5, -20])} rad/s^2}}"
+    )
 
 
 def slider(lay: Layout) -> str:
@@ -177,8 +182,8 @@ def text_of(lay: Layout, drive: str, branch: str, plate: str, finds: list[str]) 
     frame = ", ".join(f"{p}: [{at.real:.9f} mm, {at.imag:.9f} mm]" for p, at in lay.frame.items())
     quoted = ", ".join(f'"{joint}"' for joint in lay.joints)
     return (
-        f"id: class-iii\ntitle: class III\nframe: {{{frame}}}\nlinks:\n{links}\njoints: [{quoted}]\ninput: {drive}\n{branch}\n"
-        f"guesses: {{{guesses}}}\nfind: [{', '.join(finds)}]\n"
+        f"id: class-iii\ntitle: class III\nframe: {{{frame}}}\nlinks:\n{links}\njoints: [{quoted}]\n"
+        f"input: {drive}\n{branch}\nguesses: {{{guesses}}}\nfind: [{', '.join(finds)}]\n"
     )
 
 
@@ -245,7 +250,8 @@ def class_iii_parallel(rng: np.random.Generator) -> str:
 
 @family("class-iii-special", often=4)
 def class_iii_special(rng: np.random.Generator) -> str:
-    """Three bars, two of them parallel or nearly so, or one pointing at another's pin: the special point is far, or that pin."""
+    """Three bars, two of them parallel or nearly so, or one pointing at another's pin: the special point is far, or
+    that pin."""
     lay = Layout(rng)
     drive, start, way = crank(lay), complex(rng.uniform(40, 140), rng.uniform(60, 200)), lay.way()
     pins = [lay.near(start, 70) for _ in range(3)]

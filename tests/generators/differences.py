@@ -1,6 +1,7 @@
 """Velocities and accelerations by central differences of the oracle's positions: a check that knows no Jacobian.
 
-v = p'(s) ṡ and a = p''(s) ṡ² + p'(s) s̈ with s the drive's position; p' and p'' from five positions, twice, with steps of
+v = p'(s) ṡ and a = p''(s) ṡ² + p'(s) s̈ with s the drive's position; p' and p'' from five positions, twice, with steps
+of
 which one is half the other, so that the differences tell their own error.
 """
 
@@ -18,7 +19,11 @@ from vecpoly.solution import Solution
 
 from .nearby import natural
 
-STEPS = (2e-3, 2e-4, 2e-5)  # of the drive: rad, or metres over the size of the mechanism; the finer ones near the ends of its range
+STEPS = (
+    2e-3,
+    2e-4,
+    2e-5,
+)  # of the drive: rad, or metres over the size of the mechanism; the finer ones near the ends of its range
 AGREE = 1e-6  # of the largest rate of the kind
 ROUNDED = 1e-14  # of a position: fifty times its last digit
 _OFFSETS = np.array([-2.0, -1.0, 0.0, 1.0, 2.0])
@@ -27,7 +32,8 @@ _SECOND = np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
 
 def against_differences(mech: Mechanism, solution: Solution) -> str:
-    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step; "" where none does."""
+    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step; "" where
+    none does."""
     wrong = ""
     for step in STEPS:
         wrong = _contradicted(mech, solution, step)
@@ -41,16 +47,25 @@ def _contradicted(mech: Mechanism, solution: Solution, step: float) -> str:
         coarse, fine = (_positions(mech, one) for one in (step, step / 2))
     except VecpolyError:
         return ""  # too near the end of the range for five positions
-    asked = [(key, rel) for key, one in solution.answers.items() if (rel := _absolute(one.rel)) is not None and _stays(mech, rel)]
+    asked = [
+        (key, rel)
+        for key, one in solution.answers.items()
+        if (rel := _absolute(one.rel)) is not None and _stays(mech, rel)
+    ]
     found = {key: (_rate(mech, coarse, rel, step), _rate(mech, fine, rel, step / 2)) for key, rel in asked}
     floor = natural(mech)
-    size = {kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0) for kind in Kind}
+    size = {
+        kind: max((abs(solution.answers[key].exact) for key, rel in asked if rel.kind is kind), default=0.0)
+        for kind in Kind
+    }
     size[Kind.ALPHA] = max(size[Kind.ALPHA], size[Kind.OMEGA] ** 2)  # where all turns evenly
     for key, rel in asked:
         answer = solution.answers[key]
         exact = answer.exact if answer.exact_vector is None else answer.exact_vector
         rough, good = found[key]
-        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(good - rough) + _rounding(mech, fine, rel, step / 2):
+        if not abs(good - exact) <= AGREE * max(size[rel.kind], floor[rel.unit], 1e-9) + 4 * abs(
+            good - rough
+        ) + _rounding(mech, fine, rel, step / 2):
             return f"{key} exact {exact}, by central differences {good}"
     return ""
 
@@ -104,5 +119,7 @@ def _path(mech: Mechanism, motion: Motion, rel: Rel) -> NDArray[np.complex128]:
 
 def _thought_on(mech: Mechanism, at: At) -> str | None:
     """The link of B3 where link 3 does not carry B itself."""
-    carried = any(at.point in mech.link(name).points for name in mech.links_at(at.point) if not at.link or name == at.link)
+    carried = any(
+        at.point in mech.link(name).points for name in mech.links_at(at.point) if not at.link or name == at.link
+    )
     return at.link if at.link and not carried else None

@@ -1,4 +1,5 @@
-"""Drives between two moving links: cylinders in all positions, with groups behind them, and a motor in a hinge between two links."""
+"""Drives between two moving links: cylinders in all positions, with groups behind them, and a motor in a hinge between
+two links."""
 
 from __future__ import annotations
 
@@ -18,11 +19,14 @@ def _rates(rng: np.random.Generator) -> str:
 
 
 def _pair(rng: np.random.Generator, near: str, far: str, d: str, c: str) -> tuple[str, str, str]:
-    """The two links of a cylinder and their joint: cylinder and piston, a rod through a block, or the cylinder turned end for end."""
-    forms = [(f"  {near}: {{cylinder: {d}}}\n  {far}: {{piston: {c}}}\n", f"{far} slides in {near}"),
-             (f"  {near}: {{piston: {d}}}\n  {far}: {{cylinder: {c}}}\n", f"{near} slides in {far}"),
-             (f"  {near}: {{rod: {d}}}\n  {far}: {{block: {c}}}\n", f"{near} passes through {far}"),
-             (f"  {near}: {{slot: {d}}}\n  {far}: {{block: {c}}}\n", f"{far} slides in {near}")]
+    """The two links of a cylinder and their joint: cylinder and piston, a rod through a block, or the cylinder turned
+    end for end."""
+    forms = [
+        (f"  {near}: {{cylinder: {d}}}\n  {far}: {{piston: {c}}}\n", f"{far} slides in {near}"),
+        (f"  {near}: {{piston: {d}}}\n  {far}: {{cylinder: {c}}}\n", f"{near} slides in {far}"),
+        (f"  {near}: {{rod: {d}}}\n  {far}: {{block: {c}}}\n", f"{near} passes through {far}"),
+        (f"  {near}: {{slot: {d}}}\n  {far}: {{block: {c}}}\n", f"{far} slides in {near}"),
+    ]
     links, joint = forms[int(rng.integers(len(forms)))]
     return links, joint, f"{near}-{far}"
 
@@ -49,9 +53,9 @@ title: lever
 frame: {{A: [0 mm, 0 mm], D: [{d.real} mm, {d.imag} mm], F: [{f.real} mm, {f.imag} mm]}}
 links:
   1: {{AC: {reach} mm, E: {{along: AC, at: {e_along} mm, left: {e_left} mm}}}}
-{links}{more}joints: [{', '.join([joint, *joints])}]
+{links}{more}joints: [{", ".join([joint, *joints])}]
 input: {{cylinder: {pair}, length: {lengths} mm, {_rates(rng)}}}
-branch: [{', '.join([f'C {_left(0j, d, c)} of AD', *said])}]
+branch: [{", ".join([f"C {_left(0j, d, c)} of AD", *said])}]
 find: [v_C, v_E, a_C, a_E, omega_1, omega_2, alpha_1, alpha_2{asked}]
 """
 
@@ -65,13 +69,22 @@ def _behind(rng: np.random.Generator, e: complex, f: complex) -> tuple[str, list
             apart = abs(f - e)
             one = apart * rng.uniform(0.4, 1.2)
             two = rng.uniform(abs(apart - one) * 1.05, (apart + one) * 0.95)
-            return f"  4: {{EG: {_number(one)} mm}}\n  5: {{FG: {_number(two)} mm}}\n", ["G left of EF"], ", v_G, a_G, omega_4, alpha_5", []
+            return (
+                f"  4: {{EG: {_number(one)} mm}}\n  5: {{FG: {_number(two)} mm}}\n",
+                ["G left of EF"],
+                ", v_G, a_G, omega_4, alpha_5",
+                [],
+            )
         case _:
             angle = rng.uniform(0, 180)
             away = abs((np.exp(-1j * np.radians(angle)) * (e - f)).imag)
             way = np.exp(1j * np.radians(angle))
-            return (f"  4: {{EG: {_number(away * rng.uniform(2.5, 5))} mm}}\n  5: {{block: G}}\n", [f"G {'right' if way.real > 0 else 'left'} of E" if abs(way.real) > 0.5 else "G above E"],
-                    ", v_G, a_G, omega_4", [f"5 slides on line through F at {_number(angle)} deg"])
+            return (
+                f"  4: {{EG: {_number(away * rng.uniform(2.5, 5))} mm}}\n  5: {{block: G}}\n",
+                [f"G {'right' if way.real > 0 else 'left'} of E" if abs(way.real) > 0.5 else "G above E"],
+                ", v_G, a_G, omega_4",
+                [f"5 slides on line through F at {_number(angle)} deg"],
+            )
 
 
 @family("cylinder-slider")
@@ -111,7 +124,7 @@ links:
   1: {{AC: {reach} mm}}
   2: {{rod: D}}
   3: {{block: C}}
-joints: [3 slides on 2 with C {abs(e)} mm {'left' if e > 0 else 'right'}]
+joints: [3 slides on 2 with C {abs(e)} mm {"left" if e > 0 else "right"}]
 input: {{cylinder: 2-3, s: {_number(travel)} mm, {_rates(rng)}}}
 branch: [C {_left(0j, d, c)} of AD]
 find: [v_C, a_C, omega_1, omega_2, alpha_1, alpha_2]
@@ -120,7 +133,8 @@ find: [v_C, a_C, omega_1, omega_2, alpha_1, alpha_2]
 
 @family("cylinder-inside", often=4)
 def inside(rng: np.random.Generator) -> str:
-    """A cylinder between two moving links of a four-bar: crank and rocker, crank and coupler, coupler and rocker, frame and coupler."""
+    """A cylinder between two moving links of a four-bar: crank and rocker, crank and coupler, coupler and rocker, frame
+    and coupler."""
     phi, ab, bc = rng.uniform(0, 2 * np.pi), rng.integers(60, 250), rng.integers(100, 300)
     b, d = ab * np.exp(1j * phi), 300 + 0j
     bent = rng.uniform(0, 2 * np.pi)
@@ -144,11 +158,11 @@ id: inside
 title: inside
 frame: {{A: [0 mm, 0 mm], D: [300 mm, 0 mm]{fixed}}}
 links:
-  1: {{AB: {ab} mm{drawn.get('1', '')}}}
-  2: {{BC: {bc} mm{drawn.get('2', '')}}}
-  3: {{DC: {_number(cd)} mm{drawn.get('3', '')}}}
+  1: {{AB: {ab} mm{drawn.get("1", "")}}}
+  2: {{BC: {bc} mm{drawn.get("2", "")}}}
+  3: {{DC: {_number(cd)} mm{drawn.get("3", "")}}}
 {links}joints: [{joint}]
-input: {{cylinder: {pair}, length: {_number(abs(places['P'] - places['Q']))} mm, {_rates(rng)}}}
+input: {{cylinder: {pair}, length: {_number(abs(places["P"] - places["Q"]))} mm, {_rates(rng)}}}
 branch: [C {_left(b, d, c)} of BD]
 guesses: {{B: [{b.real:.2f} mm, {b.imag:.2f} mm], C: [{c.real:.2f} mm, {c.imag:.2f} mm]}}
 find: [v_B, v_C, a_C, omega_1, omega_2, omega_3, omega_4, alpha_1, alpha_2, alpha_3, alpha_4, v_Q, a_Q]
@@ -163,7 +177,9 @@ def motor(rng: np.random.Generator) -> str:
     c = b + bc * np.exp(1j * rng.uniform(0, 2 * np.pi))
     link, on, pin, ends = [("3", "2", c, (d, b)), ("2", "3", c, (b, d)), ("2", "1", b, (c, 0j))][int(rng.integers(3))]
     angle = np.degrees(np.angle((ends[0] - pin) / (ends[1] - pin)))
-    side = rng.choice([f"C {_left(b, d, c)} of BD", f"B {_left(0j, d, b)} of AD"])  # the angle says the one, and in general not the other
+    side = rng.choice(
+        [f"C {_left(b, d, c)} of BD", f"B {_left(0j, d, b)} of AD"]
+    )  # the angle says the one, and in general not the other
     return f"""
 id: motor
 title: motor
@@ -184,7 +200,12 @@ def two_slots(rng: np.random.Generator) -> str:
     """The crank's pin, or a point of the coupler of a slider-crank, runs in two slotted links."""
     a, d, f = (complex(*rng.integers(-200, 300, 2)) for _ in range(3))
     reach = rng.integers(30, 120)
-    slots = [f"{{slot: {letter}}}" if rng.random() < 0.6 else f"{{slot: {{through: {letter}, {rng.choice(['left', 'right'])}: {rng.integers(1, 12)} mm}}}}" for letter in "DF"]
+    slots = [
+        f"{{slot: {letter}}}"
+        if rng.random() < 0.6
+        else f"{{slot: {{through: {letter}, {rng.choice(['left', 'right'])}: {rng.integers(1, 12)} mm}}}}"
+        for letter in "DF"
+    ]
     return f"""
 id: two-slots
 title: two slots
@@ -208,7 +229,12 @@ def roller(rng: np.random.Generator) -> str:
         frame, links, joints, branch = "", "  2: {block: E}\n", f"2 slides on x = {off} mm, ", "E above A"
         find = "v_E, a_E, p_E"
     else:
-        frame, links, joints, branch = ", D: [150 mm, 0 mm]", f"  2: {{DE: {rng.integers(100, 180)} mm, G: {{along: DE, at: 220 mm}}}}\n", "", "E above AD"
+        frame, links, joints, branch = (
+            ", D: [150 mm, 0 mm]",
+            f"  2: {{DE: {rng.integers(100, 180)} mm, G: {{along: DE, at: 220 mm}}}}\n",
+            "",
+            "E above AD",
+        )
         find = "v_E, a_E, omega_2, alpha_2, v_G, a_G"
     return f"""
 id: roller
@@ -226,7 +252,8 @@ find: [{find}]
 
 @family("offset-slot-drives")
 def offset_slot(rng: np.random.Generator) -> str:
-    """A turning slot beside its pin leads the pin of a bar, or a block with a bar; which assembly a rough place tells."""
+    """A turning slot beside its pin leads the pin of a bar, or a block with a bar; which assembly a rough place
+    tells."""
     phi, left, d = rng.uniform(0, 2 * np.pi), rng.integers(-60, 60), complex(*rng.integers(-150, 150, 2))
     along = rng.integers(-200, 200)
     b = (along + 1j * left) * np.exp(1j * phi)

@@ -1,8 +1,11 @@
 """A third party for forces: Newton and Euler for every free body, from the exported reactions and from positions alone.
 
-The reactions are those that `solve --json` writes under `forces`; velocities and accelerations are central differences of the
-oracle's positions. It knows neither the oracle's equations of equilibrium nor the construction. For each body ΣF − m a = 0 and
-ΣM − J α = 0; at a pin with friction the reaction touches the friction circle on the side that opposes the turning, in a slide or at a
+The reactions are those that `solve --json` writes under `forces`; velocities and accelerations are central differences
+of the
+oracle's positions. It knows neither the oracle's equations of equilibrium nor the construction. For each body ΣF − m a
+= 0 and
+ΣM − J α = 0; at a pin with friction the reaction touches the friction circle on the side that opposes the turning, in a
+slide or at a
 contact it leans by φ against the sliding; without friction the powers of all loads and inertia forces sum to zero.
 """
 
@@ -110,7 +113,11 @@ def in_equilibrium(solution: Solution) -> str:
     forces = solution.as_json()["forces"]
     ways = ["", "_0"] if loads.friction else [""]
     slack = _slack(moving, coarse, loads)
-    found = (wrong for way in ways for wrong in (*_bodies(moving, loads, forces, way, slack), *_laws(moving, loads, forces, way)))
+    found = (
+        wrong
+        for way in ways
+        for wrong in (*_bodies(moving, loads, forces, way, slack), *_laws(moving, loads, forces, way))
+    )
     return next(found, "") or ("" if loads.friction else _power((moving, coarse), loads, forces, slack))
 
 
@@ -127,7 +134,9 @@ def _slack(fine: Moving, coarse: Moving, loads: Loads) -> float:
 def _bodies(moving: Moving, loads: Loads, forces: dict[str, Any], way: str, slack: float) -> Iterator[str]:
     """Bodies that are in no equilibrium."""
     mech = moving.mech
-    pushes = {name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)] for name in _links(mech)}
+    pushes = {
+        name: [*_reactions(mech, forces, name, way), *_given(moving, loads, forces, name, way)] for name in _links(mech)
+    }
     largest = max((abs(p.force) for ps in pushes.values() for p in ps), default=0.0)
     largest = max([largest, *(abs(p.couple) / mech.scale for ps in pushes.values() for p in ps)])
     for name, ps in pushes.items():
@@ -145,7 +154,10 @@ def _links(mech: Mechanism) -> tuple[str, ...]:
 
 
 def _reactions(mech: Mechanism, forces: dict[str, Any], name: str, way: str) -> Iterator[Push]:
-    letters = {"", *(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and joint.pin_in_slot)}  # of two pins of one link in slots of another
+    letters = {
+        "",
+        *(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and joint.pin_in_slot),
+    }  # of two pins of one link in slots of another
     for other, letter in product((*_links(mech), FRAME), letters):
         found = forces.get(f"R_{mech.number(other)}{mech.number(name)}{letter}{way}")
         if found is not None and "point" in found:
@@ -160,7 +172,13 @@ def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way:
     """Loads, weight, inertia of one body."""
     points = moving.mech.link(name).points
     for load in loads.all:
-        size = 0.0 if name not in (load.link, getattr(load, "against", "")) else forces[f"{load.name}{way}"]["drawn"] if load.size is None else load.size
+        size = (
+            0.0
+            if name not in (load.link, getattr(load, "against", ""))
+            else forces[f"{load.name}{way}"]["drawn"]
+            if load.size is None
+            else load.size
+        )
         if isinstance(load, Force) and load.against and size:
             yield _thrust(moving, load, size if name == load.link else -size)
         elif load.link == name:
@@ -169,24 +187,35 @@ def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way:
     if mass is not None:
         at = moving.place(name, points[mass.centre])
         pull = -moving.acceleration(name, points[mass.centre]) if loads.inertia else 0j
-        yield Push(force=mass.mass * (pull - (1j * GRAVITY if loads.weight else 0j)), at=at,
-                   couple=-mass.inertia * moving.alpha(name) if loads.inertia and mass.inertia else 0.0)
+        yield Push(
+            force=mass.mass * (pull - (1j * GRAVITY if loads.weight else 0j)),
+            at=at,
+            couple=-mass.inertia * moving.alpha(name) if loads.inertia and mass.inertia else 0.0,
+        )
 
 
 def _thrust(moving: Moving, load: Force, size: float) -> Push:
-    """On the rod away from the barrel's pin, on the barrel (negative) the other way; both in the line of the two pins."""
-    foot, head = (moving.place(link, moving.mech.link(link).points[letter]) for link, letter in ((load.against, load.foot), (load.link, load.point)))
+    """On the rod away from the barrel's pin, on the barrel (negative) the other way; both in the line of the two
+    pins."""
+    foot, head = (
+        moving.place(link, moving.mech.link(link).points[letter])
+        for link, letter in ((load.against, load.foot), (load.link, load.point))
+    )
     return Push(force=size * (head - foot) / abs(head - foot), at=head)
 
 
 def _load(moving: Moving, load: Load, size: float) -> Push:
     if isinstance(load, Force):
-        return Push(force=cmath.rect(size, load.direction), at=moving.place(load.link, moving.mech.link(load.link).points[load.point]))
+        return Push(
+            force=cmath.rect(size, load.direction),
+            at=moving.place(load.link, moving.mech.link(load.link).points[load.point]),
+        )
     return Push(couple=size)
 
 
 def _laws(moving: Moving, loads: Loads, forces: dict[str, Any], way: str) -> Iterator[str]:
-    """Pins whose reaction does not touch its friction circle as it should, slides in which it does not lean as it should."""
+    """Pins whose reaction does not touch its friction circle as it should, slides in which it does not lean as it
+    should."""
     mech = moving.mech
     for joint in mech.joints:
         if isinstance(joint, Revolute) and {joint.a, joint.b} <= {*_links(mech), FRAME}:
@@ -214,14 +243,26 @@ def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, wa
 
 
 def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
-    """A pin in a slot: the force passes through the pin, which is fixed in the link beside the thought block, and leans like that of a slide."""
+    """A pin in a slot: the force passes through the pin, which is fixed in the link beside the thought block, and leans
+    like that of a slide."""
     mech, guide = moving.mech, moving.mech.number(joint.guide)
-    carriers = [one for j in mech.joints if isinstance(j, Revolute) and joint.block in (j.a, j.b) for one in (j.a, j.b) if one != joint.block]
-    keys = {key: name for name in carriers for letter in ("", joint.pin) if (key := f"R_{guide}{mech.number(name)}{letter}{way}") in forces}
+    carriers = [
+        one
+        for j in mech.joints
+        if isinstance(j, Revolute) and joint.block in (j.a, j.b)
+        for one in (j.a, j.b)
+        if one != joint.block
+    ]
+    keys = {
+        key: name
+        for name in carriers
+        for letter in ("", joint.pin)
+        if (key := f"R_{guide}{mech.number(name)}{letter}{way}") in forces
+    }
     if len(keys) != 1:
         yield f"of pin {joint.pin} in its slot the forces have {', '.join(keys) or 'nothing'}"
         return
-    (key, carrier), = keys.items()
+    ((key, carrier),) = keys.items()
     if "point" in forces[key] and forces[key]["drawn"]:
         place = moving.place(carrier, mech.link(carrier).points[joint.pin])
         arm = ((complex(*forces[key]["point"]) - place).conjugate() * _vector(forces[key])).imag / forces[key]["drawn"]
@@ -230,20 +271,31 @@ def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: floa
     yield from _slide(moving, forces, replace(joint, block=carrier), phi, way, key)
 
 
-def _slide(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str, key: str = "") -> Iterator[str]:
+def _slide(
+    moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str, key: str = ""
+) -> Iterator[str]:
     mech = moving.mech
     key = key or f"R_{mech.number(joint.guide)}{mech.number(joint.block)}{way}"
     found = forces.get(key)
-    if found is None or found["direction_deg"] is None or found["drawn"] < 1e-9 * max(abs(one["drawn"]) for one in forces.values() if one["unit"] == "N"):
+    if (
+        found is None
+        or found["direction_deg"] is None
+        or found["drawn"] < 1e-9 * max(abs(one["drawn"]) for one in forces.values() if one["unit"] == "N")
+    ):
         return
     turn = 1.0 if joint.guide == FRAME else cmath.rect(1.0, float(moving.motion.angle(joint.guide)[2]))
     along = turn * cmath.rect(1.0, joint.direction)
     pin = mech.link(joint.block).points[joint.pin]
     place = moving.place(joint.block, pin)
-    slip = ((moving.velocity(joint.block, pin) - moving.velocity(joint.guide, moving.local(joint.guide, place))) / along).real
+    slip = (
+        (moving.velocity(joint.block, pin) - moving.velocity(joint.guide, moving.local(joint.guide, place))) / along
+    ).real
     force = _vector(found) / along
     if not abs(force.real + np.tan(phi) * abs(force.imag) * np.sign(slip)) <= 1e-6 * abs(force):
-        yield f"{key} leans by {np.degrees(np.arctan2(force.real, abs(force.imag))):.6g}°, φ = {np.degrees(phi):g}°, slip {slip:.3g} m/s"
+        yield (
+            f"{key} leans by {np.degrees(np.arctan2(force.real, abs(force.imag))):.6g}°, φ = "
+            f"{np.degrees(phi):g}°, slip {slip:.3g} m/s"
+        )
 
 
 def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], slack: float) -> str:
@@ -253,10 +305,17 @@ def _power(both: tuple[Moving, Moving], loads: Loads, forces: dict[str, Any], sl
     for name in _links(mech):
         for push in _given(moving, loads, forces, name, ""):
             largest = max(largest, abs(push.force), abs(push.couple) / mech.scale)
-            parts.append((push.force.conjugate() * moving.velocity(name, moving.local(name, push.at))).real if push.force else 0.0)
+            parts.append(
+                (push.force.conjugate() * moving.velocity(name, moving.local(name, push.at))).real
+                if push.force
+                else 0.0
+            )
             parts.append(push.couple * moving.omega(name))
     points = [(name, at) for name in _links(mech) for at in mech.link(name).points.values()]
-    speed, off = max(abs(moving.velocity(*one)) for one in points), max(abs(moving.velocity(*one) - coarse.velocity(*one)) for one in points)
+    speed, off = (
+        max(abs(moving.velocity(*one)) for one in points),
+        max(abs(moving.velocity(*one) - coarse.velocity(*one)) for one in points),
+    )
     if not abs(sum(parts)) <= ((AGREE * largest + slack) * speed + 4 * largest * off) * len(parts):
         return f"the powers sum to {sum(parts):.6g} W"
     return ""

@@ -1,4 +1,5 @@
-"""Random force problems: mechanisms of class II groups in any numbering, with loads, masses, weights, inertia and friction."""
+"""Random force problems: mechanisms of class II groups in any numbering, with loads, masses, weights, inertia and
+friction."""
 
 from __future__ import annotations
 
@@ -63,7 +64,11 @@ def some(c: Chain, most: int, without: str = "") -> str:
     text = ""
     for i in range(int(c.rng.integers(1, most + 1))):
         link = str(c.rng.choice(names))
-        text += moment(c, f"M_q{i}", link) if c.rng.random() < 0.4 else force(c, f"F_q{i}", link, str(c.rng.choice(c.links[link])))
+        text += (
+            moment(c, f"M_q{i}", link)
+            if c.rng.random() < 0.4
+            else force(c, f"F_q{i}", link, str(c.rng.choice(c.links[link])))
+        )
     return text
 
 
@@ -73,7 +78,12 @@ def masses(c: Chain) -> str:
     for name, letters in c.links.items():
         if c.rng.random() < 0.6:
             bar = len(letters) > 1 and c.text[name].startswith(letters[0] + letters[1])
-            centre = f", inertia: {c.rng.uniform(0, 0.02):.4f} kg*m^2, centre: {{along: {letters[0]}{letters[1]}, at: {c.rng.integers(0, 120)} mm}}" if bar else ""
+            centre = (
+                f", inertia: {c.rng.uniform(0, 0.02):.4f} kg*m^2, centre: {{along: {letters[0]}{letters[1]}, "
+                f"at: {c.rng.integers(0, 120)} mm}}"
+                if bar
+                else ""
+            )
             centre = centre or (f", centre: {letters[-1]}" if len(letters) > 1 else "")
             text += f"  @{name}: {{mass: {c.rng.uniform(0.2, 4):.2f} kg{centre}}}\n"
     return f"masses:\n{text}weight: {c.rng.choice(['yes', 'no'])}\n" if text else ""
@@ -81,7 +91,12 @@ def masses(c: Chain) -> str:
 
 def friction(c: Chain) -> str:
     """Friction circles of some pins, friction angles of some slides."""
-    pins = {p for letters in c.links.values() for p in letters if sum(p in other for other in [*c.links.values(), c.frame]) > 1}
+    pins = {
+        p
+        for letters in c.links.values()
+        for p in letters
+        if sum(p in other for other in [*c.links.values(), c.frame]) > 1
+    }
     text = "".join(f"  {p}: {{rho: {c.rng.uniform(0.3, 3):.2f} mm}}\n" for p in sorted(pins) if c.rng.random() < 0.7)
     text += "".join(f"  @{a}-@{b}: {{phi: {c.rng.integers(2, 10)} deg}}\n" for a, b in c.slides if c.rng.random() < 0.7)
     return f"friction:\n{text}" if text else ""
@@ -132,7 +147,8 @@ def couples(rng: np.random.Generator) -> str:
 
 @family("forces-friction", also=in_equilibrium)
 def with_friction(rng: np.random.Generator) -> str:
-    """Loads against friction everywhere; bars with many compound hinges, or any groups; inertia, or none; balanced on the crank, or elsewhere."""
+    """Loads against friction everywhere; bars with many compound hinges, or any groups; inertia, or none; balanced on
+    the crank, or elsewhere."""
     c = simple(rng, (rrr, rrp) if rng.random() < 0.4 else None)
     link = "L0" if rng.random() < 0.7 else str(rng.choice(list(c.links)))
     further = masses(c) if rng.random() < 0.3 else ""

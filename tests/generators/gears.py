@@ -1,6 +1,8 @@
-"""Random mechanisms with gears: a driven crank or gear, then gears on arms, couplers and pivots, racks, planets, trains, dyads on crank pins.
+"""Random mechanisms with gears: a driven crank or gear, then gears on arms, couplers and pivots, racks, planets,
+trains, dyads on crank pins.
 
-Every mechanism is grown at its given position: a new link is put where it pleases, and its lengths, radii and angles are read off there.
+Every mechanism is grown at its given position: a new link is put where it pleases, and its lengths, radii and angles
+are read off there.
 """
 
 from __future__ import annotations
@@ -80,10 +82,15 @@ class Growing:
         moving = dict.fromkeys(p for carried in self.carries.values() for p in carried if p not in self.frame)
         asked = ", ".join([*rates, *(f"{kind}_{p}" for p in moving for kind in "pva")])
         alpha = self.one(["", ", alpha: 40 rad/s^2", ", alpha: -25 rad/s^2"])
-        turning = f"phi: {degrees(cmath.phase(self.drive)) % 360!r} deg, omega: {self.one(['10 rad/s ccw', '4 rad/s cw'])}{alpha}"
+        turning = (
+            f"phi: {degrees(cmath.phase(self.drive)) % 360!r} deg, omega: "
+            f"{self.one(['10 rad/s ccw', '4 rad/s cw'])}{alpha}"
+        )
         told = turning if self.travel is None else f"s: {self.travel!r} mm, v: 0.4 m/s, a: 3 m/s^2"
-        return (f"id: random\ntitle: random gears\nframe: {{{frame}}}\nlinks:\n{links}\njoints:\n{joints}\nbranch: [{', '.join(self.branch)}]\n"
-                f"input: {{link: 1, {told}}}\nfind: [{asked}]\n")
+        return (
+            f"id: random\ntitle: random gears\nframe: {{{frame}}}\nlinks:\n{links}\njoints:\n{joints}\n"
+            f"branch: [{', '.join(self.branch)}]\ninput: {{link: 1, {told}}}\nfind: [{asked}]\n"
+        )
 
     @property
     def drive(self) -> complex:
@@ -159,7 +166,13 @@ def dyad(g: Growing) -> None:
         return
     p = g.one(moving)
     owners = {name for name in g.links if p in g.carries[name]}
-    others = [q for name in g.links if name not in owners for q in g.carries[name] if q not in g.frame and not any(q in g.carries[o] for o in owners)]
+    others = [
+        q
+        for name in g.links
+        if name not in owners
+        for q in g.carries[name]
+        if q not in g.frame and not any(q in g.carries[o] for o in owners)
+    ]
     q = g.one(others) if others and g.random.random() < 0.5 else g.fixed(g.near(g.at[p], 60, 200))
     c = g.letter()
     g.at[c] = g.near((g.at[p] + g.at[q]) / 2, 40, 150)
@@ -225,7 +238,13 @@ def gear_on_link(g: Growing) -> None:
     x, y, circle = spots[int(g.random.integers(len(spots)))]
     away = abs(g.at[y] - g.at[x])
     fixed = Circle("0", x, g.between(0.2, 2.2) * away) if circle is None else circle
-    mine = fixed.radius - away if fixed.radius > away and g.random.random() < 0.7 else away - fixed.radius if fixed.radius < away else fixed.radius + away
+    mine = (
+        fixed.radius - away
+        if fixed.radius > away and g.random.random() < 0.7
+        else away - fixed.radius
+        if fixed.radius < away
+        else fixed.radius + away
+    )
     how = "on" if mine == away - fixed.radius else "inside"
     if mine < 5 or (circle is None and how == "inside" and mine > fixed.radius):
         return
@@ -251,11 +270,15 @@ def rack_on_guide(g: Growing) -> None:
     g.at[p] = g.at[k] + along * travel
     line = f"rack: {p}" if not e else f"rack: {{through: {p}, left: {e!r} mm}}"
     name = g.link([f"block: {p}", line, f"s: {travel!r} mm"], [p])
-    g.joints += [f"{name} slides on line through {k} at {degrees(angle)!r} deg", f"{pinion.link} rolls on {name} at {g.letter()}"]
+    g.joints += [
+        f"{name} slides on line through {k} at {degrees(angle)!r} deg",
+        f"{pinion.link} rolls on {name} at {g.letter()}",
+    ]
 
 
 def rolling_centre(g: Growing) -> None:
-    """A bar with a gear at its end that rolls on a known gear or a fixed rack, its centre held by contact alone; the hinge may be off the centre."""
+    """A bar with a gear at its end that rolls on a known gear or a fixed rack, its centre held by contact alone; the
+    hinge may be off the centre."""
     moving = [p for name in g.links for p in g.carries[name] if p not in g.frame]
     if not moving:
         return
@@ -278,7 +301,14 @@ def rolling_centre(g: Growing) -> None:
         q, arm = g.letter(), cmath.rect(g.between(8, 40), g.between(-pi, pi))
         g.at[q] = g.at[c] + arm
         g.link([g.length(p, q)], [p, q])
-        gear = g.link([f"gear: {c}", f"radius: {mine!r} mm", f"{q}: {{{c}{q}: {abs(arm)!r} mm, angle: {degrees(cmath.phase(arm))!r} deg}}"], [c, q])
+        gear = g.link(
+            [
+                f"gear: {c}",
+                f"radius: {mine!r} mm",
+                f"{q}: {{{c}{q}: {abs(arm)!r} mm, angle: {degrees(cmath.phase(arm))!r} deg}}",
+            ],
+            [c, q],
+        )
     else:
         g.link([g.length(p, c)], [p, c])
         gear = pinned(g, c, mine)
@@ -333,7 +363,9 @@ def rack_on_pin(g: Growing) -> None:
         return
     p, radius = g.one(moving), g.between(12, 45)
     d = g.fixed(g.near(g.at[p], radius + 50, 220))
-    rack = g.link([f"rack: {p}"] if g.random.random() < 0.5 else [f"rack: {{through: {p}, left: {g.between(-20, 20)!r} mm}}"], [p])
+    rack = g.link(
+        [f"rack: {p}"] if g.random.random() < 0.5 else [f"rack: {{through: {p}, left: {g.between(-20, 20)!r} mm}}"], [p]
+    )
     gear = pinned(g, d, radius)
     g.joints.append(f"{gear} rolls {g.one(['on', 'below'])} {rack} at {g.letter()}")
     g.circles.append(Circle(gear, d, radius))
@@ -341,8 +373,14 @@ def rack_on_pin(g: Growing) -> None:
 
 def rack_on_link(g: Growing) -> None:
     """A gear on a hinge of a bar that drives a rack along that bar, or is driven from a gear on the other hinge."""
-    spots = [(c, name, y) for c in g.circles for name, carried in g.carries.items() if c.centre in carried and c.link != name
-             for y in carried if y != c.centre and len(carried) == 2]
+    spots = [
+        (c, name, y)
+        for c in g.circles
+        for name, carried in g.carries.items()
+        if c.centre in carried and c.link != name
+        for y in carried
+        if y != c.centre and len(carried) == 2
+    ]
     if not spots:
         return
     pinion, name, y = spots[int(g.random.integers(len(spots)))]
@@ -355,7 +393,10 @@ def rack_on_link(g: Growing) -> None:
     off = pinion.radius if side == "left" else -pinion.radius
     g.at[p] = g.at[first] + way * (travel + 1j * off)
     rack = g.link([f"block: {p}", f"rack: {p}", f"s: {travel!r} mm"], [p])
-    g.joints += [f"{rack} slides on {first}{second} of {name} with {p} {pinion.radius!r} mm {side}", f"{pinion.link} rolls on {rack} at {g.letter()}"]
+    g.joints += [
+        f"{rack} slides on {first}{second} of {name} with {p} {pinion.radius!r} mm {side}",
+        f"{pinion.link} rolls on {rack} at {g.letter()}",
+    ]
 
 
 def planet_rod(g: Growing) -> None:

@@ -19,8 +19,10 @@ def planet(g: Growing, sun: Circle) -> None:
     name = pinned(g, b, large)
     inside = g.random.random() < 0.6
     fixed = sun.radius + large + (small if inside else -small)
-    g.joints += [f"{name} rolls on {sun.link} at {g.letter()}",
-                 f"{name} of {small!r} mm rolls {'inside' if inside else 'on'} circle about {a} of {fixed!r} mm at {g.letter()}"]
+    g.joints += [
+        f"{name} rolls on {sun.link} at {g.letter()}",
+        f"{name} of {small!r} mm rolls {'inside' if inside else 'on'} circle about {a} of {fixed!r} mm at {g.letter()}",
+    ]
     g.link([g.length(a, b), f"phi: {degrees(phi)!r} deg"], [a, b])
     g.circles.append(Circle(name, b, large))
 
@@ -33,7 +35,11 @@ def layshaft(g: Growing, first: Circle) -> None:
     e = g.fixed(g.at[d] + cmath.rect(second + last, g.between(-pi, pi)))
     end = pinned(g, e, last)
     one, two = g.letter(), g.letter()
-    back = f"{end} rolls on {shaft} of {second!r} mm at {two}" if g.random.random() < 0.5 else f"{shaft} of {second!r} mm rolls on {end} at {two}"
+    back = (
+        f"{end} rolls on {shaft} of {second!r} mm at {two}"
+        if g.random.random() < 0.5
+        else f"{shaft} of {second!r} mm rolls on {end} at {two}"
+    )
     g.joints += [f"{shaft} rolls on {first.link} at {one}", back]
     g.circles += [Circle(shaft, d, mine), Circle(end, e, last)]
 

@@ -40,7 +40,11 @@ class Verdict:
     @property
     def reason(self) -> str:
         """The text without its numbers and letters of points, so that like refusals count as one."""
-        return re.sub(r"\b[A-Z]\d?\b", "X", re.sub(r"[-−]?\d+(\.\d+)?(e[-+]?\d+)?", "#", self.why.splitlines()[0] if self.why else ""))[:160]
+        return re.sub(
+            r"\b[A-Z]\d?\b",
+            "X",
+            re.sub(r"[-−]?\d+(\.\d+)?(e[-+]?\d+)?", "#", self.why.splitlines()[0] if self.why else ""),
+        )[:160]
 
 
 def judge(text: str, also: Check = content) -> Verdict:
@@ -75,7 +79,9 @@ def _disagreeing(solution: Solution) -> str:
         if unit == "rad/s^2":  # where all turns evenly, ω² tells what an acceleration is small against
             size = max([size, *(other.exact**2 for other in answers if other.reading.unit == "rad/s")])
         if not gap(one) <= AGREE * max(size, 1e-9) + near.get(one.key, 0.0):
-            drawn, exact = (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
+            drawn, exact = (
+                (one.drawn_vector, one.exact_vector) if one.drawn_vector is not None else (one.drawn, one.exact)
+            )
             return f"{one.key} drawn {drawn}, exact {exact}"
     return ""
 

@@ -10,14 +10,16 @@ from typing import Any
 import numpy as np
 from ruamel.yaml import YAML
 
-from vecpoly.data import data_dir
+from vecpoly.foundation.data import data_dir
 from vecpoly.solution import Solution
 
 from .equilibrium import in_equilibrium
 from .family import family
 
 Data = dict[str, Any]  # every scalar as its text
-_QUANTITY = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?) (mm|cm|m|deg|rad/s\^2|rad/s|r/min|m/s\^2|m/s|N\*m|N\*mm|N|kN|kg|kg\*m\^2|kW)(?![\w/*^])")
+_QUANTITY = re.compile(
+    r"(?<![\w.])(-?\d+(?:\.\d+)?) (mm|cm|m|deg|rad/s\^2|rad/s|r/min|m/s\^2|m/s|N\*m|N\*mm|N|kN|kg|kg\*m\^2|kW)(?![\w/*^])"
+)
 _SIZED = ("frame", "links", "joints", "input", "loads", "friction", "masses", "data")
 
 
@@ -31,7 +33,14 @@ def problems() -> dict[str, Data]:
     """Id → data, what they extend taken over; what is printed in books, and tables, left out."""
     read = [data_of(path.read_text(encoding="utf-8")) for path in sorted(data_dir("problems").rglob("*.yaml"))]
     known = {str(data["id"]): data for data in read if "id" in data}
-    return {name: {key: value for key, value in _whole(data, known).items() if key not in ("printed", "errata", "tables", "scales")} for name, data in known.items()}
+    return {
+        name: {
+            key: value
+            for key, value in _whole(data, known).items()
+            if key not in ("printed", "errata", "tables", "scales")
+        }
+        for name, data in known.items()
+    }
 
 
 def _whole(data: Data, known: dict[str, Data]) -> Data:
@@ -75,12 +84,18 @@ def different(rng: np.random.Generator, data: Data) -> Data:
         case 2 if "input" in data:
             return data | {"input": varied(rng, data["input"], 0.5)}
         case _:
-            return data | {key: varied(rng, data[key], 0.6) for key in ("loads", "friction", "masses", "data") if key in data}
+            return data | {
+                key: varied(rng, data[key], 0.6) for key in ("loads", "friction", "masses", "data") if key in data
+            }
 
 
 def right_forces(solution: Solution) -> str:
     """Bodies in equilibrium, where forces were found."""
-    return in_equilibrium(solution) if "forces" in solution.as_json() and getattr(solution.problem, "loads", None) is not None else ""
+    return (
+        in_equilibrium(solution)
+        if "forces" in solution.as_json() and getattr(solution.problem, "loads", None) is not None
+        else ""
+    )
 
 
 @family("library", also=right_forces, often=20)

@@ -20,17 +20,25 @@ def slack(solution: Solution) -> dict[str, float]:
         return {}
     drive = problem.subject.drive
     starts = tuple(replace(start, value=start.value + HAIR) for start in problem.subject.starts)
-    moved = replace(problem.subject, starts=starts, drives=(replace(drive, position=drive.position + HAIR), *problem.subject.drives[1:]))
+    moved = replace(
+        problem.subject,
+        starts=starts,
+        drives=(replace(drive, position=drive.position + HAIR), *problem.subject.drives[1:]),
+    )
     try:
         near = exact_values(replace(problem, subject=moved))
     except VecpolyError:
         return {}
-    return {key: FACTOR * abs(near[key] - (one.exact if one.exact_vector is None else one.exact_vector))
-            for key, one in solution.answers.items() if key in near}
+    return {
+        key: FACTOR * abs(near[key] - (one.exact if one.exact_vector is None else one.exact_vector))
+        for key, one in solution.answers.items()
+        if key in near
+    }
 
 
 def natural(mech: Mechanism) -> dict[str, float]:
-    """Unit → size of a quantity of this kind by the drive alone: what is far below it is rounding, and no smaller measure of error."""
+    """Unit → size of a quantity of this kind by the drive alone: what is far below it is rounding, and no smaller
+    measure of error."""
     drive, size = mech.drive, mech.scale
     turning = abs(drive.rate) / (size if drive.slide else 1.0)
     bending = abs(drive.accel) / (size if drive.slide else 1.0) + turning**2

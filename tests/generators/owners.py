@@ -1,4 +1,5 @@
-"""Compound hinges with the pin in any of their links, without friction and with it: the owner of a pin changes no group, and no load is refused for it."""
+"""Compound hinges with the pin in any of their links, without friction and with it: the owner of a pin changes no
+group, and no load is refused for it."""
 
 from __future__ import annotations
 
@@ -18,7 +19,9 @@ def owned(c: Chain) -> str:
     """`pins` for some of the letters on three links or more, any of these."""
     text = ""
     for letter in sorted({p for letters in c.links.values() for p in letters}):
-        names = [name for name, letters in c.links.items() if letter in letters] + (["frame"] if letter in c.frame else [])
+        names = [name for name, letters in c.links.items() if letter in letters] + (
+            ["frame"] if letter in c.frame else []
+        )
         if len(names) > 2 and c.rng.random() < 0.8:
             text += f"  {letter}: @{c.rng.choice(names)}\n"
     return f"pins:\n{text}" if text else ""
@@ -38,7 +41,11 @@ def _same_balance(solution: Solution) -> str:
     rest = [line for line in tail.splitlines()[1:] if not line.startswith("  ")]
     plain = solve(loads("\n".join([head, *rest])), by="exact", repeats=0).answers["X_b"].drawn
     own = solution.answers["X_b"].drawn
-    return "" if abs(plain - own) <= 1e-8 * max(abs(plain), 1.0) else f"X_b = {own} with these owners of the pins, {plain} without"
+    return (
+        ""
+        if abs(plain - own) <= 1e-8 * max(abs(plain), 1.0)
+        else f"X_b = {own} with these owners of the pins, {plain} without"
+    )
 
 
 @family("forces-owners", also=_same_balance)

@@ -1,4 +1,5 @@
-"""The balancing load asked for alone, where gears roll, groups are above class II or a cylinder floats: judged by the sum of all powers."""
+"""The balancing load asked for alone, where gears roll, groups are above class II or a cylinder floats: judged by the
+sum of all powers."""
 
 from __future__ import annotations
 
@@ -29,16 +30,28 @@ def no_power_is_left(solution: Solution) -> str:
 
 
 def loaded(rng: np.random.Generator, text: str, free: str = "", bodies: tuple[str, ...] = (), find: str = "X_b") -> str:
-    """The problem with one to three loads on these links, or any, and one of the driver's that balances, in the place of what it finds."""
+    """The problem with one to three loads on these links, or any, and one of the driver's that balances, in the place
+    of what it finds."""
     mech = loads(text).mechanism
     names = [name for name in bodies or mech.numbered if mech.link(name).points]
     told = ""
     for i in range(int(rng.integers(1, 4))):
         link = str(rng.choice(names))
         point = str(rng.choice(list(mech.link(link).points)))
-        told += f"  M_q{i}: {{on: {link}, size: {rng.integers(-30, 30)} N*m}}\n" if rng.random() < 0.4 else (
-            f"  F_q{i}: {{on: {link}, at: {point}, size: {rng.integers(20, 900)} N, direction: {rng.integers(-179, 180)} deg}}\n")
-    bare = re.sub(r"^find:.*\n", f"find: [{find}]\n" if find else "", text if text.endswith("\n") else text + "\n", flags=re.MULTILINE)
+        told += (
+            f"  M_q{i}: {{on: {link}, size: {rng.integers(-30, 30)} N*m}}\n"
+            if rng.random() < 0.4
+            else (
+                f"  F_q{i}: {{on: {link}, at: {point}, size: {rng.integers(20, 900)} N, direction: "
+                f"{rng.integers(-179, 180)} deg}}\n"
+            )
+        )
+    bare = re.sub(
+        r"^find:.*\n",
+        f"find: [{find}]\n" if find else "",
+        text if text.endswith("\n") else text + "\n",
+        flags=re.MULTILINE,
+    )
     return f"{bare}loads:\n{told}{free or _free(mech)}"
 
 

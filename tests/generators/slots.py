@@ -1,4 +1,5 @@
-"""Random force problems in which pins run in slots without a block: of the crank, of bars, of the frame; in slots that turn, slide or stand still."""
+"""Random force problems in which pins run in slots without a block: of the crank, of bars, of the frame; in slots that
+turn, slide or stand still."""
 
 from __future__ import annotations
 
@@ -61,12 +62,18 @@ def fixed(c: Chain) -> None:
 
 def moving(c: Chain) -> None:
     """A bar on a pin of the frame whose end runs along the line of a bar of the mechanism."""
-    bars = [name for name, letters in c.links.items() if len(letters) > 1 and c.text[name].startswith(f"{letters[0]}{letters[1]}")]
+    bars = [
+        name
+        for name, letters in c.links.items()
+        if len(letters) > 1 and c.text[name].startswith(f"{letters[0]}{letters[1]}")
+    ]
     bar = str(c.rng.choice(bars))
     a, b = c.links[bar][:2]
     u = (c.at[b] - c.at[a]) / abs(c.at[b] - c.at[a])
     place = c.at[a] + u * c.rng.choice([-1, 1]) * c.rng.uniform(40, 200)
-    q = c.fixed(c.at[a] + 1j * u * c.rng.choice([-1, 1]) * c.rng.uniform(50, 200) + u * c.rng.uniform(-10, 10))  # square to the bar near its end, which tells the two places apart
+    q = c.fixed(
+        c.at[a] + 1j * u * c.rng.choice([-1, 1]) * c.rng.uniform(50, 200) + u * c.rng.uniform(-10, 10)
+    )  # square to the bar near its end, which tells the two places apart
     branch = f" {c.side(place, q, a)} of {q}{a}"
     x = c.letter(place)
     c.bar(q, x)
@@ -87,7 +94,8 @@ def _slotted(c: Chain, at: str, through: str) -> str:
 
 
 def _rubbing(c: Chain, pin: str, slot: str) -> None:
-    """The pin's slide, for friction: by the one link that carries the pin; what is hung on the pin later makes it another's, and spoils no more than this."""
+    """The pin's slide, for friction: by the one link that carries the pin; what is hung on the pin later makes it
+    another's, and spoils no more than this."""
     carriers = ["frame"] if pin in c.frame else [name for name, letters in c.links.items() if pin in letters]
     if len(carriers) == 1:
         c.slides.append((carriers[0], slot))

@@ -14,24 +14,24 @@ from typing import ClassVar
 
 import numpy as np
 
-from vecpoly.board.amended import AS_DRAWN, Amended
+from vecpoly.algebra.formula import Txt
+from vecpoly.algebra.quantity import Expr, Quantity, number
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Construction, Reading, Scale
 from vecpoly.board.hand import Hand, hand
-from vecpoly.board.marks import Role
+from vecpoly.board.otherwise.amended import AS_DRAWN, Amended
+from vecpoly.board.paper.marks import Role
+from vecpoly.board.paper.scales import round_scale
 from vecpoly.board.place import View, view_named
-from vecpoly.board.scales import round_scale
 from vecpoly.check.truth import ActsAt, Values, knows, size_of
-from vecpoly.formula import Txt
-from vecpoly.frozen import FrozenMap
+from vecpoly.foundation.frozen import FrozenMap
 from vecpoly.methods.desk import Desk
 from vecpoly.methods.drawing import Paper, draws
 from vecpoly.methods.drawn import Drawn
 from vecpoly.names import Named, Rel
 from vecpoly.plane import Points, nominal
-from vecpoly.problem.asks import AskNamed
+from vecpoly.problem.asked.asks import AskNamed
 from vecpoly.problem.problem import Printed, Problem, Scales
-from vecpoly.quantity import Expr, Quantity, number
 from vecpoly.words import Words
 
 W = Named("W", "W", "J")

@@ -1,7 +1,10 @@
-"""`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`: so many slips, and which of them no test noticed.
+"""`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`: so many slips, and which of them no test
+noticed.
 
-The first run needs the map of tests and functions: all tests once, about twice their usual time. `--map` makes it anew, `--map tests/test_new.py`
-adds what a new file calls; `--count 0` stops after that. `--tests tests/test_new.py` asks for no map: every mutant is tried on all tests of these files,
+The first run needs the map of tests and functions: all tests once, about twice their usual time. `--map` makes it anew,
+`--map tests/test_new.py`
+adds what a new file calls; `--count 0` stops after that. `--tests tests/test_new.py` asks for no map: every mutant is
+tried on all tests of these files,
 which is how claims about one room are written.
 """
 
@@ -18,10 +21,15 @@ from .slips import Mutant, compiles, mutants
 from .touched import MAP, ROOT, listen, touched
 from .trial import Fate, try_all
 
-_READERS = ("tests/test_words_in_order.py::test_who_reads_chinese_is_given_chinese_and_who_reads_english_english",)
+_READERS = (
+    "tests/house/test_words_in_order.py::test_who_reads_chinese_is_given_chinese_and_who_reads_english_english",
+)
 _OF_SOURCES = {  # they call nothing, and read all
-    "swapped languages": ("tests/test_words_in_order.py::test_chinese_stands_first_in_every_sentence_of_the_code",),
-    "swapped branches": _READERS, "turned comparison": _READERS,
+    "swapped languages": (
+        "tests/house/test_words_in_order.py::test_chinese_stands_first_in_every_sentence_of_the_code",
+    ),
+    "swapped branches": _READERS,
+    "turned comparison": _READERS,
 }
 _COUNTED = (Fate.KILLED, Fate.HUNG)
 
@@ -34,8 +42,19 @@ def main() -> None:
     parser.add_argument("--room", default="vecpoly", help="a folder or a file")
     parser.add_argument("--kind", default="", help="only slips whose kind contains this")
     parser.add_argument("--budget", type=float, default=20.0, help="seconds of tests chosen for a mutant")
-    parser.add_argument("--map", nargs="*", metavar="FILE", help="find out anew which test calls which function: in all tests, or in these files")
-    parser.add_argument("--tests", nargs="+", metavar="FILE", default=[], help="try every mutant on all tests of these files, whatever the map says")
+    parser.add_argument(
+        "--map",
+        nargs="*",
+        metavar="FILE",
+        help="find out anew which test calls which function: in all tests, or in these files",
+    )
+    parser.add_argument(
+        "--tests",
+        nargs="+",
+        metavar="FILE",
+        default=[],
+        help="try every mutant on all tests of these files, whatever the map says",
+    )
     given = parser.parse_args()
     if given.map is not None or not (MAP.exists() or given.tests):
         listen(*(given.map or ()))
@@ -44,14 +63,19 @@ def main() -> None:
 
 
 def _drawn(room: str, kind: str, count: int, seed: int) -> list[Mutant]:
-    """Mutants by lot: first a file, then a slip in it, so that a long file has no more weight than a short one. A file is read when its lot is drawn."""
+    """Mutants by lot: first a file, then a slip in it, so that a long file has no more weight than a short one. A file
+    is read when its lot is drawn."""
     start = ROOT / room
     files = [start] if start.is_file() else sorted(start.rglob("*.py"))
     rng, drawn, pools = random.Random(seed), list[Mutant](), dict[Path, list[Mutant]]()
     while len(drawn) < count and files:
         path = rng.choice(files)
         if path not in pools:
-            pools[path] = [one for one in mutants(path.relative_to(ROOT), path.read_text(encoding="utf-8")) if kind in one.kind and one.function.strip()]
+            pools[path] = [
+                one
+                for one in mutants(path.relative_to(ROOT), path.read_text(encoding="utf-8"))
+                if kind in one.kind and one.function.strip()
+            ]
         if not (pool := pools[path]):
             files.remove(path)
         elif compiles((one := pool.pop(rng.randrange(len(pool)))).text):
@@ -69,7 +93,17 @@ def _tried(drawn: Sequence[Mutant], budget: float, files: Sequence[str]) -> None
         print(f"{fate.value:9s} {time.monotonic() - start:5.0f} s  {mutant}", flush=True)
 
     known = None if files else touched()
-    try_all(drawn, None if known is None else (lambda mutant: (*_OF_SOURCES.get(mutant.kind, ()), *known.chosen(str(mutant.path), mutant.function, budget))), files, int(3 * budget) + 10, tell)
+    try_all(
+        drawn,
+        None
+        if known is None
+        else (
+            lambda mutant: (*_OF_SOURCES.get(mutant.kind, ()), *known.chosen(str(mutant.path), mutant.function, budget))
+        ),
+        files,
+        int(3 * budget) + 10,
+        tell,
+    )
     print(_table(fates))
 
 
@@ -81,8 +115,11 @@ def _room(path: Path) -> str:
 def _table(fates: dict[str, Counter[Fate]]) -> str:
     whole = sum(fates.values(), Counter[Fate]())
     rows = [*sorted(fates.items()), ("all rooms", whole)]
-    return "\n".join(f"{room:24s} {sum(count[fate] for fate in _COUNTED):4d} of {count.total():4d} noticed "
-                     f"({100 * sum(count[fate] for fate in _COUNTED) / count.total():3.0f} %)" for room, count in rows)
+    return "\n".join(
+        f"{room:24s} {sum(count[fate] for fate in _COUNTED):4d} of {count.total():4d} noticed "
+        f"({100 * sum(count[fate] for fate in _COUNTED) / count.total():3.0f} %)"
+        for room, count in rows
+    )
 
 
 if __name__ == "__main__":

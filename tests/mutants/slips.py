@@ -8,10 +8,23 @@ from dataclasses import dataclass
 from pathlib import Path
 
 _COMPARED: dict[type[ast.cmpop], type[ast.cmpop]] = {
-    ast.Lt: ast.GtE, ast.GtE: ast.Lt, ast.Gt: ast.LtE, ast.LtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
-    ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
+    ast.Lt: ast.GtE,
+    ast.GtE: ast.Lt,
+    ast.Gt: ast.LtE,
+    ast.LtE: ast.Gt,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+    ast.Is: ast.IsNot,
+    ast.IsNot: ast.Is,
+    ast.In: ast.NotIn,
+    ast.NotIn: ast.In,
 }
-_ARITHMETIC: dict[type[ast.operator], type[ast.operator]] = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
+_ARITHMETIC: dict[type[ast.operator], type[ast.operator]] = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,11 +51,14 @@ def mutants(path: Path, source: str) -> Iterator[Mutant]:
             before = ast.get_source_segment(source, part) or ""
             text = _spliced(lines, part, after)
             if before != after:
-                yield Mutant(path=path, line=part.lineno, function=function, kind=kind, before=before, after=after, text=text)
+                yield Mutant(
+                    path=path, line=part.lineno, function=function, kind=kind, before=before, after=after, text=text
+                )
 
 
 def _nodes(node: ast.AST, function: str) -> Iterator[tuple[str, ast.AST]]:
-    """All nodes that run, each with the function it stands in; no annotations, decorators, assertions, error texts, imports."""
+    """All nodes that run, each with the function it stands in; no annotations, decorators, assertions, error texts,
+    imports."""
     match node:
         case ast.FunctionDef():
             inside, children = f"{_inner(function)}{node.name}()", [*node.args.defaults, *node.body]
@@ -76,7 +92,11 @@ def _slips(node: ast.AST) -> Iterator[tuple[str, ast.expr | ast.stmt, str]]:
         case ast.BoolOp():
             yield "and/or", node, _with(node, op=ast.Or() if isinstance(node.op, ast.And) else ast.And())
         case ast.UnaryOp(op=ast.Not() | ast.USub()):
-            yield "dropped " + ("not" if isinstance(node.op, ast.Not) else "minus"), node, f"({ast.unparse(node.operand)})"
+            yield (
+                "dropped " + ("not" if isinstance(node.op, ast.Not) else "minus"),
+                node,
+                f"({ast.unparse(node.operand)})",
+            )
         case ast.BinOp(op=op) if type(op) in _ARITHMETIC and not _texts(node):
             yield "swapped arithmetic", node, f"({_with(node, op=_ARITHMETIC[type(op)]())})"
         case ast.IfExp():
@@ -104,8 +124,11 @@ def _other(value: complex) -> complex:
 
 def _texts(node: ast.BinOp) -> bool:
     """Whether texts, lists or tuples are joined: no arithmetic."""
-    return any(isinstance(side, ast.JoinedStr | ast.List | ast.Tuple | ast.Dict) or (isinstance(side, ast.Constant) and isinstance(side.value, str))
-               for side in (node.left, node.right))
+    return any(
+        isinstance(side, ast.JoinedStr | ast.List | ast.Tuple | ast.Dict)
+        or (isinstance(side, ast.Constant) and isinstance(side.value, str))
+        for side in (node.left, node.right)
+    )
 
 
 def _with(node: ast.expr, **fields: object) -> str:
@@ -115,8 +138,8 @@ def _with(node: ast.expr, **fields: object) -> str:
 
 def _spliced(lines: list[bytes], part: ast.expr | ast.stmt, after: str) -> str:
     first, last = part.lineno - 1, (part.end_lineno or part.lineno) - 1
-    head, tail = lines[first][: part.col_offset], lines[last][part.end_col_offset or 0:]
-    return b"".join([*lines[:first], head + after.encode() + tail, *lines[last + 1:]]).decode()
+    head, tail = lines[first][: part.col_offset], lines[last][part.end_col_offset or 0 :]
+    return b"".join([*lines[:first], head + after.encode() + tail, *lines[last + 1 :]]).decode()
 
 
 def compiles(text: str) -> bool:

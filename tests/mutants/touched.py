@@ -1,8 +1,11 @@
 """Which test calls which function: found once by running all tests and listening to every call.
 
-What functions keep of their results is forgotten before each file of tests, so that no file lives on what another computed. Within a file a kept
-result counts for the test that computed it; `Touched.chosen` therefore also takes the other tests of such a file. The map is written after each file:
-a run that was broken off is of use as far as it came. Seconds are those of the processor, and a test that takes many is broken off too: what it has
+What functions keep of their results is forgotten before each file of tests, so that no file lives on what another
+computed. Within a file a kept
+result counts for the test that computed it; `Touched.chosen` therefore also takes the other tests of such a file. The
+map is written after each file:
+a run that was broken off is of use as far as it came. Seconds are those of the processor, and a test that takes many is
+broken off too: what it has
 called by then is known.
 """
 
@@ -27,12 +30,15 @@ ROOT = Path(__file__).resolve().parents[2]
 MAP = ROOT / "out" / "mutants.json"
 _SAMPLE = 3  # parameters of a test that are listened to first
 _PATIENCE = 1.0  # seconds of the processor after which a test is broken off
-_BLIND = [f"--ignore={ROOT}/tests/test_{name}.py" for name in ("player_browser", "cli_process", "package", "fuzz")]  # they start other processes, which have no slip
+_BLIND = [
+    f"--ignore={ROOT}/tests/test_{name}.py" for name in ("player_browser", "cli_process", "package", "fuzz")
+]  # they start other processes, which have no slip
 _HOUSE = str(ROOT / "vecpoly")
 
 
 class Listener:
-    """A plugin of pytest that keeps, for each test, the functions of the program that were called, and how long it took."""
+    """A plugin of pytest that keeps, for each test, the functions of the program that were called, and how long it
+    took."""
 
     def __init__(self, write: Callable[[Listener], None]) -> None:
         self.write = write
@@ -40,7 +46,9 @@ class Listener:
         self.seconds: dict[str, float] = {}
         self._file = ""
         self._now: set[tuple[str, str]] = set()
-        self._met: dict[int, CodeType] = {}  # by identity, for comparing code is slow; kept, so that no identity is used twice
+        self._met: dict[
+            int, CodeType
+        ] = {}  # by identity, for comparing code is slow; kept, so that no identity is used twice
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
@@ -62,7 +70,8 @@ class Listener:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        """A few parameters of every test first, so that the map soon knows all of the program a little; then the others."""
+        """A few parameters of every test first, so that the map soon knows all of the program a little; then the
+        others."""
         alike: dict[str, list[pytest.Item]] = defaultdict(list)
         for item in items:
             alike[item.nodeid.split("[")[0]].append(item)
@@ -98,18 +107,25 @@ def listen(*files: str) -> None:
     calls, seconds = _kept(files) if files else ({}, {})
 
     def write(heard: Listener) -> None:
-        known = {place: sorted({*calls.get(place, ()), *heard.calls.get(place, ())}) for place in {*calls, *heard.calls}}
+        known = {
+            place: sorted({*calls.get(place, ()), *heard.calls.get(place, ())}) for place in {*calls, *heard.calls}
+        }
         MAP.parent.mkdir(exist_ok=True)
         MAP.write_text(json.dumps({"calls": known, "seconds": seconds | heard.seconds}), encoding="utf-8")
 
     signal.signal(signal.SIGVTALRM, lambda *_: pytest.skip("it takes too long"))
-    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])], plugins=[Listener(write)])
+    pytest.main(
+        ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", *(files or [*_BLIND, str(ROOT / "tests")])],
+        plugins=[Listener(write)],
+    )
 
 
 def _kept(files: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, float]]:
     """The map without what it says of these files."""
     data = json.loads(MAP.read_text(encoding="utf-8"))
-    calls = {place: [test for test in tests if test.split("::")[0] not in files] for place, tests in data["calls"].items()}
+    calls = {
+        place: [test for test in tests if test.split("::")[0] not in files] for place, tests in data["calls"].items()
+    }
     return calls, {test: took for test, took in data["seconds"].items() if test.split("::")[0] not in files}
 
 
@@ -121,8 +137,11 @@ class Touched:
     seconds: dict[str, float]
 
     def chosen(self, path: str, function: str, budget: float) -> tuple[str, ...]:
-        """The tests that call the function (or anything in its file), quickest first, then their neighbours, within so many seconds."""
-        here = self.calls.get(f"{path}:{function}") or sorted({test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests})
+        """The tests that call the function (or anything in its file), quickest first, then their neighbours, within so
+        many seconds."""
+        here = self.calls.get(f"{path}:{function}") or sorted(
+            {test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests}
+        )
         files, known = {test.split("::")[0] for test in here}, set(here)
         near = [test for test in self.seconds if test.split("::")[0] in files and test not in known]
         taken, spent = list[str](), 0.0

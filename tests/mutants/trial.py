@@ -1,6 +1,8 @@
-"""Mutants before the tests: everything is imported and collected once; each trial is a fork in which one function has the slip.
+"""Mutants before the tests: everything is imported and collected once; each trial is a fork in which one function has
+the slip.
 
-The spoilt file is compiled, and the code of the function that holds the slip takes the place of the healthy one; results that were kept are
+The spoilt file is compiled, and the code of the function that holds the slip takes the place of the healthy one;
+results that were kept are
 forgotten. Slips outside of functions are not tried, and a test that starts another process does not see any.
 """
 
@@ -26,7 +28,10 @@ import vecpoly
 from .slips import Mutant
 from .touched import ROOT, forget
 
-_PARTLY = ("-o", "enable_assertion_pass_hook=false")  # of a test with parameters only some may be chosen: none of these need reach an assertion
+_PARTLY = (
+    "-o",
+    "enable_assertion_pass_hook=false",
+)  # of a test with parameters only some may be chosen: none of these need reach an assertion
 Chosen = Callable[[Mutant], Sequence[str]]
 
 
@@ -42,7 +47,9 @@ class Fate(StrEnum):
 class Trials:
     """A plugin of pytest that, in place of running the tests once, runs some of them for each mutant."""
 
-    def __init__(self, mutants: Iterable[Mutant], chosen: Chosen | None, limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
+    def __init__(
+        self, mutants: Iterable[Mutant], chosen: Chosen | None, limit: int, tell: Callable[[Mutant, Fate], None]
+    ) -> None:
         self.mutants, self.chosen, self.limit, self.tell = mutants, chosen, limit, tell
 
     @pytest.hookimpl(tryfirst=True)
@@ -56,9 +63,19 @@ class Trials:
         return True
 
 
-def try_all(mutants: Iterable[Mutant], chosen: Chosen | None, files: Sequence[str], limit: int, tell: Callable[[Mutant, Fate], None]) -> None:
-    """Collect the tests (of these files, where any are named), then try every mutant on those chosen for it, or on all."""
-    pytest.main(["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", *_PARTLY, *(files or [str(ROOT / "tests")])], plugins=[Trials(mutants, chosen, limit, tell)])
+def try_all(
+    mutants: Iterable[Mutant],
+    chosen: Chosen | None,
+    files: Sequence[str],
+    limit: int,
+    tell: Callable[[Mutant, Fate], None],
+) -> None:
+    """Collect the tests (of these files, where any are named), then try every mutant on those chosen for it, or on
+    all."""
+    pytest.main(
+        ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", *_PARTLY, *(files or [str(ROOT / "tests")])],
+        plugins=[Trials(mutants, chosen, limit, tell)],
+    )
 
 
 def _functions() -> dict[tuple[str, str], list[FunctionType]]:
@@ -72,7 +89,9 @@ def _functions() -> dict[tuple[str, str], list[FunctionType]]:
     return found
 
 
-def _tried(mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]], tests: Sequence[pytest.Item], limit: int) -> Fate:
+def _tried(
+    mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]], tests: Sequence[pytest.Item], limit: int
+) -> Fate:
     path, outer = str(ROOT / mutant.path), mutant.function.split(".<locals>")[0]
     targets = functions.get((path, outer), [])
     if not tests or not targets:

@@ -1,7 +1,8 @@
 """The board: a hand's acts on an emulated sheet, done at once and recorded for ever.
 
 The board knows paper, rule, compass and set square; it knows nothing of mechanisms. A method gets its numbers only by
-laying off, meeting, measuring and computing here; what it gets knows the act that gave it (`plane.traced`), so that the next act knows what
+laying off, meeting, measuring and computing here; what it gets knows the act that gave it (`plane.traced`), so that the
+next act knows what
 it needed. It is the one mutable object of the program, while it is drawn on.
 """
 
@@ -12,24 +13,24 @@ from typing import cast
 
 import numpy as np
 
+from ..algebra.formula import Node, Row, row
+from ..algebra.quantity import Expr, Quantity, magnitude, paper, worked
 from ..errors import NotAskedError
-from ..formula import Node, Row, row
 from ..names import ascii_key
 from ..plane import Points, Reals, nominal
 from ..plane.derived import variable
 from ..plane.traced import Acts, acts_of, traced
-from ..quantity import Expr, Quantity, magnitude, paper, worked
 from ..words import Words
 from . import acts as done
-from .amended import AS_DRAWN, Amended, plain_letters
 from .construction import Reading, Scale
 from .hand import Hand
 from .hand import hand as hand_of
 from .instruments import Instruments
+from .otherwise.amended import AS_DRAWN, Amended, plain_letters
+from .otherwise.wrongly import FACTOR
 from .place import Place, View
 from .ruler import Ruler
 from .strokes import NO_ARROW, NO_LENGTH, amount, spot
-from .wrongly import FACTOR
 
 __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
 
@@ -37,7 +38,14 @@ __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
 class Board(Instruments):
     """One sheet under one hand (and its repetitions), drawn as the hand would, or with amendments."""
 
-    def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN, *, recorded: bool = False) -> None:
+    def __init__(
+        self,
+        hand: Hand,
+        scales: Mapping[View, Scale] | Mapping[Place, Scale],
+        amended: Amended = AS_DRAWN,
+        *,
+        recorded: bool = False,
+    ) -> None:
         super().__init__(hand, scales, amended)
         self.recorded = recorded  # whether the numbers of its acts know how they were computed
         self.readings: dict[str, Reading] = {}  # what was found of the quantities: each in one place, as it is read
@@ -45,7 +53,8 @@ class Board(Instruments):
         self._ruler = Ruler(hand)
 
     def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
-        """Scratch paper for an exact hand: its acts are not remembered, and what it gives came from where its inputs came from."""
+        """Scratch paper for an exact hand: its acts are not remembered, and what it gives came from where its inputs
+        came from."""
         return Scratch(hand_of("exact"), scales or self.scales)
 
     def given(self, value: float, name: str) -> float:
@@ -55,7 +64,8 @@ class Board(Instruments):
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens. A segment is read once, from either end."""
+        """Read a length off the rule (mm): here, and only here, rounding happens. A segment is read once, from either
+        end."""
         mm = self._ruler.length(a, b, lambda read: self._measured(read, a, b, letters))
         return paper(letters_node(letters), mm)
 
@@ -64,11 +74,20 @@ class Board(Instruments):
         place = next((act.head.place for act in reversed(known) if act.head.place is not None), None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
-        return traced(mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))))
+        return traced(
+            mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm)))
+        )
 
     def bearing(self, a: Points, b: Points) -> Points:
-        """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
-        return self._ruler.bearing(a, b, lambda read: traced(read, self.log(done.Gauge(head=self.head(a, b), angle=amount(np.angle(nominal(read)))))))
+        """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either
+        end."""
+        return self._ruler.bearing(
+            a,
+            b,
+            lambda read: traced(
+                read, self.log(done.Gauge(head=self.head(a, b), angle=amount(np.angle(nominal(read)))))
+            ),
+        )
 
     def gauge(self, a: Points, b: Points) -> Reals:
         """The angle of the direction from a to b as the protractor shows it (rad)."""
@@ -95,14 +114,20 @@ class Board(Instruments):
         return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit)))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is 0/0."""
+        """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is
+        0/0."""
         key = ascii_key(symbol)
         factor = FACTOR.get(self.amended.mistake(self.here, key))
         value = expr.value if factor is None else factor * expr.value
         if np.isnan(nominal(value)):
-            raise NotAskedError(Words(
-                f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
-                f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
+            raise NotAskedError(
+                Words(
+                    f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
+                    f"{symbol} cannot be read: its lines on paper have no length; check whether the given "
+                    "lengths are too unlike, or use 'vecpoly exact'",
+                ),
+                code="unreadable",
+            )
         if factor is not None:
             self._slipped.add(key)
         result = magnitude(symbol, self.conclude(key, value, unit_text), unit_text)

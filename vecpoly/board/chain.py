@@ -10,7 +10,8 @@ from .acts import Act
 
 
 def numbers(acts: Sequence[Act], key: str) -> frozenset[int]:
-    """The acts that stand for this key, alone (``bc``) or with its figure (``velocity:bc``); raises UnknownNameError where there is none."""
+    """The acts that stand for this key, alone (``bc``) or with its figure (``velocity:bc``); raises UnknownNameError
+    where there is none."""
     found = frozenset(act.number for act in acts if key in act.names)
     if not found:
         raise UnknownNameError(Words(f"图上没有 {key}", f"there is no {key} on the sheet"), code="unknown-act")
@@ -37,4 +38,8 @@ def following(acts: Sequence[Act], of: Collection[int]) -> frozenset[int]:
 
 def keys_of(acts: Sequence[Act], which: Collection[int], but: str) -> tuple[str, ...]:
     """The keys of these acts, each once, in order, without this one."""
-    return tuple(key for key in dict.fromkeys(act.key for act in acts if act.number in which and act.key) if key != but.rpartition(":")[2])
+    return tuple(
+        key
+        for key in dict.fromkeys(act.key for act in acts if act.number in which and act.key)
+        if key != but.rpartition(":")[2]
+    )

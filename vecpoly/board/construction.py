@@ -1,20 +1,33 @@
-"""The frozen record of a solution: figures, steps, readings. Everything that comes after drawing reads this, and only this."""
+"""The frozen record of a solution: figures, steps, readings. Everything that comes after drawing reads this, and only
+this."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from ..formula import Node
-from ..frozen import FrozenMap
+from ..algebra.formula import Node
+from ..foundation.frozen import FrozenMap
 from ..words import Words, language
 from .acts import Act
 from .chain import following, keys_of, needed, numbers
-from .marks import Mark
+from .paper.marks import Mark
 from .place import Pane, Place, View, view_of
 from .told import told
 
-__all__ = ["Construction", "EquationTable", "Figure", "LineOfAction", "Pane", "Place", "Reading", "Scale", "Step", "View", "view_of"]
+__all__ = [
+    "Construction",
+    "EquationTable",
+    "Figure",
+    "LineOfAction",
+    "Pane",
+    "Place",
+    "Reading",
+    "Scale",
+    "Step",
+    "View",
+    "view_of",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,7 +92,8 @@ class EquationTable:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
-    """One numbered step: a sentence, and what belongs to it: an equation table, formulas, the figure it was drawn in."""
+    """One numbered step: a sentence, and what belongs to it: an equation table, formulas, the figure it was drawn
+    in."""
 
     number: int
     section: Words  # heading under which the step stands: position diagram, velocity analysis ...
@@ -91,10 +105,13 @@ class Step:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LineOfAction:
-    """Where a reaction acts: a point of its line (m, on the diagram's axes), and the side on which it touches a friction circle.
+    """Where a reaction acts: a point of its line (m, on the diagram's axes), and the side on which it touches a
+    friction circle.
 
-    tangent: sense of its moment about the pin, "ccw" or "cw"; "" where it passes through the centre, or there is no pin.
-    told: how the line lies, where the method itself says so. couple: N·m (counter-clockwise) that a slide passes on beside a force of
+    tangent: sense of its moment about the pin, "ccw" or "cw"; "" where it passes through the centre, or there is no
+    pin.
+    told: how the line lies, where the method itself says so. couple: N·m (counter-clockwise) that a slide passes on
+    beside a force of
     zero, whose line lies at infinity.
     """
 
@@ -108,8 +125,10 @@ class LineOfAction:
 class Reading:
     """One answer read off the paper.
 
-    key: ASCII symbol; symbol: textbook notation; vector: value as x + iy (SI), None for ω, α; scalar: signed value for ω, α
-    (ccw positive), magnitude for vectors; mm: length measured on paper (None where computed only); line: the paper length's
+    key: ASCII symbol; symbol: textbook notation; vector: value as x + iy (SI), None for ω, α; scalar: signed value for
+    ω, α
+    (ccw positive), magnitude for vectors; mm: length measured on paper (None where computed only); line: the paper
+    length's
     letters (``pe``); scale: symbol of the scale used; formula: symbol = formula = numbers = result.
     """
 
@@ -135,7 +154,9 @@ class Construction:
     figures: tuple[Figure, ...]
     steps: tuple[Step, ...]
     readings: Mapping[str, Reading]
-    forces: Mapping[str, Reading] = field(default_factory=dict)  # everything that a force analysis found, asked for or not
+    forces: Mapping[str, Reading] = field(
+        default_factory=dict
+    )  # everything that a force analysis found, asked for or not
     acts: tuple[Act, ...] = ()  # what was done, in order; the marks of the figures follow from it
     warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
 

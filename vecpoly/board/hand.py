@@ -1,6 +1,7 @@
 """How accurately the emulated person works; repeated hands give every answer its honest tolerance.
 
-exact: nothing is rounded or disturbed. drafting: readings to 0.1 mm. pencil: readings to 0.5 mm, every length carried with
+exact: nothing is rounded or disturbed. drafting: readings to 0.1 mm. pencil: readings to 0.5 mm, every length carried
+with
 a scatter of 0.2 mm, every parallel or perpendicular with 0.3°. One board can carry many hands: element 0 of every array
 is the nominal sheet, the others are repetitions.
 """
@@ -14,8 +15,8 @@ from typing import Literal
 
 import numpy as np
 
-from ..arguments import whole_number
 from ..errors import UnknownNameError
+from ..foundation.arguments import whole_number
 from ..limits import REPEATS, SEED
 from ..plane import Points, Reals
 from ..plane.traced import acts_of, bare, traced
@@ -26,7 +27,8 @@ HandName = Literal["exact", "drafting", "pencil"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Skill:
-    """reading: graduation read to (mm, 0 = exact); protractor: angles read to (rad); dividers: σ of a length carried (mm);
+    """reading: graduation read to (mm, 0 = exact); protractor: angles read to (rad); dividers: σ of a length carried
+    (mm);
     square: σ of a parallel or perpendicular (rad)."""
 
     reading: float
@@ -36,12 +38,18 @@ class Skill:
 
 
 _SKILLS: dict[str, tuple[Skill, Skill]] = {  # (the nominal sheet, its repetitions)
-    "exact": (Skill(reading=0, protractor=0, dividers=0, square=0),
-              Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180)),
-    "drafting": (Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0, square=0),
-                 Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180)),
-    "pencil": (Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180),
-               Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180)),
+    "exact": (
+        Skill(reading=0, protractor=0, dividers=0, square=0),
+        Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180),
+    ),
+    "drafting": (
+        Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0, square=0),
+        Skill(reading=0.1, protractor=0.1 * pi / 180, dividers=0.05, square=0.05 * pi / 180),
+    ),
+    "pencil": (
+        Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180),
+        Skill(reading=0.5, protractor=0.5 * pi / 180, dividers=0.2, square=0.3 * pi / 180),
+    ),
 }
 
 
@@ -108,9 +116,12 @@ def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
     Raises UnknownNameError for any other name.
     """
     if name not in _SKILLS:
-        raise UnknownNameError(Words(
-            f"没有名为“{name}”的作图手法；可用 exact、drafting、pencil",
-            f"no hand is called '{name}'; there are exact, drafting and pencil"))
+        raise UnknownNameError(
+            Words(
+                f"没有名为“{name}”的作图手法；可用 exact、drafting、pencil",
+                f"no hand is called '{name}'; there are exact, drafting and pencil",
+            )
+        )
     whole_number("repeats", repeats, 0, REPEATS)
     whole_number("seed", seed, 0, SEED)
     first, others = _SKILLS[name]

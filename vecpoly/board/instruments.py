@@ -14,13 +14,13 @@ from ..plane.geometry import dot, inclined
 from ..plane.traced import acts_of, traced
 from ..words import Words
 from . import acts as done
-from .amended import AS_DRAWN, Amended, plain_letters
 from .construction import Scale
 from .hand import Hand
+from .otherwise.amended import AS_DRAWN, Amended, plain_letters
+from .otherwise.slip import Mistake
+from .otherwise.wrongly import as_taken, before
 from .place import Place, View
-from .slip import Mistake
 from .strokes import NO_LENGTH, Strokes, amount, spot
-from .wrongly import as_taken, before
 
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
 GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
@@ -29,7 +29,9 @@ GRAZING = 0.26  # sine (15°) below which a meeting is called uncertain
 class Instruments(Strokes):
     """Rule, compass and set square in a hand."""
 
-    def __init__(self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN) -> None:
+    def __init__(
+        self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN
+    ) -> None:
         super().__init__(scales)
         self.hand = hand
         self.amended = amended
@@ -76,17 +78,26 @@ class Instruments(Strokes):
         return Line(traced(at, act), traced(carried, act))
 
     def meet(self, g: Line, h: Line, what: Words | str) -> Points:
-        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both start at their meeting point."""
+        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both
+        start at their meeting point."""
         sine = abs(float(nominal(cross(g.along, h.along))))
         if sine < PARALLEL:
             raise DeadPointError(
-                bilingual(what) + Words(
-                "：两方向线平行，多边形不能闭合于一点；此为死点或转折点位置，请另取原动件位置",
-                ": the two direction lines are parallel, the polygon does not close at one point; this is a dead point or change point, choose another input position")
+                bilingual(what)
+                + Words(
+                    "：两方向线平行，多边形不能闭合于一点；此为死点或转折点位置，请另取原动件位置",
+                    ": the two direction lines are parallel, the polygon does not close at one point; this is "
+                    "a dead point or change point, choose another input position",
+                )
             )
         if sine < GRAZING and abs(spot(g.at - h.at)) > NO_LENGTH:
             angle = degrees(asin(sine))
-            self.remark(Words(f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）", f" (The two lines meet at only {angle:.0f}°: an uncertain point.)"))
+            self.remark(
+                Words(
+                    f"（两方向线交角仅 {angle:.0f}°，交点不易准确。）",
+                    f" (The two lines meet at only {angle:.0f}°: an uncertain point.)",
+                )
+            )
         at = lines_meet(g, h)
         return traced(at, self.log(done.Meet(head=self.head(g, h), at=spot(at))))
 
@@ -95,9 +106,15 @@ class Instruments(Strokes):
         a, b = circles_meet(c1, self.hand.carry(r1), c2, self.hand.carry(r2))
         if not np.isfinite(nominal(a)):
             d, s = float(nominal(abs(c2 - c1))), float(nominal(r1)) + float(nominal(r2))
-            raise AssemblyError(bilingual(what) + Words(
-                f"：半径 {nominal(r1):.2f} mm 与 {nominal(r2):.2f} mm 的两弧圆心相距 {d:.2f} mm，不相交（半径之和 {s:.2f} mm）",
-                f": the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart do not meet (sum {s:.2f} mm)"))
+            raise AssemblyError(
+                bilingual(what)
+                + Words(
+                    f"：半径 {nominal(r1):.2f} mm 与 {nominal(r2):.2f} mm 的两弧圆心相距 {d:.2f} mm，"
+                    f"不相交（半径之和 {s:.2f} mm）",
+                    f": the arcs of {nominal(r1):.2f} mm and {nominal(r2):.2f} mm about points {d:.2f} mm apart "
+                    f"do not meet (sum {s:.2f} mm)",
+                )
+            )
         return self._both(a, b, c1, r1, c2, r2)
 
     def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
@@ -105,7 +122,13 @@ class Instruments(Strokes):
         a, b = line_circle_meet(line, centre, self.hand.carry(radius))
         if not np.isfinite(nominal(a)):
             gap = abs(float(nominal(cross(line.along, centre - line.at))))
-            raise AssemblyError(bilingual(what) + Words(f"：半径 {nominal(radius):.2f} mm 的弧达不到相距 {gap:.2f} mm 的直线", f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away"))
+            raise AssemblyError(
+                bilingual(what)
+                + Words(
+                    f"：半径 {nominal(radius):.2f} mm 的弧达不到相距 {gap:.2f} mm 的直线",
+                    f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away",
+                )
+            )
         return self._both(a, b, line, centre, radius)
 
     def _both(self, a: Points, b: Points, *inputs: Any) -> tuple[Points, Points]:
@@ -116,34 +139,61 @@ class Instruments(Strokes):
         self._others |= dict.fromkeys(here, two) | dict.fromkeys(there, one)
         return one, two
 
-    def tangent_from(self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points, *, key: str = "") -> Points:
-        """Direction u of a force through x tangent to a friction circle: u · towards > 0, moment about the centre of sign `moment`.
+    def tangent_from(
+        self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points, *, key: str = ""
+    ) -> Points:
+        """Direction u of a force through x tangent to a friction circle: u · towards > 0, moment about the centre of
+        sign `moment`.
 
         The foot of the arm is centre − i u moment radius. Raises EquilibriumError where x lies inside the circle.
         """
         away, size = float(nominal(np.abs(x - centre))), float(nominal(radius))
         if away <= max(size * abs(moment), NO_LENGTH):
-            raise EquilibriumError(Words(
-                f"作用线须过距摩擦圆圆心 {away:.2f} mm 的一点，而摩擦圆半径为 {size:.2f} mm，该点在圆内，无切线，在此摩擦下不能平衡；请减小 f 或 ρ",
-                f"a line of action must pass through a point {away:.2f} mm from the centre of a friction circle of radius {size:.2f} mm, inside it: no tangent, there is no equilibrium with this friction; lower f or ρ"))
+            raise EquilibriumError(
+                Words(
+                    f"作用线须过距摩擦圆圆心 {away:.2f} mm 的一点，而摩擦圆半径为 {size:.2f} mm，该点在圆内，"
+                    "无切线，在此摩擦下不能平衡；请减小 f 或 ρ",
+                    f"a line of action must pass through a point {away:.2f} mm from the centre of a friction "
+                    f"circle of radius {size:.2f} mm, inside it: no tangent, there is no equilibrium with this "
+                    "friction; lower f or ρ",
+                )
+            )
         moment *= self._side(key)
         ahead, behind = inclined(x - centre, moment * radius / np.abs(x - centre))
         taken = self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
         return self._touching(taken, key, not size, x, centre, radius, towards)
 
-    def tangent_to_both(self, p: Points, rho_p: Reals, moment_p: float, q: Points, rho_q: Reals, moment_q: float, sense: float,
-                        *, key: str = "") -> Line:
-        """Line of action of a two-force body: its force along u at p, along −u at q, each with a moment of the given sign about its pin.
+    def tangent_to_both(
+        self,
+        p: Points,
+        rho_p: Reals,
+        moment_p: float,
+        q: Points,
+        rho_q: Reals,
+        moment_q: float,
+        sense: float,
+        *,
+        key: str = "",
+    ) -> Line:
+        """Line of action of a two-force body: its force along u at p, along −u at q, each with a moment of the given
+        sign about its pin.
 
-        sense +1: u points from p towards q, −1 the other way. The line starts where it touches p's circle. Raises EquilibriumError
+        sense +1: u points from p towards q, −1 the other way. The line starts where it touches p's circle. Raises
+        EquilibriumError
         where the circles overlap too far.
         """
         moment_p, moment_q = (self._side(key) * moment for moment in (moment_p, moment_q))
         span, arms = np.abs(q - p), moment_p * rho_p + moment_q * rho_q
         if abs(float(nominal(arms))) >= float(nominal(span)):
-            raise EquilibriumError(Words(
-                f"两转动副相距 {float(nominal(span)):.2f} mm，摩擦圆半径为 {float(nominal(rho_p)):.2f} mm 和 {float(nominal(rho_q)):.2f} mm，无公切线，力不能经此构件传递；请减小 f 或 ρ",
-                f"two pins {float(nominal(span)):.2f} mm apart have friction circles of {float(nominal(rho_p)):.2f} mm and {float(nominal(rho_q)):.2f} mm: no common tangent, no force passes through this link; lower f or ρ"))
+            raise EquilibriumError(
+                Words(
+                    f"两转动副相距 {float(nominal(span)):.2f} mm，摩擦圆半径为 {float(nominal(rho_p)):.2f} mm "
+                    f"和 {float(nominal(rho_q)):.2f} mm，无公切线，力不能经此构件传递；请减小 f 或 ρ",
+                    f"two pins {float(nominal(span)):.2f} mm apart have friction circles of "
+                    f"{float(nominal(rho_p)):.2f} mm and {float(nominal(rho_q)):.2f} mm: no common tangent, no "
+                    "force passes through this link; lower f or ρ",
+                )
+            )
         u = inclined(q - p, arms / span)[0 if sense > 0 else 1]
         free = not nominal(rho_p) and not nominal(rho_q)
         return Line(p - 1j * u * moment_p * rho_p, self._touching(self.hand.tilt(u), key, free, p, rho_p, q, rho_q))

@@ -1,4 +1,5 @@
-"""The log of a drawing: its steps, its acts, the scales and titles of its figures. What stands on a figure follows from the acts."""
+"""The log of a drawing: its steps, its acts, the scales and titles of its figures. What stands on a figure follows from
+the acts."""
 
 from __future__ import annotations
 
@@ -6,15 +7,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from ..formula import Node
+from ..algebra.formula import Node
+from ..algebra.quantity import Quantity, magnitude
 from ..plane import Reals
 from ..plane.traced import Acts, acts_of
-from ..quantity import Quantity, magnitude
 from ..words import Words
 from .acts import Act, Depict, Head
 from .construction import EquationTable, Figure, Scale, Step
-from .ink import marks_of
-from .marks import Mark
+from .paper.ink import marks_of
+from .paper.marks import Mark
 from .place import Pane, Place, View, view_of, views
 
 
@@ -62,7 +63,14 @@ class Log:
         """The head of the next act: what it needs, what it is done on, what it stands for."""
         place = self.here if on is None else on
         known = acts_of(*inputs)
-        return Head(number=len(self.acts), step=len(self.steps), inputs=tuple(sorted(known)) if known else (), place=place, key=key, owner=owner)
+        return Head(
+            number=len(self.acts),
+            step=len(self.steps),
+            inputs=tuple(sorted(known)) if known else (),
+            place=place,
+            key=key,
+            owner=owner,
+        )
 
     def log(self, act: Act) -> Acts:
         """Remember an act, and leave its marks; what it gave is known by its number."""
@@ -83,9 +91,10 @@ class Log:
             self.log(Depict(head=self.head(on=view, key=key, owner=owner), marks=marks))
 
     def open_pane(
-        self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False,
+        self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False
     ) -> Pane:
-        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs from its kind's."""
+        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs
+        from its kind's."""
         pane = Pane(view, name, aside)
         if scale is not None:
             self.scales[pane] = scale

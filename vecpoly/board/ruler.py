@@ -1,4 +1,5 @@
-"""Ruler and protractor: a segment is read once, from whichever end, and that reading is used wherever the segment is meant again."""
+"""Ruler and protractor: a segment is read once, from whichever end, and that reading is used wherever the segment is
+meant again."""
 
 from __future__ import annotations
 
@@ -34,7 +35,9 @@ class Ruler:
         segment = _ends(a, b)
         if segment not in self._bearings:
             self._bearings[segment] = noted(np.exp(1j * self._hand.gauge(np.angle(bare(b) - bare(a)))))
-        read: Points = self._bearings[segment] * np.where(dot(bare(self._bearings[segment]), bare(b) - bare(a)) < 0, -1, 1)
+        read: Points = self._bearings[segment] * np.where(
+            dot(bare(self._bearings[segment]), bare(b) - bare(a)) < 0, -1, 1
+        )
         return read
 
 

@@ -8,7 +8,7 @@ from ..plane import Line, Points, Reals, nominal
 from ..plane.derived import Derived
 from . import acts as done
 from .log import Log
-from .marks import Dot, Role, Vector
+from .paper.marks import Dot, Role, Vector
 from .place import Place
 
 OVERRUN = 6.0  # mm a ruled line runs past its meeting point
@@ -42,7 +42,16 @@ class Strokes(Log):
     def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
         """Draw the vector `key` from a to b; one without length leaves no ink."""
         start, end = spot(a), spot(b)
-        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=role, label=label, shown=bool(abs(end - start) > NO_ARROW)))
+        self.log(
+            done.Arrow(
+                head=self.head(a, b, on=view, key=key),
+                a=start,
+                b=end,
+                role=role,
+                label=label,
+                shown=bool(abs(end - start) > NO_ARROW),
+            )
+        )
 
     def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
@@ -61,7 +70,9 @@ class Strokes(Log):
         along = spot(line.along)
         past = along if abs(end - start) < NO_LENGTH else (end - start) / abs(end - start)
         back = 0.0 if abs(end - start) > 2 * OVERRUN else OVERRUN
-        self.log(done.Rule(head=self.head(line, to, on=view), a=start - past * back, b=end + past * OVERRUN, label=label))
+        self.log(
+            done.Rule(head=self.head(line, to, on=view), a=start - past * back, b=end + past * OVERRUN, label=label)
+        )
 
     def swing(self, view: Place, centre: Points, radius: Reals, through: Points) -> None:
         """Leave the short compass arc about a centre near the point it passes."""
@@ -69,7 +80,11 @@ class Strokes(Log):
         far = amount(radius)
         half = min(0.5, 7.0 / max(far, 1e-6))
         start = amount(np.angle(p - c)) - half
-        self.log(done.Swing(head=self.head(centre, radius, through, on=view), centre=c, radius=far, start=start, sweep=2 * half))
+        self.log(
+            done.Swing(
+                head=self.head(centre, radius, through, on=view), centre=c, radius=far, start=start, sweep=2 * half
+            )
+        )
 
     def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""

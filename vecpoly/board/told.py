@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol, assert_never
 from unicodedata import east_asian_width
 
+from ..algebra.quantity import number
 from ..names import written_unit
-from ..quantity import number
 from ..words import Lang, Words, bare
 from . import acts as done
 from .acts import Act
@@ -80,8 +80,22 @@ def _object(act: Act) -> str:
             return f"{act.key} = {_value(act.value, act.unit)}"
         case done.Answer():
             return f"{act.key} = {_value(abs(act.value) if isinstance(act.value, complex) else act.value, act.unit)}"
-        case (done.Arrow() | done.Parallel() | done.Follow() | done.Transfer() | done.Touch() | done.Plot() | done.Join() | done.Turn() | done.Rule()
-              | done.Swing() | done.Corner() | done.Tint() | done.Gauge() | done.Depict()):
+        case (
+            done.Arrow()
+            | done.Parallel()
+            | done.Follow()
+            | done.Transfer()
+            | done.Touch()
+            | done.Plot()
+            | done.Join()
+            | done.Turn()
+            | done.Rule()
+            | done.Swing()
+            | done.Corner()
+            | done.Tint()
+            | done.Gauge()
+            | done.Depict()
+        ):
             return act.key
         case _:
             assert_never(act)

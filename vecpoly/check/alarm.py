@@ -28,7 +28,8 @@ Number = complex | float
 def alarm_at(expected_error: float, scalars: Any, *, scatters: bool) -> float:
     """How far from the exact value a drawn one may lie before it is suspect.
 
-    The expected error, 3σ; or, where the repeated hands have long tails, the farthest of them from their median. A hand that
+    The expected error, 3σ; or, where the repeated hands have long tails, the farthest of them from their median. A hand
+    that
     scatters itself exceeds 3σ once in 370 readings and is allowed 5σ, once in two million.
     """
     repeated = np.asarray(scalars)[1:] if np.ndim(scalars) else np.empty(0)
@@ -66,7 +67,8 @@ class Weighed:
 
     @property
     def cause(self) -> Cause | None:
-        """Why the value is suspect; None where it is not, nor where both hands and the oracle find that it has none: 0/0."""
+        """Why the value is suspect; None where it is not, nor where both hands and the oracle find that it has none:
+        0/0."""
         if isnan(self.drawn) and isnan(self.exact) and isnan(abs(self.ideal)):
             return None
         if not (isfinite(self.drawn) and isfinite(self.exact) and isfinite(abs(self.ideal))):
@@ -75,7 +77,11 @@ class Weighed:
             return Cause.APART
         if abs(self.drawn - self.exact) > self.reach + AGREE * self.size + self.noise:
             return Cause.BEYOND
-        if self.steady and self.reach > VAGUE * self.size and abs(self.drawn - self.exact) > LEGIBLE * self.size + self.noise:
+        if (
+            self.steady
+            and self.reach > VAGUE * self.size
+            and abs(self.drawn - self.exact) > LEGIBLE * self.size + self.noise
+        ):
             return Cause.VAGUE
         return None
 
@@ -93,7 +99,10 @@ def contradicted(truth: Truth, motion: Mapping[Rel, Number]) -> list[Rel]:
 _SAID = {
     Cause.NOT_FINITE: Words("不是有限值", "not finite"),
     Cause.APART: Words("作图与解析结果不符", "drawing and analysis disagree"),
-    Cause.VAGUE: Words("作图条件不良，预期作图误差与该量本身相当，读数不能采用", "so badly conditioned that the drawing error is as large as the quantity"),
+    Cause.VAGUE: Words(
+        "作图条件不良，预期作图误差与该量本身相当，读数不能采用",
+        "so badly conditioned that the drawing error is as large as the quantity",
+    ),
     Cause.BEYOND: Words("与精确值之差超出预期作图误差", "farther from the exact value than the expected drawing error"),
 }
 
@@ -105,6 +114,12 @@ def warning(found: Iterable[tuple[str, Cause]]) -> Words | None:
         causes.setdefault(cause, []).append(f"${symbol}$")
     if not causes:
         return None
-    zh = "；".join(f"{'、'.join(symbols[:MOST])}{' 等' * (len(symbols) > MOST)} {_SAID[cause].zh}" for cause, symbols in causes.items())
-    en = "; ".join(f"{', '.join(symbols[:MOST])}{' …' * (len(symbols) > MOST)}: {_SAID[cause].en}" for cause, symbols in causes.items())
+    zh = "；".join(
+        f"{'、'.join(symbols[:MOST])}{' 等' * (len(symbols) > MOST)} {_SAID[cause].zh}"
+        for cause, symbols in causes.items()
+    )
+    en = "; ".join(
+        f"{', '.join(symbols[:MOST])}{' …' * (len(symbols) > MOST)}: {_SAID[cause].en}"
+        for cause, symbols in causes.items()
+    )
     return Words(f"结果存疑，不得作为答案：{zh}。", f"Suspect, not to be taken as an answer: {en}.")

@@ -1,4 +1,5 @@
-"""What is written in a problem file and changes nothing: branches and guesses without which the same assembly is found."""
+"""What is written in a problem file and changes nothing: branches and guesses without which the same assembly is
+found."""
 
 from __future__ import annotations
 
@@ -29,13 +30,17 @@ def idle(problem: Problem) -> tuple[Words, ...]:
 
 def _roughly(mech: Mechanism) -> Words:
     points = ", ".join(mech.guesses)
-    return Words(f"guesses：不用 {points} 的大致位置，机构的装配也是同样；这一项可以删去",
-                 f"guesses: without the rough places of {points} the mechanism is assembled just the same; they may be left out")
+    return Words(
+        f"guesses：不用 {points} 的大致位置，机构的装配也是同样；这一项可以删去",
+        f"guesses: without the rough places of {points} the mechanism is assembled just the same; they may be left out",
+    )
 
 
 def _said(statement: Statement) -> Words:
-    return Words(f"branch：'{statement}' 不起决定作用，没有它装配也是同样；这一项可以删去",
-                 f"branch: '{statement}' decides nothing, for without it the assembly is just the same; it may be left out")
+    return Words(
+        f"branch：'{statement}' 不起决定作用，没有它装配也是同样；这一项可以删去",
+        f"branch: '{statement}' decides nothing, for without it the assembly is just the same; it may be left out",
+    )
 
 
 def _same(one: Mechanism, other: Mechanism) -> bool:
@@ -44,5 +49,8 @@ def _same(one: Mechanism, other: Mechanism) -> bool:
         here, there = oracle.solve(one, order=0), oracle.solve(other, order=0)
     except VecpolyError:
         return False
-    return all(np.allclose(here.origin(name), there.origin(name), atol=1e-9 * one.scale) and np.isclose(np.exp(1j * here.angle(name)), np.exp(1j * there.angle(name)))
-               for name in here.bodies)
+    return all(
+        np.allclose(here.origin(name), there.origin(name), atol=1e-9 * one.scale)
+        and np.isclose(np.exp(1j * here.angle(name)), np.exp(1j * there.angle(name)))
+        for name in here.bodies
+    )

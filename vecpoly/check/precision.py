@@ -1,6 +1,7 @@
 """How many digits an exact value still has: near a change point rounding is magnified until nothing is left of it.
 
-The oracle is asked again with every length, every fixed point and the input moved by a few units in the last place, at random:
+The oracle is asked again with every length, every fixed point and the input moved by a few units in the last place, at
+random:
 no one can tell these data from the given ones. What its answers then scatter by is what they may be off by.
 """
 
@@ -49,13 +50,21 @@ def digits(noise: float, size: float) -> int:
 
 def _scatter(key: str, value: complex | float, near: tuple[Values, ...]) -> float:
     """The farthest from the exact value that the nudged data bring it; nothing where it is 0/0."""
-    return 0.0 if isnan(abs(value)) else max((abs(values[key] - value) for values in near if key in values), default=0.0)
+    return (
+        0.0 if isnan(abs(value)) else max((abs(values[key] - value) for values in near if key in values), default=0.0)
+    )
 
 
 def _lost(key: str, off: float, size: float) -> DeadPointError:
     left = digits(off, size)
-    return DeadPointError(Words(
-        f"{key}：机构离死点（或变点）太近，舍入误差被放大到 ±{off:.2g}，而此类量的大小为 {size:.2g}，只剩 {left} 位有效数字；请改取原动件的其他位置",
-        f"{key}: the mechanism is so near to a dead point (or change point) that rounding alone makes ±{off:.2g} of a quantity of about {size:.2g}: "
-        f"{left} digits are left; choose another position of the input",
-    ), code="precision.lost", numbers={"noise": off, "size": size, "digits": left})
+    return DeadPointError(
+        Words(
+            f"{key}：机构离死点（或变点）太近，舍入误差被放大到 ±{off:.2g}，而此类量的大小为 {size:.2g}，"
+            f"只剩 {left} 位有效数字；请改取原动件的其他位置",
+            f"{key}: the mechanism is so near to a dead point (or change point) that rounding alone makes "
+            f"±{off:.2g} of a quantity of about {size:.2g}: {left} digits are left; choose another position of "
+            "the input",
+        ),
+        code="precision.lost",
+        numbers={"noise": off, "size": size, "digits": left},
+    )

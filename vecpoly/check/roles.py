@@ -1,4 +1,5 @@
-"""A load that is called driving gives power, one that is called resisting takes it: P = F · v or M ω, in the position drawn."""
+"""A load that is called driving gives power, one that is called resisting takes it: P = F · v or M ω, in the position
+drawn."""
 
 from __future__ import annotations
 
@@ -28,10 +29,17 @@ def refuse_wrong_roles(loads: Loads, balance: Forces) -> None:
         power = powers[load.name]
         if load.role and abs(power) > NONE * greatest and (power > 0) != (load.role == "driving"):
             other = "resisting" if load.role == "driving" else "driving"
-            does = Words("向机构输入功率", "gives power to") if power > 0 else Words("消耗机构的功率", "takes power from")
-            raise EquilibriumError(Words(
-                f"载荷 {load.name} 注明为{ROLES[load.role].zh}，但在此位置它{does.zh}；请改变其方向或运动的转向，或写 role: {other}",
-                f"load {load.name} is called {load.role}, but in this position it {does.en} the mechanism: turn round its direction or the motion, or write role: {other}"))
+            does = (
+                Words("向机构输入功率", "gives power to") if power > 0 else Words("消耗机构的功率", "takes power from")
+            )
+            raise EquilibriumError(
+                Words(
+                    f"载荷 {load.name} 注明为{ROLES[load.role].zh}，但在此位置它{does.zh}；"
+                    f"请改变其方向或运动的转向，或写 role: {other}",
+                    f"load {load.name} is called {load.role}, but in this position it {does.en} the mechanism: "
+                    f"turn round its direction or the motion, or write role: {other}",
+                )
+            )
 
 
 def _size(load: Load, balance: Forces) -> float:

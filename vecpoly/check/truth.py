@@ -8,8 +8,8 @@ from typing import NamedTuple, Protocol, TypeVar
 import numpy as np
 
 from ..errors import NotAskedError
+from ..foundation.plugins import BySubject
 from ..names import Rel
-from ..plugins import BySubject
 from ..problem.problem import Printed, Problem
 from ..words import Words
 

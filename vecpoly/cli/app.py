@@ -8,21 +8,21 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from .check import check
-from .cycle import cycle
-from .demo import demo
-from .draw import draw
+from .commands.check import check
+from .commands.cycle import cycle
+from .commands.demo import demo
+from .commands.draw import draw
+from .commands.exact import exact
+from .commands.export import export
+from .commands.listing import listing
+from .commands.new import new
+from .commands.play import play
+from .commands.report import report
+from .commands.schema import schema
+from .commands.solve import solve
 from .errors import REFUSED, tell, tell_as, told
-from .exact import exact
-from .export import export
 from .help import Command, in_chinese
-from .listing import listing
-from .new import new
 from .options import ErrorsOption, SaidLang
-from .play import play
-from .report import report
-from .schema import schema
-from .solve import solve
 from .terminal import speak_utf8
 from .tongue import speak, tongue
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import VecpolyError
-from ..files import is_special, write_whole
+from ..foundation.files import is_special, write_whole
 from ..words import Words
 from .terminal import wrote
 
@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 STDOUT = Path("-")
 
 
-def spared(target: Path | None, endings: Sequence[str], problems: Iterable[Problem] = (), more: Iterable[Path] = ()) -> Path | None:
+def spared(
+    target: Path | None, endings: Sequence[str], problems: Iterable[Problem] = (), more: Iterable[Path] = ()
+) -> Path | None:
     """The place to write to, once its ending is one of these and it is none of the files that are read.
 
     Raises VecpolyError before any work is done.
@@ -28,12 +30,22 @@ def spared(target: Path | None, endings: Sequence[str], problems: Iterable[Probl
     if target is None or target == STDOUT or is_special(target):
         return target
     if target.suffix.lower() not in endings and not target.is_dir():
-        raise VecpolyError(Words(f"{target}：此处写出的是 {_either(endings, '、', ' 或 ')} 文件；文件名应以此结尾",
-                                 f"{target}: what is written here is {_either(endings, ', ', ' or ')}; end the file's name so"), code="ending")
+        raise VecpolyError(
+            Words(
+                f"{target}：此处写出的是 {_either(endings, '、', ' 或 ')} 文件；文件名应以此结尾",
+                f"{target}: what is written here is {_either(endings, ', ', ' or ')}; end the file's name so",
+            ),
+            code="ending",
+        )
     for read in (*(file for problem in problems for file in problem.files), *more):
         if target.exists() and read.exists() and target.samefile(read):
-            raise VecpolyError(Words(f"{target}：这是要读取的文件，写入会毁掉它；请另取输出文件名",
-                                     f"{target}: is read by this command, and writing would destroy it; name another file"), code="output is input")
+            raise VecpolyError(
+                Words(
+                    f"{target}：这是要读取的文件，写入会毁掉它；请另取输出文件名",
+                    f"{target}: is read by this command, and writing would destroy it; name another file",
+                ),
+                code="output is input",
+            )
     return target
 
 
@@ -53,10 +65,16 @@ def put(target: Path, data: bytes) -> None:
 
 
 def write_json(data: Any, where: Path) -> None:
-    """JSON to a file or to standard output. NaN and infinity are no JSON; raises VecpolyError with the place of such a value."""
+    """JSON to a file or to standard output. NaN and infinity are no JSON; raises VecpolyError with the place of such a
+    value."""
     for path in _endless(data, ""):
-        raise VecpolyError(Words(f"{path} 不是有限数，JSON 无法表示；请看不带 --json 的结果", f"{path} is not finite, which JSON cannot say; look at it without --json"),
-                           code="not finite")
+        raise VecpolyError(
+            Words(
+                f"{path} 不是有限数，JSON 无法表示；请看不带 --json 的结果",
+                f"{path} is not finite, which JSON cannot say; look at it without --json",
+            ),
+            code="not finite",
+        )
     text = json.dumps(data, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
     if where == STDOUT:
         put(where, text.encode())

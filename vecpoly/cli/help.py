@@ -1,4 +1,5 @@
-"""--help in the language of the command: the English page as typer makes it, the Chinese one from the table of `chinese`."""
+"""--help in the language of the command: the English page as typer makes it, the Chinese one from the table of
+`chinese`."""
 
 from __future__ import annotations
 
@@ -36,8 +37,19 @@ def in_chinese(command: Any, ctx: Any) -> str:
         page += [*_wrapped(paragraph, 2), ""]
     records = [(param.param_type_name, param.get_help_record(ctx), param) for param in command.get_params(ctx)]
     for title, kind in (("参数", "argument"), ("选项", "option")):
-        page += _section(title, [(_labelled(found[0]), _record(param, found[1])) for name, found, param in records if name == kind and found])
-    shown = [(name, HELP[english_of(one)].split("\n\n")[0]) for name, one in getattr(command, "commands", {}).items() if not one.hidden]
+        page += _section(
+            title,
+            [
+                (_labelled(found[0]), _record(param, found[1]))
+                for name, found, param in records
+                if name == kind and found
+            ],
+        )
+    shown = [
+        (name, HELP[english_of(one)].split("\n\n")[0])
+        for name, one in getattr(command, "commands", {}).items()
+        if not one.hidden
+    ]
     return "\n".join([*page, *_section("命令", shown)]).rstrip()
 
 
@@ -67,7 +79,10 @@ def _section(title: str, rows: list[tuple[str, str]]) -> list[str]:
     lines = [f"{title}："]
     for name, text in rows:
         first, *rest = _wrapped(text, left)
-        lines += [f"  {name}".ljust(left - 1) + " " + first.lstrip() if _columns(name) + 4 <= left else f"  {name}\n{first}", *rest]
+        lines += [
+            f"  {name}".ljust(left - 1) + " " + first.lstrip() if _columns(name) + 4 <= left else f"  {name}\n{first}",
+            *rest,
+        ]
     return [*lines, ""]
 
 

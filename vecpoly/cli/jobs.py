@@ -1,4 +1,5 @@
-"""From what stands on the command line to problems: what cannot be read is told at the end, and does not stop the others."""
+"""From what stands on the command line to problems: what cannot be read is told at the end, and does not stop the
+others."""
 
 from __future__ import annotations
 
@@ -31,7 +32,8 @@ class Job:
 
 
 def problems(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Problem]:
-    """All problems named, those of assignments among them; the tally keeps what cannot be read, and tells it at once where nothing can."""
+    """All problems named, those of assignments among them; the tally keeps what cannot be read, and tells it at once
+    where nothing can."""
     return [problem for job in jobs(names, tally, outside) for problem in job.problems]
 
 
@@ -55,7 +57,9 @@ def _parts(names: Sequence[str]) -> list[str]:
     """Each name once; an exercise with several parts stands for all of them: 3-7 is 3-7a to 3-7e."""
     from ..problem.library import family, find
 
-    parts = [part for name in names for part in ([name] if Path(name).is_file() or find(name) else family(name) or [name])]
+    parts = [
+        part for name in names for part in ([name] if Path(name).is_file() or find(name) else family(name) or [name])
+    ]
     return list(dict.fromkeys(parts))
 
 

@@ -22,7 +22,8 @@ T = TypeVar("T")
 
 
 def speak_utf8() -> None:
-    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page), closed ones going nowhere."""
+    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page), closed
+    ones going nowhere."""
     sys.stdout, sys.stderr = (stream or Path(os.devnull).open("w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
@@ -47,14 +48,21 @@ def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
     from rich.table import Table
     from rich.text import Text
 
-    made = Table(title=Text(title) if title else None, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
+    made = Table(
+        title=Text(title) if title else None,
+        title_justify="left",
+        title_style="bold",
+        box=box.SIMPLE_HEAD,
+        pad_edge=False,
+    )
     for name, justify in columns:
         made.add_column(Text(name), justify=justify)
     return made
 
 
 def add(to: Table, cells: Iterable[str], *, alarmed: bool = False) -> None:
-    """A row of plain text: square brackets are letters here, not markup; in red where it must not be taken for an answer."""
+    """A row of plain text: square brackets are letters here, not markup; in red where it must not be taken for an
+    answer."""
     from rich.text import Text
 
     to.add_row(*(Text(cell) for cell in cells), style="bold red" if alarmed else "")
@@ -74,7 +82,10 @@ def progress(items: Sequence[T], doing: Words) -> Iterator[T]:
 def warn(problem: str, said: Iterable[Words], lang: Lang) -> None:
     """What is accepted but hardly meant, on stderr."""
     for words in said:
-        typer.echo(f"vecpoly: {f'注意 {problem}：' if lang == 'zh' else f'note on {problem}: '}{bare(words.of(lang))}", err=True)
+        typer.echo(
+            f"vecpoly: {f'注意 {problem}：' if lang == 'zh' else f'note on {problem}: '}{bare(words.of(lang))}",
+            err=True,
+        )
 
 
 def say(text: str) -> None:

@@ -21,7 +21,11 @@ def tongue() -> Lang:
 
 def speak(args: Sequence[str]) -> None:
     """Take the language from a command's words, or from the environment."""
-    said = [word.partition("=")[2] or following for word, following in zip(args, [*args[1:], ""], strict=False) if word.partition("=")[0] == "--lang"]
+    said = [
+        word.partition("=")[2] or following
+        for word, following in zip(args, [*args[1:], ""], strict=False)
+        if word.partition("=")[0] == "--lang"
+    ]
     _TONGUE.set("zh" if (said or [os.environ.get("VECPOLY_LANG", "")])[-1] == "zh" else "en")
 
 

@@ -1,4 +1,5 @@
-"""A command line that cannot be read, told in Chinese: an unknown option, a missing argument, a value of the wrong kind."""
+"""A command line that cannot be read, told in Chinese: an unknown option, a missing argument, a value of the wrong
+kind."""
 
 from __future__ import annotations
 
@@ -9,20 +10,32 @@ import typer
 
 UsageError: type[Exception] = typer.BadParameter.__mro__[1]
 
-_SAID = tuple((re.compile(english), chinese) for english, chinese in (
-    (r"No such option:? '?([^'\s]+?)'?(?:\.)?(?:[ (]*(?:Did you mean|Possible options:) (.+?)\)?\??)?", "没有选项 {0}{1}"),
-    (r"No such command '(.+?)'\.(?: Did you mean (.+?)\??)?", "没有命令“{0}”{1}"),
-    (r"Missing (?:argument|option|parameter):? ?'(.+?)'\.?.*", "缺少参数 {0}"),
-    (r"Invalid value for '(.+?)': (?:Value error, )?'?(.+?)'? is not one of (.+?)\.?", "{0} 的值无效：“{1}”应为 {2} 之一"),
-    (r"Invalid value for '(.+?)': (.+?) is not in the range (.+?)\.?", "{0} 的值无效：{1} 不在范围 {2} 内"),
-    (r"Invalid value for '(.+?)': '?(.+?)'? is not a valid (?:int|integer|float)(?: range)?\.?", "{0} 的值无效：“{1}”不是数"),
-    (r"Invalid value for '(.+?)': Input should be greater than or equal to (.+)", "{0} 的值无效：不得小于 {1}"),
-    (r"Invalid value for '(.+?)': Input should be less than or equal to (.+)", "{0} 的值无效：不得大于 {1}"),
-    (r"Invalid value for '(.+?)': Input should be a valid (?:integer|number).*", "{0} 的值无效：应为数"),
-    (r"Invalid value for '(.+?)': (.+)", "{0} 的值无效：{1}"),
-    (r"Option '(.+?)' requires an argument\.?", "选项 {0} 之后缺少值"),
-    (r"Got unexpected extra arguments? \((.+)\)\.?", "多余的参数：{0}"),
-))
+_SAID = tuple(
+    (re.compile(english), chinese)
+    for english, chinese in (
+        (
+            r"No such option:? '?([^'\s]+?)'?(?:\.)?(?:[ (]*(?:Did you mean|Possible options:) (.+?)\)?\??)?",
+            "没有选项 {0}{1}",
+        ),
+        (r"No such command '(.+?)'\.(?: Did you mean (.+?)\??)?", "没有命令“{0}”{1}"),
+        (r"Missing (?:argument|option|parameter):? ?'(.+?)'\.?.*", "缺少参数 {0}"),
+        (
+            r"Invalid value for '(.+?)': (?:Value error, )?'?(.+?)'? is not one of (.+?)\.?",
+            "{0} 的值无效：“{1}”应为 {2} 之一",
+        ),
+        (r"Invalid value for '(.+?)': (.+?) is not in the range (.+?)\.?", "{0} 的值无效：{1} 不在范围 {2} 内"),
+        (
+            r"Invalid value for '(.+?)': '?(.+?)'? is not a valid (?:int|integer|float)(?: range)?\.?",
+            "{0} 的值无效：“{1}”不是数",
+        ),
+        (r"Invalid value for '(.+?)': Input should be greater than or equal to (.+)", "{0} 的值无效：不得小于 {1}"),
+        (r"Invalid value for '(.+?)': Input should be less than or equal to (.+)", "{0} 的值无效：不得大于 {1}"),
+        (r"Invalid value for '(.+?)': Input should be a valid (?:integer|number).*", "{0} 的值无效：应为数"),
+        (r"Invalid value for '(.+?)': (.+)", "{0} 的值无效：{1}"),
+        (r"Option '(.+?)' requires an argument\.?", "选项 {0} 之后缺少值"),
+        (r"Got unexpected extra arguments? \((.+)\)\.?", "多余的参数：{0}"),
+    )
+)
 
 
 def in_chinese(error: Any) -> str:

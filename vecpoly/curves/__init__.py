@@ -1,4 +1,5 @@
-"""Curves of a cycle in one restrained style: quantities over the drive's position, hodographs, paths of points, the mechanism in several positions.
+"""Curves of a cycle in one restrained style: quantities over the drive's position, hodographs, paths of points, the
+mechanism in several positions.
 
     plot = curves(turn, ("omega_4", "omega_5"), "zh")
     plot.scene                                   # a drawing of the house: into a report, true to size, fonts embedded

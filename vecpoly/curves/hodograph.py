@@ -26,9 +26,12 @@ def hodograph(cycle: Cycle, key: str, lang: Lang = "zh", *, width: float = 90.0,
     """
     info = cycle.info(key)
     if not info.is_vector:
-        raise NotAskedError(Words(
-            f"{key} 不是矢量，不能作矢端图；请用 v_E 或 a_E 之类的量",
-            f"{key} is no vector: a hodograph needs one, such as v_E or a_E"))
+        raise NotAskedError(
+            Words(
+                f"{key} 不是矢量，不能作矢端图；请用 v_E 或 a_E 之类的量",
+                f"{key} is no vector: a hodograph needs one, such as v_E or a_E",
+            )
+        )
     values = info.factor * np.asarray(cycle.column(key), np.complex128)
     known = values[np.isfinite(values)]
     if not known.size:

@@ -20,11 +20,19 @@ LEAST_GAMMA = 40.0  # degrees: the usual bound of transmission angles
 _SAMPLE, _AFTER, _GAP, _LINE = 8.5, 1.2, 3.5, 5.0  # of the legend, mm
 
 
-def curves(cycle: Cycle, keys: tuple[str, ...], lang: Lang = "zh", *, width: float = style.WIDTH, panel: float = style.PANEL,
-           marks: bool = True) -> Plot:
+def curves(
+    cycle: Cycle,
+    keys: tuple[str, ...],
+    lang: Lang = "zh",
+    *,
+    width: float = style.WIDTH,
+    panel: float = style.PANEL,
+    marks: bool = True,
+) -> Plot:
     """The columns over the drive's position; each unit has a panel of its own.
 
-    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its middle.
+    A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
+    middle.
     Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
@@ -34,7 +42,10 @@ def curves(cycle: Cycle, keys: tuple[str, ...], lang: Lang = "zh", *, width: flo
     probe = style.axes(style.sheet(width, height), 20.0, 20.0, 50.0, panel - 25.0)
     left = max(style.gutter(probe, limit) for limit in limits) + 1.0
     labels = [style.axis_label(_common(group), group[0].shown_unit) for group in groups]
-    beside = all(_legend_width(group) + layout_words(label, style.LABEL).width + 6.0 <= width - style.RIGHT for group, label in zip(groups, labels, strict=True))
+    beside = all(
+        _legend_width(group) + layout_words(label, style.LABEL).width + 6.0 <= width - style.RIGHT
+        for group, label in zip(groups, labels, strict=True)
+    )
     room = panel - style.FOOT - style.TOP - (0.0 if beside else _LINE)
     for i, (group, limit, label) in enumerate(zip(groups, limits, labels, strict=True)):
         foot = height - panel * (i + 1) + style.FOOT
@@ -43,7 +54,9 @@ def curves(cycle: Cycle, keys: tuple[str, ...], lang: Lang = "zh", *, width: flo
         top = foot + room + 2.2
         style.text(at, 1.0, top + (0.0 if beside else _LINE), label)
         drive = cycle.drive
-        style.text(at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, _drive_label(drive, lang), ha="center")
+        style.text(
+            at, left + (width - left - style.RIGHT) / 2, foot - style.FOOT + 2.0, _drive_label(drive, lang), ha="center"
+        )
         _legend(at, width - style.RIGHT, top, group)
     return Plot(figure, _title(cycle, groups), lang)
 
@@ -55,18 +68,25 @@ def _drive_label(drive: Column, lang: Lang) -> str:
 
 def _grouped(cycle: Cycle, keys: tuple[str, ...]) -> list[list[Column]]:
     if not keys:
-        raise NotAskedError(Words(
-            "未指定要绘的量；请指明，如 omega_3,alpha_3",
-            "no quantity is named: say which curves to draw, such as omega_3,alpha_3"))
+        raise NotAskedError(
+            Words(
+                "未指定要绘的量；请指明，如 omega_3,alpha_3",
+                "no quantity is named: say which curves to draw, such as omega_3,alpha_3",
+            )
+        )
     groups: dict[str, list[Column]] = {}
     for key in dict.fromkeys(keys):
         info = cycle.info(key)
         groups.setdefault(info.shown_unit, []).append(cycle.info(f"{key}.abs") if info.is_vector else info)
     for group in groups.values():
         if len(group) > len(style.PENS):
-            raise NotAskedError(Words(
-                f"以 {group[0].shown_unit} 为单位的 {len(group)} 条曲线难以分辨；一次至多绘 {len(style.PENS)} 条",
-                f"{len(group)} curves in {group[0].shown_unit} cannot be told apart; draw at most {len(style.PENS)} at once"))
+            raise NotAskedError(
+                Words(
+                    f"以 {group[0].shown_unit} 为单位的 {len(group)} 条曲线难以分辨；一次至多绘 {len(style.PENS)} 条",
+                    f"{len(group)} curves in {group[0].shown_unit} cannot be told apart; draw at most "
+                    f"{len(style.PENS)} at once",
+                )
+            )
     return list(groups.values())
 
 
@@ -82,7 +102,10 @@ def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
         return 0.0, 1.0
     low, high = _clipped(values)
     if "/s" in group[0].unit or group[0].unit in ("N", "N·m"):
-        low, high = (0.0 if 0 < low < 0.6 * high else low), (0.0 if 0.6 * low < high < 0 else high)  # a rate of one sign is seen against nothing
+        low, high = (
+            (0.0 if 0 < low < 0.6 * high else low),
+            (0.0 if 0.6 * low < high < 0 else high),
+        )  # a rate of one sign is seen against nothing
     elif group[0].key.startswith("gamma_"):
         low, high = min(low, LEAST_GAMMA), high
     margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
@@ -108,7 +131,11 @@ def _panel(cycle: Cycle, at: Any, group: list[Column], limit: tuple[float, float
         at.axhline(0.0, color=Hue.GREY.value, linewidth=style.thickness() * MM, zorder=1)
     for column, pen in zip(group, style.PENS, strict=False):
         style.line(at, phi, _values(cycle, column), pen, column.key)
-        spots = turning(phi, _values(cycle, column), cycle.whole and drive.unit == "rad" and not column.turns) if marks else []
+        spots = (
+            turning(phi, _values(cycle, column), cycle.whole and drive.unit == "rad" and not column.turns)
+            if marks
+            else []
+        )
         if column.key.startswith("gamma_"):
             spots = [min(spots, key=lambda spot: spot[1])] if spots else []
         spots = [spot for spot in spots if limit[0] <= spot[1] <= limit[1]]
@@ -135,7 +162,16 @@ def _legend(at: Any, right: float, top: float, group: list[Column]) -> None:
     """Samples of the pens with their symbols, in one row that ends at the right edge of the axes."""
     x = right - _legend_width(group)
     for column, pen in zip(group if len(group) > 1 else (), style.PENS, strict=False):
-        (drawn,) = at.plot([x, x + _SAMPLE], [top + 1.1] * 2, transform=None, clip_on=False, color=pen.hue.value, linewidth=pen.width * MM, scalex=False, scaley=False)
+        (drawn,) = at.plot(
+            [x, x + _SAMPLE],
+            [top + 1.1] * 2,
+            transform=None,
+            clip_on=False,
+            color=pen.hue.value,
+            linewidth=pen.width * MM,
+            scalex=False,
+            scaley=False,
+        )
         if pen.dash.pattern:
             drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
         style.text(at, x + _SAMPLE + _AFTER, top, f"${column.symbol}$")

@@ -39,7 +39,11 @@ class Placer:
         box = layout_words(words, size)
         half = complex(box.width / 2, (box.ascent + box.descent) / 2)
         here = complex(self.mm(np.array([place]))[0])
-        spots = [(here + way * gap + complex(half.real * way.real, half.imag * way.imag), way, gap) for gap in NEAR for way in WAYS]
+        spots = [
+            (here + way * gap + complex(half.real * way.real, half.imag * way.imag), way, gap)
+            for gap in NEAR
+            for way in WAYS
+        ]
         outward = outward / abs(outward) if abs(outward) else 1.0
         spot = min(spots, key=lambda s: self._cost(s[0], half) + 0.4 * s[2] - 0.5 * (np.conj(outward) * s[1]).real)[0]
         self.boxes.append((spot - half, spot + half))
@@ -50,8 +54,15 @@ class Placer:
         away = self.taken - spot
         hits = np.count_nonzero((np.abs(away.real) < grown.real) & (np.abs(away.imag) < grown.imag))
         low, high = spot - grown, spot + grown
-        laps = sum(a.real < high.real and low.real < b.real and a.imag < high.imag and low.imag < b.imag for a, b in self.boxes)
-        out = low.real < self.low.real or low.imag < self.low.imag or high.real > self.high.real or high.imag > self.high.imag
+        laps = sum(
+            a.real < high.real and low.real < b.real and a.imag < high.imag and low.imag < b.imag for a, b in self.boxes
+        )
+        out = (
+            low.real < self.low.real
+            or low.imag < self.low.imag
+            or high.real > self.high.real
+            or high.imag > self.high.imag
+        )
         return float(hits) + 20.0 * laps + 100.0 * out
 
 

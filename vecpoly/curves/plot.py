@@ -7,10 +7,10 @@ from functools import cached_property
 
 from matplotlib.figure import Figure
 
-from ..drawing.pdf import to_pdf
-from ..drawing.png import to_png
+from ..drawing.backends.pdf import to_pdf
+from ..drawing.backends.png import to_png
+from ..drawing.backends.svg import to_svg
 from ..drawing.scene import Scene
-from ..drawing.svg import to_svg
 from ..words import Lang, Words, bare
 from .record import record
 

@@ -23,11 +23,14 @@ _PATH = style.Pen(Dash.DASHED, View.ACCELERATION.ink, 0.4)
 
 
 def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0, height: float = 105.0) -> Plot:
-    """Every 30° of the drive (or at twelfths of its range) the links as thin lines, in mm; the path of the letter dashed, the problem's own position thick. Raises UnknownNameError."""
+    """Every 30° of the drive (or at twelfths of its range) the links as thin lines, in mm; the path of the letter
+    dashed, the problem's own position thick. Raises UnknownNameError."""
     phi, spots = stations(cycle, f"p_{letter}")
     lines, own = skeleton(cycle, phi), [line[:, 0] for line in skeleton(cycle, np.array([cycle.mech.drive.position]))]
     path = 1e3 * np.asarray(cycle.column(f"p_{letter}"), np.complex128)
-    every = np.concatenate([path, *(line.ravel() for line in (*lines, *own)), 1e3 * np.array(list(cycle.mech.frame.values()))])
+    every = np.concatenate(
+        [path, *(line.ravel() for line in (*lines, *own)), 1e3 * np.array(list(cycle.mech.frame.values()))]
+    )
     every = every[np.isfinite(every)]
     low, high = complex(every.real.min(), every.imag.min()), complex(every.real.max(), every.imag.max())
     figure, at = plane(low, high, width, height, (style.axis_label("x", "mm"), style.axis_label("y", "mm")))
@@ -40,7 +43,14 @@ def poses(cycle: Cycle, letter: str, lang: Lang = "zh", *, width: float = 150.0,
     style.dots(at, 1e3 * spots.real, 1e3 * spots.imag, _PATH.hue, 0.9)
     placer = Placer(at, [path, *own, *(line[:, k] for line in lines for k in range(line.shape[1]))])
     _letters(cycle, at, letter, placer, (low + high) / 2)
-    return Plot(figure, Words(f"机构的 {len(phi)} 个位置和 ${letter}$ 点的轨迹", f"{len(phi)} positions of the mechanism, and the path of ${letter}$"), lang)
+    return Plot(
+        figure,
+        Words(
+            f"机构的 {len(phi)} 个位置和 ${letter}$ 点的轨迹",
+            f"{len(phi)} positions of the mechanism, and the path of ${letter}$",
+        ),
+        lang,
+    )
 
 
 def _letters(cycle: Cycle, at: Any, letter: str, placer: Placer, middle: complex) -> None:

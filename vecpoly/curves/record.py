@@ -1,4 +1,5 @@
-"""A matplotlib figure drawn into a scene: matplotlib decides where axes, ticks and curves stand, our backends draw them."""
+"""A matplotlib figure drawn into a scene: matplotlib decides where axes, ticks and curves stand, our backends draw
+them."""
 
 from __future__ import annotations
 
@@ -46,9 +47,13 @@ class Recorder(RendererBase):
         if width <= 0 or (gc.get_rgb()[3] if len(gc.get_rgb()) > 3 else 1.0) == 0:
             return
         for points, closed in _lines(path, transform, gc.get_clip_rectangle()):
-            self.items.append(Stroke(points=points, width=width, dash=_dash(gc), hue=_hue(gc.get_rgb()), closed=closed, layer=layer))
+            self.items.append(
+                Stroke(points=points, width=width, dash=_dash(gc), hue=_hue(gc.get_rgb()), closed=closed, layer=layer)
+            )
 
-    def draw_text(self, gc: Any, x: float, y: float, s: str, prop: Any, angle: float, ismath: Any = False, mtext: Any = None) -> None:
+    def draw_text(
+        self, gc: Any, x: float, y: float, s: str, prop: Any, angle: float, ismath: Any = False, mtext: Any = None
+    ) -> None:
         """Lettering on its baseline; text in a plot of the house never stands upright."""
         self.items.append(TextBox(box=_set(s, prop), x=float(x), y=float(y), hue=_hue(gc.get_rgb())))
 
@@ -107,4 +112,7 @@ def _dash(gc: Any) -> Dash:
     _, pattern = gc.get_dashes()
     if not pattern:
         return Dash.FULL
-    return min((dash for dash in Dash if dash.pattern), key=lambda dash: abs(dash.pattern[0] - pattern[0] / MM) + abs(len(dash.pattern) - len(pattern)))
+    return min(
+        (dash for dash in Dash if dash.pattern),
+        key=lambda dash: abs(dash.pattern[0] - pattern[0] / MM) + abs(len(dash.pattern) - len(pattern)),
+    )

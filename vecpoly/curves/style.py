@@ -30,9 +30,12 @@ class Pen:
 
 
 PENS = (
-    Pen(Dash.FULL, Hue.BLACK, 0.5), Pen(Dash.DASHED, View.VELOCITY.ink, 0.5),
+    Pen(Dash.FULL, Hue.BLACK, 0.5),
+    Pen(Dash.DASHED, View.VELOCITY.ink, 0.5),
     Pen(Dash.DASH_DOT, View.ACCELERATION.ink, 0.5),
-    Pen(Dash.SHORT, View.FORCE.ink, 0.5), Pen(Dash.FULL, Hue.GREY, 0.3), Pen(Dash.DASHED, Hue.GREY, 0.3),
+    Pen(Dash.SHORT, View.FORCE.ink, 0.5),
+    Pen(Dash.FULL, Hue.GREY, 0.3),
+    Pen(Dash.DASHED, Hue.GREY, 0.3),
 )
 
 
@@ -66,18 +69,44 @@ def number(value: float) -> str:
 
 def line(at: Any, x: Any, y: Any, pen: Pen, label: str = "_") -> None:
     """A curve; where it has no value it is interrupted."""
-    (drawn,) = at.plot(x, y, color=pen.hue.value, linewidth=pen.width * MM, label=label, solid_capstyle="round", solid_joinstyle="round")
+    (drawn,) = at.plot(
+        x,
+        y,
+        color=pen.hue.value,
+        linewidth=pen.width * MM,
+        label=label,
+        solid_capstyle="round",
+        solid_joinstyle="round",
+    )
     if pen.dash.pattern:  # matplotlib counts dashes in line widths
         drawn.set_linestyle((0, tuple(part / pen.width for part in pen.dash.pattern)))
 
 
 def dots(at: Any, x: Any, y: Any, hue: Hue, size: float = 1.0, hollow: bool = False) -> None:
     """Small round marks, size in mm across."""
-    at.plot(x, y, linestyle="none", marker="o", markersize=size * MM, markerfacecolor=(Hue.WHITE if hollow else hue).value,
-            markeredgecolor=hue.value, markeredgewidth=0.2 * MM, clip_on=False)
+    at.plot(
+        x,
+        y,
+        linestyle="none",
+        marker="o",
+        markersize=size * MM,
+        markerfacecolor=(Hue.WHITE if hollow else hue).value,
+        markeredgecolor=hue.value,
+        markeredgewidth=0.2 * MM,
+        clip_on=False,
+    )
 
 
-def text(at: Any, x: float, y: float, words: str, ha: str = "left", va: str = "baseline", size: float = LABEL, data: bool = False) -> None:
+def text(
+    at: Any,
+    x: float,
+    y: float,
+    words: str,
+    ha: str = "left",
+    va: str = "baseline",
+    size: float = LABEL,
+    data: bool = False,
+) -> None:
     """Lettering at a place in mm of the figure, or of the axes' data."""
     where = {"transform": at.transData} if data else {"transform": None}
     at.text(x, y, words, ha=ha, va=va, fontsize=size * MM, parse_math=False, clip_on=False, **where)
@@ -85,14 +114,18 @@ def text(at: Any, x: float, y: float, words: str, ha: str = "left", va: str = "b
 
 def axis_label(symbol: str, unit: str) -> str:
     """$ω$ / (rad/s), or the symbol alone of a pure number."""
-    return f"${symbol}$" + (f" / ({unit})" if "/" in unit or "·" in unit or unit == "°" else f" / {unit}" if unit else "")
+    return f"${symbol}$" + (
+        f" / ({unit})" if "/" in unit or "·" in unit or unit == "°" else f" / {unit}" if unit else ""
+    )
 
 
 def degrees_ticks(at: Any, low: float, high: float) -> None:
     """Round steps of degrees: thirds of right angles over a whole turn."""
     span = high - low
     step = next(s for s in (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720) if span / s <= 12.5)
-    at.xaxis.set_major_locator(FixedLocator(list(step * np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1))))
+    at.xaxis.set_major_locator(
+        FixedLocator(list(step * np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1)))
+    )
 
 
 def gutter(at: Any, values: Sequence[float]) -> float:

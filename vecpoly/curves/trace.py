@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..cycle import Cycle, Shape
-from ..cycle.path import shape_of
+from ..cycle.facts.path import shape_of
 from ..drawing.style import THIN, Dash, Hue
 from ..errors import NotAskedError
 from ..mechanism.model import Revolute
@@ -21,15 +21,20 @@ from .skeleton import skeleton
 LINKS = style.Pen(Dash.FULL, Hue.GREY, THIN)
 
 
-def trace(cycle: Cycle, points: tuple[str, ...], lang: Lang = "zh", *, width: float = 120.0, height: float = 110.0) -> Plot:
+def trace(
+    cycle: Cycle, points: tuple[str, ...], lang: Lang = "zh", *, width: float = 120.0, height: float = 110.0
+) -> Plot:
     """The paths of these letters, in mm; dots every 30° of the drive on the first, the mechanism in thin lines.
 
     Raises NotAskedError for no letter or more than six, UnknownNameError.
     """
     if not 0 < len(points) <= len(style.PENS):
-        raise NotAskedError(Words(
-            f"{len(points)} 条轨迹；请指定 1 至 {len(style.PENS)} 个点",
-            f"{len(points)} paths: name one to {len(style.PENS)} points"))
+        raise NotAskedError(
+            Words(
+                f"{len(points)} 条轨迹；请指定 1 至 {len(style.PENS)} 个点",
+                f"{len(points)} paths: name one to {len(style.PENS)} points",
+            )
+        )
     paths = [1e3 * np.asarray(cycle.column(f"p_{letter}"), np.complex128) for letter in points]
     lines = [line[:, 0] for line in skeleton(cycle, np.array([cycle.mech.drive.position]))]
     every = np.concatenate([*paths, *lines, 1e3 * np.array(list(cycle.mech.frame.values()))])
@@ -71,9 +76,12 @@ def _once(path: Any) -> Any:
 
 
 def _joints(cycle: Cycle, at: Any, points: tuple[str, ...]) -> dict[str, complex]:
-    """Open circles at the frame's points, the hinges and the traced points of the mechanism as it stands; their places (mm)."""
+    """Open circles at the frame's points, the hinges and the traced points of the mechanism as it stands; their places
+    (mm)."""
     mech = cycle.mech
-    letters = dict.fromkeys([*mech.frame, *(joint.point for joint in mech.joints if isinstance(joint, Revolute)), *points])
+    letters = dict.fromkeys(
+        [*mech.frame, *(joint.point for joint in mech.joints if isinstance(joint, Revolute)), *points]
+    )
     found = {letter: 1e3 * complex(np.asarray(cycle.at(f"p_{letter}", [mech.drive.position]))[0]) for letter in letters}
     for letter, z in found.items():
         style.dots(at, [z.real], [z.imag], Hue.BLACK, 1.8 if letter in mech.frame else 1.3, hollow=True)

@@ -1,8 +1,8 @@
 """Whole-cycle numbers of a mechanism: columns over the drive's positions, exact extremes, facts, paths, tables.
 
-    turn = cycle(vecpoly.load("A-27"), n=361)
-    turn.column("omega_5"), turn.column("a_F")       # rad/s, complex m/s²
-    extremes(turn, "alpha_5").highest                 # to full accuracy, not on the grid
+turn = cycle(vecpoly.load("A-27"), n=361)
+turn.column("omega_5"), turn.column("a_F")       # rad/s, complex m/s²
+extremes(turn, "alpha_5").highest                 # to full accuracy, not on the grid
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ from __future__ import annotations
 from .columns import Column
 from .cycle import Cycle, cycle
 from .extremes import Extremes, Spot, extremes
-from .facts import Facts, facts
-from .force_words import force_sentences
-from .path import Path, Shape, path
-from .sentences import path_sentences, sentences
+from .facts.force_words import force_sentences
+from .facts.found import Facts, facts
+from .facts.path import Path, Shape, path
+from .facts.sentences import path_sentences, sentences
 from .table import Table, csv_bytes, table, xlsx_bytes
 
 __all__ = [

@@ -1,8 +1,11 @@
 """What a cycle can tell, by key: the quantity's symbol, unit and words, and the key of its time derivative.
 
-Beside the keys of `names` and of `mechanism.quantities`: ``phi_2`` angle of link 2; ``s_45``, ``v_45``, ``a_45`` travel of block 4
-along link 5, its speed and relative acceleration (links by printed numbers); ``gamma_23`` transmission angle of the dyad of links 2
-and 3; ``d_45`` distance of the outer pins of an RPR dyad. A vector's parts: ``v_E.x``, ``v_E.y``, ``v_E.abs``, ``v_E.arg``.
+Beside the keys of `names` and of `mechanism.quantities`: ``phi_2`` angle of link 2; ``s_45``, ``v_45``, ``a_45`` travel
+of block 4
+along link 5, its speed and relative acceleration (links by printed numbers); ``gamma_23`` transmission angle of the
+dyad of links 2
+and 3; ``d_45`` distance of the outer pins of an RPR dyad. A vector's parts: ``v_E.x``, ``v_E.y``, ``v_E.abs``,
+``v_E.arg``.
 """
 
 from __future__ import annotations
@@ -12,12 +15,12 @@ from dataclasses import dataclass, replace
 from itertools import chain
 
 from ..errors import EquilibriumError, UnknownNameError
-from ..mechanism.assur import Dyad, decompose, ends
+from ..mechanism.asked.forces import pairs, press_named, quantities, slide_named
+from ..mechanism.groups.assur import Dyad, decompose, ends
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism, Prismatic
-from ..mechanism.quantities import pairs, press_named, quantities, slide_named
 from ..names import Kind, Named, Rel, parse_rel, subscripted
-from ..problem.spelling import did_you_mean
+from ..problem.text.spelling import did_you_mean
 from ..words import Words
 
 PARTS = ("x", "y", "abs", "arg")
@@ -26,7 +29,8 @@ _SHOWN = {"rad": ("°", 57.29577951308232), "m": ("mm", 1000.0)}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """One quantity over the cycle: key, symbol in the notation of `formula`, SI unit, what it is, key of its time derivative."""
+    """One quantity over the cycle: key, symbol in the notation of `formula`, SI unit, what it is, key of its time
+    derivative."""
 
     key: str
     symbol: str
@@ -54,8 +58,11 @@ class Column:
 
 def slides(mech: Mechanism) -> dict[str, Prismatic]:
     """Every sliding joint by the printed numbers of block and guide: 45."""
-    return {slide_named(mech, joint): joint for joint in mech.joints
-            if isinstance(joint, Prismatic) and {joint.block, joint.guide} <= {*mech.bodies, FRAME}}
+    return {
+        slide_named(mech, joint): joint
+        for joint in mech.joints
+        if isinstance(joint, Prismatic) and {joint.block, joint.guide} <= {*mech.bodies, FRAME}
+    }
 
 
 def dyads(mech: Mechanism) -> dict[str, Dyad]:
@@ -70,9 +77,12 @@ def moving_points(mech: Mechanism) -> tuple[str, ...]:
 
 
 def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | None = None) -> tuple[Column, ...]:
-    """The columns of a whole-cycle table: links, points, slides, transmission angles, what balances and what presses."""
+    """The columns of a whole-cycle table: links, points, slides, transmission angles, what balances and what
+    presses."""
     keys = [f"{stem}_{name}" for name in mech.numbered for stem in ("phi", "omega", "alpha")]
-    keys += [f"{stem}_{letter}" for letter in (moving_points(mech) if points is None else points) for stem in ("p", "v", "a")]
+    keys += [
+        f"{stem}_{letter}" for letter in (moving_points(mech) if points is None else points) for stem in ("p", "v", "a")
+    ]
     keys += [f"{stem}_{pair}" for pair in slides(mech) for stem in ("s", "v", "a")]
     keys += [f"gamma_{pair}" for pair, dyad in dyads(mech).items() if "G" not in dyad.kind]
     if loads is not None:
@@ -88,37 +98,67 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
         return _part(column_of(mech, loads, base), part)
     stem, _, rest = key.partition("_")
     if stem == "phi" and rest in mech.numbered:
-        return Column(key=key, symbol=f"φ_{{{rest}}}", unit="rad", words=_angle_words(mech, rest), rate=f"omega_{rest}", turns=True)
+        return Column(
+            key=key,
+            symbol=f"φ_{{{rest}}}",
+            unit="rad",
+            words=_angle_words(mech, rest),
+            rate=f"omega_{rest}",
+            turns=True,
+        )
     if stem in ("s", "v", "a") and rest in slides(mech):
         return _slide(key, stem, rest, *(mech.number(name) for name in reversed(ends(slides(mech)[rest]))))
     if stem == "gamma" and rest in dyads(mech):
         return Column(key=key, symbol=f"γ_{{{rest}}}", unit="rad", words=_gamma_words(mech, rest))
     if stem == "d" and rest in dyads(mech):
-        return Column(key=key, symbol=f"d_{{{rest}}}", unit="m", words=Words(f"杆组 {rest} 两外副的距离", f"distance of the outer pins of dyad {rest}"))
+        return Column(
+            key=key,
+            symbol=f"d_{{{rest}}}",
+            unit="m",
+            words=Words(f"杆组 {rest} 两外副的距离", f"distance of the outer pins of dyad {rest}"),
+        )
     if loads is not None and (named := quantities(mech, loads).get(key)) is not None:
         return _named(named)
     if loads is None and re.fullmatch(r"(R|M|F|h|eta|Q)(_\w+)?", key):
-        raise EquilibriumError(Words(
-            f"题目没有载荷，不能求 {key}；题目中须有 loads",
-            f"there are no loads, so {key} cannot be asked for; the problem needs `loads`"))
+        raise EquilibriumError(
+            Words(
+                f"题目没有载荷，不能求 {key}；题目中须有 loads",
+                f"there are no loads, so {key} cannot be asked for; the problem needs `loads`",
+            )
+        )
     return _kinematic(mech, key)
 
 
 def _part(whole: Column, part: str) -> Column:
     if not whole.is_vector or part not in PARTS:
-        raise UnknownNameError(Words(
-            f"没有 {whole.key}.{part}；矢量的分量有 {', '.join(PARTS)}",
-            f"there is no {whole.key}.{part}; a vector has the parts {', '.join(PARTS)}"))
+        raise UnknownNameError(
+            Words(
+                f"没有 {whole.key}.{part}；矢量的分量有 {', '.join(PARTS)}",
+                f"there is no {whole.key}.{part}; a vector has the parts {', '.join(PARTS)}",
+            )
+        )
     key, rate = f"{whole.key}.{part}", f"{whole.rate}.{part}" if whole.rate and part in "xy" else ""
     stem, _, sub = whole.symbol.partition("_")
     sub = sub.strip("{}")
     if part in "xy":
         symbol = f"{part}_{{{sub}}}" if stem == "r" else f"{stem}_{{{sub}{part}}}"
-        return replace(whole, key=key, symbol=symbol, is_vector=False, rate=rate,
-                       words=whole.words + Words(f"的 {part} 分量", f", {part} component"))
+        return replace(
+            whole,
+            key=key,
+            symbol=symbol,
+            is_vector=False,
+            rate=rate,
+            words=whole.words + Words(f"的 {part} 分量", f", {part} component"),
+        )
     if part == "abs":
         return replace(whole, key=key, is_vector=False, rate="", words=whole.words + Words("的大小", ", magnitude"))
-    return Column(key=key, symbol=f"θ_{{{stem}{sub}}}", unit="rad", words=whole.words + Words("的方向角", ", direction"), turns=True)
+    return Column(
+        key=key,
+        symbol=f"θ_{{{stem}{sub}}}",
+        unit="rad",
+        words=whole.words + Words("的方向角", ", direction"),
+        turns=True,
+    )
 
 
 def _slide(key: str, stem: str, pair: str, block: str, guide: str) -> Column:
@@ -132,28 +172,45 @@ def _gamma_words(mech: Mechanism, name: str) -> Words:
     """Of a dyad; of the contact whose replacing link is in it."""
     if len(mech.contacts) == 1 and not {dyads(mech)[name].link_j, dyads(mech)[name].link_k} <= {*mech.bodies}:
         letter = mech.contacts[0].point
-        return Words(f"高副 ${letter}$ 的传动角（压力角的余角）", f"transmission angle at contact ${letter}$ (90° less the pressure angle)")
+        return Words(
+            f"高副 ${letter}$ 的传动角（压力角的余角）",
+            f"transmission angle at contact ${letter}$ (90° less the pressure angle)",
+        )
     return Words(f"杆组 {name} 的传动角", f"transmission angle of dyad {name}")
 
 
 def _angle_words(mech: Mechanism, name: str) -> Words:
     letters = tuple(mech.link(name).points)[:2]
     said = f"{letters[0]}{letters[1]}" if len(letters) == 2 else ""
-    return Words(f"构件 {name} 的转角" + (f"（{said} 的方向）" if said else ""), f"angle of link {name}" + (f" (direction {said})" if said else ""))
+    return Words(
+        f"构件 {name} 的转角" + (f"（{said} 的方向）" if said else ""),
+        f"angle of link {name}" + (f" (direction {said})" if said else ""),
+    )
 
 
 def _named(named: Named) -> Column:
     words = {"R": Words("运动副反力", "reaction"), "eta": Words("效率", "efficiency"), "M": Words("力矩", "moment")}
     stem = named.key.partition("_")[0]
     found = words.get(stem, Words("力", "force") if named.unit == "N" else Words.same(""))
-    return Column(key=named.key, symbol=named.symbol, unit=named.unit, words=found + Words.same(f" ${named.symbol}$"), is_vector=named.is_vector)
+    return Column(
+        key=named.key,
+        symbol=named.symbol,
+        unit=named.unit,
+        words=found + Words.same(f" ${named.symbol}$"),
+        is_vector=named.is_vector,
+    )
 
 
 _WORDS = {
-    Kind.P: Words("位置", "position"), Kind.V: Words("速度", "velocity"), Kind.A: Words("加速度", "acceleration"),
-    Kind.AN: Words("法向加速度", "normal acceleration"), Kind.AT: Words("切向加速度", "tangential acceleration"),
-    Kind.AK: Words("科氏加速度", "Coriolis acceleration"), Kind.AR: Words("相对加速度", "relative acceleration"),
-    Kind.OMEGA: Words("角速度", "angular velocity"), Kind.ALPHA: Words("角加速度", "angular acceleration"),
+    Kind.P: Words("位置", "position"),
+    Kind.V: Words("速度", "velocity"),
+    Kind.A: Words("加速度", "acceleration"),
+    Kind.AN: Words("法向加速度", "normal acceleration"),
+    Kind.AT: Words("切向加速度", "tangential acceleration"),
+    Kind.AK: Words("科氏加速度", "Coriolis acceleration"),
+    Kind.AR: Words("相对加速度", "relative acceleration"),
+    Kind.OMEGA: Words("角速度", "angular velocity"),
+    Kind.ALPHA: Words("角加速度", "angular acceleration"),
 }
 _RATES = {Kind.P: "v", Kind.V: "a", Kind.OMEGA: "alpha"}
 
@@ -168,16 +225,26 @@ def _read(key: str) -> Rel:
 def _kinematic(mech: Mechanism, key: str) -> Column:
     rel = _read(key)
     if not rel.is_vector and rel.to.link not in mech.numbered:
-        raise UnknownNameError(Words(
-            f"没有构件 {rel.to.link}；已有：{', '.join(mech.numbered)}",
-            f"there is no link {rel.to.link}; known: {', '.join(mech.numbered)}"))
+        raise UnknownNameError(
+            Words(
+                f"没有构件 {rel.to.link}；已有：{', '.join(mech.numbered)}",
+                f"there is no link {rel.to.link}; known: {', '.join(mech.numbered)}",
+            )
+        )
     letters = {*mech.frame, *(p for link in mech.links for p in link.points), *(c.point for c in mech.contacts)}
     for at in (rel.to, rel.ref):
         bare = at.point.rstrip("0123456789") if at else ""
-        if rel.is_vector and at and not {at.point, bare, str(at)} & {*letters, *(getattr(j, "point", "") for j in mech.joints)}:
-            raise UnknownNameError(Words(
-                f"没有点 {at}；已有：{', '.join(sorted(letters))}",
-                f"there is no point {at}; known: {', '.join(sorted(letters))}"))
+        if (
+            rel.is_vector
+            and at
+            and not {at.point, bare, str(at)} & {*letters, *(getattr(j, "point", "") for j in mech.joints)}
+        ):
+            raise UnknownNameError(
+                Words(
+                    f"没有点 {at}；已有：{', '.join(sorted(letters))}",
+                    f"there is no point {at}; known: {', '.join(sorted(letters))}",
+                )
+            )
     what = _WORDS[rel.kind]
     if not rel.is_vector:
         words = Words(f"构件 {rel.to.link} 的{what.zh}", f"{what.en} of link {rel.to.link}")
@@ -185,7 +252,15 @@ def _kinematic(mech: Mechanism, key: str) -> Column:
         name = subscripted(str(rel.to))
         of = Words(f"点 ${name}$ 的{what.zh}", f"{what.en} of point ${name}$")
         ref = subscripted(str(rel.ref)) if rel.ref else ""
-        words = of if not ref else Words(f"点 ${name}$ 相对 ${ref}$ 的{what.zh}", f"{what.en} of ${name}$ relative to ${ref}$")
-    rate = f"{_RATES[rel.kind]}_{key.partition('_')[2]}" if rel.kind in _RATES and (rel.ref is None or rel.kind is Kind.P) else ""
+        words = (
+            of
+            if not ref
+            else Words(f"点 ${name}$ 相对 ${ref}$ 的{what.zh}", f"{what.en} of ${name}$ relative to ${ref}$")
+        )
+    rate = (
+        f"{_RATES[rel.kind]}_{key.partition('_')[2]}"
+        if rel.kind in _RATES and (rel.ref is None or rel.kind is Kind.P)
+        else ""
+    )
     rate = rate if rel.ref is None else ""
     return Column(key=key, symbol=rel.symbol, unit=rel.unit, words=words, is_vector=rel.is_vector, rate=rate)

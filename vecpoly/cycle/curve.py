@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..mechanism.quantities import quantities
+from ..mechanism.asked.forces import quantities
 from .cycle import Cycle
 from .sample import sample
 
@@ -40,7 +40,9 @@ class Curve:
     @property
     def presses(self) -> bool:
         """Whether it is a force, or what follows from forces."""
-        return self.cycle.loads is not None and self.key.removesuffix(".abs") in quantities(self.cycle.mech, self.cycle.loads)
+        return self.cycle.loads is not None and self.key.removesuffix(".abs") in quantities(
+            self.cycle.mech, self.cycle.loads
+        )
 
     def grid(self) -> tuple[Reals, Reals]:
         """Positions all round, and f there."""
@@ -63,7 +65,8 @@ class Curve:
         return np.asarray(sense * np.real(np.conj(vector) * rate), np.float64)
 
     def _difference(self, phi: Reals, step: Reals) -> Reals:
-        """Seven-point central difference; of a magnitude f·f', f' the vector's difference: smooth where the magnitude has a corner."""
+        """Seven-point central difference; of a magnitude f·f', f' the vector's difference: smooth where the magnitude
+        has a corner."""
         around = (phi[:, None] + step[:, None] * np.arange(-3, 4)).ravel()
         values = np.asarray(self.cycle.at(self.key.removesuffix(".abs"), around)).reshape(-1, 7)
         rise = values @ _WEIGHTS

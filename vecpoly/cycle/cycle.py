@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
-from ..arguments import of_kind
 from ..errors import AssemblyError, MobilityError
+from ..foundation.arguments import of_kind
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..mechanism.rams import driver_words
@@ -35,7 +35,8 @@ FINE = 720  # steps a turn within which no link turns half round between two of 
 class Cycle:
     """A mechanism at n positions of its drive.
 
-    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a rocking input can
+    phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a
+    rocking input can
     move; m for a sliding input. whole: whether the drive can turn right round. low, high: the ends of its range.
     """
 
@@ -53,7 +54,8 @@ class Cycle:
 
     @cached_property
     def columns(self) -> tuple[Column, ...]:
-        """What a whole-cycle table holds: links, points, slides, transmission angles, with loads what balances and what presses."""
+        """What a whole-cycle table holds: links, points, slides, transmission angles, with loads what balances and what
+        presses."""
         return catalogue(self.mech, self.loads, self.points)
 
     @cached_property
@@ -73,7 +75,8 @@ class Cycle:
         return whole
 
     def read(self, *keys: str) -> tuple[Points | Reals, ...]:
-        """Several columns in one pass that keeps no solved position but these columns: for tens of thousands of positions."""
+        """Several columns in one pass that keeps no solved position but these columns: for tens of thousands of
+        positions."""
         missing = [key for key in dict.fromkeys(keys) if key not in self._kept and key != self.drive.key]
         if len(self.phi) > BLOCK and missing:
             readers = [reader(self.mech, self.loads, key) for key in missing]
@@ -95,21 +98,43 @@ class Cycle:
         if self.mech.drive.between:
             return self._between()
         if self.mech.drive.slide:
-            return Column(key=f"s_{link}", symbol=f"s_{{{link}}}", unit="m", words=Words(f"原动件 {link} 的位移", f"travel of the driving link {link}"))
-        return Column(key=f"phi_{link}", symbol=f"φ_{{{link}}}", unit="rad", words=Words(f"原动件 {link} 的转角", f"angle of the driving link {link}"))
+            return Column(
+                key=f"s_{link}",
+                symbol=f"s_{{{link}}}",
+                unit="m",
+                words=Words(f"原动件 {link} 的位移", f"travel of the driving link {link}"),
+            )
+        return Column(
+            key=f"phi_{link}",
+            symbol=f"φ_{{{link}}}",
+            unit="rad",
+            words=Words(f"原动件 {link} 的转角", f"angle of the driving link {link}"),
+        )
 
     def _between(self) -> Column:
         """The position of a cylinder, or of a motor in a hinge."""
         drive = self.mech.drive
         pair, words = f"{drive.link}{drive.on}", driver_words(self.mech)
         if drive.slide:
-            return Column(key=f"s_{pair}", symbol=f"s_{{{pair}}}", unit="m", words=Words(f"{words.zh}的长度", f"length of {words.en}"))
-        return Column(key=f"phi_{pair}", symbol=f"φ_{{{pair}}}", unit="rad", words=Words(f"{words.zh}的转角", f"angle of {words.en}"))
+            return Column(
+                key=f"s_{pair}",
+                symbol=f"s_{{{pair}}}",
+                unit="m",
+                words=Words(f"{words.zh}的长度", f"length of {words.en}"),
+            )
+        return Column(
+            key=f"phi_{pair}",
+            symbol=f"φ_{{{pair}}}",
+            unit="rad",
+            words=Words(f"{words.zh}的转角", f"angle of {words.en}"),
+        )
 
     @property
     def assembled(self) -> NDArray[np.bool_]:
         """Which positions can be assembled and have velocities."""
-        sound: NDArray[np.bool_] = np.logical_and.reduce([np.isfinite(self.column(f"omega_{name}")) for name in self.mech.numbered])
+        sound: NDArray[np.bool_] = np.logical_and.reduce(
+            [np.isfinite(self.column(f"omega_{name}")) for name in self.mech.numbered]
+        )
         return sound
 
     def info(self, key: str) -> Column:
@@ -119,7 +144,8 @@ class Cycle:
         return self._infos[key]
 
     def column(self, key: str) -> Points | Reals:
-        """The quantity at every position: complex for a vector, SI; angles without jumps of 360°; NaN where it does not exist.
+        """The quantity at every position: complex for a vector, SI; angles without jumps of 360°; NaN where it does not
+        exist.
 
         Raises UnknownNameError for a key that this mechanism does not have, EquilibriumError for a force without loads.
         """
@@ -149,7 +175,8 @@ class Cycle:
         return places if key == self.drive.key else self._on_turn(key, places, self._sampled(places).value(key))
 
     def _sampled(self, places: Reals) -> Sample:
-        """The mechanism solved at these positions; with loads the last few are kept, for all columns break off at the same ones."""
+        """The mechanism solved at these positions; with loads the last few are kept, for all columns break off at the
+        same ones."""
         if self.loads is None or places.size > FEW:
             return sample(self.mech, self.loads, places)
         mark = places.tobytes()
@@ -181,13 +208,15 @@ class Cycle:
         return np.asarray(values + 2 * np.pi * np.round((near - values) / (2 * np.pi)), np.float64)
 
     def rows(self, step: float) -> NDArray[np.intp]:
-        """Indices of the positions at whole multiples of a step (rad, or m), as far as the grid has them: for a table every 10°."""
+        """Indices of the positions at whole multiples of a step (rad, or m), as far as the grid has them: for a table
+        every 10°."""
         turns = (self.phi - self.phi[0]) / step
         return np.flatnonzero(np.abs(turns - np.round(turns)) * step < 1e-3 * (self.phi[1] - self.phi[0]))
 
     @cached_property
     def steady(self) -> Cycle:
-        """The same cycle with a drive that moves evenly: of unit rate where it rests. For what depends on the shape of motion alone."""
+        """The same cycle with a drive that moves evenly: of unit rate where it rests. For what depends on the shape of
+        motion alone."""
         drive = self.mech.drive
         if drive.rate != 0.0 and drive.accel == 0.0:
             return self
@@ -197,12 +226,18 @@ class Cycle:
     @property
     def _parts(self) -> int:
         """Into how many parts a step is cut, that no link turns half round in one of them."""
-        span = abs(self.phi[-1] - self.phi[0]) / (2 * np.pi if not self.mech.drive.slide else self.high - self.low or 1.0)
+        span = abs(self.phi[-1] - self.phi[0]) / (
+            2 * np.pi if not self.mech.drive.slide else self.high - self.low or 1.0
+        )
         return max(1, int(np.ceil(FINE * max(span, 1.0) / max(len(self.phi) - 1, 1))))
 
     def _followed(self, key: str) -> Reals:
         """The angle without jumps at every position."""
-        return follow(np.asarray(self.solved(key), np.float64)) if self._parts == 1 else self._trace(key)[1][:: self._parts]
+        return (
+            follow(np.asarray(self.solved(key), np.float64))
+            if self._parts == 1
+            else self._trace(key)[1][:: self._parts]
+        )
 
     def _trace(self, key: str) -> tuple[Reals, Reals]:
         """Positions as fine as need be, and the angle without jumps at each."""
@@ -214,12 +249,20 @@ class Cycle:
         return between, np.asarray(self._kept[trace], np.float64)
 
 
-def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None, points: tuple[str, ...] | None = None,
-          *, over: ArrayLike | None = None) -> Cycle:
+def cycle(
+    subject: Problem | Mechanism,
+    n: int = 361,
+    loads: Loads | None = None,
+    points: tuple[str, ...] | None = None,
+    *,
+    over: ArrayLike | None = None,
+) -> Cycle:
     """The whole cycle of a problem, or of a mechanism.
 
-    n: number of positions, both ends included. loads: instead of the problem's own. points: the letters to be listed in `columns`
-    (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a whole cycle.
+    n: number of positions, both ends included. loads: instead of the problem's own. points: the letters to be listed in
+    `columns`
+    (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a whole
+    cycle.
     Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
     """
     of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
@@ -227,9 +270,9 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
     if not mech.drives:
         raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))
     if n < 2:
-        raise AssemblyError(Words(
-            f"{n} 个位置不成一周；至少取 2 个",
-            f"{n} positions make no cycle; ask for at least 2"))
+        raise AssemblyError(
+            Words(f"{n} 个位置不成一周；至少取 2 个", f"{n} positions make no cycle; ask for at least 2")
+        )
     low, high, whole = range_of(mech)
     phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
     acting = own if loads is None else loads
@@ -238,7 +281,10 @@ def cycle(subject: Problem | Mechanism, n: int = 361, loads: Loads | None = None
 
 def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
     if not isinstance(problem.subject, Mechanism):
-        raise MobilityError(Words(
-            "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
-            "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input"))
+        raise MobilityError(
+            Words(
+                "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
+                "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input",
+            )
+        )
     return problem.subject, problem.loads, problem.id

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .closing import INSIDE
 from .curve import Curve
 from .cycle import Cycle
+from .facts.closing import INSIDE
 from .grid import noise
-from .pieces import Piece, ends, pieces, towards
 from .root import highest, ridders
+from .unbroken import Piece, ends, pieces, towards
 
 Reals = NDArray[np.float64]
 ROUNDING = 1e-14  # of a value: what may change by chance
@@ -22,7 +22,8 @@ SAME = 1e-6  # rad (or part of the range): roots nearer than this are one
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """A value (SI) at a position of the drive (rad, or m); end: at an end of the drive's range, or where the column breaks off or jumps, not a turning point.
+    """A value (SI) at a position of the drive (rad, or m); end: at an end of the drive's range, or where the column
+    breaks off or jumps, not a turning point.
 
     ±∞ where the value runs away towards that end.
     """
@@ -34,7 +35,8 @@ class Spot:
 
 @dataclass(frozen=True, slots=True)
 class Extremes:
-    """Turning points and zeros of one column in order of the drive's position; highest and lowest of all, None of a lost column."""
+    """Turning points and zeros of one column in order of the drive's position; highest and lowest of all, None of a
+    lost column."""
 
     key: str
     maxima: tuple[Spot, ...]
@@ -50,10 +52,13 @@ class Extremes:
 
 
 def extremes(cycle: Cycle, key: str) -> Extremes:
-    """Maxima, minima and zeros over the drive's whole range, to full accuracy: the mechanism is solved again around each.
+    """Maxima, minima and zeros over the drive's whole range, to full accuracy: the mechanism is solved again around
+    each.
 
-    A vector's are those of its magnitude. f'(φ) = 0 by Ridders' method on the oracle's derivative where it has one (φ, ω, p, v), else on
-    a seven-point difference; at a sharp bend by shrinking the bracket. A column that breaks off or jumps also has the values at its ends, ±∞
+    A vector's are those of its magnitude. f'(φ) = 0 by Ridders' method on the oracle's derivative where it has one (φ,
+    ω, p, v), else on
+    a seven-point difference; at a sharp bend by shrinking the bracket. A column that breaks off or jumps also has the
+    values at its ends, ±∞
     where it runs away towards one. Raises UnknownNameError.
     """
     curve = Curve.of(cycle, key)
@@ -65,12 +70,23 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
         flat = Spot(cycle.low, float(known.mean()))
         return Extremes(key, (), (), (), flat, flat)
     parts = pieces(curve, phi, f)
-    maxima, minima = (_spots(curve, np.concatenate(places)) for places in zip(*(_turning(curve, part) for part in parts), strict=True))
-    broken = [Spot(float(curve.reduced(np.array([q]))[0]), value, True) for part in parts for q, value in ends(curve, part)]
+    maxima, minima = (
+        _spots(curve, np.concatenate(places)) for places in zip(*(_turning(curve, part) for part in parts), strict=True)
+    )
+    broken = [
+        Spot(float(curve.reduced(np.array([q]))[0]), value, True) for part in parts for q, value in ends(curve, part)
+    ]
     every = (*maxima, *minima, *_ends(curve, float(known.max() - known.min())), *broken, *_on_grid(curve, phi, f))
     small = 1e-9 * float(np.abs(known).max())
     touching = tuple(spot for spot in (*maxima, *minima) if abs(spot.value) <= small)
-    return Extremes(key, maxima, minima, _crossing(curve, parts, touching), max(every, key=lambda s: s.value), min(every, key=lambda s: s.value))
+    return Extremes(
+        key,
+        maxima,
+        minima,
+        _crossing(curve, parts, touching),
+        max(every, key=lambda s: s.value),
+        min(every, key=lambda s: s.value),
+    )
 
 
 def _on_grid(curve: Curve, phi: Reals, f: Reals) -> Iterator[Spot]:
@@ -98,7 +114,8 @@ def _turning(curve: Curve, piece: Piece) -> tuple[Reals, Reals]:
 
 
 def _sharper(curve: Curve, at: Reals, sign: Reals, low: Reals, high: Reals) -> Reals:
-    """Each top, or where a bend within its bracket stands higher (a slide changes its side: the differences smear it), that bend."""
+    """Each top, or where a bend within its bracket stands higher (a slide changes its side: the differences smear it),
+    that bend."""
     if not at.size:
         return at
     bend = highest(lambda q: np.append(sign, sign) * curve.value(q), low, high)
@@ -127,7 +144,8 @@ def _spots(curve: Curve, at: Reals) -> tuple[Spot, ...]:
 
 
 def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
-    """Values at the ends of the drive's range, ±∞ where it runs away; none of a whole turn that comes back to the same value."""
+    """Values at the ends of the drive's range, ±∞ where it runs away; none of a whole turn that comes back to the same
+    value."""
     cycle = curve.cycle
     first, last = (float(value) for value in curve.value(np.array([cycle.low, cycle.high])))
     inside, again = (float(value) for value in curve.value(cycle.low + INSIDE + np.array([0.0, 2 * np.pi])))
@@ -135,4 +153,8 @@ def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
         return ()
     room = cycle.high - cycle.low
     told = ((cycle.low, first, 1.0), (cycle.high, last, -1.0))
-    return tuple(Spot(q, value if cycle.whole else towards(curve, q, inward, value, room), True) for q, value, inward in told if np.isfinite(value))
+    return tuple(
+        Spot(q, value if cycle.whole else towards(curve, q, inward, value, room), True)
+        for q, value, inward in told
+        if np.isfinite(value)
+    )

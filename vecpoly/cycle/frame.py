@@ -13,7 +13,8 @@ from ..words import Words
 
 
 def frame(arrays: Mapping[str, NDArray[Any]]) -> Any:
-    """A DataFrame over the first of these arrays; a vector is two columns, v_C.x and v_C.y. Raises MissingPackageError."""
+    """A DataFrame over the first of these arrays; a vector is two columns, v_C.x and v_C.y. Raises
+    MissingPackageError."""
     try:
         import pandas
     except ImportError:

@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
 from ..errors import VecpolyError
-from ..mechanism.assur import decompose
-from ..mechanism.branch import margin, opposite
-from ..mechanism.four_bar import fourth_corner
+from ..mechanism.assembly.branch import margin, opposite
+from ..mechanism.assembly.four_bar import fourth_corner
+from ..mechanism.assembly.statements import Form
+from ..mechanism.groups.assur import decompose
 from ..mechanism.model import Mechanism, Revolute, Shaped, Side, SideOf, Statement
-from ..mechanism.statements import Form
 from ..names import At
 from ..problem.problem import Problem
 
@@ -26,7 +26,8 @@ Places = Mapping[str, complex]
 
 
 def posed(problem: Problem, positions: ArrayLike) -> Iterator[Problem | None]:
-    """The problem with its drive at each of these positions (rad, or m of travel); None where it cannot be assembled, or no statement tells how."""
+    """The problem with its drive at each of these positions (rad, or m of travel); None where it cannot be assembled,
+    or no statement tells how."""
     mech, where = problem.mechanism, np.atleast_1d(np.asarray(positions, dtype=np.float64))
     for position, at in zip(where, _followed(mech, where), strict=True):
         there = _assembled(mech, float(position), at)
@@ -43,10 +44,15 @@ def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[Place
 
 
 def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None:
-    """The mechanism with its drive there and statements that put the letters at these places: its own as long as they do."""
+    """The mechanism with its drive there and statements that put the letters at these places: its own as long as they
+    do."""
     if not np.isfinite(list(at.values())).all():
         return None
-    moved = replace(mech, drives=(replace(mech.drive, position=position), *mech.drives[1:]), guesses={letter: at[letter] for letter in mech.guesses})
+    moved = replace(
+        mech,
+        drives=(replace(mech.drive, position=position), *mech.drives[1:]),
+        guesses={letter: at[letter] for letter in mech.guesses},
+    )
     best, least = None, np.inf
     for branches in _statements(mech, at):
         there = replace(moved, branches=branches)
@@ -58,7 +64,8 @@ def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None
 
 
 def _gap(mech: Mechanism, at: Places) -> float:
-    """How far the letters come to lie from these places by the statements (m); infinite where these lead to no assembly."""
+    """How far the letters come to lie from these places by the statements (m); infinite where these lead to no
+    assembly."""
     try:
         motion = oracle.solve(mech, order=0)
     except VecpolyError:
@@ -67,7 +74,8 @@ def _gap(mech: Mechanism, at: Places) -> float:
 
 
 def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
-    """The mechanism's own statements; those turned round that no longer hold; new ones for every group, a single hinge read in two ways."""
+    """The mechanism's own statements; those turned round that no longer hold; new ones for every group, a single hinge
+    read in two ways."""
     yield mech.branches
     yield tuple(s if margin(s, at) >= 0 else opposite(s) for s in mech.branches)
     yield tuple(_fresh(mech, at, False))
@@ -75,7 +83,8 @@ def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
 
 
 def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[Statement]:
-    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here; of a swinging guide some point of it."""
+    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here; of a swinging
+    guide some point of it."""
     known = set(mech.frame) | set(mech.link(mech.drive.link).points)
     for group in decompose(mech):
         pins = [joint.point for joint in group.inner if isinstance(joint, Revolute)]
@@ -88,7 +97,11 @@ def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[Statement]:
             refs = [outer] if len(outer) == 2 else [(letter,) for letter in outer]
             sides = _SIDES[:2] if len(outer) == 2 and pins else _by_reach(at, pin, outer, turned)
             refs = refs if pins else [(letter,) for letter in outer[:1]]
-            yield from [s for s in (SideOf(point=pin, side=side, ref=ref) for ref, side in product(refs, sides)) if margin(s, at) > 0][:1]
+            yield from [
+                s
+                for s in (SideOf(point=pin, side=side, ref=ref) for ref, side in product(refs, sides))
+                if margin(s, at) > 0
+            ][:1]
         known |= own
 
 

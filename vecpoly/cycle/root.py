@@ -14,7 +14,8 @@ ENOUGH = 1e-13  # of the values at the bracket's ends: then the root is known to
 
 
 def ridders(f: Callable[[Reals], Reals], a: Reals, b: Reals) -> Reals:
-    """The root in each bracket a..b by Ridders' method: x = m + (m - a) f_m / √(f_m² - f_a f_b) on falling f, halving at least.
+    """The root in each bracket a..b by Ridders' method: x = m + (m - a) f_m / √(f_m² - f_a f_b) on falling f, halving
+    at least.
 
     NaN where f has no sign change there, or jumps through it (a pole).
     """
@@ -45,8 +46,12 @@ def _halved(f: Callable[[Reals], Reals], a: Reals, b: Reals, fa: Reals, fb: Real
     fx = f(x)
     left, right, fl, fr = np.minimum(m, x), np.maximum(m, x), np.where(m <= x, fm, fx), np.where(m <= x, fx, fm)
     low, middle = fa * fl <= 0, fl * fr <= 0
-    return (np.where(low, a, np.where(middle, left, right)), np.where(low, left, np.where(middle, right, b)),
-            np.where(low, fa, np.where(middle, fl, fr)), np.where(low, fl, np.where(middle, fr, fb)))
+    return (
+        np.where(low, a, np.where(middle, left, right)),
+        np.where(low, left, np.where(middle, right, b)),
+        np.where(low, fa, np.where(middle, fl, fr)),
+        np.where(low, fl, np.where(middle, fr, fb)),
+    )
 
 
 def highest(f: Callable[[Reals], Reals], a: Reals, b: Reals) -> Reals:

@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
 from ..errors import EquilibriumError
+from ..mechanism.asked.forces import quantities
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism, Prismatic
-from ..mechanism.quantities import quantities
 from ..names import parse_rel
 from ..oracle.forces import Forces, forces
 from ..words import Words
 from .columns import dyads, slides
-from .transmission import angle_of, arm_of
+from .facts.transmission import angle_of, arm_of
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
@@ -26,7 +26,8 @@ Reals = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Kinematics (and, with loads, equilibrium) at the positions phi (rad, or m for a sliding drive); NaN where none exists."""
+    """Kinematics (and, with loads, equilibrium) at the positions phi (rad, or m for a sliding drive); NaN where none
+    exists."""
 
     mech: Mechanism
     loads: Loads | None
@@ -37,22 +38,29 @@ class Sample:
     def statics(self) -> Forces:
         """The equilibrium at the same positions; NaN where it locks."""
         if self.loads is None:
-            raise EquilibriumError(Words(
-                "题目没有载荷，不能求反力；请在题目中给出 loads",
-                "there are no loads: reactions cannot be asked for; give the problem `loads`"))
+            raise EquilibriumError(
+                Words(
+                    "题目没有载荷，不能求反力；请在题目中给出 loads",
+                    "there are no loads: reactions cannot be asked for; give the problem `loads`",
+                )
+            )
         return forces(self.mech, self.loads, self.phi, strict=False)
 
     def value(self, key: str) -> Points | Reals:
-        """The quantity with this key (see `columns`): complex for a vector, SI; angles within -π..π where links do not roll.
+        """The quantity with this key (see `columns`): complex for a vector, SI; angles within -π..π where links do not
+        roll.
 
         Raises UnknownNameError for a key that this mechanism does not have.
         """
         return reader(self.mech, self.loads, key)(self)
 
     def slide(self, stem: str, joint: Prismatic) -> Reals:
-        """Travel s of the block's pin along the guide from the lettered point (else the line's origin), its rate v, its second rate a."""
+        """Travel s of the block's pin along the guide from the lettered point (else the line's origin), its rate v, its
+        second rate a."""
         motion, order = self.motion, {"s": 0, "v": 1, "a": 2}[stem]
-        guide, block = (motion.moving(name, order) if order else motion.body(name) for name in (joint.guide, joint.block))
+        guide, block = (
+            motion.moving(name, order) if order else motion.body(name) for name in (joint.guide, joint.block)
+        )
         base = self.mech.link(joint.guide).points.get(joint.through, joint.origin)
         pin = self.mech.link(joint.block).points[joint.pin]
         along = guide.unit * complex(np.exp(1j * joint.direction))

@@ -16,7 +16,7 @@ from ..errors import AssemblyError
 from ..words import Lang, Words, bare
 from .columns import Column
 from .cycle import Cycle
-from .transmission import folded
+from .facts.transmission import folded
 
 Reals = NDArray[np.float64]
 SHEET_ROWS = 1_048_576  # of a spreadsheet
@@ -32,7 +32,8 @@ class Table:
 
 
 def table(cycle: Cycle, keys: tuple[str, ...] = (), rows: NDArray[np.intp] | None = None) -> Table:
-    """The drive's position, then these columns (all of the cycle), vectors as x and y; rows: indices, all where none are given."""
+    """The drive's position, then these columns (all of the cycle), vectors as x and y; rows: indices, all where none
+    are given."""
     names = keys or tuple(column.key for column in cycle.columns)
     parts = [part for name in dict.fromkeys(names) for part in cycle.info(name).parts]
     columns = [cycle.drive, *(cycle.info(part) for part in parts if part != cycle.drive.key)]
@@ -53,7 +54,8 @@ def _real(cycle: Cycle, key: str) -> Reals:
 
 
 def csv_bytes(made: Table) -> bytes:
-    """UTF-8 CSV: a row of keys, a row of units, then the rows with all digits; an empty field where there is no value."""
+    """UTF-8 CSV: a row of keys, a row of units, then the rows with all digits; an empty field where there is no
+    value."""
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([column.key for column in made.columns])
@@ -64,20 +66,29 @@ def csv_bytes(made: Table) -> bytes:
 
 
 def xlsx_bytes(made: Table, title: str, lang: Lang) -> bytes:
-    """XLSX: rows of words, keys and units, frozen, then numbers. Raises AssemblyError for more rows than a sheet holds."""
+    """XLSX: rows of words, keys and units, frozen, then numbers. Raises AssemblyError for more rows than a sheet
+    holds."""
     from openpyxl import Workbook
     from openpyxl.styles import Alignment, Font
 
     if len(made.values) > SHEET_ROWS - 3:
-        raise AssemblyError(Words(
-            f"共 {len(made.values)} 行，超过电子表格的容量（{SHEET_ROWS - 3}）；请加大步长，或用 CSV",
-            f"{len(made.values)} rows are more than a spreadsheet holds ({SHEET_ROWS - 3}); take a coarser step, or CSV"))
+        raise AssemblyError(
+            Words(
+                f"共 {len(made.values)} 行，超过电子表格的容量（{SHEET_ROWS - 3}）；请加大步长，或用 CSV",
+                f"{len(made.values)} rows are more than a spreadsheet holds ({SHEET_ROWS - 3}); take a coarser "
+                "step, or CSV",
+            )
+        )
     book = Workbook(write_only=True)
     sheet = book.create_sheet("".join(c for c in title if c not in "[]:*?/\\")[:31] or "cycle")
     sheet.freeze_panes = "B4"
     for i in range(len(made.columns)):
         sheet.column_dimensions[_letters(i)].width = 15
-    for line in ([bare(c.words.of(lang)) for c in made.columns], [c.key for c in made.columns], [plain(c.shown_unit) for c in made.columns]):
+    for line in (
+        [bare(c.words.of(lang)) for c in made.columns],
+        [c.key for c in made.columns],
+        [plain(c.shown_unit) for c in made.columns],
+    ):
         sheet.append([_cell(sheet, text, Font(bold=True), Alignment(wrap_text=True, vertical="top")) for text in line])
     for row in made.values.tolist():
         sheet.append([value if value == value else None for value in row])

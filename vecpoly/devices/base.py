@@ -1,6 +1,7 @@
 """The base of every device: data read from the `data:` of a problem file, and the quantities that may be asked of it.
 
-A new device is one file here (its data), one in `methods/devices` (how it is drawn) and one in `oracle/devices` (its exact
+A new device is one file here (its data), one in `methods/devices` (how it is drawn) and one in `oracle/devices` (its
+exact
 answers); nothing else is edited. Its `kind` is what a problem file writes after `device:`.
 """
 
@@ -13,9 +14,9 @@ from typing import Annotated, Any, ClassVar
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 
 from ..errors import FaultError, PluginError, UnknownNameError
+from ..foundation.plugins import DEVICES, load_entries, load_modules
 from ..names import Named
-from ..plugins import DEVICES, load_entries, load_modules
-from ..units import Dim, Quantity, positive, pure, read
+from ..units.reading import Dim, Quantity, positive, pure, read
 from ..words import Words
 
 
@@ -34,7 +35,10 @@ def _ratio(text: Any) -> Quantity:
         return text
     value = pure(text, "0.15")
     if value < 0:
-        raise FaultError(Words(f"“{text}”不得为负；如写 0.15", f"'{text}' must not be negative; write e.g. 0.15"), code="out-of-range")
+        raise FaultError(
+            Words(f"“{text}”不得为负；如写 0.15", f"'{text}' must not be negative; write e.g. 0.15"),
+            code="out-of-range",
+        )
     return Quantity(value, str(text))
 
 
@@ -42,9 +46,13 @@ def _efficiency(text: Any) -> Quantity:
     """A pure number in (0, 1]."""
     quantity = _ratio(text)
     if not 0 < quantity.si <= 1:
-        raise FaultError(Words(
-            f"“{quantity.text}”不是效率；应写大于 0 且不大于 1 的数，如 0.97",
-            f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97"), code="spelling")
+        raise FaultError(
+            Words(
+                f"“{quantity.text}”不是效率；应写大于 0 且不大于 1 的数，如 0.97",
+                f"'{quantity.text}' is no efficiency; write a number above 0 and not above 1, e.g. 0.97",
+            ),
+            code="spelling",
+        )
     return quantity
 
 
@@ -77,7 +85,8 @@ class Device(BaseModel):
 
     @property
     def size(self) -> float:
-        """A length typical of its sketch (m), from which a scale is guessed before it is fitted; 0: a sketch, or a block diagram, to no scale."""
+        """A length typical of its sketch (m), from which a scale is guessed before it is fitted; 0: a sketch, or a
+        block diagram, to no scale."""
         return 0.0
 
     @property
@@ -98,7 +107,8 @@ def _hashable(value: Any) -> Any:
 
 @cache
 def kinds() -> dict[str, type[Device]]:
-    """Every device on file, and of other packages (entry points ``vecpoly.devices``), by the name that a problem file uses.
+    """Every device on file, and of other packages (entry points ``vecpoly.devices``), by the name that a problem file
+    uses.
 
     Raises PluginError where two have one name.
     """
@@ -113,9 +123,9 @@ def kind_of(name: str) -> type[Device]:
     if (own := _by_name().get(name)) is not None:
         return own
     if name not in kinds():
-        raise UnknownNameError(Words(
-            f"没有装置“{name}”；已有：{', '.join(kinds())}",
-            f"no device '{name}'; known: {', '.join(kinds())}"))
+        raise UnknownNameError(
+            Words(f"没有装置“{name}”；已有：{', '.join(kinds())}", f"no device '{name}'; known: {', '.join(kinds())}")
+        )
     return kinds()[name]
 
 
@@ -124,6 +134,12 @@ def _by_name() -> dict[str, type[Device]]:
     for sub in sorted(Device.__subclasses__(), key=lambda s: s.kind):
         if sub.kind in found:
             places = f"{found[sub.kind].__module__}, {sub.__module__}"
-            raise PluginError(Words(f"两个装置同名“{sub.kind}”：{places}；请改其中一个的 kind", f"two devices are named '{sub.kind}': {places}; give one another kind"), code="plugin")
+            raise PluginError(
+                Words(
+                    f"两个装置同名“{sub.kind}”：{places}；请改其中一个的 kind",
+                    f"two devices are named '{sub.kind}': {places}; give one another kind",
+                ),
+                code="plugin",
+            )
         found[sub.kind] = sub
     return found

@@ -15,10 +15,13 @@ from .base import Angle, Device, ForceSize, Length, Ratio
 
 
 class EccentricClamp(Device):
-    """Disc 1 of radius R and centre O on the pin A of the frame 3, AO = e at theta; its handle of length l at `handle`; work 2 under the disc.
+    """Disc 1 of radius R and centre O on the pin A of the frame 3, AO = e at theta; its handle of length l at `handle`;
+    work 2 under the disc.
 
-    All angles from the x axis. F acts at the handle's end in the direction `F`, Q is the clamping force normal to the face;
-    f: coefficient of friction on the work, rho: radius of the friction circle at A, closing: sense in which the clamp closes.
+    All angles from the x axis. F acts at the handle's end in the direction `F`, Q is the clamping force normal to the
+    face;
+    f: coefficient of friction on the work, rho: radius of the friction circle at A, closing: sense in which the clamp
+    closes.
     """
 
     kind: ClassVar[str] = "eccentric-clamp"
@@ -36,17 +39,32 @@ class EccentricClamp(Device):
     @model_validator(mode="after")
     def _possible(self) -> EccentricClamp:
         if self.e.si + self.radius >= self.R.si:
-            raise FaultError(Words(
-                f"轴颈连同其摩擦圆应在偏心轮之内：e = {self.e.text} 与 rho = {self.rho.text if self.rho else '0 mm'} 之和已达 R = {self.R.text}",
-                f"the pin with its friction circle must lie inside the disc: e = {self.e.text} and rho = {self.rho.text if self.rho else '0 mm'} together reach R = {self.R.text}"))
+            raise FaultError(
+                Words(
+                    f"轴颈连同其摩擦圆应在偏心轮之内：e = {self.e.text} 与 rho = "
+                    f"{self.rho.text if self.rho else '0 mm'} 之和已达 R = {self.R.text}",
+                    f"the pin with its friction circle must lie inside the disc: e = {self.e.text} and rho = "
+                    f"{self.rho.text if self.rho else '0 mm'} together reach R = {self.R.text}",
+                )
+            )
         if self.turn * cos(self.theta.si) >= -1e-9:
-            raise FaultError(Words(
-                f"按 {self.closing} 方向转动时，位于 theta = {self.theta.text} 的轮心并不向工件下移，偏心夹具不能夹紧；请改正 theta 或 closing",
-                f"turned {self.closing}, the centre at theta = {self.theta.text} does not move down on the work, so the clamp does not close; correct theta or closing"))
+            raise FaultError(
+                Words(
+                    f"按 {self.closing} 方向转动时，位于 theta = {self.theta.text} 的轮心并不向工件下移，"
+                    "偏心夹具不能夹紧；请改正 theta 或 closing",
+                    f"turned {self.closing}, the centre at theta = {self.theta.text} does not move down on the "
+                    "work, so the clamp does not close; correct theta or closing",
+                )
+            )
         if self.turn * sin(self.F.si - self.handle.si) <= 1e-9:
-            raise FaultError(Words(
-                f"作用在手柄 {self.handle.text} 处、方向为 F = {self.F.text} 的力不能使夹具按 {self.closing} 方向转动；请改正 F 或 closing",
-                f"a force in the direction F = {self.F.text} on the handle at {self.handle.text} does not turn it {self.closing}; correct F or closing"))
+            raise FaultError(
+                Words(
+                    f"作用在手柄 {self.handle.text} 处、方向为 F = {self.F.text} 的力不能使夹具按 "
+                    f"{self.closing} 方向转动；请改正 F 或 closing",
+                    f"a force in the direction F = {self.F.text} on the handle at {self.handle.text} does not "
+                    f"turn it {self.closing}; correct F or closing",
+                )
+            )
         return self
 
     @property
@@ -65,12 +83,23 @@ class EccentricClamp(Device):
         return self.turn * cmath.rect(1.0, self.theta.si + self.turn * atan(self.f.si)).real < -1e-9
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ, reactions, the force on the handle with and without friction, η; the arm of R_21 when F is gone, the verdict, the limit of e."""
+        """φ, reactions, the force on the handle with and without friction, η; the arm of R_21 when F is gone, the
+        verdict, the limit of e."""
         return (PHI, R21, FORCE, R31, IDEAL, ETA, ARM, SELF_LOCKING, *((E_LIMIT,) if self.limited else ()))
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Dimensions, position, friction, clamping force."""
-        written = [("e", self.e), ("R", self.R), ("l", self.lever), ("θ_O", self.theta), ("θ_l", self.handle), ("θ_F", self.F), ("f", self.f), ("ρ", self.rho), ("Q", self.Q)]
+        written = [
+            ("e", self.e),
+            ("R", self.R),
+            ("l", self.lever),
+            ("θ_O", self.theta),
+            ("θ_l", self.handle),
+            ("θ_F", self.F),
+            ("f", self.f),
+            ("ρ", self.rho),
+            ("Q", self.Q),
+        ]
         return tuple((symbol, value.text) for symbol, value in written if value is not None)
 
     @property

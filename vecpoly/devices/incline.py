@@ -14,7 +14,8 @@ from .base import Angle, Device, ForceSize, Ratio
 
 
 class Incline(Device):
-    """α: slope of the plane (left out: the limit of self-locking, α = φ); β: of the force above the horizontal; Q: weight; f: friction."""
+    """α: slope of the plane (left out: the limit of self-locking, α = φ); β: of the force above the horizontal; Q:
+    weight; f: friction."""
 
     kind: ClassVar[str] = "incline"
     f: Ratio
@@ -26,17 +27,32 @@ class Incline(Device):
     def _possible(self) -> Incline:
         beta = degrees(self.beta.si)
         if self.alpha is not None and not 0 < self.alpha.si < pi / 2:
-            raise FaultError(Words(
-                f"alpha = {self.alpha.text}：斜面倾角应在 0 与 90 deg 之间；求自锁极限时略去 alpha",
-                f"alpha = {self.alpha.text}: the slope must lie between 0 and 90 deg; leave it out for the limit of self-locking"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"alpha = {self.alpha.text}：斜面倾角应在 0 与 90 deg 之间；求自锁极限时略去 alpha",
+                    f"alpha = {self.alpha.text}: the slope must lie between 0 and 90 deg; leave it out for the "
+                    "limit of self-locking",
+                ),
+                code="out-of-range",
+            )
         if self.alpha is None and self.f.si == 0:
-            raise FaultError(Words(
-                "alpha：没有摩擦就没有自锁极限，不能由此得出倾角；如写 alpha: 24 deg",
-                "alpha: without friction there is no limit of self-locking to take the slope from; write e.g. alpha: 24 deg"), code="unknown-name")
+            raise FaultError(
+                Words(
+                    "alpha：没有摩擦就没有自锁极限，不能由此得出倾角；如写 alpha: 24 deg",
+                    "alpha: without friction there is no limit of self-locking to take the slope from; write "
+                    "e.g. alpha: 24 deg",
+                ),
+                code="unknown-name",
+            )
         if not -90 < beta < 90:
-            raise FaultError(Words(
-                f"beta = {self.beta.text}：力应指向斜面，与水平方向成 −90 至 90 deg",
-                f"beta = {self.beta.text}: the force must point between −90 and 90 deg above the horizontal, towards the slope"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"beta = {self.beta.text}：力应指向斜面，与水平方向成 −90 至 90 deg",
+                    f"beta = {self.beta.text}: the force must point between −90 and 90 deg above the "
+                    "horizontal, towards the slope",
+                ),
+                code="out-of-range",
+            )
         return self
 
     @property
@@ -61,24 +77,38 @@ class Incline(Device):
     def locked(self) -> LockedError:
         """What is said of a force that cannot drive the block up."""
         alpha, beta, phi = (degrees(angle) for angle in (self.slope, self.beta.si, atan(self.f.si)))
-        return LockedError(Words(
-            f"滑块自锁：力的方向 beta = {beta:g} deg，仅当 beta − alpha 在 phi − 90 = {phi - 90:.4g} deg 与 phi + 90 = {phi + 90:.4g} deg 之间时才能使其上滑，"
-            f"而 alpha = {alpha:.4g} deg；请增大 beta，或减小 alpha 或摩擦",
-            f"the block is self-locking: a force at beta = {beta:g} deg drives it up only where beta − alpha lies between "
-            f"phi − 90 = {phi - 90:.4g} deg and phi + 90 = {phi + 90:.4g} deg, and alpha = {alpha:.4g} deg; "
-            "raise beta, or lower alpha or the friction"))
+        return LockedError(
+            Words(
+                f"滑块自锁：力的方向 beta = {beta:g} deg，仅当 beta − alpha 在 phi − 90 = {phi - 90:.4g} deg 与 "
+                f"phi + 90 = {phi + 90:.4g} deg 之间时才能使其上滑，而 alpha = {alpha:.4g} deg；请增大 beta，"
+                "或减小 alpha 或摩擦",
+                f"the block is self-locking: a force at beta = {beta:g} deg drives it up only where beta − "
+                f"alpha lies between phi − 90 = {phi - 90:.4g} deg and phi + 90 = {phi + 90:.4g} deg, and alpha "
+                f"= {alpha:.4g} deg; raise beta, or lower alpha or the friction",
+            )
+        )
 
     def stuck(self) -> LockedError:
         """What is said of a self-locking block that this force cannot even pull down."""
         alpha, beta, phi = (degrees(angle) for angle in (self.slope, self.beta.si, atan(self.f.si)))
-        return LockedError(Words(
-            f"滑块上下都自锁：phi = {phi:.4g} deg 时，沿 beta = {beta:g} deg 的力不能使其沿 alpha = {alpha:.4g} deg 的斜面下滑，"
-            f"因为 beta − alpha 不小于 90 − phi = {90 - phi:.4g} deg；请减小 beta",
-            f"the block is self-locking both ways: with phi = {phi:.4g} deg no force along beta = {beta:g} deg moves it down a slope of "
-            f"alpha = {alpha:.4g} deg, for beta − alpha is not below 90 − phi = {90 - phi:.4g} deg; choose a smaller beta"))
+        return LockedError(
+            Words(
+                f"滑块上下都自锁：phi = {phi:.4g} deg 时，沿 beta = {beta:g} deg 的力不能使其沿 alpha = "
+                f"{alpha:.4g} deg 的斜面下滑，因为 beta − alpha 不小于 90 − phi = {90 - phi:.4g} deg；"
+                "请减小 beta",
+                f"the block is self-locking both ways: with phi = {phi:.4g} deg no force along beta = {beta:g} "
+                f"deg moves it down a slope of alpha = {alpha:.4g} deg, for beta − alpha is not below 90 − phi "
+                f"= {90 - phi:.4g} deg; choose a smaller beta",
+            )
+        )
 
 
 PHI, LIMIT = Named("phi", "φ", "deg"), Named("alpha_limit", "α_{lim}", "deg")
-DRIVE, BY_SINES, IDEAL, HOLD = Named("F", "F", "N"), Named("F_sine", "F", "N"), Named("F_0", "F_{0}", "N"), Named("F_r", "F'", "N")
+DRIVE, BY_SINES, IDEAL, HOLD = (
+    Named("F", "F", "N"),
+    Named("F_sine", "F", "N"),
+    Named("F_0", "F_{0}", "N"),
+    Named("F_r", "F'", "N"),
+)
 REACTION = reaction("2", "1")
 ETA, ETA_BACK = Named("eta", "η", ""), Named("eta_r", "η'", "")

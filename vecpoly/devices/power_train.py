@@ -1,11 +1,12 @@
-"""Machines in series, in parallel and mixed: a train is a row of transmissions that ends in a load or parts into branches.
+"""Machines in series, in parallel and mixed: a train is a row of transmissions that ends in a load or parts into
+branches.
 
-    train: [belt: 0.95, gear: 0.97, {conveyor: 0.92, F: 5500 N, v: 1.2 m/s}]
-    train:
-      - belt: 0.92
-      - parallel:
-          - [gear: 0.97, {machine: 0.8, name: A, P: 5 kW}]
-          - [gear: 0.97, {machine: 0.5, name: B, P: 1 kW}]
+train: [belt: 0.95, gear: 0.97, {conveyor: 0.92, F: 5500 N, v: 1.2 m/s}]
+train:
+  - belt: 0.92
+  - parallel:
+      - [gear: 0.97, {machine: 0.8, name: A, P: 5 kW}]
+      - [gear: 0.97, {machine: 0.5, name: B, P: 1 kW}]
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from ..errors import FaultError
 from ..names import Named
-from ..units import Quantity
+from ..units.reading import Quantity
 from ..words import Words
 from .base import Device, Efficiency, ForceSize, Power, Speed
 
@@ -71,27 +72,48 @@ class Part(BaseModel):
     def _is_one_thing(self) -> Part:
         kinds = [kind for kind in KINDS if getattr(self, kind) is not None] + ["parallel"] * (self.parallel is not None)
         if len(kinds) != 1:
-            raise FaultError(Words(
-                f"传动系统的每一级为 {', '.join(KINDS)} 之一及其效率，或为 parallel；这里写的是 {' 和 '.join(kinds) or '空'}；如写 gear: 0.97",
-                f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97"), code="spelling")
+            raise FaultError(
+                Words(
+                    f"传动系统的每一级为 {', '.join(KINDS)} 之一及其效率，或为 parallel；"
+                    f"这里写的是 {' 和 '.join(kinds) or '空'}；如写 gear: 0.97",
+                    f"a part of a train is one of {', '.join(KINDS)} with its efficiency, or parallel: here "
+                    f"stand {' and '.join(kinds) or 'none of them'}; write e.g. gear: 0.97",
+                ),
+                code="spelling",
+            )
         if (self.F is None) != (self.v is None):
-            raise FaultError(Words(
-                "有力 F 就须有克服它的速度 v；请同时写 F 和 v，或只写 P",
-                "a force needs the speed at which it is overcome: write both F and v, or P alone"), code="spelling")
+            raise FaultError(
+                Words(
+                    "有力 F 就须有克服它的速度 v；请同时写 F 和 v，或只写 P",
+                    "a force needs the speed at which it is overcome: write both F and v, or P alone",
+                ),
+                code="spelling",
+            )
         if self.P is not None and self.F is not None:
-            raise FaultError(Words(
-                "输出功率重复给出；请写 P，或写 F 和 v",
-                "what is delivered stands there twice: write P, or F and v"), code="contradiction")
+            raise FaultError(
+                Words(
+                    "输出功率重复给出；请写 P，或写 F 和 v", "what is delivered stands there twice: write P, or F and v"
+                ),
+                code="contradiction",
+            )
         if self.parallel is None:
             return self
         if self.loaded or self.name:
-            raise FaultError(Words(
-                "分流处没有功率输出；P、F、v 和 name 应写在各支路的末端",
-                "where the train parts nothing is delivered: write P, F, v and name at the ends of its branches"), code="spelling")
+            raise FaultError(
+                Words(
+                    "分流处没有功率输出；P、F、v 和 name 应写在各支路的末端",
+                    "where the train parts nothing is delivered: write P, F, v and name at the ends of its branches",
+                ),
+                code="spelling",
+            )
         if len(self.parallel) < 2:
-            raise FaultError(Words(
-                "parallel 至少要有两条支路；只有一条时直接写成串联的一级",
-                "parallel needs two branches or more; write a single one as part of the train itself"), code="missing")
+            raise FaultError(
+                Words(
+                    "parallel 至少要有两条支路；只有一条时直接写成串联的一级",
+                    "parallel needs two branches or more; write a single one as part of the train itself",
+                ),
+                code="missing",
+            )
         for branch in self.parallel:
             _check(branch)
         return self
@@ -100,22 +122,39 @@ class Part(BaseModel):
 def _check(train: Train) -> None:
     """Power is delivered at the end of a train, and nowhere else."""
     if not train:
-        raise FaultError(Words(
-            "传动系统没有任何一级；如写 [gear: 0.97, {machine: 0.8, P: 5 kW}]",
-            "a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]"), code="spelling")
+        raise FaultError(
+            Words(
+                "传动系统没有任何一级；如写 [gear: 0.97, {machine: 0.8, P: 5 kW}]",
+                "a train without parts; write e.g. [gear: 0.97, {machine: 0.8, P: 5 kW}]",
+            ),
+            code="spelling",
+        )
     for part in train[:-1]:
         if part.parallel is not None:
-            raise FaultError(Words(
-                "parallel 之后功率已经分流；其后的各级应写入各支路",
-                "after parallel the power is divided: put the parts that follow it into its branches"))
+            raise FaultError(
+                Words(
+                    "parallel 之后功率已经分流；其后的各级应写入各支路",
+                    "after parallel the power is divided: put the parts that follow it into its branches",
+                )
+            )
         if part.loaded:
-            raise FaultError(Words(
-                f"功率由系统的最后一级输出，不能由中间的 {part.kind} 输出；请将 P 或 F、v 写在末级，或在该处用 parallel 分流",
-                f"power is delivered by the last part of a train, not by its {part.kind}: put P, or F and v, at the end, or let the train part there with parallel"))
+            raise FaultError(
+                Words(
+                    f"功率由系统的最后一级输出，不能由中间的 {part.kind} 输出；请将 P 或 F、v 写在末级，"
+                    "或在该处用 parallel 分流",
+                    f"power is delivered by the last part of a train, not by its {part.kind}: put P, or F and "
+                    "v, at the end, or let the train part there with parallel",
+                )
+            )
     if train[-1].parallel is None and not train[-1].loaded:
-        raise FaultError(Words(
-            f"最后一级的输出没有给出；如写 {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}",
-            f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}"), code="spelling")
+        raise FaultError(
+            Words(
+                f"最后一级的输出没有给出；如写 {{{train[-1].kind}: {train[-1].eta:g}, P: 5 kW}}",
+                f"nothing says what the last part of a train delivers; write e.g. {{{train[-1].kind}: "
+                f"{train[-1].eta:g}, P: 5 kW}}",
+            ),
+            code="spelling",
+        )
 
 
 class PowerTrain(Device):
@@ -130,13 +169,18 @@ class PowerTrain(Device):
         names = [part.name for part in ends(self.train) if part.name]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise FaultError(Words(
-                f"系统有两个末端都叫 {twice[0]}；请各取一个字母",
-                f"two ends of the train are named {twice[0]}; give each its own letter"), code="contradiction")
+            raise FaultError(
+                Words(
+                    f"系统有两个末端都叫 {twice[0]}；请各取一个字母",
+                    f"two ends of the train are named {twice[0]}; give each its own letter",
+                ),
+                code="contradiction",
+            )
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """η of each parallel part from the outermost, of the whole; the motor's power, and its share for each end (kW)."""
+        """η of each parallel part from the outermost, of the whole; the motor's power, and its share for each end
+        (kW)."""
         letters = self.letters
         if len(letters) == 1:
             return (POWER_OUT, ETA, POWER)
@@ -147,7 +191,9 @@ class PowerTrain(Device):
     def given(self) -> tuple[tuple[str, str], ...]:
         """The efficiencies in order, then what is delivered."""
         one = len(self.letters) == 1
-        etas = tuple(dict.fromkeys((self.symbol(part), getattr(part, part.kind).text) for part in parts(self.train) if part.kind))
+        etas = tuple(
+            dict.fromkeys((self.symbol(part), getattr(part, part.kind).text) for part in parts(self.train) if part.kind)
+        )
         loads: list[tuple[str, str]] = []
         for letter, end in zip(self.letters, ends(self.train), strict=True):
             sub = "" if one else f"_{letter}"
@@ -162,9 +208,12 @@ class PowerTrain(Device):
         return tuple(name or next(free) for name in named)
 
     def symbol(self, part: Part) -> str:
-        """η with a letter for the kind, or with the machine's own; numbered where parts of a kind differ: η_g, η_{g2}, η_A."""
+        """η with a letter for the kind, or with the machine's own; numbered where parts of a kind differ: η_g, η_{g2},
+        η_A."""
         if part.loaded and part.kind == "machine" and len(self.letters) > 1:
-            return f"η_{next(letter for letter, end in zip(self.letters, ends(self.train), strict=True) if end is part)}"
+            return (
+                f"η_{next(letter for letter, end in zip(self.letters, ends(self.train), strict=True) if end is part)}"
+            )
         stem = _SUBSCRIPT.get(part.kind, part.kind[0])
         values = list(dict.fromkeys(other.eta for other in parts(self.train) if other.kind == part.kind))
         return f"η_{stem}" if len(values) == 1 else f"η_{{{stem}{values.index(part.eta) + 1}}}"

@@ -14,7 +14,8 @@ from .base import Angle, Device, ForceSize, Ratio
 
 
 class RingSpring(Device):
-    """α: of the normals of all faces from the line of F (the faces from the direction of Q); f: friction; Q: on each side wedge."""
+    """α: of the normals of all faces from the line of F (the faces from the direction of Q); f: friction; Q: on each
+    side wedge."""
 
     kind: ClassVar[str] = "ring-spring"
     alpha: Angle
@@ -24,13 +25,18 @@ class RingSpring(Device):
     @model_validator(mode="after")
     def _possible(self) -> RingSpring:
         if not 0 < degrees(self.alpha.si) < 90:
-            raise FaultError(Words(
-                f"alpha = {self.alpha.text}：应在 0 与 90 deg 之间",
-                f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"alpha = {self.alpha.text}：应在 0 与 90 deg 之间",
+                    f"alpha = {self.alpha.text}: it must lie between 0 and 90 deg",
+                ),
+                code="out-of-range",
+            )
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ; pushing: R_21, R_42, F, F by formula, F without friction, η, least α; releasing: F', by formula, η', greatest α."""
+        """φ; pushing: R_21, R_42, F, F by formula, F without friction, η, least α; releasing: F', by formula, η',
+        greatest α."""
         return PHI, *REACTIONS, DRIVE, BY_SINES, IDEAL, ETA, LEAST, HOLD, HOLD_BY_SINES, ETA_BACK, GREATEST
 
     def given(self) -> tuple[tuple[str, str], ...]:
@@ -44,10 +50,15 @@ class RingSpring(Device):
 
     def locked(self) -> LockedError:
         """What is said of a buffer that cannot be pushed in."""
-        return LockedError(Words(
-            f"缓冲器自锁：alpha = {degrees(self.alpha.si):g} deg 应大于摩擦角 phi = {degrees(atan(self.f.si)):.4g} deg，否则 F 不能撑开两侧楔块；请减小摩擦或增大 alpha",
-            f"the buffer is self-locking: alpha = {degrees(self.alpha.si):g} deg must be greater than the friction angle "
-            f"phi = {degrees(atan(self.f.si)):.4g} deg, or no force F spreads the side wedges; lower the friction or choose a larger alpha"))
+        return LockedError(
+            Words(
+                f"缓冲器自锁：alpha = {degrees(self.alpha.si):g} deg 应大于摩擦角 phi = "
+                f"{degrees(atan(self.f.si)):.4g} deg，否则 F 不能撑开两侧楔块；请减小摩擦或增大 alpha",
+                f"the buffer is self-locking: alpha = {degrees(self.alpha.si):g} deg must be greater than the "
+                f"friction angle phi = {degrees(atan(self.f.si)):.4g} deg, or no force F spreads the side "
+                "wedges; lower the friction or choose a larger alpha",
+            )
+        )
 
 
 PHI = Named("phi", "φ", "deg")

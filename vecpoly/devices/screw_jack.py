@@ -14,9 +14,11 @@ from .base import Angle, Device, ForceSize, Length, Ratio
 
 
 class ScrewJack(Device):
-    """d, d1: outer and root diameter of the thread; p: pitch; starts: number of threads; D, d0: diameters of the collar's ring; l: lever.
+    """d, d1: outer and root diameter of the thread; p: pitch; starts: number of threads; D, d0: diameters of the
+    collar's ring; l: lever.
 
-    f: one coefficient of friction, or f_thread and f_collar; beta: half the flank angle of a V-thread (square thread: left out).
+    f: one coefficient of friction, or f_thread and f_collar; beta: half the flank angle of a V-thread (square thread:
+    left out).
     Q the load, or F the force on the lever: the other is sought.
     """
 
@@ -38,29 +40,60 @@ class ScrewJack(Device):
     @model_validator(mode="after")
     def _possible(self) -> ScrewJack:
         if self.d.si <= self.d1.si:
-            raise FaultError(Words(
-                f"d = {self.d.text} 是螺纹大径，必须大于小径 d1 = {self.d1.text}",
-                f"d = {self.d.text} is the outer diameter of the thread and must be greater than the root diameter d1 = {self.d1.text}"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"d = {self.d.text} 是螺纹大径，必须大于小径 d1 = {self.d1.text}",
+                    f"d = {self.d.text} is the outer diameter of the thread and must be greater than the root "
+                    f"diameter d1 = {self.d1.text}",
+                ),
+                code="out-of-range",
+            )
         if self.D.si <= self.d0.si:
-            raise FaultError(Words(
-                f"D = {self.D.text} 是支承环面外径，必须大于内径 d0 = {self.d0.text}",
-                f"D = {self.D.text} is the outer diameter of the collar and must be greater than the inner diameter d0 = {self.d0.text}"), code="out-of-range")
-        if (self.f is None) != (self.f_thread is not None and self.f_collar is not None) or (self.f and (self.f_thread or self.f_collar)):
-            raise FaultError(Words(
-                "螺纹与支承面的摩擦系数相同时写 f: 0.1，否则 f_thread 和 f_collar 都要写",
-                "write f: 0.1 for thread and collar, or both f_thread and f_collar"), code="spelling")
+            raise FaultError(
+                Words(
+                    f"D = {self.D.text} 是支承环面外径，必须大于内径 d0 = {self.d0.text}",
+                    f"D = {self.D.text} is the outer diameter of the collar and must be greater than the inner "
+                    f"diameter d0 = {self.d0.text}",
+                ),
+                code="out-of-range",
+            )
+        if (self.f is None) != (self.f_thread is not None and self.f_collar is not None) or (
+            self.f and (self.f_thread or self.f_collar)
+        ):
+            raise FaultError(
+                Words(
+                    "螺纹与支承面的摩擦系数相同时写 f: 0.1，否则 f_thread 和 f_collar 都要写",
+                    "write f: 0.1 for thread and collar, or both f_thread and f_collar",
+                ),
+                code="spelling",
+            )
         if (self.Q is None) == (self.F is None):
-            raise FaultError(Words(
-                "载荷 Q 与手柄力 F 只给一个，另一个为所求",
-                "give the load Q or the force F on the lever, and not both: the other one is sought"), code="contradiction")
+            raise FaultError(
+                Words(
+                    "载荷 Q 与手柄力 F 只给一个，另一个为所求",
+                    "give the load Q or the force F on the lever, and not both: the other one is sought",
+                ),
+                code="contradiction",
+            )
         if self.beta is not None and not 0 < self.beta.si < pi / 3:
-            raise FaultError(Words(
-                f"beta = {self.beta.text}：三角形螺纹的牙侧角（半牙型角）应在 0 与 60 deg 之间；矩形螺纹略去 beta",
-                f"beta = {self.beta.text}: half the flank angle of a V-thread lies between 0 and 60 deg; leave it out for a square thread"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"beta = {self.beta.text}：三角形螺纹的牙侧角（半牙型角）应在 0 与 60 deg 之间；矩形螺纹略去 beta",
+                    f"beta = {self.beta.text}: half the flank angle of a V-thread lies between 0 and 60 deg; "
+                    "leave it out for a square thread",
+                ),
+                code="out-of-range",
+            )
         if self.alpha + self.phi >= pi / 2 - 1e-9:
-            raise FaultError(Words(
-                f"螺纹升角 {degrees(self.alpha):.4g} deg 与摩擦角 {degrees(self.phi):.4g} deg 之和达到或超过 90 deg，任何力矩都不能转动此螺旋；请减小螺距 p 或摩擦系数 f",
-                f"the lead angle {degrees(self.alpha):.4g} deg and the friction angle {degrees(self.phi):.4g} deg of the thread add up to 90 deg or more: no moment turns this screw; take a smaller pitch p or a lower f"))
+            raise FaultError(
+                Words(
+                    f"螺纹升角 {degrees(self.alpha):.4g} deg 与摩擦角 {degrees(self.phi):.4g} deg 之和达到或超过"
+                    " 90 deg，任何力矩都不能转动此螺旋；请减小螺距 p 或摩擦系数 f",
+                    f"the lead angle {degrees(self.alpha):.4g} deg and the friction angle "
+                    f"{degrees(self.phi):.4g} deg of the thread add up to 90 deg or more: no moment turns this "
+                    "screw; take a smaller pitch p or a lower f",
+                )
+            )
         return self
 
     @property
@@ -89,18 +122,43 @@ class ScrewJack(Device):
 
     @property
     def trial(self) -> float:
-        """The load (N) for which the force polygon is drawn: the load itself, or where it is sought a round one, all forces being proportional."""
+        """The load (N) for which the force polygon is drawn: the load itself, or where it is sought a round one, all
+        forces being proportional."""
         return self.Q.si if self.Q else 1000.0
 
     def quantities(self) -> tuple[Named, ...]:
         """Angles; moments over Q; efficiencies; F or Q; moments; the way back."""
         sought = LOAD if self.Q is None else DRIVE
-        return (PHI_V if self.beta else PHI, TAN_ALPHA, ALPHA, *RATIOS, ETA, ETA_THREAD, sought, *MOMENTS, SELF_LOCKING, BACK, ETA_BACK)
+        return (
+            PHI_V if self.beta else PHI,
+            TAN_ALPHA,
+            ALPHA,
+            *RATIOS,
+            ETA,
+            ETA_THREAD,
+            sought,
+            *MOMENTS,
+            SELF_LOCKING,
+            BACK,
+            ETA_BACK,
+        )
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Diameters, pitch, lever, friction and the load or the force."""
-        written = [("d", self.d), ("d_1", self.d1), ("p", self.p), ("β", self.beta), ("D", self.D), ("d_0", self.d0), ("l", self.lever),
-                   ("f", self.f), ("f_s", self.f_thread), ("f_c", self.f_collar), ("Q", self.Q), ("F", self.F)]
+        written = [
+            ("d", self.d),
+            ("d_1", self.d1),
+            ("p", self.p),
+            ("β", self.beta),
+            ("D", self.D),
+            ("d_0", self.d0),
+            ("l", self.lever),
+            ("f", self.f),
+            ("f_s", self.f_thread),
+            ("f_c", self.f_collar),
+            ("Q", self.Q),
+            ("F", self.F),
+        ]
         found = [(symbol, value.text) for symbol, value in written if value is not None]
         return (*found[:3], *((("n", str(self.starts)),) if self.starts > 1 else ()), *found[3:])
 
@@ -117,7 +175,12 @@ class ScrewJack(Device):
 
 PHI, PHI_V = Named("phi", "φ", "deg"), Named("phi", "φ_v", "deg")
 ALPHA, TAN_ALPHA = Named("alpha", "α", "deg"), Named("tan_alpha", "tan α", "")
-RATIOS = (Named("M1_over_Q", "M_1/Q", "mm"), Named("M2_over_Q", "M_2/Q", "mm"), Named("M_over_Q", "M/Q", "mm"), Named("M0_over_Q", "M_0/Q", "mm"))
+RATIOS = (
+    Named("M1_over_Q", "M_1/Q", "mm"),
+    Named("M2_over_Q", "M_2/Q", "mm"),
+    Named("M_over_Q", "M/Q", "mm"),
+    Named("M0_over_Q", "M_0/Q", "mm"),
+)
 MOMENTS = (Named("M1", "M_1", "N·m"), Named("M2", "M_2", "N·m"), Named("M", "M", "N·m"), Named("M0", "M_0", "N·m"))
 LOAD, DRIVE = Named("Q", "Q", "N"), Named("F", "F", "N")
 ETA, ETA_THREAD, ETA_BACK = Named("eta", "η", ""), Named("eta_thread", "η_s", ""), Named("eta_r", "η′", "")

@@ -1,11 +1,11 @@
 """The structure of a mechanism: its joints in one position, and the driving links to be considered.
 
-    joints:
-      A: R(0, 1) at (0, 0)
-      B: R(1, 2) at (35, 92)
-      C: R(2, 3) at (110, 120)
-      D: P(3, 0) at (110, 0) along (0, 1)
-    drivers: [1]          # several possibilities: [1, 5]; two links that drive together: 1+3
+joints:
+  A: R(0, 1) at (0, 0)
+  B: R(1, 2) at (35, 92)
+  C: R(2, 3) at (110, 120)
+  D: P(3, 0) at (110, 0) along (0, 1)
+drivers: [1]          # several possibilities: [1, 5]; two links that drive together: 1+3
 """
 
 from __future__ import annotations
@@ -38,24 +38,40 @@ class Structure(Device):
     def _is_a_mechanism(self) -> Structure:
         names = {_plain(link, self.frame) for joint in self.joints.values() for link in joint.links}
         if FRAME not in names:
-            raise FaultError(Words(
-                "没有运动副与机架相连；机架为构件 0；如写 A: R(0, 1) at (0, 0)",
-                "no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)"), code="spelling")
+            raise FaultError(
+                Words(
+                    "没有运动副与机架相连；机架为构件 0；如写 A: R(0, 1) at (0, 0)",
+                    "no joint joins a link to the frame; the frame is link 0: write e.g. A: R(0, 1) at (0, 0)",
+                ),
+                code="spelling",
+            )
         if self.links and (odd := names ^ {*(_plain(link, self.frame) for link in self.links), FRAME}):
-            raise FaultError(Words(
-                f"构件 {', '.join(sorted(odd, key=natural))} 只出现在 links 或 joints 之一中；两处应一致",
-                f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both"))
+            raise FaultError(
+                Words(
+                    f"构件 {', '.join(sorted(odd, key=natural))} 只出现在 links 或 joints 之一中；两处应一致",
+                    f"link {', '.join(sorted(odd, key=natural))} stands in links or in joints, but not in both",
+                )
+            )
         chain = self.chain
         if loose := _loose(chain):
             told = f"links {', '.join(loose)} hang" if len(loose) > 1 else f"link {loose[0]} hangs"
-            raise FaultError(Words(f"构件 {', '.join(loose)} 没有经运动副与机架相连；请补上缺少的运动副", f"{told} on nothing: no chain of joints leads to the frame; add the missing joint"))
+            raise FaultError(
+                Words(
+                    f"构件 {', '.join(loose)} 没有经运动副与机架相连；请补上缺少的运动副",
+                    f"{told} on nothing: no chain of joints leads to the frame; add the missing joint",
+                )
+            )
         for pair in chain.pairs:
             _check_contact(pair)
         for together in self.drive_sets:
             if len(set(together)) < len(together):
-                raise FaultError(Words(
-                    f"原动件 {'+'.join(together)}：有构件重复；每个原动件只写一次",
-                    f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once"), code="contradiction")
+                raise FaultError(
+                    Words(
+                        f"原动件 {'+'.join(together)}：有构件重复；每个原动件只写一次",
+                        f"drivers {'+'.join(together)}: a link stands twice; name each link that drives together once",
+                    ),
+                    code="contradiction",
+                )
             for link in together:
                 _check_driver(chain, link)
         return self
@@ -69,16 +85,27 @@ class Structure(Device):
 
     def _pair(self, letter: str, joint: Written) -> Pair:
         links = tuple(_plain(link, self.frame) for link in joint.links)
-        return Pair(letter=letter, form=joint.form, links=links, at=joint.at, along=joint.along,
-                    about=tuple(self._centre(letter, centre) for centre in joint.about))
+        return Pair(
+            letter=letter,
+            form=joint.form,
+            links=links,
+            at=joint.at,
+            along=joint.along,
+            about=tuple(self._centre(letter, centre) for centre in joint.about),
+        )
 
     def _centre(self, letter: str, centre: complex | str | None) -> complex | None:
         if not isinstance(centre, str):
             return centre
         if centre not in self.joints or centre == letter:
-            raise FaultError(Words(
-                f"运动副 {letter}：没有可作曲率中心的运动副 {centre}；已有：{', '.join(self.joints)}",
-                f"joint {letter}: there is no other joint {centre} to be the centre; known: {', '.join(self.joints)}"), code="unknown-name")
+            raise FaultError(
+                Words(
+                    f"运动副 {letter}：没有可作曲率中心的运动副 {centre}；已有：{', '.join(self.joints)}",
+                    f"joint {letter}: there is no other joint {centre} to be the centre; known: "
+                    f"{', '.join(self.joints)}",
+                ),
+                code="unknown-name",
+            )
         return self.joints[centre].at
 
     @property
@@ -101,22 +128,35 @@ class Structure(Device):
         return any(not joint.form.is_lower for joint in self.joints.values())
 
     def quantities(self) -> tuple[Named, ...]:
-        """The counts, F, whether the motion is determined; after replacement of the high pairs; class and groups for each driver."""
+        """The counts, F, whether the motion is determined; after replacement of the high pairs; class and groups for
+        each driver."""
         low = (N_LOW, P_LOW, F_LOW) if self.touching else ()
         classes = tuple(named for together in self.drive_sets for named in (groups(together), class_(together)))
         return (N, P_L, P_H, F_LOCAL, P_REDUNDANT, F, *((DETERMINED,) if self.drivers else ()), *low, *classes)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Joints by their kind with the links that they join; the drivers."""
-        kinds = {form: [f"${subscripted(letter)}$({', '.join(self.number(_plain(link, self.frame)) for link in joint.links)})"
-                        for letter, joint in self.joints.items() if joint.form is form] for form in Form}
+        kinds = {
+            form: [
+                f"${subscripted(letter)}$({', '.join(self.number(_plain(link, self.frame)) for link in joint.links)})"
+                for letter, joint in self.joints.items()
+                if joint.form is form
+            ]
+            for form in Form
+        }
         return tuple((form.value, ", ".join(written)) for form, written in kinds.items() if written)
 
     @property
     def size(self) -> float:
         """The larger side of the sketch (m)."""
         places = [joint.at for joint in self.joints.values()]
-        return max(max(p.real for p in places) - min(p.real for p in places), max(p.imag for p in places) - min(p.imag for p in places)) or 0.1
+        return (
+            max(
+                max(p.real for p in places) - min(p.real for p in places),
+                max(p.imag for p in places) - min(p.imag for p in places),
+            )
+            or 0.1
+        )
 
 
 def _plain(link: str, frame: str) -> str:
@@ -139,31 +179,51 @@ def _check_contact(pair: Pair) -> None:
     one, two = pair.about
     if one is None or two is None:
         if one == pair.at or two == pair.at:
-            raise FaultError(Words(
-                f"运动副 {pair.letter}：尖点与平面接触时无公法线；请给轮廓一个小的圆角半径",
-                f"joint {pair.letter}: a point on a flat face has no normal; let the profile have a small radius"))
+            raise FaultError(
+                Words(
+                    f"运动副 {pair.letter}：尖点与平面接触时无公法线；请给轮廓一个小的圆角半径",
+                    f"joint {pair.letter}: a point on a flat face has no normal; let the profile have a small radius",
+                )
+            )
         return
     if abs(two - one) < 1e-9:
-        raise FaultError(Words(
-            f"运动副 {pair.letter}：两轮廓的曲率中心重合，处处接触，不是高副",
-            f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is no high pair"), code="spelling")
+        raise FaultError(
+            Words(
+                f"运动副 {pair.letter}：两轮廓的曲率中心重合，处处接触，不是高副",
+                f"joint {pair.letter}: both profiles have the same centre; they touch everywhere, and that is "
+                "no high pair",
+            ),
+            code="spelling",
+        )
     off = abs(((two - one).conjugate() * (pair.at - one)).imag) / abs(two - one)
     if off > OFF_LINE * abs(two - one):
-        raise FaultError(Words(
-            f"运动副 {pair.letter}：接触点偏离两曲率中心的连线（公法线）{1e3 * off:.2f} mm；请将其置于连线上",
-            f"joint {pair.letter}: the contact stands {1e3 * off:.2f} mm beside the line of the two centres, which is the common normal; put it on the line"))
+        raise FaultError(
+            Words(
+                f"运动副 {pair.letter}：接触点偏离两曲率中心的连线（公法线）{1e3 * off:.2f} mm；请将其置于连线上",
+                f"joint {pair.letter}: the contact stands {1e3 * off:.2f} mm beside the line of the two "
+                "centres, which is the common normal; put it on the line",
+            )
+        )
 
 
 def _check_driver(chain: Chain, link: str) -> None:
     """A driver is a link, joined to the frame by a lower pair."""
     if link not in chain.links:
-        raise FaultError(Words(
-            f"原动件 {link} 不是已有的构件；构件有：{', '.join(chain.links)}",
-            f"driver {link} is no link; links: {', '.join(chain.links)}"), code="spelling")
+        raise FaultError(
+            Words(
+                f"原动件 {link} 不是已有的构件；构件有：{', '.join(chain.links)}",
+                f"driver {link} is no link; links: {', '.join(chain.links)}",
+            ),
+            code="spelling",
+        )
     if not any(pair.form.is_lower and FRAME in pair.links for pair in chain.at(link)):
-        raise FaultError(Words(
-            f"原动件 {link} 既不铰接于机架，也不在机架上移动；请另取与机架相连的构件",
-            f"driver {link} is neither pinned to the frame nor slides on it; name a link that is"), code="missing")
+        raise FaultError(
+            Words(
+                f"原动件 {link} 既不铰接于机架，也不在机架上移动；请另取与机架相连的构件",
+                f"driver {link} is neither pinned to the frame nor slides on it; name a link that is",
+            ),
+            code="missing",
+        )
 
 
 N, P_L, P_H = Named("n", "n", ""), Named("p_l", "p_L", ""), Named("p_h", "p_H", "")

@@ -14,7 +14,8 @@ from .base import Angle, Device, ForceSize, Length, Ratio
 
 
 class VeeGuide(Device):
-    """G acts at the distance l1 from the V guide and l2 from the flat one; theta: half the angle of the V; f: coefficient of friction.
+    """G acts at the distance l1 from the V guide and l2 from the flat one; theta: half the angle of the V; f:
+    coefficient of friction.
 
     The width of the V is neglected in the lever arms.
     """
@@ -29,9 +30,14 @@ class VeeGuide(Device):
     @model_validator(mode="after")
     def _possible(self) -> VeeGuide:
         if not pi / 36 - 1e-9 <= self.theta.si <= pi / 2 * 17 / 18 + 1e-9:
-            raise FaultError(Words(
-                f"theta = {self.theta.text} 是槽形半角，应在 5 与 85 deg 之间；槽形角为 100 deg 时写 theta: 50 deg",
-                f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 deg has theta: 50 deg"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"theta = {self.theta.text} 是槽形半角，应在 5 与 85 deg 之间；槽形角为 100 deg 时写 theta: 50 deg",
+                    f"theta = {self.theta.text} is half the angle of the V, between 5 and 85 deg; a V of 100 "
+                    "deg has theta: 50 deg",
+                ),
+                code="out-of-range",
+            )
         return self
 
     def quantities(self) -> tuple[Named, ...]:
@@ -40,7 +46,13 @@ class VeeGuide(Device):
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Load, distances, half angle, coefficient of friction."""
-        return (("G", self.G.text), ("l_1", self.l1.text), ("l_2", self.l2.text), ("θ", self.theta.text), ("f", self.f.text))
+        return (
+            ("G", self.G.text),
+            ("l_1", self.l1.text),
+            ("l_2", self.l2.text),
+            ("θ", self.theta.text),
+            ("f", self.f.text),
+        )
 
     @property
     def force(self) -> float:
@@ -50,5 +62,9 @@ class VeeGuide(Device):
 
 ON_V, ON_FLAT = Named("F1", "F_1", "N"), Named("F2", "F_2", "N")
 FLANK = Named("N_flank", "N", "N")
-FRICTION_V, FRICTION_FLAT, FRICTION = Named("F_f_V", "F_{f1}", "N"), Named("F_f_flat", "F_{f2}", "N"), Named("F_f", "F_f", "N")
+FRICTION_V, FRICTION_FLAT, FRICTION = (
+    Named("F_f_V", "F_{f1}", "N"),
+    Named("F_f_flat", "F_{f2}", "N"),
+    Named("F_f", "F_f", "N"),
+)
 F_VEE, F_WHOLE = Named("f_vee", "f_{V1}", ""), Named("f_V", "f_V", "")

@@ -1,4 +1,5 @@
-"""A clamping wedge: wedge 3 between body 2 and work 1, with friction on both faces; does it stay in when nothing holds it?"""
+"""A clamping wedge: wedge 3 between body 2 and work 1, with friction on both faces; does it stay in when nothing holds
+it?"""
 
 from __future__ import annotations
 
@@ -24,13 +25,18 @@ class WedgeClamp(Device):
     @model_validator(mode="after")
     def _possible(self) -> WedgeClamp:
         if not 0 < degrees(self.alpha.si) < 90:
-            raise FaultError(Words(
-                f"alpha = {self.alpha.text}：楔角应在 0 与 90 deg 之间",
-                f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"alpha = {self.alpha.text}：楔角应在 0 与 90 deg 之间",
+                    f"alpha = {self.alpha.text}: the angle of the wedge must lie between 0 and 90 deg",
+                ),
+                code="out-of-range",
+            )
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ, limit of α, F' that holds the wedge in (not positive: it needs none), by formula, without friction, R_13, η'."""
+        """φ, limit of α, F' that holds the wedge in (not positive: it needs none), by formula, without friction, R_13,
+        η'."""
         return PHI, LIMIT, HOLD, BY_SINES, IDEAL, PRESSED, ETA_BACK
 
     def given(self) -> tuple[tuple[str, str], ...]:

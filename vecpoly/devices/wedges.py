@@ -16,9 +16,11 @@ FACES = ("12", "13", "23")  # who presses on whom
 
 
 class Wedges(Device):
-    """α: guide of wedge 1 (and F, along it) from the vertical; β: face between the wedges from the vertical; Q: load on wedge 2.
+    """α: guide of wedge 1 (and F, along it) from the vertical; β: face between the wedges from the vertical; Q: load on
+    wedge 2.
 
-    f: one coefficient of friction for all faces, or f12, f13, f23 for each. Motion: F pushes 1 up its guide, 2 rises against Q.
+    f: one coefficient of friction for all faces, or f12, f13, f23 for each. Motion: F pushes 1 up its guide, 2 rises
+    against Q.
     """
 
     kind: ClassVar[str] = "wedges"
@@ -34,18 +36,33 @@ class Wedges(Device):
     def _possible(self) -> Wedges:
         alpha, beta = degrees(self.alpha.si), degrees(self.beta.si)
         if not 0 < beta < 90:
-            raise FaultError(Words(
-                f"beta = {self.beta.text}：两楔块的接触面与竖直方向的夹角应在 0 与 90 deg 之间",
-                f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from the vertical"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"beta = {self.beta.text}：两楔块的接触面与竖直方向的夹角应在 0 与 90 deg 之间",
+                    f"beta = {self.beta.text}: the face between the wedges must lie between 0 and 90 deg from "
+                    "the vertical",
+                ),
+                code="out-of-range",
+            )
         if alpha <= 0 or alpha + beta >= 180 - 1e-9:
-            raise FaultError(Words(
-                f"alpha = {self.alpha.text}，beta = {self.beta.text}：alpha 应大于 0，且 alpha + beta 应小于 180 deg，否则楔块 1 没有楔角，不能顶起楔块 2",
-                f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + beta below 180 deg, or wedge 1 has no taper and cannot lift wedge 2"), code="out-of-range")
+            raise FaultError(
+                Words(
+                    f"alpha = {self.alpha.text}，beta = {self.beta.text}：alpha 应大于 0，"
+                    "且 alpha + beta 应小于 180 deg，否则楔块 1 没有楔角，不能顶起楔块 2",
+                    f"alpha = {self.alpha.text}, beta = {self.beta.text}: alpha must be above 0 and alpha + "
+                    "beta below 180 deg, or wedge 1 has no taper and cannot lift wedge 2",
+                ),
+                code="out-of-range",
+            )
         each = (self.f12, self.f13, self.f23)
         if (self.f is None) == (None in each) or (self.f is not None and any(each)):
-            raise FaultError(Words(
-                "各接触面摩擦系数相同时写 f: 0.15，否则 f12、f13、f23 都要写",
-                "write f: 0.15 for all faces, or each of f12, f13 and f23"), code="spelling")
+            raise FaultError(
+                Words(
+                    "各接触面摩擦系数相同时写 f: 0.15，否则 f12、f13、f23 都要写",
+                    "write f: 0.15 for all faces, or each of f12, f13 and f23",
+                ),
+                code="spelling",
+            )
         return self
 
     def friction(self, face: str) -> Ratio:
@@ -58,7 +75,8 @@ class Wedges(Device):
         return Named("phi", "φ", "deg") if self.f else Named(f"phi_{face}", f"φ_{{{face}}}", "deg")
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ, F measured and by the sine rule, F without friction, η, reactions; F' that holds, η' of the way back; limits of φ."""
+        """φ, F measured and by the sine rule, F without friction, η, reactions; F' that holds, η' of the way back;
+        limits of φ."""
         angles = dict.fromkeys(self.angle(face) for face in FACES)
         return (*angles, DRIVE, BY_SINES, IDEAL, ETA, *REACTIONS, HOLD, ETA_BACK, LOCK_DIRECT, LOCK_REVERSE)
 
@@ -75,10 +93,15 @@ class Wedges(Device):
 
     def locked(self, limit: float) -> LockedError:
         """What is said of a drive that cannot move; limit: the sum of friction angles that β must exceed (deg)."""
-        return LockedError(Words(
-            f"楔块机构自锁：beta = {degrees(self.beta.si):g} deg 应大于两摩擦角之和 phi_12 + phi_23 = {limit:.4g} deg，否则 F 不能顶起 Q；请减小摩擦或增大 beta",
-            f"the wedges are self-locking: beta = {degrees(self.beta.si):g} deg must be greater than the friction angles "
-            f"phi_12 + phi_23 = {limit:.4g} deg, or no force F lifts Q; lower the friction or choose a larger beta"))
+        return LockedError(
+            Words(
+                f"楔块机构自锁：beta = {degrees(self.beta.si):g} deg 应大于两摩擦角之和 phi_12 + phi_23 = "
+                f"{limit:.4g} deg，否则 F 不能顶起 Q；请减小摩擦或增大 beta",
+                f"the wedges are self-locking: beta = {degrees(self.beta.si):g} deg must be greater than the "
+                f"friction angles phi_12 + phi_23 = {limit:.4g} deg, or no force F lifts Q; lower the friction "
+                "or choose a larger beta",
+            )
+        )
 
 
 DRIVE, BY_SINES, IDEAL = Named("F", "F", "N"), Named("F_sine", "F", "N"), Named("F_0", "F_{0}", "N")

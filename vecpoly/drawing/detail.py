@@ -9,10 +9,10 @@ import numpy as np
 import shapely
 
 from ..board.construction import Figure
-from ..board.extent import extent
-from ..board.marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from ..board.paper.extent import extent
+from ..board.paper.marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
 from ..words import Words
-from .shapes import circle
+from .symbols.shapes import circle
 
 KNOTTED = 4  # letters that make a knot where they stand this close:
 CLOSE, WIDEST = 1.0, 8.0  # mm of radius a letter, mm of radius at most
@@ -42,19 +42,25 @@ class Knot:
 
 
 def detailed(figure: Figure) -> tuple[Figure, ...]:
-    """The figure with its knot circled and left without letters, and the detail that has them; the figure alone where it has no knot."""
+    """The figure with its knot circled and left without letters, and the detail that has them; the figure alone where
+    it has no knot."""
     knot = find_knot(figure)
     if knot is None:
         return (figure,)
     out = knot.centre + (knot.radius + 0.1) * _outwards(figure, knot)
     marks = [_unlettered(mark, knot) for mark in figure.marks]
-    around = (Arc(centre=knot.centre, radius=knot.radius, start=0.0, sweep=2 * math.pi, role=Role.CONSTRUCTION),
-              Point(at=out, label=NAME, dot=Dot.NONE))
+    around = (
+        Arc(centre=knot.centre, radius=knot.radius, start=0.0, sweep=2 * math.pi, role=Role.CONSTRUCTION),
+        Point(at=out, label=NAME, dot=Dot.NONE),
+    )
     title = Words(f"局部放大图 {NAME}（{knot.factor:g}:1）", f"Detail {NAME} ({knot.factor:g}:1)")
     ring = Arc(centre=0j, radius=knot.radius * knot.factor, start=0.0, sweep=2 * math.pi, role=Role.CONSTRUCTION)
     inner = tuple(found for mark in figure.marks if (found := _within(mark, knot)) is not None)
     scale = replace(figure.scale, value=figure.scale.value / knot.factor)
-    return (replace(figure, marks=(*marks, *around)), Figure(view=figure.view, title=title, scale=scale, marks=(*inner, ring), name=f"{figure.name} detail".strip()))
+    return (
+        replace(figure, marks=(*marks, *around)),
+        Figure(view=figure.view, title=title, scale=scale, marks=(*inner, ring), name=f"{figure.name} detail".strip()),
+    )
 
 
 def find_knot(figure: Figure) -> Knot | None:
@@ -82,7 +88,12 @@ def find_knot(figure: Figure) -> Knot | None:
 def _places(figure: Figure) -> list[complex]:
     found: list[complex] = []
     for mark in figure.marks:
-        if isinstance(mark, Point) and mark.label and mark.dot is not Dot.NONE and all(abs(mark.at - z) > APART for z in found):
+        if (
+            isinstance(mark, Point)
+            and mark.label
+            and mark.dot is not Dot.NONE
+            and all(abs(mark.at - z) > APART for z in found)
+        ):
             found.append(mark.at)
     return found
 
@@ -90,14 +101,23 @@ def _places(figure: Figure) -> list[complex]:
 def _outwards(figure: Figure, knot: Knot) -> complex:
     """The direction from the knot in which the figure has least."""
     ways = np.exp(2j * np.pi * np.arange(16) / 16)
-    seen = [complex(z) - knot.centre for m in figure.marks if isinstance(m, Vector | Segment) for z in np.linspace(m.a, m.b, 12) if not knot.holds(complex(z))]
+    seen = [
+        complex(z) - knot.centre
+        for m in figure.marks
+        if isinstance(m, Vector | Segment)
+        for z in np.linspace(m.a, m.b, 12)
+        if not knot.holds(complex(z))
+    ]
     near = [z / abs(z) for z in seen if abs(z) < 4 * knot.radius]
     return complex(max(ways, key=lambda w: min((abs(w - z) for z in near), default=0.0)))
 
 
 def _unlettered(mark: Mark, knot: Knot) -> Mark:
-    """A mark of the figure itself: within the knot, and at the ends of its direction lines, the letters stand in the detail."""
-    if isinstance(mark, Point) and (knot.holds(mark.at) or (mark.dot is Dot.NONE and abs(mark.at - knot.centre) < knot.radius + 2.0)):
+    """A mark of the figure itself: within the knot, and at the ends of its direction lines, the letters stand in the
+    detail."""
+    if isinstance(mark, Point) and (
+        knot.holds(mark.at) or (mark.dot is Dot.NONE and abs(mark.at - knot.centre) < knot.radius + 2.0)
+    ):
         return replace(mark, label="")
     return mark
 
@@ -109,14 +129,22 @@ def _within(mark: Mark, knot: Knot) -> Mark | None:
             if knot.holds(at):
                 return replace(mark, at=knot.moved(at))
             reached = mark.dot is Dot.NONE and mark.label and abs(at - knot.centre) < knot.radius + 2.0
-            return replace(mark, at=(at - knot.centre) / abs(at - knot.centre) * knot.radius * knot.factor) if reached else None
+            return (
+                replace(mark, at=(at - knot.centre) / abs(at - knot.centre) * knot.radius * knot.factor)
+                if reached
+                else None
+            )
         case Segment(a=a, b=b) | Vector(a=a, b=b):
             return _clipped(mark, a, b, knot)
         case RightAngle(at=at):
             return replace(mark, at=knot.moved(at)) if knot.holds(at) else None
         case ImageOf(points=points):
             disc = shapely.Polygon([(z.real, z.imag) for z in circle(knot.centre, knot.radius)])
-            part = shapely.Polygon([(z.real, z.imag) for z in points]).buffer(0).intersection(disc) if len(points) > 2 else shapely.Polygon()
+            part = (
+                shapely.Polygon([(z.real, z.imag) for z in points]).buffer(0).intersection(disc)
+                if len(points) > 2
+                else shapely.Polygon()
+            )
             if not isinstance(part, shapely.Polygon) or part.is_empty:
                 return None
             return replace(mark, points=tuple(knot.moved(complex(x, y)) for x, y in part.exterior.coords[:-1]))

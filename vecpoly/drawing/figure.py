@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
+from ..algebra.formula import Node, Power, Row, Txt, row
 from ..board.construction import Figure, Scale
-from ..formula import Node, Power, Row, Txt, row
 from ..typeset import Box, layout
 from ..words import Lang
-from .labels import Placed, place
-from .notes import LEADING, folded, lines
-from .obstacles import Obstacles
+from .labels.notes import LEADING, folded, lines
+from .labels.obstacles import Obstacles
+from .labels.placing import Placed, place
+from .labels.wants import wants
 from .scene import Fill, Item, Rect, Scene, Stroke, TextBox
 from .style import NOTE, TITLE
-from .symbols import Surroundings, draw
-from .wants import wants
+from .symbols.marks import Surroundings, draw
 
 TITLE_GAP, LINE = 6.0, 6.0  # mm: lowest ink to the title's capitals; title to scale
 KEPT = 64  # drawings
@@ -37,8 +37,15 @@ class Drawing:
         return tuple(label.rect for label in self.labels)
 
 
-def draw_figure(figure: Figure, *, lang: Lang = "zh", upto_step: int | None = None, highlight: int | None = None,
-                caption: bool = True, frame: Rect | None = None) -> Scene:
+def draw_figure(
+    figure: Figure,
+    *,
+    lang: Lang = "zh",
+    upto_step: int | None = None,
+    highlight: int | None = None,
+    caption: bool = True,
+    frame: Rect | None = None,
+) -> Scene:
     """The scene of a figure; `upto_step` shows the board after that step, `highlight` fades all other steps."""
     scene = drawing(figure, lang=lang, caption=caption, frame=frame).scene
     if upto_step is not None:

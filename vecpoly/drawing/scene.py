@@ -1,4 +1,5 @@
-"""A drawing as an immutable value: strokes, fills and lettering in mm, x right, y up; every backend draws this and nothing else."""
+"""A drawing as an immutable value: strokes, fills and lettering in mm, x right, y up; every backend draws this and
+nothing else."""
 
 from __future__ import annotations
 
@@ -141,8 +142,12 @@ class Scene:
         if not items:
             return cls((), Rect(0.0, 0.0, 0.0, 0.0))
         rects = [rect_of(item) for item in items]
-        return cls(items, Rect(min(r.x0 for r in rects), min(r.y0 for r in rects),
-                               max(r.x1 for r in rects), max(r.y1 for r in rects)))
+        return cls(
+            items,
+            Rect(
+                min(r.x0 for r in rects), min(r.y0 for r in rects), max(r.x1 for r in rects), max(r.y1 for r in rects)
+            ),
+        )
 
     def __iter__(self) -> Iterator[Item]:
         """The items in drawing order: by layer, then as they were drawn."""
@@ -163,8 +168,12 @@ class Scene:
 
     def highlighted(self, step: int) -> Scene:
         """One step in its own ink, all others faded."""
-        return Scene(tuple(item if item.step == step or item.hue.is_tint else replace(item, hue=Hue.GHOST)
-                           for item in self.items), self.extents)
+        return Scene(
+            tuple(
+                item if item.step == step or item.hue.is_tint else replace(item, hue=Hue.GHOST) for item in self.items
+            ),
+            self.extents,
+        )
 
     def _kept(self, wanted: Callable[[Item], bool]) -> Scene:
         return Scene(tuple(item for item in self.items if wanted(item)), self.extents)

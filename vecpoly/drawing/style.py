@@ -7,7 +7,7 @@ from enum import StrEnum
 from typing import assert_never
 
 from ..board.construction import View
-from ..board.marks import Role
+from ..board.paper.marks import Role
 from ..figures.hue import Hue as Hue  # an ink is a part of how a line looks
 
 LINK, RESULT, GIVEN, THIN = 0.7, 0.5, 0.35, 0.18

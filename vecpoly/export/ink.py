@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ..board import acts as done
-from ..board.marks import AngleMark
+from ..board.paper.marks import AngleMark
 from ..plane.derived import moves
 
 STILL = 1e-6  # mm: what moves less stands still

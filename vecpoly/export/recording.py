@@ -1,4 +1,5 @@
-"""A drawing that follows its driving link: the recorded sheet, the range in which it was proved, what does not follow."""
+"""A drawing that follows its driving link: the recorded sheet, the range in which it was proved, what does not
+follow."""
 
 from __future__ import annotations
 
@@ -7,15 +8,15 @@ from dataclasses import dataclass, replace
 from math import isfinite, pi
 
 from ..board import acts as done
-from ..board.amended import AS_DRAWN
 from ..board.construction import Scale, View
 from ..board.hand import hand
+from ..board.otherwise.amended import AS_DRAWN
 from ..devices.base import Device
 from ..errors import NoMethodError, VecpolyError
 from ..mechanism.model import Drive
 from ..methods.desk import Desk
 from ..methods.plan import drawn_exactly, scale_symbols
-from ..problem.asks import AskNamed
+from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..solution import constructed
 from ..words import Words
@@ -124,8 +125,8 @@ class _Proof:
             raise NoMethodError(
                 Words(
                     "此题的作图过程不能随原动件连续变动（如用试作法定位），不能写成 GeoGebra 文件；可用 vecpoly play",
-                    "this construction does not follow its driving link (it is found by trial), so there is no GeoGebra "
-                    "file of it; take vecpoly play",
+                    "this construction does not follow its driving link (it is found by trial), so there "
+                    "is no GeoGebra file of it; take vecpoly play",
                 ),
                 code="export-trial",
             )

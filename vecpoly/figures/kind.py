@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..errors import UnknownNameError
-from ..plugins import load_modules
+from ..foundation.plugins import load_modules
 from ..words import Words
 from .hue import PLAIN, Hue
 from .mu import Mu

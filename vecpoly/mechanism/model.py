@@ -10,16 +10,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ..frozen import FrozenMap
-from .placements import ByAngle as ByAngle
-from .placements import ByLengths as ByLengths
-from .placements import ByOffsets as ByOffsets
-from .placements import Placement as Placement
-from .placements import Side as Side
-from .start import Start
-from .statements import Shaped as Shaped
-from .statements import SideOf as SideOf
-from .statements import Statement as Statement
+from ..foundation.frozen import FrozenMap
+from .assembly.start import Start
+from .assembly.statements import Shaped as Shaped
+from .assembly.statements import SideOf as SideOf
+from .assembly.statements import Statement as Statement
+from .dimensions.placements import ByAngle as ByAngle
+from .dimensions.placements import ByLengths as ByLengths
+from .dimensions.placements import ByOffsets as ByOffsets
+from .dimensions.placements import Placement as Placement
+from .dimensions.placements import Side as Side
 
 FRAME = "0"
 
@@ -50,7 +50,8 @@ class Prismatic:
     """Link `block` slides along a line that is fixed on link `guide`.
 
     The line passes through `origin` in direction `direction`, both in the guide link's coordinates. The point `pin`
-    of the block stays `offset` to the left of the line; the block's x axis makes the angle `turn` with the line's direction.
+    of the block stays `offset` to the left of the line; the block's x axis makes the angle `turn` with the line's
+    direction.
     `pin_in_slot` marks a pin that runs in the slot with no block drawn (a higher pair, replaced by R + P).
     """
 
@@ -68,7 +69,8 @@ class Prismatic:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Circle:
-    """Pitch circle of a gear: a link, the letter of its centre, its radius; the second one of a stepped gear is marked ′."""
+    """Pitch circle of a gear: a link, the letter of its centre, its radius; the second one of a stepped gear is marked
+    ′."""
 
     link: str
     centre: str
@@ -106,8 +108,10 @@ Joint = Revolute | Prismatic | Rolling
 class Contact:
     """A sliding-rolling pair (higher pair) of a disc on link `disc.link` with a disc or a flat face of link `on.link`.
 
-    It is replaced by a link (高副低代): the mechanism's `links` and `joints` hold the massless link `substitute`, pinned at
-    the disc's centre and pinned at the other disc's centre, or sliding along the face. Kinematics uses the substitute; counts
+    It is replaced by a link (高副低代): the mechanism's `links` and `joints` hold the massless link `substitute`,
+    pinned at
+    the disc's centre and pinned at the other disc's centre, or sliding along the face. Kinematics uses the substitute;
+    counts
     of links and pairs, and forces, use the contact itself. `side` (of the face's direction) is where the disc lies.
     """
 
@@ -139,9 +143,11 @@ class SlotPin:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
-    """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the frame as a rule.
+    """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the
+    frame as a rule.
 
-    position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the guide from the
+    position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the
+    guide from the
     guide's origin (m; between two moving links the length of a cylinder); rate: ω (rad/s) or v (m/s), relative to `on`;
     accel: α (rad/s²) or a (m/s²), likewise.
     """
@@ -166,7 +172,8 @@ class Drive:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mechanism:
-    """A planar mechanism: the frame's points (in m), moving links, joints, drives, branches, rough positions for Newton."""
+    """A planar mechanism: the frame's points (in m), moving links, joints, drives, branches, rough positions for
+    Newton."""
 
     frame: Mapping[str, complex]
     links: tuple[Link, ...]
@@ -196,13 +203,20 @@ class Mechanism:
     def slot_pins(self) -> Mapping[str, SlotPin]:
         """The pins that run in slots, by the name of the block that is only thought there."""
         led = (joint for joint in self.joints if isinstance(joint, Prismatic) and joint.pin_in_slot)
-        return {joint.block: SlotPin(point=joint.pin, carrier=self._carrier(joint), guide=joint.guide, block=joint.block)
-                for joint in led if joint.block not in self.substitutes}
+        return {
+            joint.block: SlotPin(point=joint.pin, carrier=self._carrier(joint), guide=joint.guide, block=joint.block)
+            for joint in led
+            if joint.block not in self.substitutes
+        }
 
     def _carrier(self, slide: Prismatic) -> str:
         """The link in which the pin is fixed that runs in this slot."""
         thought = {j.block for j in self.joints if isinstance(j, Prismatic) and j.pin_in_slot}
-        beside = [j.a if j.b == slide.block else j.b for j in self.joints if isinstance(j, Revolute) and slide.block in (j.a, j.b)]
+        beside = [
+            j.a if j.b == slide.block else j.b
+            for j in self.joints
+            if isinstance(j, Revolute) and slide.block in (j.a, j.b)
+        ]
         return next((name for name in (*beside, *self.links_at(slide.pin)) if name not in thought), slide.block)
 
     @property
@@ -212,16 +226,28 @@ class Mechanism:
 
     @property
     def numbered(self) -> tuple[str, ...]:
-        """Names of the moving links that the problem names: the bodies, without the blocks that are thought about pins in slots."""
+        """Names of the moving links that the problem names: the bodies, without the blocks that are thought about pins
+        in slots."""
         return tuple(name for name in self.bodies if name not in self.slot_pins)
 
     @property
     def frame_number(self) -> str:
         """The frame's number as printed: one more than the highest of the links."""
-        return str(1 + max((int("".join(filter(str.isdigit, name))) for name in (*self.bodies, *dict(self.welded)) if name[0].isdigit()), default=0))
+        return str(
+            1
+            + max(
+                (
+                    int("".join(filter(str.isdigit, name)))
+                    for name in (*self.bodies, *dict(self.welded))
+                    if name[0].isdigit()
+                ),
+                default=0,
+            )
+        )
 
     def number(self, link: str) -> str:
-        """A link's number as printed, the frame's included; the block that is thought about a pin in a slot has that of the pin's link."""
+        """A link's number as printed, the frame's included; the block that is thought about a pin in a slot has that of
+        the pin's link."""
         if link[:1].isalpha() and link in (pins := self.slot_pins):
             link = pins[link].carrier
         return self.frame_number if link == FRAME else link
@@ -244,6 +270,10 @@ class Mechanism:
     @property
     def scale(self) -> float:
         """Largest distance between two points of one link or of the frame (m): the scale of its errors."""
-        spans = [abs(p - q) for pts in (self.frame, *(li.points for li in self.links))
-                 for p in pts.values() for q in pts.values()]
+        spans = [
+            abs(p - q)
+            for pts in (self.frame, *(li.points for li in self.links))
+            for p in pts.values()
+            for q in pts.values()
+        ]
         return max(spans, default=1.0) or 1.0

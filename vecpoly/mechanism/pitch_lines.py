@@ -24,13 +24,18 @@ class PitchLine:
 
 
 def pitch_lines(mech: Mechanism, rack: Rack) -> dict[str, PitchLine]:
-    """The rack's pitch line on the rack itself, and on every link that slides along it, or along what slides along it."""
+    """The rack's pitch line on the rack itself, and on every link that slides along it, or along what slides along
+    it."""
     seen = {rack.link: PitchLine(rack.origin, rack.direction)}
     todo = [rack.link]
     while todo:
         here = todo.pop()
         for joint in mech.joints:
-            if isinstance(joint, Prismatic) and here in (joint.guide, joint.block) and is_along(joint, here, seen[here]):
+            if (
+                isinstance(joint, Prismatic)
+                and here in (joint.guide, joint.block)
+                and is_along(joint, here, seen[here])
+            ):
                 other = joint.block if here == joint.guide else joint.guide
                 if other not in seen:
                     seen[other] = _across(mech, joint, here, seen[here])
@@ -51,4 +56,6 @@ def _across(mech: Mechanism, joint: Prismatic, link: str, line: PitchLine) -> Pi
         off = (cmath.exp(-1j * joint.direction) * (line.origin - joint.origin)).imag - joint.offset
         return PitchLine(pin + 1j * off * cmath.exp(-1j * joint.turn), line.direction - joint.direction - joint.turn)
     off = joint.offset + (cmath.exp(1j * joint.turn) * (line.origin - pin)).imag
-    return PitchLine(joint.origin + 1j * off * cmath.exp(1j * joint.direction), line.direction + joint.turn + joint.direction)
+    return PitchLine(
+        joint.origin + 1j * off * cmath.exp(1j * joint.direction), line.direction + joint.turn + joint.direction
+    )

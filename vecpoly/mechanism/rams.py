@@ -1,6 +1,7 @@
 """Links that a drive joins: a cylinder and its rod are, at one moment, a bar of known length.
 
-So they count as one link where the mechanism is taken apart. With one more link they are a dyad of which that bar is one side
+So they count as one link where the mechanism is taken apart. With one more link they are a dyad of which that bar is
+one side
 (`Ram`); other groups with a driven pair have no class of their own.
 """
 
@@ -15,9 +16,11 @@ from .model import Drive, Joint, Mechanism, Prismatic, Revolute
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ram:
-    """A cylinder of known length, pinned at `outer` on `parent` and at `inner` on `link`, which hangs on `link_parent` by `link_joint`.
+    """A cylinder of known length, pinned at `outer` on `parent` and at `inner` on `link`, which hangs on `link_parent`
+    by `link_joint`.
 
-    pair: the driven sliding joint; near: of its two links the one with the outer hinge, far: the one with the inner hinge.
+    pair: the driven sliding joint; near: of its two links the one with the outer hinge, far: the one with the inner
+    hinge.
     """
 
     pair: Prismatic
@@ -32,7 +35,8 @@ class Ram:
 
 
 def units(mech: Mechanism) -> tuple[tuple[str, ...], ...]:
-    """The moving links that no drive holds against the frame, in the order of the mechanism; those between which a drive acts stand together."""
+    """The moving links that no drive holds against the frame, in the order of the mechanism; those between which a
+    drive acts stand together."""
     held = {drive.link for drive in mech.drives if not drive.between}
     found = [{link.name} for link in mech.links if link.name not in held]
     for drive in mech.drives:
@@ -67,7 +71,8 @@ Hung = tuple[Joint, str, str]  # an outer joint, the link that hangs on it, the 
 
 
 def ram_of(pair: Joint | None, inner: tuple[Joint, ...], outer: tuple[Hung, Hung]) -> Ram | None:
-    """The cylinder and the link that it moves, where these joints (the driven one left out of `inner`) make such a dyad; else None."""
+    """The cylinder and the link that it moves, where these joints (the driven one left out of `inner`) make such a
+    dyad; else None."""
     if not isinstance(pair, Prismatic) or len(inner) != 1 or not isinstance(inner[0], Revolute):
         return None
     sides, hinge = {pair.guide, pair.block}, inner[0]
@@ -77,18 +82,36 @@ def ram_of(pair: Joint | None, inner: tuple[Joint, ...], outer: tuple[Hung, Hung
         return None
     (pin, near, parent), (joint, link, link_parent) = own[0], other[0]
     far = next(iter(sides - {near}))
-    if not isinstance(pin, Revolute) or not isinstance(joint, Revolute | Prismatic) or {hinge.a, hinge.b} != {far, link}:
+    if (
+        not isinstance(pin, Revolute)
+        or not isinstance(joint, Revolute | Prismatic)
+        or {hinge.a, hinge.b} != {far, link}
+    ):
         return None
-    return Ram(pair=pair, near=near, outer=pin, parent=parent, far=far, inner=hinge, link=link, link_joint=joint, link_parent=link_parent)
+    return Ram(
+        pair=pair,
+        near=near,
+        outer=pin,
+        parent=parent,
+        far=far,
+        inner=hinge,
+        link=link,
+        link_joint=joint,
+        link_parent=link_parent,
+    )
 
 
-def driven_kind(mech: Mechanism, drives: tuple[Drive, ...], inner: tuple[Joint, ...], outer: tuple[Hung, ...]) -> tuple[str, Ram | None]:
+def driven_kind(
+    mech: Mechanism, drives: tuple[Drive, ...], inner: tuple[Joint, ...], outer: tuple[Hung, ...]
+) -> tuple[str, Ram | None]:
     """The kind of a group inside which a drive acts: a dyad with a cylinder as one of its bars, or any other."""
     ram = None
     if len(drives) == 1 and len(outer) == 2:
         pair = driven_joint(mech, drives[0])
         ram = ram_of(pair, tuple(joint for joint in inner if joint != pair), (outer[0], outer[1]))
-    return ("driven", None) if ram is None else (f"cylinder {'RR' if isinstance(ram.link_joint, Revolute) else 'RP'}", ram)
+    return (
+        ("driven", None) if ram is None else (f"cylinder {'RR' if isinstance(ram.link_joint, Revolute) else 'RP'}", ram)
+    )
 
 
 def driver_words(mech: Mechanism) -> Words:
@@ -97,4 +120,8 @@ def driver_words(mech: Mechanism) -> Words:
     if not drive.between:
         return Words(f"构件 {drive.link} ", f"link {drive.link}")
     pair = f"{drive.on}-{drive.link}"
-    return Words(f"油缸 {pair} ", f"the cylinder {pair}") if drive.slide else Words(f"构件 {drive.on}、{drive.link} 间的电机", f"the motor between links {drive.on} and {drive.link}")
+    return (
+        Words(f"油缸 {pair} ", f"the cylinder {pair}")
+        if drive.slide
+        else Words(f"构件 {drive.on}、{drive.link} 间的电机", f"the motor between links {drive.on} and {drive.link}")
+    )

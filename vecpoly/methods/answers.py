@@ -6,14 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..algebra.formula import Row, Txt, sym
+from ..algebra.quantity import magnitude, paper, stated, worked
 from ..board.board import NO_LENGTH, letters_node
 from ..board.construction import Reading, View
 from ..board.strokes import amount, spot
 from ..errors import NoMethodError
-from ..formula import Row, Txt, sym
 from ..names import Key, Kind, Rel
 from ..plane import Points, Reals, nominal
-from ..quantity import magnitude, paper, stated, worked
 from ..words import Words
 from .desk import Desk
 from .standing import computed, standing
@@ -34,26 +34,39 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 
 
 def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
-    """What the force analysis or the instant centres gave: a load, a reaction, a centre; raises NoMethodError where it was not found."""
+    """What the force analysis or the instant centres gave: a load, a reaction, a centre; raises NoMethodError where it
+    was not found."""
     if named.key not in desk.board.readings:
-        raise NoMethodError(Words(
-            f"图上没有作出 {named.key}：现有图解法对此机构求不出此量",
-            f"{named.key} was not found on the drawing: no method on file gives it for this mechanism"))
+        raise NoMethodError(
+            Words(
+                f"图上没有作出 {named.key}：现有图解法对此机构求不出此量",
+                f"{named.key} was not found on the drawing: no method on file gives it for this mechanism",
+            )
+        )
     return desk.board.readings[named.key], desk.board.found[named.key]
 
 
 def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     if rel not in desk.turns:
-        raise NoMethodError(Words(
-            f"图上没有作出 {rel.key}：现有图解法求不出此量",
-            f"{rel.key} was not found on the drawing: no method on file gives it"))
+        raise NoMethodError(
+            Words(
+                f"图上没有作出 {rel.key}：现有图解法求不出此量",
+                f"{rel.key} was not found on the drawing: no method on file gives it",
+            )
+        )
     turn = desk.turns[rel]
     name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
     value = float(nominal(turn.value))
     desk.board.answer(rel.key, amount(turn.value), rel.kind.unit, turn.value)
-    return Reading(key=rel.key, symbol=name, unit=rel.kind.unit, scalar=value, remark=remark,
-                   formula=stated(magnitude(name, value, rel.kind.unit))), turn.value
+    return Reading(
+        key=rel.key,
+        symbol=name,
+        unit=rel.kind.unit,
+        scalar=value,
+        remark=remark,
+        formula=stated(magnitude(name, value, rel.kind.unit)),
+    ), turn.value
 
 
 def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
@@ -63,16 +76,32 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     metres = desk.board.coordinates(place, name) * scale.value
     vector = complex(nominal(metres))
     desk.board.answer(rel.key, spot(metres), "m", metres)
-    text = Row((sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-    return (Reading(key=rel.key, symbol=name[0] + (f"_{{{name[1:]}}}" if name[1:] else ""), unit="m", scalar=abs(vector),
-                    vector=vector, scale=scale.symbol, formula=text), np.abs(metres))
+    text = Row(
+        (sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)"))
+    )
+    return (
+        Reading(
+            key=rel.key,
+            symbol=name[0] + (f"_{{{name[1:]}}}" if name[1:] else ""),
+            unit="m",
+            scalar=abs(vector),
+            vector=vector,
+            scale=scale.symbol,
+            formula=text,
+        ),
+        np.abs(metres),
+    )
 
 
 def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     view, start, end, line = standing(desk, rel)
     board, scale = desk.board, desk.board.scales[view]
     known = computed(desk, rel)
-    on_paper = board.measure(start, end, line) if known is None else paper(letters_node(line), board.hand.read(board.to_paper(view, known.value)))
+    on_paper = (
+        board.measure(start, end, line)
+        if known is None
+        else paper(letters_node(line), board.hand.read(board.to_paper(view, known.value)))
+    )
     direction = board.gauge(start, end)
     size = on_paper.value * scale.value if known is None else known.value
     values = size * np.exp(1j * direction)
@@ -80,9 +109,17 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     board.answer(rel.key, 0j if exact_zero else spot(values), rel.kind.unit, start, end, size, direction)
     symbol = sym(rel.symbol)
     reading = Reading(
-        key=rel.key, symbol=rel.symbol, unit=rel.kind.unit, scalar=0.0 if exact_zero else float(nominal(size)),
-        vector=0j if exact_zero else complex(nominal(values)), mm=float(nominal(on_paper.value)), line=line, scale=scale.symbol,
-        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit) if known is None else stated(replace(known, node=symbol)),
+        key=rel.key,
+        symbol=rel.symbol,
+        unit=rel.kind.unit,
+        scalar=0.0 if exact_zero else float(nominal(size)),
+        vector=0j if exact_zero else complex(nominal(values)),
+        mm=float(nominal(on_paper.value)),
+        line=line,
+        scale=scale.symbol,
+        formula=worked(symbol, board.mu(view) * on_paper, rel.kind.unit)
+        if known is None
+        else stated(replace(known, node=symbol)),
         remark=_vanishing(desk, rel, exact_zero),
     )
     return reading, size
@@ -94,7 +131,10 @@ def _vanishing(desk: Desk, rel: Rel, zero: bool) -> Words | None:
         return None
     turns = [t for r, t in desk.turns.items() if r.kind is Kind.OMEGA and r.to.link == rel.to.link]
     if turns and turns[0].never:
-        return Words(f"构件 {rel.to.link} 作平动，哥氏加速度不存在", f"link {rel.to.link} only translates: no Coriolis term exists")
+        return Words(
+            f"构件 {rel.to.link} 作平动，哥氏加速度不存在",
+            f"link {rel.to.link} only translates: no Coriolis term exists",
+        )
     if turns and abs(float(nominal(turns[0].value))) < 1e-9:
         return Words(f"此瞬时 $ω_{rel.to.link}$ = 0", f"$ω_{rel.to.link}$ = 0 at this instant")
     return Words("此瞬时相对速度为零", "the relative velocity is zero at this instant")

@@ -10,12 +10,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..algebra.quantity import Quantity, magnitude
 from ..board.board import Board
 from ..board.construction import View
 from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Rolling, Side
 from ..names import At, Kind, Rel, subscripted
 from ..plane import Line, Points, Reals, foot, unit
-from ..quantity import Quantity, magnitude
 from ..words import Words
 
 POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
@@ -45,25 +45,34 @@ class Desk:
 
     board: Board
     mech: Mechanism
-    coincident: Mapping[str, str] = field(default_factory=dict)  # letter under which links slide over each other -> the block
+    coincident: Mapping[str, str] = field(
+        default_factory=dict
+    )  # letter under which links slide over each other -> the block
     at: dict[str, Points] = field(default_factory=dict)
     pose: dict[str, Pose] = field(default_factory=dict)
     tips: dict[tuple[View, At], Points] = field(default_factory=dict)
     turns: dict[Rel, Turn] = field(default_factory=dict)
     ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
-    sizes: dict[str, Quantity] = field(default_factory=dict)  # of vectors that were computed, then laid off: they are not read again
+    sizes: dict[str, Quantity] = field(
+        default_factory=dict
+    )  # of vectors that were computed, then laid off: they are not read again
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     forces: tuple[str, ...] = ()  # keys of what a force analysis found
-    thought: bool = False  # whether the driving link is only thought to drive, the input acting between two moving links
+    thought: bool = (
+        False  # whether the driving link is only thought to drive, the input acting between two moving links
+    )
     loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
-    slides: dict[tuple[str, str], Rel] = field(default_factory=dict)  # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
+    slides: dict[tuple[str, str], Rel] = field(
+        default_factory=dict
+    )  # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration
 
     # -- names ------------------------------------------------------------------------------------------------
 
     def canonical(self, at: At) -> At:
-        """B2 is plain B where link 2 itself carries B, S2 the letter S2 where it does; B3 stays B3 where link 3 is only passed over."""
+        """B2 is plain B where link 2 itself carries B, S2 the letter S2 where it does; B3 stays B3 where link 3 is only
+        passed over."""
         if at.link and str(at) in self.mech.link(at.link).points:
             return At(str(at))
         carried = at.link and at.point in self.mech.link(at.link).points
@@ -90,7 +99,8 @@ class Desk:
         return POLE[view] if at is None or self.at_rest(view, at) else self.tip_label(view, at)
 
     def k_tip(self, rel: Rel) -> str:
-        """The letter at the tip of a Coriolis acceleration: k′; where several sliding pairs turn with the number of the point's link, or both numbers."""
+        """The letter at the tip of a Coriolis acceleration: k′; where several sliding pairs turn with the number of the
+        point's link, or both numbers."""
         turning = [joint for joint in self.mech.joints if isinstance(joint, Prismatic) and joint.guide != FRAME]
         number = rel.to.link or self.coincident.get(rel.to.point, "")
         if len(turning) < 2 or not number:
@@ -177,20 +187,26 @@ class Desk:
         """Pitch point of a rolling pair as drawn: foot on the rack, or on the line of centres."""
         centre = self.at[joint.gear.centre]
         if isinstance(joint.on, Rack):
-            line = Line(self.place(joint.on.link, joint.on.origin), self.axis(joint.on.link) * np.exp(1j * joint.on.direction))
+            line = Line(
+                self.place(joint.on.link, joint.on.origin), self.axis(joint.on.link) * np.exp(1j * joint.on.direction)
+            )
             off = (np.conj(line.along) * (centre - line.at)).imag
             return centre - 1j * line.along * off
-        return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (-1 if joint.internal and joint.gear.radius < joint.on.radius else 1)
+        return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (
+            -1 if joint.internal and joint.gear.radius < joint.on.radius else 1
+        )
 
     def normal_of(self, contact: Contact) -> Points:
-        """Common normal of a contact as drawn: unit vector from the disc's centre through the point of contact, into the other link."""
+        """Common normal of a contact as drawn: unit vector from the disc's centre through the point of contact, into
+        the other link."""
         if isinstance(contact.on, Rack):
             return self.face_line(contact).along * (-1j if contact.side is Side.LEFT else 1j)
         way = self.towards(contact.disc.centre, contact.on.centre)
         return -way if contact.internal else way
 
     def contact_of(self, contact: Contact) -> Points:
-        """Point of contact as drawn: foot of the disc's centre on the face, or on the line of centres at the disc's radius."""
+        """Point of contact as drawn: foot of the disc's centre on the face, or on the line of centres at the disc's
+        radius."""
         centre = self.at[contact.disc.centre]
         if isinstance(contact.on, Rack):
             return foot(self.face_line(contact), centre)
@@ -199,7 +215,10 @@ class Desk:
     def face_line(self, contact: Contact) -> Line:
         """The flat face of a contact as drawn."""
         assert isinstance(contact.on, Rack)
-        return Line(self.place(contact.on.link, contact.on.origin), self.axis(contact.on.link) * np.exp(1j * contact.on.direction))
+        return Line(
+            self.place(contact.on.link, contact.on.origin),
+            self.axis(contact.on.link) * np.exp(1j * contact.on.direction),
+        )
 
     # -- what is known of the motion ------------------------------------------------------------------------------
 
@@ -209,7 +228,8 @@ class Desk:
         return 0j if self.at_rest(view, at) else self.tips[view, at]
 
     def at_rest(self, view: View, at: At) -> bool:
-        """Whether the point's vector is zero for good: a point of the frame, or a contact with a fixed rack (velocity only)."""
+        """Whether the point's vector is zero for good: a point of the frame, or a contact with a fixed rack (velocity
+        only)."""
         at = self.canonical(at)
         return not at.link and (at.point in self.mech.frame or (view is View.VELOCITY and at.point in self.centres))
 
@@ -246,4 +266,3 @@ class Desk:
     def towards(self, p: str, q: str) -> Points:
         """Direction of the drawn line from P to Q."""
         return unit(self.at[q] - self.at[p])
-

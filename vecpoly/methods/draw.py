@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 
 from ..board.board import Board
-from ..board.marks import Dot
-from ..mechanism.assur import Group, decompose
+from ..board.paper.marks import Dot
+from ..mechanism.groups.assur import Group, decompose
 from ..names import subscripted
 from ..problem.problem import Problem
 from ..words import Words
 from .coincident import coincident_letters
 from .desk import POLE, Desk
 from .higher import refuse_higher
-from .kinematics.cam import letter_contacts, say_replaced
-from .kinematics.diagram import draw_frame, draw_links
+from .kinematics.diagram.cam import letter_contacts, say_replaced
+from .kinematics.diagram.drive_arrow import draw_drive_arrow
+from .kinematics.diagram.links import draw_frame, draw_links
 from .kinematics.doors import draw_drive, draw_group
-from .kinematics.drive_arrow import draw_drive_arrow
-from .kinematics.position_drive import say_fixed_points, say_welded
-from .kinematics.standing import told_point
+from .kinematics.position.drive import say_fixed_points, say_welded
+from .kinematics.position.standing import told_point
 from .kinematics.wanted import draw_wanted
 from .passes import stages
 from .registry import Stage
@@ -38,7 +38,13 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
     mech = problem.mechanism
     groups = decompose(mech)
     refuse_higher(mech, groups)
-    desk = Desk(board=board, mech=mech, coincident=coincident_letters(mech, groups), loaded=problem.loads is not None, thought=bool(said))
+    desk = Desk(
+        board=board,
+        mech=mech,
+        coincident=coincident_letters(mech, groups),
+        loaded=problem.loads is not None,
+        thought=bool(said),
+    )
     for name, at in mech.frame.items():
         desk.letter(name, at * desk.mm(1.0))
     for stage in stages(problem):
@@ -81,7 +87,15 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         draw_group(desk, stage, group)
         if position:
             letter_contacts(desk, group.links)
-            _further_points(desk, group.links, {letter for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer))) if letter})
+            _further_points(
+                desk,
+                group.links,
+                {
+                    letter
+                    for letter in (getattr(j, "point", "") for j in (*group.inner, *(o.joint for o in group.outer)))
+                    if letter
+                },
+            )
             draw_links(desk, shapes, group.links)
     if position:
         draw_drive_arrow(desk)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Protocol, TypeVar
 
-from ..board.amended import Amended
 from ..board.hand import Hand
+from ..board.otherwise.amended import Amended
 from ..board.place import View
 from ..errors import NoMethodError
-from ..plugins import BySubject
+from ..foundation.plugins import BySubject
 from ..problem.problem import Problem
 from ..words import Words
 from .desk import Desk

@@ -13,16 +13,20 @@ from .desk import VECTOR, Desk
 
 
 class Drawn(NamedTuple):
-    """The construction; every asked answer by all hands; what an ideal hand, which neither rounds nor scatters, reads instead."""
+    """The construction; every asked answer by all hands; what an ideal hand, which neither rounds nor scatters, reads
+    instead."""
 
     construction: Construction
     repeats: Repeats
     ideal: Mapping[str, Reading]
-    motion: Mapping[Rel, complex | float] = {}  # every velocity, acceleration, ω and α that an ideal hand found, asked for or not
+    motion: Mapping[
+        Rel, complex | float
+    ] = {}  # every velocity, acceleration, ω and α that an ideal hand found, asked for or not
 
 
 def motion_of(desk: Desk) -> dict[Rel, complex | float]:
-    """What stands on the polygons of a finished drawing: the vectors of all lettered points, ω and α of all links (SI)."""
+    """What stands on the polygons of a finished drawing: the vectors of all lettered points, ω and α of all links
+    (SI)."""
     found: dict[Rel, complex | float] = {rel: float(nominal(turn.value)) for rel, turn in desk.turns.items()}
     for (view, at), tip in desk.tips.items():
         found[Rel(VECTOR[view], at)] = complex(nominal(tip)) * desk.board.scales[view].value

@@ -1,8 +1,12 @@
-"""Another link as the driver (假想原动件): a drive between two moving links whose group is no dyad with the cylinder as a side.
+"""Another link as the driver (假想原动件): a drive between two moving links whose group is no dyad with the cylinder as
+a side.
 
-A link on the frame is thought to drive. Its position is found by trial: the groups are drawn until the cylinder has the given length.
-Velocities are proportional to its ω (or v): a polygon drawn with the rate 1 gives the factor. Accelerations are those with α = 0 and a part
-proportional to α, with the same factor. All trials are drawn on scratch paper by an exact hand; nothing else is known of the mechanism.
+A link on the frame is thought to drive. Its position is found by trial: the groups are drawn until the cylinder has the
+given length.
+Velocities are proportional to its ω (or v): a polygon drawn with the rate 1 gives the factor. Accelerations are those
+with α = 0 and a part
+proportional to α, with the same factor. All trials are drawn on scratch paper by an exact hand; nothing else is known
+of the mechanism.
 """
 
 from __future__ import annotations
@@ -14,19 +18,19 @@ from math import degrees, floor, log10, pi, remainder
 
 import numpy as np
 
+from ..algebra.quantity import number
 from ..board.board import Scratch
 from ..board.construction import Scale, View
 from ..board.hand import hand
 from ..board.place import views
 from ..errors import AssemblyError, DeadPointError, NoMethodError, VecpolyError
-from ..mechanism.assur import Group, decompose
-from ..mechanism.bend import bend
-from ..mechanism.branch import margin
+from ..mechanism.assembly.bend import bend
+from ..mechanism.assembly.branch import margin
+from ..mechanism.groups.assur import Group, decompose
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
 from ..mechanism.rams import driven_joint
 from ..names import At, alpha, omega
 from ..plane import nominal
-from ..quantity import number
 from ..words import Words
 from .coincident import coincident_letters
 from .desk import Desk
@@ -51,7 +55,8 @@ class Exchange:
 
 @lru_cache(maxsize=128)  # all places of a player's turn, each drawn again at other scales
 def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
-    """The mechanism itself where its groups can be drawn as they are; else driven by another link, moved so that the input is as given.
+    """The mechanism itself where its groups can be drawn as they are; else driven by another link, moved so that the
+    input is as given.
 
     Raises NoMethodError, AssemblyError, DeadPointError.
     """
@@ -71,13 +76,24 @@ def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
 def _other(mech: Mechanism, group: Group, drive: Drive) -> Drive:
     """A link of the group on the frame with which as the driver everything is drawn by methods on file."""
     for out in group.outer:
-        if out.parent == FRAME and isinstance(out.joint, Revolute | Prismatic) and not (isinstance(out.joint, Prismatic) and out.joint.block != out.link):
+        if (
+            out.parent == FRAME
+            and isinstance(out.joint, Revolute | Prismatic)
+            and not (isinstance(out.joint, Prismatic) and out.joint.block != out.link)
+        ):
             other = Drive(link=out.link, position=0.0, rate=1.0, slide=isinstance(out.joint, Prismatic))
             if _drawable(_driven_by(mech, drive, other)):
                 return other
-    raise NoMethodError(Words(f"驱动加在构件 {drive.on} 与 {drive.link} 之间；无论取哪个与机架相连的构件为假想原动件，都不能只用已有的图解法求解 {group.name.zh}；vecpoly exact 给出其解析解",
-                              f"the input acts between links {drive.on} and {drive.link}; whichever link on the frame is thought to drive instead, the {group.name.en} cannot be drawn by the methods on file; "
-                              "'vecpoly exact' gives its analytic answers"), code="no-exchange")
+    raise NoMethodError(
+        Words(
+            f"驱动加在构件 {drive.on} 与 {drive.link} 之间；无论取哪个与机架相连的构件为假想原动件，"
+            f"都不能只用已有的图解法求解 {group.name.zh}；vecpoly exact 给出其解析解",
+            f"the input acts between links {drive.on} and {drive.link}; whichever link on "
+            f"the frame is thought to drive instead, the {group.name.en} cannot be drawn "
+            "by the methods on file; 'vecpoly exact' gives its analytic answers",
+        ),
+        code="no-exchange",
+    )
 
 
 def _drawable(mech: Mechanism) -> bool:
@@ -96,7 +112,8 @@ def _driven_by(mech: Mechanism, drive: Drive, other: Drive) -> Mechanism:
 
 @lru_cache(maxsize=4)
 def _structure(mech: Mechanism) -> tuple[tuple[Group, ...], dict[float, float]]:
-    """The groups of a mechanism driven by the other link, and what trials have shown of it so far: neither knows the input's position."""
+    """The groups of a mechanism driven by the other link, and what trials have shown of it so far: neither knows the
+    input's position."""
     return decompose(mech), {}
 
 
@@ -106,7 +123,8 @@ def _trial(mech: Mechanism, drive: Drive, other: Drive) -> _Trial:
 
 @dataclass(frozen=True, slots=True)
 class _Trial:
-    """Trials of one exchange: the mechanism, its own drive, the link that is thought to drive, the groups then, and the input at each trial."""
+    """Trials of one exchange: the mechanism, its own drive, the link that is thought to drive, the groups then, and the
+    input at each trial."""
 
     mech: Mechanism
     drive: Drive
@@ -147,7 +165,9 @@ class _Trial:
         if not self.drive.slide:
             return float(np.angle(nominal(desk.axis(self.drive.link)) * np.conj(nominal(desk.axis(self.drive.on)))))
         line = desk.guide_line(self.pair)
-        return float((np.conj(nominal(line.along)) * (nominal(desk.at[self.pair.pin]) - nominal(line.at))).real) / desk.mm(1.0)
+        return float(
+            (np.conj(nominal(line.along)) * (nominal(desk.at[self.pair.pin]) - nominal(line.at))).real
+        ) / desk.mm(1.0)
 
     @property
     def pair(self) -> Prismatic:
@@ -160,7 +180,9 @@ class _Trial:
         """The input's velocity, or acceleration, as drawn."""
         if not self.drive.slide:
             kind = omega if view is View.VELOCITY else alpha
-            return float(nominal(desk.turns[kind(self.drive.link)].value) - nominal(desk.turns[kind(self.drive.on)].value))
+            return float(
+                nominal(desk.turns[kind(self.drive.link)].value) - nominal(desk.turns[kind(self.drive.on)].value)
+            )
         pin, along = self.pair.pin, nominal(desk.guide_line(self.pair).along)
         tips = [nominal(found_tip(desk, view, At(pin, link))) for link in (self.pair.guide, self.pair.block)]
         return float((np.conj(along) * (tips[1] - tips[0])).real) * desk.board.scales[view].value
@@ -170,7 +192,9 @@ def _position(trial: _Trial) -> float:
     """Where the other link stands when the input has its given position and the branch statements hold."""
     mech = trial.mech
     low, high = (-REACH * mech.scale, REACH * mech.scale) if trial.other.slide else (0.0, 2 * pi)
-    found = crossings(trial.gap, np.linspace(low, high, TRIALS + 1).tolist(), 1e-3 * mech.scale if trial.drive.slide else 1e-3)
+    found = crossings(
+        trial.gap, np.linspace(low, high, TRIALS + 1).tolist(), 1e-3 * mech.scale if trial.drive.slide else 1e-3
+    )
     places = ((at, trial.desk(replace(trial.other, position=at), Stage.POSITION)) for at in found)
     fits = [(at, desk) for at, desk in places if all(margin(s, _metres(desk)) > 0 for s in mech.branches)]
     if len(fits) > 1 and mech.guesses:
@@ -195,20 +219,55 @@ def _undecided(trial: _Trial, found: int, fits: int) -> AssemblyError:
             pass
         except AssemblyError as error:  # it says what is missing, a branch as a rule
             return error
-        return AssemblyError(Words(f"无论构件 {link} 在何位置，输入 {input_} 都达不到给定值；请改变输入或尺寸", f"wherever link {link} stands, the input {input_} does not reach its given position; change it, or the lengths"), code="out-of-reach")
+        return AssemblyError(
+            Words(
+                f"无论构件 {link} 在何位置，输入 {input_} 都达不到给定值；请改变输入或尺寸",
+                f"wherever link {link} stands, the input {input_} does not reach its given position; change it, or "
+                "the lengths",
+            ),
+            code="out-of-reach",
+        )
     if not fits:
-        return AssemblyError(Words(f"试得构件 {link} 有 {found} 个位置满足输入 {input_}，但都不符合 branch 中的说明", f"link {link} has {found} positions for the input {input_}, but none of them fulfils the branch statements"), code="no-branch")
-    return AssemblyError(Words(f"试得构件 {link} 有 {fits} 个位置满足输入 {input_}；请在 branch 中写明构件 {link} 在哪一侧，或以 guesses 给出各点的大致位置",
-                               f"link {link} has {fits} positions for the input {input_}; say in 'branch' on which side link {link} lies, or give rough places as guesses"), code="undecided-assembly")
+        return AssemblyError(
+            Words(
+                f"试得构件 {link} 有 {found} 个位置满足输入 {input_}，但都不符合 branch 中的说明",
+                f"link {link} has {found} positions for the input {input_}, but none of them fulfils the branch "
+                "statements",
+            ),
+            code="no-branch",
+        )
+    return AssemblyError(
+        Words(
+            f"试得构件 {link} 有 {fits} 个位置满足输入 {input_}；请在 branch 中写明构件 {link} 在哪一侧，"
+            "或以 guesses 给出各点的大致位置",
+            f"link {link} has {fits} positions for the input {input_}; say in 'branch' "
+            f"on which side link {link} lies, or give rough places as guesses",
+        ),
+        code="undecided-assembly",
+    )
 
 
 def _rated(trial: _Trial, placed: Drive, bent: bool) -> Drive:
-    """The other link's rates: ω = v / v*, α = (a - a*) / v*, v* the input's rate at ω = 1, a* its acceleration at α = 0."""
+    """The other link's rates: ω = v / v*, α = (a - a*) / v*, v* the input's rate at ω = 1, a* its acceleration at α =
+    0."""
     factor = trial.rate(trial.desk(replace(placed, rate=1.0), Stage.POSITION, Stage.VELOCITY), View.VELOCITY)
-    size = trial.mech.scale if trial.drive.slide and not placed.slide else 1.0 / trial.mech.scale if placed.slide and not trial.drive.slide else 1.0
+    size = (
+        trial.mech.scale
+        if trial.drive.slide and not placed.slide
+        else 1.0 / trial.mech.scale
+        if placed.slide and not trial.drive.slide
+        else 1.0
+    )
     if abs(factor) < VANISHES * size:
-        raise DeadPointError(Words(f"输入 {trial.drive.on}-{trial.drive.link} 处于死点：构件 {placed.link} 转动时其长度不变，速度无确定值；请改变位置",
-                                   f"the input {trial.drive.on}-{trial.drive.link} is at a dead point: it does not change while link {placed.link} moves, so the velocities have no single value; choose another position"))
+        raise DeadPointError(
+            Words(
+                f"输入 {trial.drive.on}-{trial.drive.link} 处于死点：构件 {placed.link} 转动时其长度不变，"
+                "速度无确定值；请改变位置",
+                f"the input {trial.drive.on}-{trial.drive.link} is at a dead point: it "
+                f"does not change while link {placed.link} moves, so the velocities have "
+                "no single value; choose another position",
+            )
+        )
     rate = trial.drive.rate / factor
     if not bent:
         return replace(placed, rate=rate)
@@ -223,14 +282,39 @@ def _said(trial: _Trial, rated: Drive) -> dict[Stage, Words]:
     own, given = (("m/s", "m/s²") if one.slide else ("rad/s", "rad/s²") for one in (rated, drive))
     place, factor = _shown(rated.position, rated.slide), drive.rate / rated.rate if rated.rate else 0.0
     tried, tried_en = _tried(trial, rated)
-    first = Words(f"输入加在活动构件 {drive.on}、{drive.link} 之间：改取构件 {link} 为假想原动件，取一系列 ${symbol}_{link}$ 逐组作图试凑{tried}，当 ${symbol}_{link}$ = {place} 时输入恰为给定的 {_shown(drive.position, drive.slide)}。",
-                  f"The input acts between the moving links {drive.on} and {drive.link}: let link {link} drive instead and draw the groups for trial values of ${symbol}_{link}${tried_en}; with ${symbol}_{link}$ = {place} the input has its given {_shown(drive.position, drive.slide)}.")
-    ratio = f"{number(factor, 4)} {given[0]}", f"{number(drive.rate, 4)} {given[0]}", f"${rates[0]}_{link}$ = {number(rated.rate, 4)} {own[0]}"
-    second = Words(f"各速度与 ${rates[0]}_{link}$ 成正比：先取 ${rates[0]}_{link}$ = 1 {own[0]} 试作速度多边形，得输入的速度为 {ratio[0]}；实际为 {ratio[1]}，故 {ratio[2]}。",
-                   f"All velocities are proportional to ${rates[0]}_{link}$: a trial polygon with ${rates[0]}_{link}$ = 1 {own[0]} gives the input the rate {ratio[0]}; it is {ratio[1]}, so {ratio[2]}.")
-    even = f"{number(drive.accel - rated.accel * factor, 4)} {given[1]}", f"{number(drive.accel, 4)} {given[1]}", f"${rates[1]}_{link}$ = {number(rated.accel, 4)} {own[1]}"
-    third = Words(f"先取 ${rates[1]}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {even[0]}，实际为 {even[1]}；差额与 ${rates[1]}_{link}$ 成正比（比例同速度），故 {even[2]}。",
-                  f"A trial polygon with ${rates[1]}_{link}$ = 0 gives the input the acceleration {even[0]}; it is {even[1]}. The rest is proportional to ${rates[1]}_{link}$ by the factor of the velocities, so {even[2]}.")
+    first = Words(
+        f"输入加在活动构件 {drive.on}、{drive.link} 之间：改取构件 {link} 为假想原动件，"
+        f"取一系列 ${symbol}_{link}$ 逐组作图试凑{tried}，当 ${symbol}_{link}$ = {place} 时输入恰为给定的 "
+        f"{_shown(drive.position, drive.slide)}。",
+        f"The input acts between the moving links {drive.on} and {drive.link}: let link {link} "
+        f"drive instead and draw the groups for trial values of ${symbol}_{link}${tried_en}; with "
+        f"${symbol}_{link}$ = {place} the input has its given "
+        f"{_shown(drive.position, drive.slide)}.",
+    )
+    ratio = (
+        f"{number(factor, 4)} {given[0]}",
+        f"{number(drive.rate, 4)} {given[0]}",
+        f"${rates[0]}_{link}$ = {number(rated.rate, 4)} {own[0]}",
+    )
+    second = Words(
+        f"各速度与 ${rates[0]}_{link}$ 成正比：先取 ${rates[0]}_{link}$ = 1 {own[0]} 试作速度多边形，"
+        f"得输入的速度为 {ratio[0]}；实际为 {ratio[1]}，故 {ratio[2]}。",
+        f"All velocities are proportional to ${rates[0]}_{link}$: a trial polygon with "
+        f"${rates[0]}_{link}$ = 1 {own[0]} gives the input the rate {ratio[0]}; it is "
+        f"{ratio[1]}, so {ratio[2]}.",
+    )
+    even = (
+        f"{number(drive.accel - rated.accel * factor, 4)} {given[1]}",
+        f"{number(drive.accel, 4)} {given[1]}",
+        f"${rates[1]}_{link}$ = {number(rated.accel, 4)} {own[1]}",
+    )
+    third = Words(
+        f"先取 ${rates[1]}_{link}$ = 0 试作加速度多边形，得输入的加速度为 {even[0]}，实际为 {even[1]}；"
+        f"差额与 ${rates[1]}_{link}$ 成正比（比例同速度），故 {even[2]}。",
+        f"A trial polygon with ${rates[1]}_{link}$ = 0 gives the input the acceleration "
+        f"{even[0]}; it is {even[1]}. The rest is proportional to ${rates[1]}_{link}$ by the "
+        f"factor of the velocities, so {even[2]}.",
+    )
     return {Stage.POSITION: first, Stage.VELOCITY: second, Stage.ACCELERATION: third}
 
 
@@ -239,10 +323,16 @@ def _tried(trial: _Trial, rated: Drive) -> tuple[str, str]:
     step = 10.0 ** floor(log10(0.1 * trial.mech.scale)) if rated.slide else pi / 36
     near = step * round(rated.position / step)
     shown = [(at, trial.gap(at)) for at in (near - step, near + step)]
-    told = [(_shown(at, rated.slide), _shown(trial.drive.position + gap, trial.drive.slide)) for at, gap in shown if np.isfinite(gap)]
+    told = [
+        (_shown(at, rated.slide), _shown(trial.drive.position + gap, trial.drive.slide))
+        for at, gap in shown
+        if np.isfinite(gap)
+    ]
     if not told:
         return "", ""
-    return "（" + "，".join(f"{at} 时得 {got}" for at, got in told) + "）", " (" + ", ".join(f"{at} gives {got}" for at, got in told) + ")"
+    return "（" + "，".join(f"{at} 时得 {got}" for at, got in told) + "）", " (" + ", ".join(
+        f"{at} gives {got}" for at, got in told
+    ) + ")"
 
 
 def _shown(position: float, slide: bool) -> str:

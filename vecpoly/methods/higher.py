@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..errors import NoMethodError
-from ..mechanism.assur import Group
+from ..mechanism.groups.assur import Group
+from ..mechanism.groups.other_inputs import other_inputs
 from ..mechanism.model import Mechanism
-from ..mechanism.other_inputs import other_inputs
 from ..words import Words
 from .kinematics.class_iii.star import is_star
 

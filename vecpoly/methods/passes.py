@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..names import Kind
-from ..problem.asks import AskNamed, AskPoint, AskRel
+from ..problem.asked.asks import AskNamed, AskPoint, AskRel
 from ..problem.problem import Problem
 from .registry import Stage
 
@@ -15,12 +15,20 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
     """The passes that the questions need, in order."""
     rels = [ask.rel for ask in problem.asks if not isinstance(ask, AskNamed)]
     loads = problem.loads
-    accelerated = any(r.kind in _ACCELERATIONS for r in rels) or (loads is not None and loads.dynamic) or any(
-        isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
+    accelerated = (
+        any(r.kind in _ACCELERATIONS for r in rels)
+        or (loads is not None and loads.dynamic)
+        or any(isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
+    )
     last = (Stage.FORCE,) if loads is not None else ()
     central, moving = needs_centres(problem), needs_polygons(problem) or bool(last)
-    return (Stage.POSITION, *((Stage.CENTRES,) if central else ()), *((Stage.VELOCITY,) if moving or not central else ()),
-            *((Stage.ACCELERATION,) if accelerated else ()), *last)
+    return (
+        Stage.POSITION,
+        *((Stage.CENTRES,) if central else ()),
+        *((Stage.VELOCITY,) if moving or not central else ()),
+        *((Stage.ACCELERATION,) if accelerated else ()),
+        *last,
+    )
 
 
 def needs_centres(problem: Problem) -> bool:
@@ -30,7 +38,8 @@ def needs_centres(problem: Problem) -> bool:
 
 
 def needs_polygons(problem: Problem) -> bool:
-    """Whether anything is asked that centres do not give: accelerations, or velocities where the problem does not want them by centres."""
+    """Whether anything is asked that centres do not give: accelerations, or velocities where the problem does not want
+    them by centres."""
     return any(not _given_by_centres(problem, ask) for ask in problem.asks)
 
 

@@ -1,6 +1,7 @@
 """From a problem to its construction: the groups in order, each with its textbook methods; scales chosen from a sketch.
 
-The sketch is the same construction by an exact hand at provisional scales; only the size of its figures is used, to choose
+The sketch is the same construction by an exact hand at provisional scales; only the size of its figures is used, to
+choose
 round scales with which every figure fills its place on the sheet.
 """
 
@@ -11,15 +12,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..board.amended import AS_DRAWN, Amended
 from ..board.board import Board, Scratch
 from ..board.construction import Construction, Figure, Reading, Scale, View
-from ..board.extent import extent, figured
 from ..board.hand import Hand, hand
-from ..board.marks import Mark, Vector
+from ..board.otherwise.amended import AS_DRAWN, Amended
+from ..board.paper.extent import extent, figured
+from ..board.paper.marks import Mark, Vector
+from ..board.paper.scales import Sketched, enlarged, round_scale
 from ..board.place import views
-from ..board.scales import Sketched, enlarged, round_scale
-from ..problem.asks import AskNamed
+from ..problem.asked.asks import AskNamed
 from ..problem.problem import Problem
 from ..words import Words
 from .answers import Repeats, answer, named_answer
@@ -37,12 +38,20 @@ WIDE, LARGE = 165.0, 105.0  # mm: no diagram, no polygon need be larger
 SLOT = (150.0, 100.0)  # mm, where the sheet names no place for a figure
 
 
-def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], fit: Fit | None = None, amended: Amended = AS_DRAWN,
-              sketch: Desk | None = None) -> Drawn:
+def construct(
+    problem: Problem,
+    by: Hand,
+    slots: Mapping[View, tuple[float, float]],
+    fit: Fit | None = None,
+    amended: Amended = AS_DRAWN,
+    sketch: Desk | None = None,
+) -> Drawn:
     """Solve the problem on a board.
 
-    slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet; they are drawn
-    as large as it allows. amended: what is done otherwise than this hand would; the ideal hand, and the choice of scales, know nothing of it.
+    slots: width and height in mm that each figure should fill. fit: whether figures of these sizes go on one sheet;
+    they are drawn
+    as large as it allows. amended: what is done otherwise than this hand would; the ideal hand, and the choice of
+    scales, know nothing of it.
     sketch: of this problem, where there is one (`sketched`). Raises AssemblyError, DeadPointError, NoMethodError.
     """
     with _quietly():
@@ -56,7 +65,8 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
 
 
 def drawn_alone(problem: Problem, by: Hand) -> Construction:
-    """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is weighed."""
+    """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is
+    weighed."""
     with _quietly():
         problem, said = _driven(problem)
         desk = draw(problem, Board(by, _choose_scales(problem, {}, None)[0]), said)
@@ -84,12 +94,20 @@ def _driven(problem: Problem) -> tuple[Problem, Mapping[Stage, Words]]:
 
 
 def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Reading]) -> Construction:
-    return Construction(problem=problem.id, hand=by.name, figures=desk.board.figures(), steps=tuple(desk.board.steps), acts=tuple(desk.board.acts),
-                        readings=readings, forces={key: desk.board.readings[key] for key in desk.forces})
+    return Construction(
+        problem=problem.id,
+        hand=by.name,
+        figures=desk.board.figures(),
+        steps=tuple(desk.board.steps),
+        acts=tuple(desk.board.acts),
+        readings=readings,
+        forces={key: desk.board.readings[key] for key in desk.forces},
+    )
 
 
 def drawn_exactly(problem: Problem, scales: Mapping[View, Scale], *, recorded: bool = False) -> Desk:
-    """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the position of the driving link."""
+    """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the
+    position of the driving link."""
     with _quietly():
         desk = draw(problem, Board(hand("exact"), scales, recorded=recorded))
         _answers(desk, problem)
@@ -101,14 +119,20 @@ def scale_symbols() -> dict[View, Scale]:
     return {view: Scale.of(view, 1.0) for view in views()}
 
 
-def _choose_scales(problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None) -> tuple[dict[View, Scale], Desk | None]:
+def _choose_scales(
+    problem: Problem, slots: Mapping[View, tuple[float, float]], fit: Fit | None
+) -> tuple[dict[View, Scale], Desk | None]:
     """The scales, and the last sketch drawn to find them; none where all are given."""
     mech, drive = problem.mechanism, problem.mechanism.drive
     size = mech.scale
     speed = abs(drive.rate) * (1.0 if drive.slide else size) or 1.0
-    guess = {View.MECHANISM: size / 100, View.VELOCITY: speed / 100,
-             View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
-             View.FORCE: _typical_force(problem) / 60, View.BODY: size / 100}
+    guess = {
+        View.MECHANISM: size / 100,
+        View.VELOCITY: speed / 100,
+        View.ACCELERATION: (abs(drive.accel) + drive.rate**2) * (1.0 if drive.slide else size) / 100 or 1.0,
+        View.FORCE: _typical_force(problem) / 60,
+        View.BODY: size / 100,
+    }
     given = {view: problem.scales.of(view.mu) for view in guess}
     if all(given[view] for view in {View.MECHANISM, *(stage.view for stage in stages(problem))}):
         return {view: Scale.of(view, given[view] or value) for view, value in guess.items()}, None
@@ -128,8 +152,11 @@ def _typical_force(problem: Problem) -> float:
     return largest_load(problem)
 
 
-def _fitted(problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None) -> tuple[dict[View, Scale], Desk]:
-    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the sketch."""
+def _fitted(
+    problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None
+) -> tuple[dict[View, Scale], Desk]:
+    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the
+    sketch."""
     sketch = _sketch(problem, {v: Scale.of(v, value) for v, value in guess.items()})
     given = {view: problem.scales.of(view.mu) for view in guess}
     figures = [f for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)]

@@ -1,4 +1,5 @@
-"""The open end of the program: a textbook method is a function registered by `method`; adding the file adds the method."""
+"""The open end of the program: a textbook method is a function registered by `method`; adding the file adds the
+method."""
 
 from __future__ import annotations
 
@@ -9,7 +10,7 @@ from typing import Generic, Never, TypeVar, cast
 
 from ..board.place import View
 from ..errors import NoMethodError
-from ..plugins import METHODS, load_entries, load_modules
+from ..foundation.plugins import METHODS, load_entries, load_modules
 from ..words import Words
 
 
@@ -77,11 +78,12 @@ Draw = Callable[[S, P], R]
 
 
 def method(
-    *, stage: Stage, group: str, title: Words, source: str, example: str,
+    *, stage: Stage, group: str, title: Words, source: str, example: str
 ) -> Callable[[Draw[S, P, R]], Draw[S, P, R]]:
     """Register a function as the method for one stage of one kind of group.
 
-    Raises ValueError where another function already covers it, or where a file of the house stands in the folder of another stage.
+    Raises ValueError where another function already covers it, or where a file of the house stands in the folder of
+    another stage.
     A module of another package names itself in the entry points ``vecpoly.methods`` instead.
     """
 
@@ -89,9 +91,12 @@ def method(
         if (stage, group) in _METHODS:
             raise ValueError(f"two methods cover the {stage} of {group}")
         if draw.__module__.startswith("vecpoly.") and not draw.__module__.startswith(f"{stage.folder}."):
-            raise ValueError(f"a method that draws the {stage} belongs into the package {stage.folder}, not into {draw.__module__}")
-        _METHODS[stage, group] = Method(stage=stage, group=group, title=title, source=source, example=example,
-                                        draw=draw, signature=_signature(draw))
+            raise ValueError(
+                f"a method that draws the {stage} belongs into the package {stage.folder}, not into {draw.__module__}"
+            )
+        _METHODS[stage, group] = Method(
+            stage=stage, group=group, title=title, source=source, example=example, draw=draw, signature=_signature(draw)
+        )
         return draw
 
     return register
@@ -113,8 +118,9 @@ class Door(Generic[S, P, R]):
         """
         found, needed = find(stage, group), _signature(self.like)
         if found.signature != needed:
-            raise TypeError(f"{found.draw.__name__} draws {' → '.join(found.signature)}; "
-                            f"here {' → '.join(needed)} is needed")
+            raise TypeError(
+                f"{found.draw.__name__} draws {' → '.join(found.signature)}; here {' → '.join(needed)} is needed"
+            )
         return cast("Method[S, P, R]", found)
 
 
@@ -139,6 +145,10 @@ def find(stage: Stage, group: str) -> AnyMethod:
         return _METHODS[stage, group]
     except KeyError:
         covered = ", ".join(sorted({g for s, g in _METHODS if s is stage}))
-        raise NoMethodError(Words(
-            f"没有求 {group} 组{stage.words.zh}的图解法（已有：{covered}）；仍可用 vecpoly exact 求解析解",
-            f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); 'vecpoly exact' still gives the analytic answers")) from None
+        raise NoMethodError(
+            Words(
+                f"没有求 {group} 组{stage.words.zh}的图解法（已有：{covered}）；仍可用 vecpoly exact 求解析解",
+                f"no graphical method on file draws the {stage} of a group {group} (there are: {covered}); "
+                "'vecpoly exact' still gives the analytic answers",
+            )
+        ) from None

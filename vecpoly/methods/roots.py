@@ -37,12 +37,17 @@ def _refined(curve: Curve, points: list[tuple[float, float]], near: float) -> li
 def _between(curve: Curve, points: list[tuple[float, float]], near: float) -> Iterator[tuple[float, float]]:
     for i, (a, b) in enumerate(pairwise(points)):
         yield a
-        neighbours = points[max(i - 1, 0): i + 3]
+        neighbours = points[max(i - 1, 0) : i + 3]
         gaps = [abs(y) for _, y in neighbours if np.isfinite(y)]
         if np.isfinite(a[1]) != np.isfinite(b[1]):
             yield from _to_the_edge(curve, a, b)
             continue
-        turns = bool(gaps) and min(gaps) in (abs(a[1]), abs(b[1])) and not a[1] * b[1] < 0 and min(gaps) < max(near, 2 * (max(gaps) - min(gaps)))
+        turns = (
+            bool(gaps)
+            and min(gaps) in (abs(a[1]), abs(b[1]))
+            and not a[1] * b[1] < 0
+            and min(gaps) < max(near, 2 * (max(gaps) - min(gaps)))
+        )
         if turns:
             for x in np.linspace(a[0], b[0], FINER + 2)[1:-1]:
                 yield float(x), curve(float(x))
@@ -60,7 +65,8 @@ def _to_the_edge(curve: Curve, a: tuple[float, float], b: tuple[float, float]) -
 
 
 def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> float:
-    """The zero between two trials on either side of it (false position, the stale end halved); NaN where the curve jumps."""
+    """The zero between two trials on either side of it (false position, the stale end halved); NaN where the curve
+    jumps."""
     (a, fa), (b, fb) = low, high
     first, last = fa, fb
     for _ in range(ROUNDS):

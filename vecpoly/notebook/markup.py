@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from ..algebra.formula import Node, plain, row, split_words
 from ..board.construction import EquationTable
-from ..formula import Node, plain, row, split_words
 from ..typeset import layout
 from ..typeset.outlines import outlined_group
 from ..words import Lang, Words
@@ -23,7 +23,10 @@ def formula(node: Node) -> str:
     width, height = box.width + 2 * PAD, box.height + 2 * PAD
     size = f"height:{height / EM:.3f}em;width:{width / EM:.3f}em;vertical-align:{-(box.descent + PAD) / EM:.3f}em;max-width:none"
     name = f'role="img" aria-label="{escape(plain(node))}"'
-    return f'<svg {name} viewBox="0 0 {width:.3f} {height:.3f}" style="{size}">{outlined_group(box, PAD, box.ascent + PAD, "currentColor")}</svg>'
+    return (
+        f'<svg {name} viewBox="0 0 {width:.3f} {height:.3f}" '
+        f'style="{size}">{outlined_group(box, PAD, box.ascent + PAD, "currentColor")}</svg>'
+    )
 
 
 def sentence(text: str) -> str:
@@ -43,14 +46,20 @@ def paragraph(text: str) -> str:
 def table(header: Sequence[str], rows: Iterable[Sequence[str]], align: str) -> str:
     """A table; align: l, c, r for each column."""
     head = "".join(_cell("th", text, side) for text, side in zip(header, align, strict=True))
-    body = "".join(f"<tr>{''.join(_cell('td', text, side) for text, side in zip(line, align, strict=True))}</tr>" for line in rows)
+    body = "".join(
+        f"<tr>{''.join(_cell('td', text, side) for text, side in zip(line, align, strict=True))}</tr>" for line in rows
+    )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def equation(written: EquationTable, lang: Lang) -> str:
     """A vector equation with its rows of directions and magnitudes under it."""
     terms = [f"{sign} ${symbol}$".strip() for sign, symbol in zip(written.signs, written.symbols, strict=True)]
-    rows = (("", *terms), (_ROWS[0].of(lang), *(one.of(lang) for one in written.directions)), (_ROWS[1].of(lang), *written.magnitudes))
+    rows = (
+        ("", *terms),
+        (_ROWS[0].of(lang), *(one.of(lang) for one in written.directions)),
+        (_ROWS[1].of(lang), *written.magnitudes),
+    )
     lines = "".join(f"<tr>{''.join(_cell('td', text, 'c') for text in line)}</tr>" for line in rows)
     return f"<table><tbody>{lines}</tbody></table>"
 

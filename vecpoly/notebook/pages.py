@@ -1,4 +1,5 @@
-"""What Jupyter shows: a problem with its sketch, a solution with its answers and sheet, a construction with its steps and figures."""
+"""What Jupyter shows: a problem with its sketch, a solution with its answers and sheet, a construction with its steps
+and figures."""
 
 from __future__ import annotations
 
@@ -6,10 +7,10 @@ from html import escape
 
 from ..board.construction import Construction, Step
 from ..board.told import told
+from ..drawing.backends.svg import to_svg
 from ..drawing.figure import draw_figure
 from ..drawing.scene import Scene
-from ..drawing.sheet import sheets
-from ..drawing.svg import to_svg
+from ..drawing.sheets.sheet import sheets
 from ..problem.problem import Problem
 from ..report.content import cautions, statement
 from ..report.picture import picture
@@ -38,7 +39,11 @@ def problem_html(problem: Problem, lang: Lang) -> str:
     """Title, statement, what is given and asked, and the sketch."""
     unsolved = solve(problem, by="exact", repeats=0, precise=False)
     said = statement(unsolved, lang)
-    told_of = [paragraph(said["statement"]), paragraph(_GIVEN.of(lang) + said["given"] if said["given"] else ""), paragraph(_ASKED.of(lang) + said["asked"])]
+    told_of = [
+        paragraph(said["statement"]),
+        paragraph(_GIVEN.of(lang) + said["given"] if said["given"] else ""),
+        paragraph(_ASKED.of(lang) + said["asked"]),
+    ]
     return f"{_title(problem, lang)}{''.join(told_of)}{_paper(_sketch(problem, unsolved.construction, lang))}"
 
 

@@ -1,7 +1,7 @@
 """The stranger: exact kinematics of a mechanism over all positions of its drive, sharing nothing with the drawing.
 
-    motion = solve(mech, np.radians(np.arange(0.0, 360.0)))
-    motion.value(parse_rel("a_E"))
+motion = solve(mech, np.radians(np.arange(0.0, 360.0)))
+motion.value(parse_rel("a_E"))
 """
 
 from __future__ import annotations
@@ -15,9 +15,7 @@ from .motion import Motion
 from .plan import plan_for
 
 
-def solve(
-    mech: Mechanism, position: ArrayLike | None = None, *, order: int = 2, strict: bool = True
-) -> Motion:
+def solve(mech: Mechanism, position: ArrayLike | None = None, *, order: int = 2, strict: bool = True) -> Motion:
     """The mechanism's motion at one or many positions of its drive.
 
     position: of the drive (rad, or m of travel), one number or a row of them; None is the problem's own. Rate and
@@ -26,7 +24,9 @@ def solve(
     Also raises MobilityError, and UnknownNameError for an unknown letter in a branch statement.
     """
     asked = np.asarray(mech.drive.position if position is None else position, dtype=np.float64)
-    return Motion(mech, plan_for(mech, own=position is None).bodies(np.atleast_1d(asked), order, strict), asked.shape, order)
+    return Motion(
+        mech, plan_for(mech, own=position is None).bodies(np.atleast_1d(asked), order, strict), asked.shape, order
+    )
 
 
 def feasible(mech: Mechanism) -> tuple[str, ...]:

@@ -7,16 +7,16 @@ from dataclasses import replace
 from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
-from ..mechanism.branch import margin, nearer, opposite
-from ..mechanism.four_bar import folded_corner, fourth_corner
+from ..mechanism.assembly.branch import margin, nearer, opposite
+from ..mechanism.assembly.four_bar import folded_corner, fourth_corner
+from ..mechanism.assembly.statements import Form, Shaped
 from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
-from ..mechanism.statements import Form, Shaped
 from ..words import Words
-from .driven import drives_in
-from .driven_assemblies import among
-from .dyads import Hinged, Swinging
-from .newton import Newton
-from .parallel import folded, parallel
+from .closed.dyads import Hinged, Swinging
+from .closed.parallel import folded, parallel
+from .iterated.driven import drives_in
+from .iterated.driven_assemblies import among
+from .iterated.newton import Newton
 from .run import Run
 from .state import Bodies
 from .steps import Step
@@ -28,7 +28,8 @@ def places(mech: Mechanism, bodies: Bodies) -> Places:
     """Place of every letter on the solved links, at the last position."""
     return {
         point: complex(body.point(local)[-1])
-        for name, body in bodies.items() for point, local in mech.link(name).points.items()
+        for name, body in bodies.items()
+        for point, local in mech.link(name).points.items()
     }
 
 
@@ -40,14 +41,17 @@ def check_letters(mech: Mechanism) -> None:
             if letter not in letters:
                 raise UnknownNameError(
                     Words(
-                    f"“{statement}”中的点 {letter} 不存在；已有：{', '.join(sorted(letters))}",
-                    f"'{statement}' names the unknown point {letter}; known: {', '.join(sorted(letters))}"))
+                        f"“{statement}”中的点 {letter} 不存在；已有：{', '.join(sorted(letters))}",
+                        f"'{statement}' names the unknown point {letter}; known: {', '.join(sorted(letters))}",
+                    )
+                )
 
 
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     """The step with the sign of the assembly that the statements describe.
 
-    Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two coincide.
+    Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two
+    coincide.
     """
     if isinstance(step, Newton) and drives_in(step.rows):
         return among(mech, step, bodies, run)
@@ -61,27 +65,42 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
         raise DeadPointError(
             Words(
-            f"原动件位于 {where} 时构件 {step.group.told.zh} 处于死点位置，两种装配方式重合，无法区分；请另取原动件位置",
-            f"links {names} are at a dead point where the drive stands at {where}: their two assemblies coincide and cannot be told apart; choose another position of the drive"))
+                f"原动件位于 {where} 时构件 {step.group.told.zh} 处于死点位置，两种装配方式重合，无法区分；"
+                "请另取原动件位置",
+                f"links {names} are at a dead point where the drive stands at {where}: their two assemblies "
+                "coincide and cannot be told apart; choose another position of the drive",
+            )
+        )
     told = [s for s in mech.branches if set(s.letters) <= set(after[0]) and not set(s.letters) <= set(before)]
     sure = 1e-9 * mech.scale
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return _figured(mech, options[fits.index(True)], figure, after[fits.index(True)])
-    if all(fits) and step.two and not isinstance(step, Swinging) and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None:
+    if (
+        all(fits)
+        and step.two
+        and not isinstance(step, Swinging)
+        and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None
+    ):
         return _figured(mech, options[near], figure, after[near])
     if not any(fits):
         statement = " and ".join(f"'{s}'" for s in told)
         raise AssemblyError(
             Words(
-            f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
-            f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}") + _advice(mech, step, before, after))
+                f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
+                f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}",
+            )
+            + _advice(mech, step, before, after)
+        )
     if isinstance(step, Swinging):
         return _ahead(step, bodies) or _guessed(mech, options, after, where)
     raise AssemblyError(
         Words(
-        f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
-        f"links {names} can be assembled in two ways at joint {step.joint}") + _advice(mech, step, before, after))
+            f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
+            f"links {names} can be assembled in two ways at joint {step.joint}",
+        )
+        + _advice(mech, step, before, after)
+    )
 
 
 def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
@@ -92,9 +111,15 @@ def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
         if gap < -1e-9 * mech.scale:
             held = opposite(statement)
             raise AssemblyError(
-                Words(f"'{statement}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
-                      f"'{statement}' contradicts the other data: where the drive stands at {where}, they make it '{held}', by {-1e3 * gap:.4g} mm; "
-                      "leave it out, or correct either"), code="branch contradicts", numbers={"gap": gap})
+                Words(
+                    f"'{statement}' 与其余数据矛盾：原动件位于 {where} 时，由其余数据得 '{held}'，"
+                    f"相距 {-1e3 * gap:.4g} mm；请删去或改正其一",
+                    f"'{statement}' contradicts the other data: where the drive stands at {where}, they "
+                    f"make it '{held}', by {-1e3 * gap:.4g} mm; leave it out, or correct either",
+                ),
+                code="branch contradicts",
+                numbers={"gap": gap},
+            )
 
 
 def _hinged(step: Step) -> bool:
@@ -103,10 +128,15 @@ def _hinged(step: Step) -> bool:
 
 
 def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
-    """The step itself, or where it is a parallelogram or a folded kite the step that stays one through its change points."""
+    """The step itself, or where it is a parallelogram or a folded kite the step that stays one through its change
+    points."""
     if figure is not None and margin(figure, at) > 0:
         return parallel(mech, step.group, figure.corners[0])
-    if isinstance(step, Hinged) and step.group.dyad is not None and (corner := folded_corner(mech, step.group.dyad)) is not None:
+    if (
+        isinstance(step, Hinged)
+        and step.group.dyad is not None
+        and (corner := folded_corner(mech, step.group.dyad)) is not None
+    ):
         return folded(mech, step.group, corner) if abs(at[step.joint] - at[corner]) < 1e-7 * mech.scale else step
     return step
 
@@ -121,11 +151,14 @@ def _parallelogram(mech: Mechanism, step: Step) -> Shaped | None:
 
 
 def _is_said(mech: Mechanism, shape: Shaped) -> bool:
-    return any(isinstance(s, Shaped) and s.form is shape.form and set(s.letters) == set(shape.letters) for s in mech.branches)
+    return any(
+        isinstance(s, Shaped) and s.form is shape.form and set(s.letters) == set(shape.letters) for s in mech.branches
+    )
 
 
 def _ahead(step: Swinging, bodies: Bodies) -> Swinging | None:
-    """The block ahead of the guide's letter along the guide's positive direction; None where it is so in both directions, or in none."""
+    """The block ahead of the guide's letter along the guide's positive direction; None where it is so in both
+    directions, or in none."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
     here, there = step.ends(bodies)
     forward = [option for option in options if option.sign * option.reach(there - here)[-1] + option.shift > 0]
@@ -133,15 +166,22 @@ def _ahead(step: Swinging, bodies: Bodies) -> Swinging | None:
 
 
 def _guessed(mech: Mechanism, options: Sequence[Step], after: Sequence[Places], where: str) -> Step:
-    """The direction in which the guide's letters lie nearer to the rough places; AssemblyError where these do not tell."""
+    """The direction in which the guide's letters lie nearer to the rough places; AssemblyError where these do not
+    tell."""
     near = nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale) if len(after) == 2 else None
     if near is None:
         step = options[0]
         assert isinstance(step, Swinging)
         raise AssemblyError(
-            Words(f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；请在 branch 中写出该组某点在哪一侧，或以 guesses 给出其大致位置",
-                  f"the guide of link {step.guide}, on which link {step.block} slides, can point either way where the drive stands at {where}; "
-                  f"say in 'branch' on which side a point of these two links lies, or give its rough place as guesses"), code="branch-missing")
+            Words(
+                f"原动件位于 {where} 时，构件 {step.guide} 的导路（其上滑块 {step.block}）有两个方向可装配；"
+                "请在 branch 中写出该组某点在哪一侧，或以 guesses 给出其大致位置",
+                f"the guide of link {step.guide}, on which link {step.block} slides, can point either way "
+                f"where the drive stands at {where}; say in 'branch' on which side a point of these two "
+                "links lies, or give its rough place as guesses",
+            ),
+            code="branch-missing",
+        )
     return options[near]
 
 
@@ -152,16 +192,26 @@ def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) ->
     for statement in _statements(mech, step, before, after[0]):
         here, there = (margin(statement, at) for at in after)
         if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
-            return Words(f"；请指明“{statement}”或“{opposite(statement)}”", f"; say which: '{statement}' or '{opposite(statement)}'")
-    return Words(f"；没有字母点能区分两者，请以 guesses: {{{step.joint}: [x mm, y mm]}} 给出大致位置",
-                 f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}")
+            return Words(
+                f"；请指明“{statement}”或“{opposite(statement)}”",
+                f"; say which: '{statement}' or '{opposite(statement)}'",
+            )
+    return Words(
+        f"；没有字母点能区分两者，请以 guesses: {{{step.joint}: [x mm, y mm]}} 给出大致位置",
+        f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}",
+    )
 
 
 def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:
     """Sentences a lecturer may say about the group, the plainest first."""
     outer = [out.joint.point for out in step.group.outer if isinstance(out.joint, Revolute)]
-    gears = [end.centre for out in step.group.outer if isinstance(out.joint, Rolling)
-             for end in (out.joint.gear, out.joint.on) if isinstance(end, Circle) and end.link == out.parent]
+    gears = [
+        end.centre
+        for out in step.group.outer
+        if isinstance(out.joint, Rolling)
+        for end in (out.joint.gear, out.joint.on)
+        if isinstance(end, Circle) and end.link == out.parent
+    ]
     points = [step.joint, *(p for p in after if p not in before and p != step.joint)]
     refs = [p for p in (*outer, *gears) if p in before]
     others = [p for p in before if p not in refs]
@@ -174,4 +224,3 @@ def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str,
             yield SideOf(point=point, side=side, ref=(ref,))
         for pair in pairs:
             yield SideOf(point=point, side=Side.LEFT, ref=pair)
-

@@ -1,4 +1,5 @@
-"""Instant centres from the velocities: the point at which two links have one velocity, or the direction in which it lies at infinity."""
+"""Instant centres from the velocities: the point at which two links have one velocity, or the direction in which it
+lies at infinity."""
 
 from __future__ import annotations
 
@@ -8,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import NotAskedError, UnknownNameError
-from ..mechanism.centre_quantities import centre, centre_speed, crank_groups, limits, link_pairs, ratio
+from ..mechanism.asked.centres import centre, centre_speed, crank_groups, limits, link_pairs, ratio
 from ..mechanism.model import FRAME, Mechanism
 from ..words import Words
 from .motion import Motion
@@ -35,7 +36,8 @@ class Centres:
         return _at(replace(self.mech, drives=drives))
 
     def value(self, key: str) -> complex | float:
-        """The quantity with this key: a place (m) or velocity as x + iy, a direction to infinity (deg, 0 to 180), a ratio, an angle (deg).
+        """The quantity with this key: a place (m) or velocity as x + iy, a direction to infinity (deg, 0 to 180), a
+        ratio, an angle (deg).
 
         Raises UnknownNameError where there is none, NotAskedError where it has no value.
         """
@@ -54,7 +56,8 @@ class Centres:
         raise UnknownNameError(Words(f"此处没有瞬心的量 {key}", f"there is no quantity {key} of instant centres here"))
 
     def place(self, a: str, b: str) -> complex | float:
-        """Where v_a(r) = v_b(r): r = i (v_a - v_b) / (ω_a - ω_b), velocities at the origin; at infinity the direction ⊥ (v_a - v_b) in deg."""
+        """Where v_a(r) = v_b(r): r = i (v_a - v_b) / (ω_a - ω_b), velocities at the origin; at infinity the direction ⊥
+        (v_a - v_b) in deg."""
         slip, turn = self._relative(a, b)
         size = self.mech.scale
         if abs(turn) * size > NONE * max(abs(slip), abs(turn) * size):
@@ -67,18 +70,24 @@ class Centres:
         """Velocity of the centre as a point of either link (m/s), with the drive's own rate."""
         at = self.place(a, b)
         if not isinstance(at, complex):
-            raise NotAskedError(Words(
-                f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 的瞬心在无穷远处，没有速度",
-                f"the centre of links {self.mech.number(a)} and {self.mech.number(b)} is at infinity: it has no velocity"))
+            raise NotAskedError(
+                Words(
+                    f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 的瞬心在无穷远处，没有速度",
+                    f"the centre of links {self.mech.number(a)} and {self.mech.number(b)} is at infinity: it "
+                    "has no velocity",
+                )
+            )
         return complex(_at(self.mech).moving(a).velocity_at(np.array([at]))[0])
 
     def ratio(self, a: str, b: str) -> float:
         """ω_a / ω_b."""
         turns = [float(self.motion.moving(name).omega[0]) for name in (a, b)]
         if abs(turns[1]) <= NONE * abs(turns[0]) or turns == [0.0, 0.0]:
-            raise NotAskedError(Words(
-                f"构件 {b} 此时不转动，ω_{a}/ω_{b} 无值",
-                f"link {b} does not turn here: ω_{a}/ω_{b} has no value"))
+            raise NotAskedError(
+                Words(
+                    f"构件 {b} 此时不转动，ω_{a}/ω_{b} 无值", f"link {b} does not turn here: ω_{a}/ω_{b} has no value"
+                )
+            )
         return turns[0] / turns[1]
 
     def _relative(self, a: str, b: str) -> tuple[complex, float]:
@@ -94,7 +103,8 @@ class Centres:
         return (slip, turn) if slip != 0 or turn != 0 else self._onward(a, b)
 
     def _onward(self, a: str, b: str) -> tuple[complex, float]:
-        """Of links at rest relative to each other the rates of slip and ω: the centre is where it comes from and goes to.
+        """Of links at rest relative to each other the rates of slip and ω: the centre is where it comes from and goes
+        to.
 
         The velocity at the origin changes by a_0 − iα r_0 − iω v_0.
         """
@@ -104,21 +114,30 @@ class Centres:
         first, second = (complex((m.acceleration - 1j * m.alpha * m.at - 1j * m.omega * m.velocity)[0]) for m in bodies)
         slip, turn = first - second, float((bodies[0].alpha - bodies[1].alpha)[0])
         if abs(turn) <= ONWARD and abs(slip) <= ONWARD * self.mech.scale:
-            raise NotAskedError(Words(
-                f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 此时无相对运动，瞬心不定；请逐一写出要求的其余瞬心，以代替 centres",
-                f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other here: they have no one centre; "
-                "name the other centres that are asked, one by one, in the place of 'centres'"))
+            raise NotAskedError(
+                Words(
+                    f"构件 {self.mech.number(a)} 与 {self.mech.number(b)} 此时无相对运动，瞬心不定；"
+                    "请逐一写出要求的其余瞬心，以代替 centres",
+                    f"links {self.mech.number(a)} and {self.mech.number(b)} do not move relative to each other "
+                    "here: they have no one centre; name the other centres that are asked, one by one, in the "
+                    "place of 'centres'",
+                )
+            )
         return slip, turn
 
 
 def slowest(mech: Mechanism, link: str, p: str, q: str) -> complex:
-    """The point (m) of a link on its line PQ that moves slowest: the foot of the perpendicular from the link's absolute centre."""
+    """The point (m) of a link on its line PQ that moves slowest: the foot of the perpendicular from the link's absolute
+    centre."""
     here = Centres(mech)
     pole = here.place(link, FRAME)
     if not isinstance(pole, complex):
-        raise NotAskedError(Words(
-            f"构件 {link} 此时作平动，{p}{q} 上各点速度相等",
-            f"link {link} only translates here: all points of {p}{q} are equally fast"))
+        raise NotAskedError(
+            Words(
+                f"构件 {link} 此时作平动，{p}{q} 上各点速度相等",
+                f"link {link} only translates here: all points of {p}{q} are equally fast",
+            )
+        )
     a, b = (complex(here.motion.place(letter)[0]) for letter in (p, q))
     along = (b - a) / abs(b - a)
     return a + along * (along.conjugate() * (pole - a)).real
@@ -144,15 +163,21 @@ def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> f
             low, high = inner[i], inner[i + 1]
         here = _at(turn, np.array([(low + high) / 2]))
         a, b, c = (here.place(letter) for letter in (_pivot(mech), pin, led))
-        if (float(dot(b - a, c - b)[0]) > 0) is extended and abs(float(_sway(turn, np.array([(low + high) / 2]), pin, led, rod)[0])) < 1e-6 * np.nanmax(np.abs(sway)):
+        if (float(dot(b - a, c - b)[0]) > 0) is extended and abs(
+            float(_sway(turn, np.array([(low + high) / 2]), pin, led, rod)[0])
+        ) < 1e-6 * np.nanmax(np.abs(sway)):
             return float(np.degrees(np.angle((b - a)[0])) % 360.0)
-    raise NotAskedError(Words(
-        f"曲柄与连杆没有{'拉直' if extended else '重叠'}共线的位置，{led} 不在该处停歇",
-        f"crank and rod are never {'extended' if extended else 'overlapped'}: {led} does not come to rest so"))
+    raise NotAskedError(
+        Words(
+            f"曲柄与连杆没有{'拉直' if extended else '重叠'}共线的位置，{led} 不在该处停歇",
+            f"crank and rod are never {'extended' if extended else 'overlapped'}: {led} does not come to rest so",
+        )
+    )
 
 
 def _sway(mech: Mechanism, q: Reals, pin: str, led: str, rod: str) -> Reals:
-    """v of the led point across the line from it to the pin, over ω of the crank, with the sign of its sense: zero where it stands still."""
+    """v of the led point across the line from it to the pin, over ω of the crank, with the sign of its sense: zero
+    where it stands still."""
     motion = _at(mech, q)
     carrier = next(name for name in mech.links_at(led) if name != rod)
     turning = np.broadcast_to(motion.moving(carrier).omega, q.shape)

@@ -1,6 +1,8 @@
-"""Change points: positions where the two assemblies of a dyad meet though the drive goes on, and how the motion goes through them.
+"""Change points: positions where the two assemblies of a dyad meet though the drive goes on, and how the motion goes
+through them.
 
-Between its change points a dyad keeps to one side; at each it passes to the other, for so, and only so, its motion is smooth:
+Between its change points a dyad keeps to one side; at each it passes to the other, for so, and only so, its motion is
+smooth:
 h = ±√f with f = c² (q - q*)² + ... goes on as c (q - q*).
 """
 
@@ -14,11 +16,16 @@ from numpy.typing import NDArray
 
 from .state import Reals
 
-Fold = Callable[[Reals], Reals]  # of the drive's positions: not below zero where links close, zero where two assemblies meet
+Fold = Callable[
+    [Reals], Reals
+]  # of the drive's positions: not below zero where links close, zero where two assemblies meet
 SAMPLES = 1440  # a turn
 LOW = 1e-2  # a sampled fold that is larger is near no change point
 TOUCHES = 1e-13  # a least fold from which rounding alone parts zero
-ROUGH, FINE = 12, 48  # golden sections: to a hundredth of a sample, where a fold above NEAR can come down to zero no more; then to the last digit
+ROUGH, FINE = (
+    12,
+    48,
+)  # golden sections: to a hundredth of a sample, where a fold above NEAR can come down to zero no more; then to the last digit
 NEAR = 1e-4
 BESIDE = (1e-3, 1e-5)  # of a turn over 2π, or of the scale: where the fold's root is taken to find where it vanishes
 _GOLDEN = (5**0.5 - 1) / 2
@@ -26,7 +33,8 @@ _GOLDEN = (5**0.5 - 1) / 2
 
 @dataclass(frozen=True, slots=True)
 class Changes:
-    """Change points of one dyad. own: the problem's own position; places: (rad or m), within a period above own where there is a period."""
+    """Change points of one dyad. own: the problem's own position; places: (rad or m), within a period above own where
+    there is a period."""
 
     own: float
     places: tuple[float, ...]
@@ -39,7 +47,7 @@ class Changes:
             if self.period is not None:
                 count += np.floor((q - place) / self.period) + 1
             else:
-                count += ((q - place) * (self.own - place) < 0)
+                count += (q - place) * (self.own - place) < 0
         return np.where(count % 2 == 0, 1.0, -1.0)
 
     def nearest(self, q: Reals) -> Reals:
@@ -52,7 +60,8 @@ class Changes:
 
 
 def touches(fold: Fold, low: float, high: float, unit: float) -> tuple[float, ...]:
-    """Where the fold comes down to zero and goes up again, within low..high. unit: 1 of a turning drive (rad), the scale of a sliding one (m)."""
+    """Where the fold comes down to zero and goes up again, within low..high. unit: 1 of a turning drive (rad), the
+    scale of a sliding one (m)."""
     step = 2 * np.pi * unit / SAMPLES
     q = np.asarray(low + step * (np.arange(round((high - low) / step) + 2) - 0.5), np.float64)
     sampled = fold(q)

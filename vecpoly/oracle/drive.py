@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import MobilityError
-from ..mechanism.assur import ends, hinges
+from ..mechanism.groups.assur import ends, hinges
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from ..words import Words
-from .loci import Line, slide
+from .closed.loci import Line, slide
 from .state import NONE, STILL, Body, Points, Reals
 
 
@@ -41,9 +41,12 @@ def driver(mech: Mechanism, drive: Drive) -> Driver:
     if not drive.slide:
         point = next((p for p, names in hinges(mech).items() if FRAME in names and drive.link in names), None)
         if point is None:
-            raise MobilityError(Words(
-                f"原动件 {drive.link} 没有固定铰链；请将其铰接于机架，或写成移动输入",
-                f"the driving link {drive.link} has no frame pivot; pin it there, or say slide"))
+            raise MobilityError(
+                Words(
+                    f"原动件 {drive.link} 没有固定铰链；请将其铰接于机架，或写成移动输入",
+                    f"the driving link {drive.link} has no frame pivot; pin it there, or say slide",
+                )
+            )
         return Driver(drive, mech.frame[point], mech.link(drive.link).points[point])
     for joint in mech.joints:
         if isinstance(joint, Prismatic) and set(ends(joint)) == {FRAME, drive.link}:
@@ -52,6 +55,9 @@ def driver(mech: Mechanism, drive: Drive) -> Driver:
             foot = joint.origin + 1j * joint.offset * complex(np.exp(1j * joint.direction))
             start = pin if joint.block == drive.link else foot
             return Driver(drive, line=slide(joint, drive.link, start, pin))
-    raise MobilityError(Words(
-        f"原动件 {drive.link} 没有固定导路，却给了移动输入",
-        f"the driving link {drive.link} has no guide on the frame, yet is said to slide"))
+    raise MobilityError(
+        Words(
+            f"原动件 {drive.link} 没有固定导路，却给了移动输入",
+            f"the driving link {drive.link} has no guide on the frame, yet is said to slide",
+        )
+    )

@@ -31,7 +31,9 @@ def spans(closes: Closes, drive: Drive, scale: float) -> Spans:
 
     Sampled every quarter of a degree (or 1/180 of the scale within ±4 scales), ends refined by bisection.
     """
-    low, high = (drive.position - SEARCHED * scale, drive.position + SEARCHED * scale) if drive.slide else (0.0, 2 * np.pi)
+    low, high = (
+        (drive.position - SEARCHED * scale, drive.position + SEARCHED * scale) if drive.slide else (0.0, 2 * np.pi)
+    )
     if drive.slide and drive.between and drive.position > 0:
         low = max(low, 0.0)  # a cylinder has no negative length
     q = np.linspace(low, high, SAMPLES + 1)
@@ -58,7 +60,8 @@ def _text(low: float, high: float, slide: bool) -> str:
 
 
 def alone(closes: Closes, at: float, scale: float) -> bool:
-    """Whether everything closes just before and just after this position of the drive (rad, or m), so that it stands alone."""
+    """Whether everything closes just before and just after this position of the drive (rad, or m), so that it stands
+    alone."""
     return bool(closes(at + BESIDE * min(scale, 1.0) * np.array([-1.0, 1.0])).all())
 
 
@@ -66,26 +69,48 @@ def refusal(step: Step, where: str, gap: float, ranges: Ranges, *, alone: bool =
     """The error for links that do not close; alone: they do just before and after."""
     zh, en = step.group.told.zh, step.group.told.en
     short, found = bool(np.isfinite(gap) and gap > 0), bool(np.isfinite(gap))
-    at = (Words(f" 在 {step.joint} 处", f" at {step.joint}") if step.joint
-          else Words(f" 在{step.group.name.zh.partition('（')[0]}的回路中", f" in the loops of the {step.group.name.en}"))
-    what = Words(f"原动件位于 {where} 时，构件 {zh}{at.zh}不能装配", f"links {en} cannot be joined{at.en} where the drive stands at {where}")
+    at = (
+        Words(f" 在 {step.joint} 处", f" at {step.joint}")
+        if step.joint
+        else Words(f" 在{step.group.name.zh.partition('（')[0]}的回路中", f" in the loops of the {step.group.name.en}")
+    )
+    what = Words(
+        f"原动件位于 {where} 时，构件 {zh}{at.zh}不能装配",
+        f"links {en} cannot be joined{at.en} where the drive stands at {where}",
+    )
     if short:
         mm = f"{1e3 * gap:.4g} mm"
         what = Words(
             f"原动件位于 {where} 时，构件 {zh} 在运动副 {step.joint} 处不能相接，相差 {mm}",
-            f"links {en} do not meet at joint {step.joint}: {mm} are missing where the drive stands at {where}")
+            f"links {en} do not meet at joint {step.joint}: {mm} are missing where the drive stands at {where}",
+        )
     return AssemblyError(what + (_alone(short) if alone else _room(ranges, found)))
 
 
 def _alone(short: bool) -> Words:
-    why = Words("", "") if short else Words("，只是此时两运动副重合，方向不定", ", but two of their joints fall together there and leave their direction open")
-    return Words(f"：在其前后均可装配{why.zh}；请略微移动原动件", f": they can just before and just after it{why.en}; move the drive a little")
+    why = (
+        Words("", "")
+        if short
+        else Words(
+            "，只是此时两运动副重合，方向不定",
+            ", but two of their joints fall together there and leave their direction open",
+        )
+    )
+    return Words(
+        f"：在其前后均可装配{why.zh}；请略微移动原动件",
+        f": they can just before and just after it{why.en}; move the drive a little",
+    )
 
 
 def _room(ranges: Ranges, found: bool) -> Words:
     if ranges:
-        return Words(f"；原动件在 {' 或 '.join(ranges)} 内时可以装配", f"; they can where the drive is within {' or '.join(ranges)}")
+        return Words(
+            f"；原动件在 {' 或 '.join(ranges)} 内时可以装配",
+            f"; they can where the drive is within {' or '.join(ranges)}",
+        )
     if found:
         return Words("；在任何位置都不能装配", "; they can in no position")
-    return Words("；由所给 guesses 没有找到装配方式，请另取原动件位置或另给 guesses",
-                 "; no assembly was found from the guesses; choose another position of the drive, or other guesses")
+    return Words(
+        "；由所给 guesses 没有找到装配方式，请另取原动件位置或另给 guesses",
+        "; no assembly was found from the guesses; choose another position of the drive, or other guesses",
+    )

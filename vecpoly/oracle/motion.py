@@ -11,8 +11,8 @@ from ..errors import NotAskedError, UnknownNameError
 from ..mechanism.model import Contact, Mechanism, Rolling
 from ..names import At, Rel
 from ..words import Words
-from .contact import touching
-from .pitch import pitch_point
+from .closed.contact import touching
+from .closed.pitch import pitch_point
 from .state import Body, Points, Reals
 from .symbols import value
 
@@ -71,9 +71,7 @@ class Motion:
         """
         return value(self, rel)
 
-    def point_with(
-        self, link: str, *, velocity: complex | None = None, acceleration: complex | None = None
-    ) -> Points:
+    def point_with(self, link: str, *, velocity: complex | None = None, acceleration: complex | None = None) -> Points:
         """Place of the link's point that has this velocity, or this acceleration (m).
 
         r = r_0 + (v - v_0) / iω, or r = r_0 + (a - a_0) / (iα - ω²). NotAskedError where no such point exists.
@@ -86,11 +84,19 @@ class Motion:
             gap, turn = acceleration - body.acceleration, 1j * body.alpha - body.omega**2
             what = Words("加速度", "acceleration")
         else:
-            raise NotAskedError(Words(
-                "求点时请只给速度或只给加速度",
-                "ask for the point with a velocity, or for the point with an acceleration"))
+            raise NotAskedError(
+                Words(
+                    "求点时请只给速度或只给加速度",
+                    "ask for the point with a velocity, or for the point with an acceleration",
+                )
+            )
         if (turn == 0).any():
-            raise NotAskedError(Words(f"构件 {link} 此时不转动，各点{what.zh}相同", f"link {link} does not turn here: all its points have the same {what.en}"))
+            raise NotAskedError(
+                Words(
+                    f"构件 {link} 此时不转动，各点{what.zh}相同",
+                    f"link {link} does not turn here: all its points have the same {what.en}",
+                )
+            )
         return self._points(body.at + gap / turn)
 
     def velocity_pole(self, link: str) -> Points:
@@ -105,17 +111,18 @@ class Motion:
         """The link's motion; UnknownNameError where there is no such link."""
         if link not in self.bodies:
             names = ", ".join(self.bodies)
-            raise UnknownNameError(Words(
-                f"没有构件 {link}；已有：{names}",
-                f"there is no link {link}; known: {names}"))
+            raise UnknownNameError(Words(f"没有构件 {link}；已有：{names}", f"there is no link {link}; known: {names}"))
         return self.bodies[link]
 
     def moving(self, link: str, order: int = 1) -> Body:
         """The link's motion with rates up to this order; NotAskedError where it was solved without."""
         if self.order < order:
-            raise NotAskedError(Words(
-                f"求解时取 order={self.order}；求这些量须取 order={order}",
-                f"solved with order={self.order}; solve with order={order} for these rates"))
+            raise NotAskedError(
+                Words(
+                    f"求解时取 order={self.order}；求这些量须取 order={order}",
+                    f"solved with order={self.order}; solve with order={order} for these rates",
+                )
+            )
         return self.body(link)
 
     def locate(self, point: str | At) -> tuple[str, complex | None]:
@@ -140,9 +147,12 @@ class Motion:
         letter = at.point.rstrip("0123456789")
         if not at.link and letter != at.point and self._is_letter(letter):
             return At(letter, at.point[len(letter) :])
-        raise UnknownNameError(Words(
-            f"没有点 {at}；已有：{', '.join(sorted(self._letters()))}",
-            f"there is no point {at}; known: {', '.join(sorted(self._letters()))}"))
+        raise UnknownNameError(
+            Words(
+                f"没有点 {at}；已有：{', '.join(sorted(self._letters()))}",
+                f"there is no point {at}; known: {', '.join(sorted(self._letters()))}",
+            )
+        )
 
     def place(self, point: str | At) -> Points:
         """Where the letter is now, of whatever link (unshaped)."""
@@ -150,7 +160,11 @@ class Motion:
         carriers = self.mech.links_at(at.point)
         if not carriers:
             touch = self._contact(at.point)
-            return touching(self.mech, self.bodies, touch)[0] if touch else pitch_point(self._pitch(at.point), self.mech, self.bodies)
+            return (
+                touching(self.mech, self.bodies, touch)[0]
+                if touch
+                else pitch_point(self._pitch(at.point), self.mech, self.bodies)
+            )
         link = at.link if at.link in carriers else carriers[0]
         return self.bodies[link].point(self.mech.link(link).points[at.point])
 
@@ -175,4 +189,3 @@ class Motion:
     def _reals(self, values: Reals) -> Reals:
         shaped: Reals = np.broadcast_to(values, self.shape or (1,)) if values.shape != self.shape else values
         return shaped if self.shape else shaped[0]
-

@@ -8,16 +8,16 @@ from functools import lru_cache, partial
 import numpy as np
 
 from ..errors import AssemblyError
-from ..mechanism.assur import decompose
 from ..mechanism.gearing import misfit
-from ..mechanism.mobility import check
+from ..mechanism.groups.assur import decompose
+from ..mechanism.groups.mobility import check
 from ..mechanism.model import FRAME, Mechanism, Rolling
 from ..words import Words
 from .across import across
 from .branches import check_letters, choose, confirm
 from .changes import Changes, touches
+from .closed.dyads import Hinged, Swinging
 from .drive import Driver, driver
-from .dyads import Hinged, Swinging
 from .feasible import SEARCHED, Closes, Ranges, Spans, alone, refusal, scan, spans
 from .run import STEP, Run, track
 from .state import Body, Reals, at_rest
@@ -45,7 +45,10 @@ class Plan:
         if self.followed:
             path, q = track(drive.position, STEP * (self.mech.scale if drive.slide else 2 * np.pi), asked)
             run = replace(run, q=q, track=path)
-        held = {one.drive.link: one.body(run.q if one.drive is drive else np.full(1, one.drive.position)) for one in self.drivers}
+        held = {
+            one.drive.link: one.body(run.q if one.drive is drive else np.full(1, one.drive.position))
+            for one in self.drivers
+        }
         return run, {FRAME: at_rest(), **held}
 
     def bodies(self, asked: Reals, order: int = 2, strict: bool = True) -> dict[str, Body]:
@@ -54,7 +57,9 @@ class Plan:
         Raises AssemblyError or DeadPointError at the first failing position, or gives NaN where not strict.
         """
         drive = self.mech.drive
-        changes = [step.changes for step in self.steps if isinstance(step, Hinged | Swinging) and step.changes is not None]
+        changes = [
+            step.changes for step in self.steps if isinstance(step, Hinged | Swinging) and step.changes is not None
+        ]
         if not changes:
             return self._bodies(asked, order, strict)
         found = across(changes, asked, drive, self.mech.scale, lambda q: self._bodies(q, order, strict))
@@ -91,7 +96,13 @@ class Plan:
             first = run.first(open_)
             gap = np.broadcast_to(step.miss(bodies, run), run.q.shape)[first]
             here = float(run.q[first])
-            raise refusal(step, run.text(here), float(gap), self.ranges(step), alone=alone(self._upto(step).closes(), here, self.mech.scale))
+            raise refusal(
+                step,
+                run.text(here),
+                float(gap),
+                self.ranges(step),
+                alone=alone(self._upto(step).closes(), here, self.mech.scale),
+            )
 
     def ranges(self, step: Step | None = None) -> Ranges:
         """Ranges of the drive in which everything closes up to and including this step (all of them: None)."""
@@ -101,7 +112,9 @@ class Plan:
     def _upto(self, step: Step) -> Plan:
         """The plan that ends with this step."""
         names = [known.group for known in self.steps]
-        return replace(self, steps=(*self.steps[: names.index(step.group) if step.group in names else len(names)], step))
+        return replace(
+            self, steps=(*self.steps[: names.index(step.group) if step.group in names else len(names)], step)
+        )
 
     def spans(self) -> Spans:
         """Ranges of the drive (rad, or m) in which everything closes."""
@@ -119,8 +132,11 @@ class Plan:
     def is_tight(self) -> bool:
         """Whether a dyad stands so near a change point at the own position that few digits of its rates are left."""
         own = np.array([self.mech.drive.position])
-        return any(isinstance(step, Hinged | Swinging) and step.two and bool(self._before(i).fold(step, own)[-1] < TIGHT)
-                   for i, step in enumerate(self.steps) if not any(map(is_followed, self.steps[: i + 1])))
+        return any(
+            isinstance(step, Hinged | Swinging) and step.two and bool(self._before(i).fold(step, own)[-1] < TIGHT)
+            for i, step in enumerate(self.steps)
+            if not any(map(is_followed, self.steps[: i + 1]))
+        )
 
     @property
     def has_changes(self) -> bool:
@@ -155,7 +171,9 @@ def build(mech: Mechanism) -> Plan:
     check_letters(mech)
     _check_gears(mech)
     raw = tuple(step_for(mech, group) for group in decompose(mech))
-    empty = Plan(mech, tuple(driver(mech, drive) for drive in mech.drives if not drive.between), (), any(map(is_followed, raw)))
+    empty = Plan(
+        mech, tuple(driver(mech, drive) for drive in mech.drives if not drive.between), (), any(map(is_followed, raw))
+    )
     chosen: list[Step] = []
     with np.errstate(invalid="ignore", divide="ignore"):
         run, bodies = empty.start(np.array([mech.drive.position]), strict=True)
@@ -176,7 +194,9 @@ def through(plan: Plan) -> Plan:
     drive, scale = plan.mech.drive, plan.mech.scale
     if drive.between:  # a cylinder's stroke, on which no link turns round
         return plan
-    low, span = (drive.position - SEARCHED * scale, 2 * SEARCHED * scale) if drive.slide else (drive.position, 2 * np.pi)
+    low, span = (
+        (drive.position - SEARCHED * scale, 2 * SEARCHED * scale) if drive.slide else (drive.position, 2 * np.pi)
+    )
     steps: list[Step] = []
     for step in plan.steps:
         if is_followed(step):
@@ -188,7 +208,9 @@ def through(plan: Plan) -> Plan:
                 step = replace(step, changes=Changes(drive.position, places, None if drive.slide else span))
                 span *= 1 if drive.slide or len(places) % 2 == 0 else 2
         steps.append(step)
-    return replace(plan, steps=(*steps, *plan.steps[len(steps):]))
+    return replace(plan, steps=(*steps, *plan.steps[len(steps) :]))
+
+
 def _check_gears(mech: Mechanism) -> None:
     """AssemblyError where links hold gears at a distance that their radii do not fit."""
     for joint in mech.joints:

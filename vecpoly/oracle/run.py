@@ -33,7 +33,8 @@ class Track:
     near: NDArray[np.intp]
 
     def follow(self, angle: Reals) -> Reals:
-        """The angle (rad, known up to whole turns) without jumps, starting from its value at the own position; one value for all where nothing moves."""
+        """The angle (rad, known up to whole turns) without jumps, starting from its value at the own position; one
+        value for all where nothing moves."""
         angle = np.broadcast_to(angle, (self.size + len(self.near),))
         ahead = np.unwrap(angle[self.own : self.size])
         behind = np.unwrap(angle[self.own :: -1])[:0:-1]
@@ -81,7 +82,11 @@ class Run:
             return det
         if self.strict and low.ravel()[self.asked if low.size > 1 else 0 :].any():
             where = self.text(float(self.q[self.first(low)]))
-            raise DeadPointError(Words(
-                f"原动件位于 {where} 时构件 {'、'.join(links)} 处于死点位置，速度没有唯一解；请另取位置",
-                f"links {' and '.join(links)} are at a dead point where the drive stands at {where}: their velocities have no single value here; choose another position"))
+            raise DeadPointError(
+                Words(
+                    f"原动件位于 {where} 时构件 {'、'.join(links)} 处于死点位置，速度没有唯一解；请另取位置",
+                    f"links {' and '.join(links)} are at a dead point where the drive stands at {where}: their "
+                    "velocities have no single value here; choose another position",
+                )
+            )
         return np.where(low, np.nan, det)

@@ -79,10 +79,14 @@ class Body:
     def take(self, index: slice | NDArray[np.intp]) -> Body:
         """Only these positions."""
         return Body(
-            self.local, _cut(self.at, index), _cut(self.unit, index),
+            self.local,
+            _cut(self.at, index),
+            _cut(self.unit, index),
             None if self.turn is None else _cut(self.turn, index),
-            _cut(self.velocity, index), _cut(self.omega, index),
-            _cut(self.acceleration, index), _cut(self.alpha, index),
+            _cut(self.velocity, index),
+            _cut(self.omega, index),
+            _cut(self.acceleration, index),
+            _cut(self.alpha, index),
         )
 
 

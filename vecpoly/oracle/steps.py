@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..mechanism.assur import Dyad, Group, is_held
+from ..mechanism.groups.assur import Dyad, Group, is_held
 from ..mechanism.model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from ..mechanism.rams import Ram, drives_within
-from .crossed import Crossed
-from .driven import driven
-from .dyads import Hinged, Swinging
-from .loci import Arc, Locus, roll, slide
-from .newton import Newton
-from .off_centre import crossing
-from .parallel import Parallel
-from .rows import row
-from .standing import standings, start_of
-from .telescope import Telescope, telescope
+from .closed.crossed import Crossed
+from .closed.dyads import Hinged, Swinging
+from .closed.loci import Arc, Locus, roll, slide
+from .closed.off_centre import crossing
+from .closed.parallel import Parallel
+from .closed.telescope import Telescope, telescope
+from .iterated.driven import driven
+from .iterated.newton import Newton
+from .iterated.rows import row
+from .iterated.standing import standings, start_of
 
 Step = Hinged | Swinging | Crossed | Parallel | Newton
 
@@ -66,9 +66,7 @@ def _locus(mech: Mechanism, joint: Joint, name: str, parent: str, point: str) ->
             return locus if locus is not None and locus.start == inner else None
 
 
-def _swinging(
-    mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Revolute]
-) -> Swinging:
+def _swinging(mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Revolute]) -> Swinging:
     """RPR: all in the coordinates of the guide line, from the guide's pivot to the block's."""
     first, slider, second = joints
     ends = {dyad.link_j: (dyad.parent_j, first.point), dyad.link_k: (dyad.parent_k, second.point)}
@@ -78,11 +76,21 @@ def _swinging(
     line = (slider.origin - guide.points[g]) * complex(np.exp(-1j * slider.direction))
     pin = (block.points[slider.pin] - block.points[b]) * turn
     return Swinging(
-        group, guide.name, block.name, g_parent, b_parent,
-        mech.link(g_parent).points[g], mech.link(b_parent).points[b], guide.points[g], block.points[b],
-        complex(np.exp(-1j * slider.direction)), turn,
-        across=_clean(line.imag + slider.offset - pin.imag, mech.scale), shift=pin.real - line.real if slider.through else 0.0,
-        size=mech.scale, joint=slider.pin,
+        group,
+        guide.name,
+        block.name,
+        g_parent,
+        b_parent,
+        mech.link(g_parent).points[g],
+        mech.link(b_parent).points[b],
+        guide.points[g],
+        block.points[b],
+        complex(np.exp(-1j * slider.direction)),
+        turn,
+        across=_clean(line.imag + slider.offset - pin.imag, mech.scale),
+        shift=pin.real - line.real if slider.through else 0.0,
+        size=mech.scale,
+        joint=slider.pin,
     )
 
 
@@ -91,9 +99,7 @@ def _clean(length: float, scale: float) -> float:
     return 0.0 if abs(length) < 1e-15 * scale else length
 
 
-def _crossed(
-    mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Prismatic]
-) -> Crossed:
+def _crossed(mech: Mechanism, group: Group, dyad: Dyad, joints: tuple[Revolute, Prismatic, Prismatic]) -> Crossed:
     """RPP: link k's first point on its outer line and on its line on link j."""
     first, inner, outer = joints
     j, k = mech.link(dyad.link_j), mech.link(dyad.link_k)
@@ -101,8 +107,14 @@ def _crossed(
     on_parent = slide(outer, k.name, point, mech.link(outer.block).points[outer.pin])
     on_j = slide(inner, k.name, point, mech.link(inner.block).points[inner.pin])
     return Crossed(
-        group, dyad.parent_j, mech.link(dyad.parent_j).points[first.point], j.points[first.point],
-        on_j.turn.conjugate(), on_parent, on_j, f"slider {inner.pin}",
+        group,
+        dyad.parent_j,
+        mech.link(dyad.parent_j).points[first.point],
+        j.points[first.point],
+        on_j.turn.conjugate(),
+        on_parent,
+        on_j,
+        f"slider {inner.pin}",
     )
 
 

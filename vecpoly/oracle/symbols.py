@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol, assert_never
 
 from ..errors import UnknownNameError
-from ..mechanism.assur import hinges
+from ..mechanism.groups.assur import hinges
 from ..mechanism.model import FRAME, Mechanism, Prismatic
 from ..names import At, Kind, Rel
 from ..words import Words
@@ -84,9 +84,12 @@ def _component(motion: Moving, rel: Rel) -> Points:
         ref = motion.at(rel.ref)
         link = _common(motion, to, ref)
         if not link:
-            raise UnknownNameError(Words(
-                f"{rel.key}：没有构件同时含有 {to} 和 {ref}；请写出构件号",
-                f"{rel.key}: no link carries both {to} and {ref}; write the link's number"))
+            raise UnknownNameError(
+                Words(
+                    f"{rel.key}：没有构件同时含有 {to} 和 {ref}；请写出构件号",
+                    f"{rel.key}: no link carries both {to} and {ref}; write the link's number",
+                )
+            )
     ray = motion.position(At(to.point, link)) - motion.position(At(ref.point, link))
     if rel.kind is Kind.AN:
         omega = motion.omega(link)
@@ -101,18 +104,24 @@ def _pivoted(motion: Moving, at: At, rel: Rel) -> tuple[str, str]:
         for point, pinned in hinges(motion.mech).items():
             if FRAME in pinned and name in pinned and point != at.point:
                 return name, point
-    raise UnknownNameError(Words(
-        f"{rel.key}：含点 {at} 的构件都没有固定铰链；请写出参考点",
-        f"{rel.key}: no link with the point {at} has a frame pivot; name a reference point"))
+    raise UnknownNameError(
+        Words(
+            f"{rel.key}：含点 {at} 的构件都没有固定铰链；请写出参考点",
+            f"{rel.key}: no link with the point {at} has a frame pivot; name a reference point",
+        )
+    )
 
 
 def _sliding(motion: Moving, rel: Rel) -> Points:
     """a^k_B3B2 = 2iω (v_B3 - v_B2) with the ω of the guide; a^r_B3B2 = a_B3 - a_B2 - a^k."""
     to, ref = motion.at(rel.to), None if rel.ref is None else motion.at(rel.ref)
     if ref is None or not to.link or not ref.link:
-        raise UnknownNameError(Words(
-            f"{rel.key}：请写出两构件的编号，如 {rel.kind.value}_B3B2",
-            f"{rel.key}: write both links' numbers, as in {rel.kind.value}_B3B2"))
+        raise UnknownNameError(
+            Words(
+                f"{rel.key}：请写出两构件的编号，如 {rel.kind.value}_B3B2",
+                f"{rel.key}: write both links' numbers, as in {rel.kind.value}_B3B2",
+            )
+        )
     coriolis: Points = 2j * motion.omega(_guide(motion, to, ref)) * (motion.velocity(to) - motion.velocity(ref))
     if rel.kind is Kind.AK:
         return coriolis
@@ -120,6 +129,7 @@ def _sliding(motion: Moving, rel: Rel) -> Points:
 
 
 def _guide(motion: Moving, to: At, ref: At) -> str:
-    """The link with the guide along which B3 slides over B2: a block turns with it, a pin in a slot or a disc on a face does not."""
+    """The link with the guide along which B3 slides over B2: a block turns with it, a pin in a slot or a disc on a face
+    does not."""
     slides = (j for j in motion.mech.joints if isinstance(j, Prismatic) and j.pin == to.point == ref.point)
     return next((j.guide for j in slides if j.guide in (to.link, ref.link)), ref.link)

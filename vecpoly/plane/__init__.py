@@ -18,6 +18,18 @@ from .geometry import (
 )
 
 __all__ = [
-    "Line", "Points", "Reals", "circles_meet", "cross", "distance", "dot", "foot", "inclined", "line_circle_meet",
-    "lines_meet", "nominal", "similar", "unit",
+    "Line",
+    "Points",
+    "Reals",
+    "circles_meet",
+    "cross",
+    "distance",
+    "dot",
+    "foot",
+    "inclined",
+    "line_circle_meet",
+    "lines_meet",
+    "nominal",
+    "similar",
+    "unit",
 ]

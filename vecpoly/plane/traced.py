@@ -1,7 +1,9 @@
 """A number on paper that knows the acts it came from: whatever is computed from it knows them too.
 
-The acts of the board give such numbers and take them again, so that an act knows its inputs without being told. Plane geometry, numpy's
-elementwise functions and the arithmetic of quantities pass them on; only `nominal`, and turning one into a plain `complex`, `float` or `bool`
+The acts of the board give such numbers and take them again, so that an act knows its inputs without being told. Plane
+geometry, numpy's
+elementwise functions and the arithmetic of quantities pass them on; only `nominal`, and turning one into a plain
+`complex`, `float` or `bool`
 (for marks, words and choices), forgets them.
 """
 
@@ -18,7 +20,8 @@ Number = TypeVar("Number")
 
 
 class Traced:
-    """A point, a direction or a length with the acts that it came from; `value` is a number or an array with one for each hand."""
+    """A point, a direction or a length with the acts that it came from; `value` is a number or an array with one for
+    each hand."""
 
     __slots__ = ("acts", "value")
 
@@ -32,25 +35,41 @@ class Traced:
     # -- arithmetic -------------------------------------------------------------------------------------------
 
     def __add__(self, other: Any) -> Traced:
-        return _with(self.value + other.value, self, other) if type(other) is Traced else Traced(self.value + other, self.acts)
+        return (
+            _with(self.value + other.value, self, other)
+            if type(other) is Traced
+            else Traced(self.value + other, self.acts)
+        )
 
     def __radd__(self, other: Any) -> Traced:
         return Traced(other + self.value, self.acts)
 
     def __sub__(self, other: Any) -> Traced:
-        return _with(self.value - other.value, self, other) if type(other) is Traced else Traced(self.value - other, self.acts)
+        return (
+            _with(self.value - other.value, self, other)
+            if type(other) is Traced
+            else Traced(self.value - other, self.acts)
+        )
 
     def __rsub__(self, other: Any) -> Traced:
         return Traced(other - self.value, self.acts)
 
     def __mul__(self, other: Any) -> Traced:
-        return _with(self.value * other.value, self, other) if type(other) is Traced else Traced(self.value * other, self.acts)
+        return (
+            _with(self.value * other.value, self, other)
+            if type(other) is Traced
+            else Traced(self.value * other, self.acts)
+        )
 
     def __rmul__(self, other: Any) -> Traced:
         return Traced(other * self.value, self.acts)
 
     def __truediv__(self, other: Any) -> Traced:
-        return _with(self.value / other.value, self, other) if type(other) is Traced else Traced(self.value / other, self.acts)
+        return (
+            _with(self.value / other.value, self, other)
+            if type(other) is Traced
+            else Traced(self.value / other, self.acts)
+        )
 
     def __rtruediv__(self, other: Any) -> Traced:
         return Traced(other / self.value, self.acts)
@@ -142,7 +161,8 @@ class Traced:
 
 
 def traced(value: Number, acts: Acts) -> Number:
-    """The number, knowing these acts; it behaves like the number that it stands for, and is typed as such. One of no acts is the number."""
+    """The number, knowing these acts; it behaves like the number that it stands for, and is typed as such. One of no
+    acts is the number."""
     if not acts:
         return bare(value)  # type: ignore[no-any-return]
     return Traced(bare(value), acts)  # type: ignore[return-value]

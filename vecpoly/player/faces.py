@@ -1,4 +1,5 @@
-"""Fonts inside the page: of each face just the characters that the page uses, so that it looks alike everywhere and loads nothing."""
+"""Fonts inside the page: of each face just the characters that the page uses, so that it looks alike everywhere and
+loads nothing."""
 
 from __future__ import annotations
 
@@ -19,8 +20,11 @@ HEAVY = {Face.BOLD, Face.BOLD_ITALIC, Face.HEI_BOLD}
 
 def font_css(used: Mapping[Face, set[str]]) -> str:
     """An @font-face rule for each face in use, the font in it as a data URL; and the class that sets type in it."""
-    return "\n".join(f'@font-face{{font-family:{family(face)};src:url(data:font/woff;base64,{_woff(face, "".join(sorted(chars)))}) format("woff")}}\n'
-                     f".{short(face)}{{font-family:{family(face)}}}" for face, chars in sorted(used.items()))
+    return "\n".join(
+        f'@font-face{{font-family:{family(face)};src:url(data:font/woff;base64,{_woff(face, "".join(sorted(chars)))}) format("woff")}}\n'
+        f".{short(face)}{{font-family:{family(face)}}}"
+        for face, chars in sorted(used.items())
+    )
 
 
 def family(face: Face) -> str:
@@ -31,8 +35,16 @@ def family(face: Face) -> str:
 @lru_cache(maxsize=64)
 def _woff(face: Face, chars: str) -> str:
     """A font of these characters alone, without hints and features, in base 64."""
-    options = subset.Options(flavor="woff", hinting=False, layout_features=[], name_IDs=[], notdef_outline=False, glyph_names=False, legacy_kern=False,
-                             drop_tables=["GSUB", "GPOS", "GDEF", "kern", "DSIG", "FFTM", "MATH", "vhea", "vmtx", "gasp", "BASE", "STAT"])
+    options = subset.Options(
+        flavor="woff",
+        hinting=False,
+        layout_features=[],
+        name_IDs=[],
+        notdef_outline=False,
+        glyph_names=False,
+        legacy_kern=False,
+        drop_tables=["GSUB", "GPOS", "GDEF", "kern", "DSIG", "FFTM", "MATH", "vhea", "vmtx", "gasp", "BASE", "STAT"],
+    )
     font = TTFont(path(face), lazy=True, recalcTimestamp=False)
     tool = subset.Subsetter(options)
     tool.populate(text=chars)

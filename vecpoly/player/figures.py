@@ -1,4 +1,5 @@
-"""The figures of the construction for the page: of each, one group of lines for every step and layer, in both languages at once."""
+"""The figures of the construction for the page: of each, one group of lines for every step and layer, in both languages
+at once."""
 
 from __future__ import annotations
 
@@ -9,8 +10,8 @@ from typing import Any
 
 from ..board.construction import Construction, Figure
 from ..drawing.figure import caption_items, drawing
-from ..drawing.paging import reading_order
 from ..drawing.scene import Item, Rect, Scene
+from ..drawing.sheets.paging import reading_order
 from ..words import Lang, Words
 from .ink import UNIT, Ink
 
@@ -20,7 +21,8 @@ MARGIN = 2.0  # mm round each figure
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A figure on the page: its key, title, box in units (x, y, width, height), markup, and the steps that draw in it."""
+    """A figure on the page: its key, title, box in units (x, y, width, height), markup, and the steps that draw in
+    it."""
 
     key: str
     title: Words
@@ -44,7 +46,10 @@ def _shown(figure: Figure, ink: Ink) -> Shown:
     scenes = {lang: drawing(figure, lang=lang).scene for lang in LANGS}
     items = {lang: tuple(one if one.step else replace(one, step=first) for one in scenes[lang].items) for lang in LANGS}
     both = set(items["zh"]) & set(items["en"])
-    parts = [("", [one for one in items["zh"] if one in both]), *((lang, [one for one in items[lang] if one not in both]) for lang in LANGS)]
+    parts = [
+        ("", [one for one in items["zh"] if one in both]),
+        *((lang, [one for one in items[lang] if one not in both]) for lang in LANGS),
+    ]
     extents = scenes["zh"].extents | scenes["en"].extents
     steps = tuple(sorted({one.step for one in (*items["zh"], *items["en"])}))
     return Shown(key_of(figure), figure.title, box(extents.grown(MARGIN)), "".join(_groups(parts, ink)), steps)
@@ -56,8 +61,12 @@ def box(rect: Rect) -> tuple[int, int, int, int]:
 
 
 def _groups(parts: Sequence[tuple[str, list[Any]]], ink: Ink) -> Iterable[str]:
-    """Layer by layer, and in each step by step; what differs between the languages stands in a group of its language."""
-    tagged = sorted(((item.layer, item.step, n, lang, item) for n, (lang, items) in enumerate(parts) for item in items), key=lambda t: t[:3])
+    """Layer by layer, and in each step by step; what differs between the languages stands in a group of its
+    language."""
+    tagged = sorted(
+        ((item.layer, item.step, n, lang, item) for n, (lang, items) in enumerate(parts) for item in items),
+        key=lambda t: t[:3],
+    )
     for (layer, step), inside in groupby(tagged, key=lambda t: (t[0], t[1])):
         body = ""
         for lang, ones in groupby(inside, key=lambda t: t[3]):
@@ -67,11 +76,14 @@ def _groups(parts: Sequence[tuple[str, list[Any]]], ink: Ink) -> Iterable[str]:
 
 
 def caption(figure: Figure, ink: Ink, over: Rect, size: float) -> tuple[str, Rect]:
-    """Title and scale in both languages under a figure of these extents, in letters so much larger; and the extents with them."""
+    """Title and scale in both languages under a figure of these extents, in letters so much larger; and the extents
+    with them."""
     body, low, middle = "", over.y0, over.centre.real
     for lang in LANGS:
         items: tuple[Item, ...] = caption_items(figure, over, lang)
         body += f'<g class="{lang}">{ink.svg(items[:1])}<g class="mu">{ink.svg(items[1:])}</g></g>'
         low = min(low, over.y0 - size * (over.y0 - Scene.of(items).extents.y0))
     shift = f"{round(UNIT * (1 - size) * middle)} {round(-UNIT * (1 - size) * over.y0)}"
-    return f'<g transform="matrix({size:.3g} 0 0 {size:.3g} {shift})">{body}</g>', over | Rect(over.x0, low, over.x1, over.y1)
+    return f'<g transform="matrix({size:.3g} 0 0 {size:.3g} {shift})">{body}</g>', over | Rect(
+        over.x0, low, over.x1, over.y1
+    )

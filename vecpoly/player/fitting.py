@@ -1,4 +1,5 @@
-"""Scales all through the cycle: one for all places if their polygons can share it; where a polygon would outgrow its pane, a coarser one."""
+"""Scales all through the cycle: one for all places if their polygons can share it; where a polygon would outgrow its
+pane, a coarser one."""
 
 from __future__ import annotations
 
@@ -7,8 +8,8 @@ from functools import reduce
 from math import inf
 
 from ..board.construction import Construction, View
-from ..board.extent import bounds
-from ..board.scales import SERIES, round_up
+from ..board.paper.extent import bounds
+from ..board.paper.scales import SERIES, round_up
 from ..drawing.scene import Rect
 from ..figures import views
 from ..figures.mu import LENGTH
@@ -25,7 +26,8 @@ Panes = Mapping[str, Rect]
 
 
 def fitted(places: Sequence[Construction], start: int) -> list[Scales]:
-    """For each place the scales with which its polygons fit panes that do not change; all are drawn at the scales of the place `start`."""
+    """For each place the scales with which its polygons fit panes that do not change; all are drawn at the scales of
+    the place `start`."""
     if not places:
         return []
     scales = [scales_of(places[start])] * len(places)
@@ -43,11 +45,19 @@ def coarsened(boxes: Sequence[Panes], own: Panes, given: float) -> list[float]:
     side = max([SIDE, *(AMPLE * max(box.width, box.height) for box in own.values())])
     order = sorted(range(len(boxes)), key=lambda i: _reach(boxes[i]))
     many = order[: max(1, round(MOST * len(order)))]
-    base = next(value for value in _coarser(given, SERIES) if _fits(_hull([_shrunk(boxes[i], given / value) for i in many]), side))
+    base = next(
+        value
+        for value in _coarser(given, SERIES)
+        if _fits(_hull([_shrunk(boxes[i], given / value) for i in many]), side)
+    )
     panes = _hull([_shrunk(boxes[i], given / base) for i in many])
     values = [base] * len(boxes)
     for i in order[len(many) :]:
-        values[i] = next(value for value in (base, *_coarser(base, COARSE)) if _fits(_hull([panes, _shrunk(boxes[i], given / value)]), side))
+        values[i] = next(
+            value
+            for value in (base, *_coarser(base, COARSE))
+            if _fits(_hull([panes, _shrunk(boxes[i], given / value)]), side)
+        )
         panes = _hull([panes, _shrunk(boxes[i], given / values[i])])
     return values
 
@@ -56,7 +66,15 @@ def _coarser(given: float, steps: Sequence[float]) -> list[float]:
     """The given scale and the round ones beyond it, up to a million times as coarse."""
     first = round_up(given)
     power = 10.0 ** int(f"{first:e}".split("e")[1])
-    return [given, *(float(f"{step * power * 10.0**k:.6g}") for k in range(7) for step in steps[:-1] if step * power * 10.0**k > given * (1 + 1e-9))]
+    return [
+        given,
+        *(
+            float(f"{step * power * 10.0**k:.6g}")
+            for k in range(7)
+            for step in steps[:-1]
+            if step * power * 10.0**k > given * (1 + 1e-9)
+        ),
+    ]
 
 
 def _boxes(construction: Construction, view: View) -> dict[str, Rect]:
@@ -75,7 +93,10 @@ def _shrunk(boxes: Panes, by: float) -> dict[str, Rect]:
 
 def _hull(many: Sequence[Panes]) -> dict[str, Rect]:
     """Per polygon the box round all its boxes."""
-    return {name: reduce(Rect.__or__, (boxes[name] for boxes in many if name in boxes)) for name in {name for boxes in many for name in boxes}}
+    return {
+        name: reduce(Rect.__or__, (boxes[name] for boxes in many if name in boxes))
+        for name in {name for boxes in many for name in boxes}
+    }
 
 
 def _fits(panes: Panes, side: float) -> bool:

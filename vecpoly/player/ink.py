@@ -1,4 +1,5 @@
-"""Items of a scene as small SVG in whole units of 0.01 mm, y downwards; looks and set type are written once and referred to."""
+"""Items of a scene as small SVG in whole units of 0.01 mm, y downwards; looks and set type are written once and
+referred to."""
 
 from __future__ import annotations
 
@@ -9,10 +10,10 @@ from functools import cache
 from itertools import pairwise
 from typing import assert_never
 
-from ..data import data_dir
 from ..drawing.scene import Fill, Item, Stroke, TextBox
 from ..drawing.style import Hue
 from ..figures.kind import hues
+from ..foundation.data import data_dir
 from ..typeset import Box
 from .type import Faces, set_box
 
@@ -69,7 +70,9 @@ class Ink:
     def css(self) -> str:
         """The rules of all looks: as drawn, and strengthened where they belong to the newest step."""
         rules = [f".{name}{{{_rule(look)}}}" for look, name in self.looks.items()]
-        rules += [f".now .{name}{{stroke-width:{_bold(look[1])}}}" for look, name in self.looks.items() if look[0] == "s"]
+        rules += [
+            f".now .{name}{{stroke-width:{_bold(look[1])}}}" for look, name in self.looks.items() if look[0] == "s"
+        ]
         own = {f"--{_variable(hue.name)}:": hue.hex for hue in hues()}
         rules += [f":root{{{name}{ink}}}" for name, ink in own.items() if name not in _styled()]
         used = {hue for _, _, _, hue in self.looks} | {hue.name for hue in hues()}
@@ -133,7 +136,11 @@ def _arc(points: tuple[complex, ...], closed: bool) -> str | None:
     if centre is None:
         return None
     radius, turns = abs(a - centre), [cmath.phase((q - centre) / (p - centre)) for p, q in pairwise(points)]
-    if any(abs(abs(z - centre) - radius) > ROUND * radius for z in points) or any(abs(t - turns[0]) > 1e-6 for t in turns) or abs(turns[0]) > FINE:
+    if (
+        any(abs(abs(z - centre) - radius) > ROUND * radius for z in points)
+        or any(abs(t - turns[0]) > 1e-6 for t in turns)
+        or abs(turns[0]) > FINE
+    ):
         return None
     r, sweep = _whole(radius), sum(turns)
     if closed or abs(sweep) > 2 * math.pi - 1e-6:
@@ -141,7 +148,10 @@ def _arc(points: tuple[complex, ...], closed: bool) -> str | None:
         return f"M{_pair(x, y)}a{r} {r} 0 1 0 {-2 * r} 0a{r} {r} 0 1 0 {2 * r} 0z"
     end = points[-1]
     large, clockwise = int(abs(sweep) > math.pi), int(sweep < 0)
-    return f"M{_pair(_whole(a.real), _whole(-a.imag))}A{r} {r} 0 {large} {clockwise} {_pair(_whole(end.real), _whole(-end.imag))}"
+    return (
+        f"M{_pair(_whole(a.real), _whole(-a.imag))}A{r} {r} 0 {large} {clockwise} "
+        f"{_pair(_whole(end.real), _whole(-end.imag))}"
+    )
 
 
 def _centre(a: complex, b: complex, c: complex) -> complex | None:

@@ -1,4 +1,5 @@
-"""The finished figures all through the cycle, as small data: what stays is written once, what moves once for every place of the drive."""
+"""The finished figures all through the cycle, as small data: what stays is written once, what moves once for every
+place of the drive."""
 
 from __future__ import annotations
 
@@ -8,10 +9,10 @@ from functools import reduce
 from itertools import groupby
 
 from ..board.construction import Construction, Figure
-from ..board.marks import Cell, Note
-from ..drawing.following import Follower
-from ..drawing.paging import reading_order
+from ..board.paper.marks import Cell, Note
+from ..drawing.labels.following import Follower
 from ..drawing.scene import Item, Layer, Rect, Scene, TextBox
+from ..drawing.sheets.paging import reading_order
 from ..drawing.style import Hue
 from ..words import Lang
 from .figures import LANGS, MARGIN, box, caption, key_of
@@ -24,7 +25,8 @@ Data = dict[str, object]
 
 @dataclass(frozen=True, slots=True)
 class Frames:
-    """A figure at every place in one language: its items there, none where it is not drawn; and those that never change."""
+    """A figure at every place in one language: its items there, none where it is not drawn; and those that never
+    change."""
 
     items: tuple[tuple[Item, ...], ...]
     still: frozenset[Item]
@@ -32,7 +34,8 @@ class Frames:
 
 
 def moving(cycle: Cycle, given: Construction, ink: Ink) -> list[Data]:
-    """Per figure of the given drawing: its box, its captions, its standing lines, and its lines for every place, layer by layer."""
+    """Per figure of the given drawing: its box, its captions, its standing lines, and its lines for every place, layer
+    by layer."""
     by_key = [{key_of(f): f for f in turn.solution.construction.figures} for turn in cycle.turns]
     order = [figure for figure in reading_order(given.figures) if key_of(figure) in by_key[cycle.start]]
     places = [[found.get(key_of(figure)) for found in by_key] for figure in order]
@@ -47,18 +50,39 @@ def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: f
     seen = [Scene.of(items).extents for one in frames for items in one.items if items]
     room = pane(given, seen, places)
     which, captions, extents = _captions(figure, places, room, size, ink)
-    return {"key": key_of(figure), "box": box(extents.grown(MARGIN)), "clip": box(room.grown(MARGIN)), "captions": captions, "scale": which,
-            "size": round(size, 2), "cut": any((room | one) != room for one in seen),
-            "sets": [{"lang": one.lang or "", "still": _layers(tuple(i for i in one.items[start] if i in one.still), ink),
-                      "moving": [_layers(tuple(i for i in items if i not in one.still), ink) if items else None for items in one.items]} for one in frames]}
+    return {
+        "key": key_of(figure),
+        "box": box(extents.grown(MARGIN)),
+        "clip": box(room.grown(MARGIN)),
+        "captions": captions,
+        "scale": which,
+        "size": round(size, 2),
+        "cut": any((room | one) != room for one in seen),
+        "sets": [
+            {
+                "lang": one.lang or "",
+                "still": _layers(tuple(i for i in one.items[start] if i in one.still), ink),
+                "moving": [
+                    _layers(tuple(i for i in items if i not in one.still), ink) if items else None
+                    for items in one.items
+                ],
+            }
+            for one in frames
+        ],
+    }
 
 
-def _captions(figure: Figure, places: Sequence[Figure | None], room: Rect, size: float, ink: Ink) -> tuple[list[int], list[Data], Rect]:
-    """Which caption belongs to each place; the captions, one for each scale, and whether it is another than the given one; the extents with them."""
+def _captions(
+    figure: Figure, places: Sequence[Figure | None], room: Rect, size: float, ink: Ink
+) -> tuple[list[int], list[Data], Rect]:
+    """Which caption belongs to each place; the captions, one for each scale, and whether it is another than the given
+    one; the extents with them."""
     scales = [figure.scale if one is None else one.scale for one in places]
     kinds = list(dict.fromkeys(scales))
     drawn = [caption(replace(figure, scale=scale), ink, room, size) for scale in kinds]
-    captions: list[Data] = [{"svg": svg, "other": scale != figure.scale} for scale, (svg, _) in zip(kinds, drawn, strict=True)]
+    captions: list[Data] = [
+        {"svg": svg, "other": scale != figure.scale} for scale, (svg, _) in zip(kinds, drawn, strict=True)
+    ]
     return [kinds.index(scale) for scale in scales], captions, reduce(Rect.__or__, (extents for _, extents in drawn))
 
 
@@ -81,7 +105,10 @@ def _stepless(follower: Follower, figure: Figure | None) -> tuple[Item, ...]:
 def _layers(items: tuple[Item, ...], ink: Ink) -> Mapping[int, str]:
     """Layer → its lines: ``s3:M..|f4:M..|t12:1234 -567``, look and path, or piece of type and place."""
     ordered = sorted(items, key=lambda item: item.layer)
-    return {int(layer): "|".join(_merged(tuple(inside), ink)) for layer, inside in groupby(ordered, key=lambda item: item.layer)}
+    return {
+        int(layer): "|".join(_merged(tuple(inside), ink))
+        for layer, inside in groupby(ordered, key=lambda item: item.layer)
+    }
 
 
 def _merged(items: tuple[Item, ...], ink: Ink) -> list[str]:

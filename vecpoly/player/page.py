@@ -6,8 +6,8 @@ import json
 import re
 from typing import Any, NamedTuple
 
-from ..arguments import known_language, of_kind
-from ..data import data_dir
+from ..foundation.arguments import known_language, of_kind
+from ..foundation.data import data_dir
 from ..report.content import statement
 from ..report.templates import filled
 from ..solution import Solution
@@ -30,7 +30,8 @@ _HEADINGS = re.compile(r"<(h1|h2|button|summary|thead|output)\b.*?</\1>", re.S) 
 
 
 class Page(NamedTuple):
-    """One HTML document, and the warning in it: what of the steps or of any place of the drive must not be taken for right."""
+    """One HTML document, and the warning in it: what of the steps or of any place of the drive must not be taken for
+    right."""
 
     html: str
     warning: Words | None
@@ -53,15 +54,25 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
     turning = len(through.turns) > 1
     warning = _warning(solution, through)
     context: dict[str, Any] = {
-        "lang": lang, "title": _title(solution), "warning": html(warning, ink.faces) if warning else None, "problem": _problem(solution, ink),
-        "sections": sections(solution.construction.steps, ink.faces), "count": len(solution.construction.steps),
-        "figures": _stacked(shown_figures(solution.construction, ink)), "turning": turning,
+        "lang": lang,
+        "title": _title(solution),
+        "warning": html(warning, ink.faces) if warning else None,
+        "problem": _problem(solution, ink),
+        "sections": sections(solution.construction.steps, ink.faces),
+        "count": len(solution.construction.steps),
+        "figures": _stacked(shown_figures(solution.construction, ink)),
+        "turning": turning,
         "slides": turning and solution.problem.mechanism.drive.slide,
-        "names": names(solution, ink.faces) if turning else (), "drive": _drive(solution, ink) if turning else "",
+        "names": names(solution, ink.faces) if turning else (),
+        "drive": _drive(solution, ink) if turning else "",
         "motion": _motion(through, solution, ink) if turning else "",
     }
     page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
-    return Page(page, warning) if len(page.encode()) <= LIMIT or not turning else player(solution, lang=lang, places=places // 2, seed=seed)
+    return (
+        Page(page, warning)
+        if len(page.encode()) <= LIMIT or not turning
+        else player(solution, lang=lang, places=places // 2, seed=seed)
+    )
 
 
 def _rendered(context: dict[str, Any], ink: Ink) -> str:
@@ -75,8 +86,16 @@ def _rendered(context: dict[str, Any], ink: Ink) -> str:
 
 def _motion(through: Cycle, solution: Solution, ink: Ink) -> str:
     """Figures and readings at all places, as data for the script."""
-    return _json({"shown": [turn.shown for turn in through.turns], "start": through.start, "all": through.whole, "round": through.round,
-                  "readings": readings(through.turns, ink.faces), "figures": moving(through, solution.construction, ink)})
+    return _json(
+        {
+            "shown": [turn.shown for turn in through.turns],
+            "start": through.start,
+            "all": through.whole,
+            "round": through.round,
+            "readings": readings(through.turns, ink.faces),
+            "figures": moving(through, solution.construction, ink),
+        }
+    )
 
 
 def _title(solution: Solution) -> Words:
@@ -87,8 +106,17 @@ def _title(solution: Solution) -> Words:
 def _problem(solution: Solution, ink: Ink) -> list[tuple[Words, Words]]:
     """Statement, what is given, what is asked, the scales: each with its heading."""
     said = {lang: statement(solution, lang) for lang in LANGS}
-    heads = {"statement": Words("", ""), "given": Words("已知：", "Given: "), "asked": Words("求：", "Find: "), "scales": Words("比例尺：", "Scales: ")}
-    return [(head, html(Words(said["zh"][key], said["en"][key]), ink.faces)) for key, head in heads.items() if said["zh"][key]]
+    heads = {
+        "statement": Words("", ""),
+        "given": Words("已知：", "Given: "),
+        "asked": Words("求：", "Find: "),
+        "scales": Words("比例尺：", "Scales: "),
+    }
+    return [
+        (head, html(Words(said["zh"][key], said["en"][key]), ink.faces))
+        for key, head in heads.items()
+        if said["zh"][key]
+    ]
 
 
 def _warning(solution: Solution, through: Cycle) -> Words | None:

@@ -1,4 +1,5 @@
-"""How large the pane of each figure is: its polygons and its links are seen at every place; far points of a construction may remain outside."""
+"""How large the pane of each figure is: its polygons and its links are seen at every place; far points of a
+construction may remain outside."""
 
 from __future__ import annotations
 
@@ -9,8 +10,8 @@ from math import sqrt
 import numpy as np
 
 from ..board.construction import Figure, View
-from ..board.extent import bounds
-from ..board.marks import (
+from ..board.paper.extent import bounds
+from ..board.paper.marks import (
     Block,
     FrictionCircle,
     GearMark,
@@ -44,7 +45,10 @@ def pane(given: Rect, seen: Sequence[Rect], figures: Places) -> Rect:
         return _within(whole, given.grown(2 * SIDE))
     links = reduce(Rect.__or__, (_box(figure, links=True) for figure in drawn), given).grown(BESIDE)
     sides = zip(("x0", "y0", "x1", "y1"), (OFTEN, OFTEN, 100 - OFTEN, 100 - OFTEN), strict=True)
-    often = _within(Rect(*(float(np.percentile([getattr(one, side) for one in seen], share)) for side, share in sides)), given.grown(FAR * size))
+    often = _within(
+        Rect(*(float(np.percentile([getattr(one, side) for one in seen], share)) for side, share in sides)),
+        given.grown(FAR * size),
+    )
     return _within(whole, often | given | (links if _within(links, given.grown(AWAY * size)) == links else given))
 
 
@@ -61,7 +65,11 @@ def magnified(places: Sequence[Places], start: int) -> float:
 
 def _box(figure: Figure, links: bool = False) -> Rect:
     """What a figure's points take (mm); or its links' alone, if it has any."""
-    bodies = [mark for mark in figure.marks if isinstance(mark, BODIES) or (isinstance(mark, Segment) and mark.role is Role.LINK)]
+    bodies = [
+        mark
+        for mark in figure.marks
+        if isinstance(mark, BODIES) or (isinstance(mark, Segment) and mark.role is Role.LINK)
+    ]
     low, high = bounds(bodies if links and bodies else figure.marks)
     return Rect(low.real, low.imag, high.real, high.imag)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..quantity import number
+from ..algebra.quantity import number
 from ..report.tables import way
 from ..report.values import called, printed_unit, value
 from ..solution import YES_NO, Answer, Solution
@@ -19,7 +19,10 @@ Cells = tuple[str, str, str, str, str]  # value zh, value en, direction zh, dire
 
 def names(solution: Solution, faces: Faces) -> tuple[tuple[str, Words], ...]:
     """Key and symbol of each quantity asked."""
-    return tuple((key, html(Words(*(called(a.reading.symbol, key, lang) for lang in LANGS)), faces)) for key, a in solution.answers.items())
+    return tuple(
+        (key, html(Words(*(called(a.reading.symbol, key, lang) for lang in LANGS)), faces))
+        for key, a in solution.answers.items()
+    )
 
 
 def readings(turns: Sequence[Turned], faces: Faces) -> list[list[Cells]]:
@@ -33,7 +36,9 @@ def _cells(answer: Answer, solution: Solution, faces: Faces) -> Cells:
     ways = html(Words(*(way(answer, solution.problem, lang) for lang in LANGS)), faces)
     unit = answer.reading.unit
     shown = html(Words(*(value(_clean(answer.drawn), unit, lang, answer.key) for lang in LANGS)), faces)
-    exact = value(answer.exact, YES_NO, "en") if unit == YES_NO else number(_clean(printed_unit(unit)[0] * answer.exact), 5)
+    exact = (
+        value(answer.exact, YES_NO, "en") if unit == YES_NO else number(_clean(printed_unit(unit)[0] * answer.exact), 5)
+    )
     return shown.zh, shown.en, ways.zh, ways.en, words_html(exact, faces)
 
 
@@ -42,7 +47,10 @@ def _place(answer: Answer, faces: Faces) -> Cells:
     if answer.drawn_vector is None or answer.exact_vector is None:
         drawn, exact = (f"{turn:.1f}°".replace("-", "−") for turn in (answer.drawn, answer.exact))
         return "∞", "∞", drawn, drawn, exact
-    drawn, exact = (words_html(f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})", faces) for v in (answer.drawn_vector, answer.exact_vector))
+    drawn, exact = (
+        words_html(f"({number(1e3 * v.real)}, {number(1e3 * v.imag)})", faces)
+        for v in (answer.drawn_vector, answer.exact_vector)
+    )
     return f"{drawn} mm", f"{drawn} mm", "—", "—", exact
 
 

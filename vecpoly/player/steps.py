@@ -1,4 +1,5 @@
-"""The steps in words: each sentence with its equation and formulas as HTML, in both languages, and as it is read aloud."""
+"""The steps in words: each sentence with its equation and formulas as HTML, in both languages, and as it is read
+aloud."""
 
 from __future__ import annotations
 
@@ -6,8 +7,8 @@ from dataclasses import dataclass
 from html import escape
 from itertools import groupby
 
+from ..algebra.formula import Node, Vec, plain, row, sym
 from ..board.construction import EquationTable, Step
-from ..formula import Node, Vec, plain, row, sym
 from ..typeset import layout, layout_words
 from ..words import Lang, Words
 from .type import Faces, formula_html, spoken, symbol_html, words_html
@@ -38,7 +39,10 @@ class Section:
 
 def sections(steps: tuple[Step, ...], faces: Faces) -> tuple[Section, ...]:
     """All steps under their headings."""
-    return tuple(Section(html(title, faces), tuple(_told(step, faces) for step in inside)) for title, inside in groupby(steps, key=lambda s: s.section))
+    return tuple(
+        Section(html(title, faces), tuple(_told(step, faces) for step in inside))
+        for title, inside in groupby(steps, key=lambda s: s.section)
+    )
 
 
 def html(words: Words, faces: Faces) -> Words:
@@ -47,8 +51,16 @@ def html(words: Words, faces: Faces) -> Words:
 
 
 def _told(step: Step, faces: Faces) -> Told:
-    table = None if step.equation is None else Words(_table(step.equation, "zh", faces), _table(step.equation, "en", faces))
-    return Told(step.number, html(step.words, faces), table, tuple(formula_html(node, faces) for node in step.formulas), said(step))
+    table = (
+        None if step.equation is None else Words(_table(step.equation, "zh", faces), _table(step.equation, "en", faces))
+    )
+    return Told(
+        step.number,
+        html(step.words, faces),
+        table,
+        tuple(formula_html(node, faces) for node in step.formulas),
+        said(step),
+    )
 
 
 def said(step: Step) -> Words:
@@ -73,7 +85,8 @@ def vector(symbol: str) -> Node:
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One term of an equation: the sign before it, symbol, direction and magnitude as HTML, and how wide it will be (em)."""
+    """One term of an equation: the sign before it, symbol, direction and magnitude as HTML, and how wide it will be
+    (em)."""
 
     sign: str
     cells: tuple[str, str, str]
@@ -103,6 +116,12 @@ def _term(symbol: str, sign: str, direction: str, magnitude: str, faces: Faces) 
 def _group(terms: list[Term], lang: Lang) -> str:
     """Three rows of some of the terms."""
     heads = ("<td></td>", *(f'<th scope="row">{caption.of(lang)}</th>' for caption in CAPTIONS))
-    rows = (head + "".join((f'<td class="sign">{"" if i else term.sign}</td>' if term.sign else "") + f"<td>{term.cells[i]}</td>" for term in terms)
-            for i, head in enumerate(heads))
+    rows = (
+        head
+        + "".join(
+            (f'<td class="sign">{"" if i else term.sign}</td>' if term.sign else "") + f"<td>{term.cells[i]}</td>"
+            for term in terms
+        )
+        for i, head in enumerate(heads)
+    )
     return f'<table class="equation">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'

@@ -1,4 +1,5 @@
-"""The same problem with its drive at other places, all through the cycle: it stays assembled as it was, and keeps its scales where they will do."""
+"""The same problem with its drive at other places, all through the cycle: it stays assembled as it was, and keeps its
+scales where they will do."""
 
 from __future__ import annotations
 
@@ -35,7 +36,8 @@ class Turned:
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """The places that can be drawn, in the sense in which the drive moves; which is the given one; whether none is missing; whether it goes round."""
+    """The places that can be drawn, in the sense in which the drive moves; which is the given one; whether none is
+    missing; whether it goes round."""
 
     turns: tuple[Turned, ...]
     start: int = 0
@@ -61,16 +63,22 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
             continue  # a dead point, or a load that cannot act as it is said to there: no drawing of this place
     order, _ = (sorted(sketches), False) if mech.drive.slide else in_order(sorted(sketches), count)
     fits = fitted([sketches[number].construction for number in order], _given(order, places, mech.drive.position))
-    found = {number: Turned(_shown(problem, float(places[number]) - mech.drive.position), drawn)
-             for number, scales in zip(order, fits, strict=True) if (drawn := _drawn(sketches[number], scales, hand, seed)) is not None}
+    found = {
+        number: Turned(_shown(problem, float(places[number]) - mech.drive.position), drawn)
+        for number, scales in zip(order, fits, strict=True)
+        if (drawn := _drawn(sketches[number], scales, hand, seed)) is not None
+    }
     order, goes_round = (sorted(found), False) if mech.drive.slide else in_order(sorted(found), count)
     own = _given(order, places, mech.drive.position)
-    return Cycle(tuple(found[number] for number in order), own, len(order) == count and not mech.drive.slide, goes_round)
+    return Cycle(
+        tuple(found[number] for number in order), own, len(order) == count and not mech.drive.slide, goes_round
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class _Sketched:
-    """The problem with the drive at another place, drawn once by an exact hand: its polygons tell the scales, its readings are the ideal ones."""
+    """The problem with the drive at another place, drawn once by an exact hand: its polygons tell the scales, its
+    readings are the ideal ones."""
 
     problem: Problem
     desk: Desk
@@ -78,10 +86,13 @@ class _Sketched:
 
 
 def _drawn(sketch: _Sketched, scales: Scales, hand: str, seed: int) -> Solution | None:
-    """The place drawn at these scales; at its own where what is small there is too small to be drawn so: it leaves its pane."""
+    """The place drawn at these scales; at its own where what is small there is too small to be drawn so: it leaves its
+    pane."""
     for tried in (scales, sketch.problem.scales):
         try:
-            return solve(replace(sketch.problem, scales=tried), by=hand, seed=seed, repeats=0, precise=False, sketch=sketch.desk)
+            return solve(
+                replace(sketch.problem, scales=tried), by=hand, seed=seed, repeats=0, precise=False, sketch=sketch.desk
+            )
         except VecpolyError:
             continue
     return None
@@ -92,7 +103,9 @@ def in_order(numbers: list[int], count: int) -> tuple[list[int], bool]:
 
     One that cannot begins after its widest gap, so that what hangs together is run through in one go.
     """
-    gaps = [(after - before) % count or count for before, after in zip([*numbers[-1:], *numbers], numbers, strict=False)]
+    gaps = [
+        (after - before) % count or count for before, after in zip([*numbers[-1:], *numbers], numbers, strict=False)
+    ]
     widest = max(gaps, default=count)
     if widest <= PASSED:
         return numbers, True
@@ -116,13 +129,18 @@ def _places(mech: Mechanism, count: int) -> Places:
     own = TRIALS // 2
     low = own - int(np.argmin(good[own::-1])) + 1 if not good[: own + 1].all() else 0
     high = own + int(np.argmin(good[own:])) - 1 if not good[own:].all() else TRIALS - 1
-    return np.sort(np.append(np.linspace(tried[low], tried[high], count - 1), drive.position))[:: 1 if sense > 0 else -1]
+    return np.sort(np.append(np.linspace(tried[low], tried[high], count - 1), drive.position))[
+        :: 1 if sense > 0 else -1
+    ]
 
 
 def _along(mech: Mechanism, places: Places) -> Places:
     """A number for each place where everything can be assembled, NaN elsewhere."""
     motion = oracle.solve(mech, places, order=0, strict=False)
-    return np.asarray(sum(np.real(motion.origin(link.name)) + np.real(motion.angle(link.name)) for link in mech.links), dtype=np.float64)
+    return np.asarray(
+        sum(np.real(motion.origin(link.name)) + np.real(motion.angle(link.name)) for link in mech.links),
+        dtype=np.float64,
+    )
 
 
 def _shown(problem: Problem, by: float) -> str:

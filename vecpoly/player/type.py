@@ -1,4 +1,5 @@
-"""Set type and words for the page: glyph runs as SVG, sentences as HTML, and the characters that each face must bring along."""
+"""Set type and words for the page: glyph runs as SVG, sentences as HTML, and the characters that each face must bring
+along."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import assert_never
 
-from ..formula import Node, Sym, Txt, plain, row, split_words
+from ..algebra.formula import Node, Sym, Txt, plain, row, split_words
 from ..typeset import Box, Glyphs, Rule, layout
 from ..typeset.box import MM
 from ..typeset.fonts import MISSING, Face, glyph, missing_text
@@ -55,8 +56,10 @@ def set_box(box: Box, faces: Faces, units: float) -> str:
 def _element(item: Glyphs | Rule, faces: Faces, units: float) -> str:
     match item:
         case Rule(x, y, width, height):
-            return (f'<rect x="{round(units * x)}" y="{round(-units * (y + height))}" width="{max(1, round(units * width))}" '
-                    f'height="{max(1, round(units * height))}"/>')
+            return (
+                f'<rect x="{round(units * x)}" y="{round(-units * (y + height))}" '
+                f'width="{max(1, round(units * width))}" height="{max(1, round(units * height))}"/>'
+            )
         case Glyphs(font, size, x, y, text):
             face, shown = (Face.STIX, "".join(map(missing_text, text))) if font == MISSING else (Face(font), text)
             faces.need(face, shown)
@@ -74,26 +77,39 @@ def formula_html(node: Node, faces: Faces) -> str:
 
 def symbol_html(node: Node, faces: Faces) -> str:
     """A symbol in a table, with its arrow if it has one."""
-    return f'<span class="formula" role="img" aria-label="{escape(spoken(plain(node)))}">{_svg(layout(node, EM), faces)}</span>'
+    return (
+        '<span class="formula" role="img" '
+        f'aria-label="{escape(spoken(plain(node)))}">{_svg(layout(node, EM), faces)}</span>'
+    )
 
 
 def _svg(box: Box, faces: Faces) -> str:
     units = 1000 / EM
     pad = 0.04 * EM  # slanted letters lean out of their widths
-    view = f"{round(-units * pad)} {round(-units * (box.ascent + pad))} {round(units * (box.width + 2 * pad))} {round(units * (box.height + 2 * pad))}"
+    view = (
+        f"{round(-units * pad)} {round(-units * (box.ascent + pad))} {round(units * (box.width + 2 * pad))} "
+        f"{round(units * (box.height + 2 * pad))}"
+    )
     size = f"height:{(box.height + 2 * pad) / EM:.3f}em;width:{(box.width + 2 * pad) / EM:.3f}em;vertical-align:{-(box.descent + pad) / EM:.3f}em"
     return f'<svg aria-hidden="true" viewBox="{view}" style="{size}">{set_box(box, faces, units)}</svg>'
 
 
 def words_html(text: str, faces: Faces) -> str:
     """A sentence with its symbols between dollar signs, as HTML."""
-    return "".join(f'<span class="m">{"".join(_inline(item, faces) for item in row(piece).items)}</span>' if formula else _running(piece, faces)
-                   for formula, piece in split_words(text))
+    return "".join(
+        f'<span class="m">{"".join(_inline(item, faces) for item in row(piece).items)}</span>'
+        if formula
+        else _running(piece, faces)
+        for formula, piece in split_words(text)
+    )
 
 
 def _running(text: str, faces: Faces) -> str:
     faces.take(text)
-    pieces = [f"<sup>{piece.translate(SHOWN)}</sup>" if i % 2 else escape(piece) for i, piece in enumerate(_RAISED.split(text))]
+    pieces = [
+        f"<sup>{piece.translate(SHOWN)}</sup>" if i % 2 else escape(piece)
+        for i, piece in enumerate(_RAISED.split(text))
+    ]
     return "".join(pieces)
 
 
@@ -101,7 +117,10 @@ def _inline(node: Node, faces: Faces) -> str:
     match node:
         case Sym(base, sub, sup):
             if sup and not sup.strip("′'"):
-                return f'<span class="nb">{_sloped(base, faces)}<span class="prime">{_sloped(sup, faces)}</span>{f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""}</span>'
+                return (
+                    f'<span class="nb">{_sloped(base, faces)}<span '
+                    f'class="prime">{_sloped(sup, faces)}</span>{f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""}</span>'
+                )
             below = f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""
             above = f"<sup>{_sloped(sup, faces)}</sup>" if sup else ""
             scripts = f'<span class="ss">{above}{below}</span>' if above and below else above + below
@@ -117,7 +136,10 @@ def _sloped(text: str, faces: Faces) -> str:
     faces.letters(shown)
     faces.take(shown)
     pieces = re.findall(rf"[^\W\d_{_UPRIGHT}]+|.", shown)
-    return "".join(f"<i>{escape(p)}</i>" if p[0].isalpha() and ord(p[0]) < 0x400 and p[0] not in _UPRIGHT else escape(p) for p in pieces)
+    return "".join(
+        f"<i>{escape(p)}</i>" if p[0].isalpha() and ord(p[0]) < 0x400 and p[0] not in _UPRIGHT else escape(p)
+        for p in pieces
+    )
 
 
 def spoken(text: str) -> str:

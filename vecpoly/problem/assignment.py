@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..arguments import of_kind
 from ..errors import FaultError, ProblemFileError, UnknownNameError
-from ..frozen import FrozenMap
+from ..foundation.arguments import of_kind
+from ..foundation.frozen import FrozenMap
 from ..words import Words
 from .build import build
-from .faults import Faults, meant
 from .load import opened
 from .problem import Problem
 from .reach import Reach, Resolver
-from .schema import AssignmentSpec
-from .source import Tree, decoded, overlay, parse, read
-from .validate import validate
+from .schema.faults import Faults, meant
+from .schema.models import AssignmentSpec
+from .schema.validate import validate
+from .text.source import Tree, decoded, overlay, parse, read
 
 FIELDS = {
     "course": "课程",
@@ -79,24 +79,34 @@ def _block(written: Mapping[str, str], faults: Faults) -> dict[str, str]:
     for key, value in written.items():
         with faults.at("title_block", key):
             if key not in names:
-                raise FaultError(Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names), code="unknown-key")
+                raise FaultError(
+                    Words(f"标题栏没有“{key}”一项", f"unknown field '{key}'") + meant(key, names), code="unknown-key"
+                )
             if block[names[key]]:
-                raise FaultError(Words(f"'{key}' 与 '{FIELDS[names[key]]}' 是同一栏，且已填 '{block[names[key]]}'；请删去其一",
-                                       f"'{key}' and '{names[key]}' are one field, which holds '{block[names[key]]}' already; leave out one of them"), code="contradiction")
+                raise FaultError(
+                    Words(
+                        f"'{key}' 与 '{FIELDS[names[key]]}' 是同一栏，且已填 '{block[names[key]]}'；请删去其一",
+                        f"'{key}' and '{names[key]}' are one field, which holds "
+                        f"'{block[names[key]]}' already; leave out one of them",
+                    ),
+                    code="contradiction",
+                )
             block[names[key]] = value or ""
     return block
 
 
-def _problem(
-    item: str | dict[str, Any], index: int, tree: Tree, path: Path, faults: Faults
-) -> Problem | None:
+def _problem(item: str | dict[str, Any], index: int, tree: Tree, path: Path, faults: Faults) -> Problem | None:
     with faults.at("problems", index):
         over = part(tree, ("problems", index)) if isinstance(item, dict) else None
         name = item if isinstance(item, str) else item.get("problem")
         if not isinstance(name, str):
-            raise FaultError(Words(
-                "请写出题号，如 {problem: 3-9, input: {omega: 10 rad/s ccw}}",
-                "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}"), code="missing")
+            raise FaultError(
+                Words(
+                    "请写出题号，如 {problem: 3-9, input: {omega: 10 rad/s ccw}}",
+                    "name the problem, e.g. {problem: 3-9, input: {omega: 10 rad/s ccw}}",
+                ),
+                code="missing",
+            )
         try:
             base, file = opened(name, path.parent, tree.reach)
         except (ProblemFileError, UnknownNameError) as error:
@@ -105,7 +115,13 @@ def _problem(
             return build(base, file)
         over.data.pop("problem")
         if "extends" in over.data:
-            raise FaultError(Words(f"此项已由 problem: {name} 指明题目，不能再写 extends；请删去", f"problem: {name} says already on what this builds; leave out extends"), "extends")
+            raise FaultError(
+                Words(
+                    f"此项已由 problem: {name} 指明题目，不能再写 extends；请删去",
+                    f"problem: {name} says already on what this builds; leave out extends",
+                ),
+                "extends",
+            )
         return build(overlay(base, over), file)
     return None
 
@@ -131,8 +147,13 @@ def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:
     for i, problem in enumerate(problems):
         with faults.at("problems", i):
             if problem.id in seen:
-                raise FaultError(Words(
-                    f"id“{problem.id}”已用于 problems[{seen[problem.id]}]；请另取一个，如 id: {problem.id}-b",
-                    f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one another, e.g. id: {problem.id}-b"), code="contradiction")
+                raise FaultError(
+                    Words(
+                        f"id“{problem.id}”已用于 problems[{seen[problem.id]}]；请另取一个，如 id: {problem.id}-b",
+                        f"id '{problem.id}' is already that of problems[{seen[problem.id]}]; give this one "
+                        f"another, e.g. id: {problem.id}-b",
+                    ),
+                    code="contradiction",
+                )
             seen[problem.id] = i
     faults.settle()

@@ -7,42 +7,42 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..errors import FaultError, VecpolyError
-from ..mechanism import mobility
-from ..mechanism.centre_quantities import centre_quantities
+from ..mechanism.asked.centres import centre_quantities
+from ..mechanism.asked.forces import quantities
+from ..mechanism.groups import mobility
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism
-from ..mechanism.quantities import quantities
 from ..mechanism.seats import seated
 from ..names import At, Named, is_centre
-from ..units import Dim, read
+from ..units.reading import Dim, read
 from ..words import Words
-from .asks import Ask, AskNamed
-from .bodies import Bodies
-from .branches import read_branches
-from .contacts import is_contact, read_contact
+from .asked.asks import Ask, AskNamed
+from .asked.tables import read_tables
+from .asked.unasked import default_asks
+from .asked.wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
 from .devices import about_device, build_device
-from .draft import LETTER, refuse_frame
-from .faults import Faults, Place, meant
-from .friction import read_friction
-from .joints import read_joint, revolutes
-from .links import read_link
-from .loads import acts, data_of_loads, read_loads
-from .masses import read_masses
-from .motion import numbered, read_input
-from .pins import read_pins
+from .joints.branches import read_branches
+from .joints.contacts import is_contact, read_contact
+from .joints.joints import read_joint, revolutes
+from .joints.motion import numbered, read_input
+from .joints.pins import read_pins
+from .joints.rolling import is_rolling, read_rolling
+from .links.bodies import Bodies
+from .links.draft import LETTER, refuse_frame
+from .links.links import read_link
+from .links.masses import read_masses
+from .links.rollers import weld_rollers
+from .links.standing import check_starts, geared
+from .links.starts import say_travels
+from .loads.friction import read_friction
+from .loads.loads import acts, data_of_loads, read_loads
 from .problem import Datum, Given, Printed, Problem, Scales
-from .rollers import weld_rollers
-from .rolling import is_rolling, read_rolling
-from .schema import FindSpec, ProblemSpec
-from .source import Tree
-from .standing import check_starts, geared
-from .starts import say_travels
-from .tables import read_tables
-from .unasked import default_asks
-from .validate import validate
-from .wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
-from .warnings import warnings_of
-from .written import written_of
+from .schema.faults import Faults, Place, meant
+from .schema.models import FindSpec, ProblemSpec
+from .schema.validate import validate
+from .schema.warnings import warnings_of
+from .text.source import Tree
+from .values.written import written_of
 
 ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
@@ -115,13 +115,18 @@ def _points(
     for letter, pair in data.items():
         with faults.at(key, letter):
             if not re.fullmatch(LETTER, letter):
-                raise FaultError(Words(
-                    f"“{letter}”不是点的字母；应写 A 之类的大写字母",
-                    f"'{letter}' is no letter of a point, such as A"), code="spelling")
+                raise FaultError(
+                    Words(
+                        f"“{letter}”不是点的字母；应写 A 之类的大写字母",
+                        f"'{letter}' is no letter of a point, such as A",
+                    ),
+                    code="spelling",
+                )
             if known and letter not in known:
-                raise FaultError(Words(
-                    f"点“{letter}”不存在",
-                    f"point '{letter}' does not exist") + meant(letter, known), code="unknown-name")
+                raise FaultError(
+                    Words(f"点“{letter}”不存在", f"point '{letter}' does not exist") + meant(letter, known),
+                    code="unknown-name",
+                )
             points[letter] = complex(read(pair[0], Dim.LENGTH).si, read(pair[1], Dim.LENGTH).si)
     return points
 
@@ -131,15 +136,23 @@ def _bodies(spec: ProblemSpec, faults: Faults) -> Bodies:
     for name, data in spec.links.items():
         with faults.at("links", name):
             if not re.fullmatch(r"[1-9]\d*[a-z']?", name):
-                raise FaultError(Words(
-                    f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
-                    f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)"), code="spelling")
+                raise FaultError(
+                    Words(
+                        f"“{name}”不是构件号；构件编号为 1、2、3 ……（机架不写）",
+                        f"'{name}' is no link number; links are numbered 1, 2, 3 ... (the frame has no entry)",
+                    ),
+                    code="spelling",
+                )
             bodies.drafts[name] = read_link(name, data)
             refuse_frame(bodies.drafts[name], bodies.frame)
     for name, draft in bodies.drafts.items():
         with faults.at("links", name):
             if unknown := sorted(draft.towards - set(bodies.letters())):
-                raise FaultError(Words(f"点“{unknown[0]}”不存在", f"point '{unknown[0]}' does not exist") + meant(unknown[0], bodies.letters()), code="unknown-name")
+                raise FaultError(
+                    Words(f"点“{unknown[0]}”不存在", f"point '{unknown[0]}' does not exist")
+                    + meant(unknown[0], bodies.letters()),
+                    code="unknown-name",
+                )
     if not faults.found:
         weld_rollers(spec, bodies, faults)
     if faults.found:  # what follows would only repeat the same faults in other words
@@ -151,7 +164,11 @@ def _joints(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Joint, .
     written: list[Joint] = []
     for i, text in enumerate(spec.joints):
         with faults.at("joints", i):
-            written += read_contact(text, bodies) if is_contact(text) else (read_rolling(text, bodies) if is_rolling(text) else read_joint(text, bodies),)
+            written += (
+                read_contact(text, bodies)
+                if is_contact(text)
+                else (read_rolling(text, bodies) if is_rolling(text) else read_joint(text, bodies),)
+            )
     return (*revolutes(bodies), *written)
 
 
@@ -163,13 +180,23 @@ def _inputs(
     several = isinstance(spec.input, list)
     with faults.at("input"):
         if not spec.input:
-            raise FaultError(Words("没有给出原动件；请写如 input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}",
-                                   "no link is driven; write e.g. input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}"))
+            raise FaultError(
+                Words(
+                    "没有给出原动件；请写如 input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}",
+                    "no link is driven; write e.g. input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}",
+                )
+            )
     for i, item in enumerate(spec.input if isinstance(spec.input, list) else [spec.input]):
         with faults.at(*(("input", i) if several else ("input",))):
             drive, data = read_input(item, bodies, joints)
             if drive.link in [other.link for other in drives]:
-                raise FaultError(Words(f"构件 {drive.link} 已由另一项驱动；请删去其一", f"link {drive.link} is driven by another entry already; leave out one of them"), "link")
+                raise FaultError(
+                    Words(
+                        f"构件 {drive.link} 已由另一项驱动；请删去其一",
+                        f"link {drive.link} is driven by another entry already; leave out one of them",
+                    ),
+                    "link",
+                )
             drives.append(drive)
             motion.extend(data)
     return tuple(drives), tuple(motion)

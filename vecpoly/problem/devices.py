@@ -8,15 +8,15 @@ from ..devices.base import Device, kind_of, kinds
 from ..errors import FaultError, UnknownNameError
 from ..names import Named
 from ..words import Words
-from .asks import AskNamed
-from .faults import Faults, meant
+from .asked.asks import AskNamed
+from .asked.wanted import as_given, read_scales
 from .problem import Datum, Given, Printed, Problem, Scales
-from .schema import DeviceSpec, ProblemSpec
-from .source import Tree
-from .validate import validate
-from .wanted import as_given, read_scales
-from .warnings import warnings_of
-from .written import written_of
+from .schema.faults import Faults, meant
+from .schema.models import DeviceSpec, ProblemSpec
+from .schema.validate import validate
+from .schema.warnings import warnings_of
+from .text.source import Tree
+from .values.written import written_of
 
 
 def about_device(tree: Tree) -> bool:
@@ -24,9 +24,14 @@ def about_device(tree: Tree) -> bool:
     if "data" in tree.data and "device" not in tree.data:
         faults = Faults(tree.name, tree.places)
         with faults.at("data"):
-            raise FaultError(Words(
-                f"data 属于机械装置；请写出装置，如 device: {next(iter(kinds()))}（已有：{', '.join(kinds())}）",
-                f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: {', '.join(kinds())})"), code="spelling")
+            raise FaultError(
+                Words(
+                    f"data 属于机械装置；请写出装置，如 device: {next(iter(kinds()))}（已有：{', '.join(kinds())}）",
+                    f"'data' belongs to a device; write e.g. device: {next(iter(kinds()))} (known: "
+                    f"{', '.join(kinds())})",
+                ),
+                code="spelling",
+            )
         faults.settle()
     return "device" in tree.data
 
@@ -65,9 +70,12 @@ def _strange(tree: Tree, faults: Faults) -> None:
     for key in tree.data:
         if key in ProblemSpec.model_fields and key not in DeviceSpec.model_fields:
             with faults.at(key):
-                raise FaultError(Words(
-                    f"“{key}”属于机构；装置的已知量都写在 data 中",
-                    f"'{key}' belongs to a mechanism; all that is given of a device stands in 'data'"))
+                raise FaultError(
+                    Words(
+                        f"“{key}”属于机构；装置的已知量都写在 data 中",
+                        f"'{key}' belongs to a mechanism; all that is given of a device stands in 'data'",
+                    )
+                )
     faults.settle()
 
 
@@ -76,14 +84,17 @@ def _device(spec: DeviceSpec, faults: Faults) -> Device:
         try:
             kind = kind_of(spec.device)
         except UnknownNameError:
-            raise FaultError(Words(
-                f"没有装置“{spec.device}”",
-                f"there is no device '{spec.device}'") + meant(spec.device, kinds()), code="unknown-name") from None
+            raise FaultError(
+                Words(f"没有装置“{spec.device}”", f"there is no device '{spec.device}'") + meant(spec.device, kinds()),
+                code="unknown-name",
+            ) from None
     faults.settle()
     return validate(kind, spec.data, faults, "data")
 
 
-def _wanted(spec: DeviceSpec, named: dict[str, Named], faults: Faults) -> tuple[tuple[AskNamed, ...], tuple[Printed, ...], Scales]:
+def _wanted(
+    spec: DeviceSpec, named: dict[str, Named], faults: Faults
+) -> tuple[tuple[AskNamed, ...], tuple[Printed, ...], Scales]:
     asks, printed, scales = [], [], Scales()
     for i, key in enumerate(spec.find or named):
         with faults.at("find", i):
@@ -98,7 +109,7 @@ def _wanted(spec: DeviceSpec, named: dict[str, Named], faults: Faults) -> tuple[
 
 def _known(key: str, named: dict[str, Named]) -> Named:
     if key not in named:
-        raise FaultError(Words(
-            f"“{key}”不是此装置可求的量",
-            f"'{key}' is nothing that this device is asked for") + meant(key, named))
+        raise FaultError(
+            Words(f"“{key}”不是此装置可求的量", f"'{key}' is nothing that this device is asked for") + meant(key, named)
+        )
     return named[key]

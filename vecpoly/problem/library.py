@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..data import data_dir
 from ..errors import ProblemFileError
+from ..foundation.data import data_dir
 from ..words import Words
 
 _ID = re.compile(r"^id:\s*['\"]?([\w.\-]+)", re.M)
@@ -30,9 +30,12 @@ def library(folder: Path | None = None) -> tuple[Entry, ...]:
     for entry in found:
         first = by_id.setdefault(entry.id, entry)
         if first is not entry:
-            raise ProblemFileError(Words(
-                f"{entry.path} 第 1 行：id：“{entry.id}”也是 {first.path} 的 id；请更改其一",
-                f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them"))
+            raise ProblemFileError(
+                Words(
+                    f"{entry.path} 第 1 行：id：“{entry.id}”也是 {first.path} 的 id；请更改其一",
+                    f"{entry.path}, line 1: id: '{entry.id}' is also the id of {first.path}; change one of them",
+                )
+            )
     return tuple(found)
 
 
@@ -61,9 +64,7 @@ def family(name: str) -> tuple[str, ...]:
 
 def natural(text: str) -> tuple[tuple[int, str], ...]:
     """Sort key: 3-9 before 3-10."""
-    return tuple(
-        (int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", text) if part
-    )
+    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", text) if part)
 
 
 def _head(path: Path) -> Entry | None:

@@ -8,11 +8,11 @@ from ..errors import ProblemFileError, UnknownNameError
 from ..limits import EXTENDS
 from ..words import Words
 from .build import build
-from .faults import Place, meant
 from .library import entries, find
 from .problem import Problem
 from .reach import Reach, Resolver, refuse_foreign
-from .source import Tree, decoded, overlay, parse, read, read_text
+from .schema.faults import Place, meant
+from .text.source import Tree, decoded, overlay, parse, read, read_text
 
 Seen = tuple[Path | str, ...]  # files, and names that a resolver has
 
@@ -20,14 +20,21 @@ Seen = tuple[Path | str, ...]  # files, and names that a resolver has
 def load(where: str | Path, *, allow_outside: bool = False, resolver: Resolver | None = None) -> Problem:
     """The problem with this id ('3-9', 'ch3/3-9') or in this file.
 
-    allow_outside: whether the file may name others that are neither in its folder nor in the library. resolver: asked first for this
-    name and for all that the problem names (`extends`, `tables`): the text that stands under it, in an editor say; None: look for a file.
+    allow_outside: whether the file may name others that are neither in its folder nor in the library. resolver: asked
+    first for this
+    name and for all that the problem names (`extends`, `tables`): the text that stands under it, in an editor say;
+    None: look for a file.
     Raises ProblemFileError (file, line, YAML path, cause, remedy), UnknownNameError for an unknown id,
     MobilityError where inputs and degrees of freedom disagree.
     """
     if not isinstance(where, (str, Path)):
-        raise UnknownNameError(Words(f"题目须以题号或文件名给出，而不是 {type(where).__name__}",
-                                     f"a problem is named by its id or its file, not by {type(where).__name__}"), code="no name")
+        raise UnknownNameError(
+            Words(
+                f"题目须以题号或文件名给出，而不是 {type(where).__name__}",
+                f"a problem is named by its id or its file, not by {type(where).__name__}",
+            ),
+            code="no name",
+        )
     held = Reach(None, allow_outside, resolver)
     if (tree := held_tree(str(where), (), held)) is not None:
         return build(tree)
@@ -38,8 +45,13 @@ def load(where: str | Path, *, allow_outside: bool = False, resolver: Resolver |
 def loads(text: str, name: str = "<text>", *, resolver: Resolver | None = None) -> Problem:
     """The problem in this text, which may build on those of the library, and on what the resolver has (see `load`)."""
     if not isinstance(text, str):
-        raise ProblemFileError(Words(f"loads 需要题目文件的文本，而不是 {type(text).__name__}",
-                                     f"loads takes the text of a problem file, not {type(text).__name__}"), code="no text")
+        raise ProblemFileError(
+            Words(
+                f"loads 需要题目文件的文本，而不是 {type(text).__name__}",
+                f"loads takes the text of a problem file, not {type(text).__name__}",
+            ),
+            code="no text",
+        )
     return build(reaching(parse(text, name), (), Reach(resolver=resolver)))
 
 
@@ -76,21 +88,24 @@ def locate(where: str | Path, near: Path | None = None, reach: Reach | None = No
             if path.is_file():
                 return path
             if path.is_dir():
-                raise ProblemFileError(Words(
-                    f"{path}：是文件夹，不是题目文件",
-                    f"{path}: is a folder, not a problem file"))
+                raise ProblemFileError(
+                    Words(f"{path}：是文件夹，不是题目文件", f"{path}: is a folder, not a problem file")
+                )
     if text.endswith((".yaml", ".yml")):
         raise ProblemFileError(Words(f"{text}：没有此文件", f"{text}: no such file"))
     found = find(text)
     if found is None:
         if text and Path(text).is_dir():
-            raise ProblemFileError(Words(
-                f"{text}：是文件夹，不是题目文件",
-                f"{text}: is a folder, not a problem file"))
+            raise ProblemFileError(Words(f"{text}：是文件夹，不是题目文件", f"{text}: is a folder, not a problem file"))
         raise UnknownNameError(
-            Words(f"没有题目“{text}”", f"no problem '{text}'") + meant(text, (entry.id for entry in entries())) + Words(
-                "（用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾）", " ('vecpoly list' shows all, and a path must end in .yaml)"),
-            code="unknown-name")
+            Words(f"没有题目“{text}”", f"no problem '{text}'")
+            + meant(text, (entry.id for entry in entries()))
+            + Words(
+                "（用 vecpoly list 可列出全部题目，文件名须以 .yaml 结尾）",
+                " ('vecpoly list' shows all, and a path must end in .yaml)",
+            ),
+            code="unknown-name",
+        )
     return found
 
 
@@ -111,7 +126,9 @@ def _extended(tree: Tree, path: Path | None, seen: Seen, reach: Reach) -> Tree:
         no_name = Words("此处应写题号或题目文件的路径", "the id or path of a problem is expected here")
         raise ProblemFileError(no_name, code="spelling").at(place, "extends")
     if len(seen) > EXTENDS:
-        raise ProblemFileError(Words(f"已有 {EXTENDS} 层，过深", f"more than {EXTENDS} files upon each other"), code="too deep").at(place, "extends")
+        raise ProblemFileError(
+            Words(f"已有 {EXTENDS} 层，过深", f"more than {EXTENDS} files upon each other"), code="too deep"
+        ).at(place, "extends")
     return overlay(_below(base, path, seen, reach, place), tree)
 
 

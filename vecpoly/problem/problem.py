@@ -8,17 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from ..figures import Mu
-from ..frozen import FrozenMap
+from ..foundation.frozen import FrozenMap
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
 from ..words import Words
-from .asks import Ask
-from .current import current
-from .given import Datum, Given, Shape, as_printed
-from .held import Held
+from .asked.asks import Ask
 from .subject import Subject
-from .written import Written
+from .text.held import Held
+from .values.current import current
+from .values.given import Datum, Given, Shape, as_printed
+from .values.written import Written
 
 if TYPE_CHECKING:
     from ..devices.base import Device  # not at once: pydantic, which checks its data, is slow to load
@@ -90,7 +90,11 @@ class Problem:
     @property
     def files(self) -> tuple[Path, ...]:
         """All files that the problem was read from, and its printed tables."""
-        return (*((self.path,) if self.path else ()), *self.read, *(table for table in self.tables if isinstance(table, Path)))
+        return (
+            *((self.path,) if self.path else ()),
+            *self.read,
+            *(table for table in self.tables if isinstance(table, Path)),
+        )
 
     def __post_init__(self) -> None:
         if isinstance(self.subject, Mechanism):

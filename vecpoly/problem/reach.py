@@ -1,4 +1,5 @@
-"""Which files a problem file may name: those in its own folder and below it, and the library; others only where the user says so."""
+"""Which files a problem file may name: those in its own folder and below it, and the library; others only where the
+user says so."""
 
 from __future__ import annotations
 
@@ -7,32 +8,41 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..data import data_dir
 from ..errors import ProblemFileError
+from ..foundation.data import data_dir
 from ..words import Words
 
 _PROBLEM = re.compile(r"""^[\s{"']*(?:id|title|extends|device|problems|frame|links|find)["']?\s*[:：]""", re.M)
 
 
-Resolver = Callable[[str], "str | bytes | None"]  # a name as written in a problem -> what stands there; None: look for a file
+Resolver = Callable[
+    [str], "str | bytes | None"
+]  # a name as written in a problem -> what stands there; None: look for a file
 
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """The folder of the file that the user named (None: a text, which has none), or anywhere; and who knows files that are in memory."""
+    """The folder of the file that the user named (None: a text, which has none), or anywhere; and who knows files that
+    are in memory."""
 
     folder: Path | None = None
     anywhere: bool = False
     resolver: Resolver | None = None
 
     def held(self, name: str) -> bytes | None:
-        """What the resolver has under this name; raises ProblemFileError for what is neither text nor bytes, or too large."""
+        """What the resolver has under this name; raises ProblemFileError for what is neither text nor bytes, or too
+        large."""
         found = None if self.resolver is None else self.resolver(name)
         if found is None or isinstance(found, bytes):
             return found
         if not isinstance(found, str):
-            raise ProblemFileError(Words(f"resolver 对“{name}”应给出文本或 None，而不是 {type(found).__name__}",
-                                         f"the resolver must give a text or None for '{name}', not {type(found).__name__}"), code="no text")
+            raise ProblemFileError(
+                Words(
+                    f"resolver 对“{name}”应给出文本或 None，而不是 {type(found).__name__}",
+                    f"the resolver must give a text or None for '{name}', not {type(found).__name__}",
+                ),
+                code="no text",
+            )
         return found.encode(errors="surrogatepass")
 
     def allows(self, path: Path) -> bool:
@@ -43,10 +53,18 @@ class Reach:
     def refuse_outside(self, path: Path) -> None:
         """Raise ProblemFileError for a file that may not be read, whether it exists or not."""
         if not self.allows(path):
-            where = Words(f"题目文件所在的文件夹 {self.folder}", f"the problem file's folder {self.folder}") if self.folder else Words("题库", "the library")
+            where = (
+                Words(f"题目文件所在的文件夹 {self.folder}", f"the problem file's folder {self.folder}")
+                if self.folder
+                else Words("题库", "the library")
+            )
             raise ProblemFileError(
-                Words(f"{path} 在{where.zh}之外，不予读取；请把文件放到该文件夹内，或加 --allow-outside",
-                      f"{path} lies outside {where.en} and is not read; move it there, or give --allow-outside"), code="outside")
+                Words(
+                    f"{path} 在{where.zh}之外，不予读取；请把文件放到该文件夹内，或加 --allow-outside",
+                    f"{path} lies outside {where.en} and is not read; move it there, or give --allow-outside",
+                ),
+                code="outside",
+            )
 
 
 def refuse_foreign(text: str, path: Path) -> None:

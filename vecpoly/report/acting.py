@@ -1,4 +1,5 @@
-"""What acts on a mechanism, drawn on its sketch: forces and moments as arrows, friction circles; nothing that has to be found."""
+"""What acts on a mechanism, drawn on its sketch: forces and moments as arrows, friction circles; nothing that has to be
+found."""
 
 from __future__ import annotations
 
@@ -6,10 +7,10 @@ import cmath
 from math import pi
 
 from ..board.construction import Figure
-from ..board.marks import Block, Disc, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
+from ..board.paper.marks import Block, Disc, FrictionCircle, Mark, Point, Role, Segment, TurnArrow, Vector
+from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force, Load, Loads, Moment
 from ..mechanism.model import Mechanism
-from ..mechanism.quantities import load_named
 
 ARROW = 16.0  # mm, length of a force
 TURN_RADIUS = 7.0  # mm, of a moment's arrow
@@ -21,8 +22,11 @@ LEAST = 2.2  # mm, the smallest friction circle that can be seen about a pin
 def acting(mech: Mechanism, loads: Loads, figure: Figure) -> tuple[Mark, ...]:
     """Marks of the loads and of the friction circles for the mechanism as drawn."""
     spots = {m.label: m.at for m in figure.marks if isinstance(m, Point)}
-    circles = tuple(FrictionCircle(centre=spots[pin], radius=max(rho / figure.scale.value, LEAST), step=1)
-                    for pin, rho in loads.friction.pins.items() if rho and pin in spots)
+    circles = tuple(
+        FrictionCircle(centre=spots[pin], radius=max(rho / figure.scale.value, LEAST), step=1)
+        for pin, rho in loads.friction.pins.items()
+        if rho and pin in spots
+    )
     arrows = tuple(mark for load in loads.all if (mark := _arrow(mech, load, spots, figure)) is not None)
     return circles + arrows
 
@@ -73,7 +77,8 @@ def _gap(p: complex, a: complex, b: complex) -> float:
 
 
 def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure) -> TurnArrow | None:
-    """About the link's fixed pivot, or its first lettered point; opposite the driving arrow where both turn about one pivot."""
+    """About the link's fixed pivot, or its first lettered point; opposite the driving arrow where both turn about one
+    pivot."""
     letters = [p for p in mech.link(load.link).points if p in spots]
     centre = next((p for p in letters if p in mech.frame), letters[0] if letters else None)
     if load.size is None or centre is None:
@@ -81,4 +86,6 @@ def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: st
     at = spots[centre]
     driving = next((m for m in figure.marks if isinstance(m, TurnArrow) and abs(m.at - at) < 1e-6), None)
     start = pi / 4 if driving is None else driving.start + pi
-    return TurnArrow(at=at, radius=TURN_RADIUS if driving is None else BESIDE, start=start, ccw=load.size > 0, label=symbol, step=1)
+    return TurnArrow(
+        at=at, radius=TURN_RADIUS if driving is None else BESIDE, start=start, ccw=load.size > 0, label=symbol, step=1
+    )

@@ -1,4 +1,5 @@
-"""What a template may say of one problem: plain words, and names of the objects (tables, equations, drawings) to be set."""
+"""What a template may say of one problem: plain words, and names of the objects (tables, equations, drawings) to be
+set."""
 
 from __future__ import annotations
 
@@ -7,13 +8,13 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
 
+from ..algebra.quantity import number
 from ..board.construction import EquationTable, Step
 from ..check.structure import dependence
-from ..mechanism.centre_quantities import count
+from ..mechanism.asked.centres import count
 from ..mechanism.model import Mechanism
 from ..names import is_centre, is_place
-from ..problem.asks import AskCoriolis, AskNamed, AskPoint
-from ..quantity import number
+from ..problem.asked.asks import AskCoriolis, AskNamed, AskPoint
 from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .formulas import beside
@@ -45,41 +46,68 @@ def statement(solution: Solution, lang: Lang) -> dict[str, str]:
     if isinstance(problem.subject, Mechanism):
         given.insert(0, pivots(problem.subject).of(lang))
     return {
-        "id": problem.id, "label": label(problem.id).of(lang), "title": problem.title.of(lang), "source": problem.source.of(lang) if problem.source else "",
-        "statement": problem.statement.of(lang), "given": comma.join(given),
-        "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)), "structure": structure(problem).of(lang),
-        "numbering": numbering(problem).of(lang), "scales": scales(solution, lang),
+        "id": problem.id,
+        "label": label(problem.id).of(lang),
+        "title": problem.title.of(lang),
+        "source": problem.source.of(lang) if problem.source else "",
+        "statement": problem.statement.of(lang),
+        "given": comma.join(given),
+        "asked": ("、" if lang == "zh" else ", ").join(asked(solution, lang)),
+        "structure": structure(problem).of(lang),
+        "numbering": numbering(problem).of(lang),
+        "scales": scales(solution, lang),
     }
 
 
 def pivots(mech: Mechanism) -> Words:
     """Where the fixed points are, in mm: a student cannot draw without them."""
     places = [f"${name}$({number(1e3 * at.real, 6)}, {number(1e3 * at.imag, 6)})" for name, at in mech.frame.items()]
-    return Words(f"固定点坐标 {'、'.join(places)} mm", f"fixed point{'s' if len(places) > 1 else ''} {', '.join(places)} mm")
+    return Words(
+        f"固定点坐标 {'、'.join(places)} mm", f"fixed point{'s' if len(places) > 1 else ''} {', '.join(places)} mm"
+    )
 
 
 def conclusions(solution: Solution, lang: Lang) -> list[str]:
     """One sentence for each question that is not answered by a number alone."""
-    coriolis = [_coriolis(solution.answers[ask.rel.key]).of(lang) for ask in solution.problem.asks if isinstance(ask, AskCoriolis)]
-    remarks = (solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed))
+    coriolis = [
+        _coriolis(solution.answers[ask.rel.key]).of(lang)
+        for ask in solution.problem.asks
+        if isinstance(ask, AskCoriolis)
+    ]
+    remarks = (
+        solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed)
+    )
     return list(dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None]))
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:
-    """What is hardly meant; counts in which no hand can err, and which still are not what the oracle says, and why, as far as the oracle knows."""
+    """What is hardly meant; counts in which no hand can err, and which still are not what the oracle says, and why, as
+    far as the oracle knows."""
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
-    wrong = [answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed]
+    wrong = [
+        answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed
+    ]
     why = dependence(solution.problem.subject) if wrong else None
     few = fewer_digits(solution)
-    return [words.of(lang) for words in (*solution.warnings, few, _disagreed(wrong) if wrong else None, why) if words is not None]
+    return [
+        words.of(lang)
+        for words in (*solution.warnings, few, _disagreed(wrong) if wrong else None, why)
+        if words is not None
+    ]
 
 
 def _disagreed(wrong: list[Answer]) -> Words:
     """Counts in which no hand can err, and what the oracle says."""
-    ours, its = (", ".join(f"${answer.reading.symbol}$ = {number(value)}" for answer, value in zip(wrong, values, strict=True))
-                 for values in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong]))
-    return Words(f"注意：按计数 {ours.replace(', ', '，')}；按独立求得的结果（约束方程的秩）{its.replace(', ', '，')}，二者不符，以后者为准。",
-                 f"Beware: the count gives {ours}, the independent result (rank of the constraints) {its}. They disagree; the latter holds.")
+    ours, its = (
+        ", ".join(f"${answer.reading.symbol}$ = {number(value)}" for answer, value in zip(wrong, values, strict=True))
+        for values in ([answer.drawn for answer in wrong], [answer.exact for answer in wrong])
+    )
+    return Words(
+        f"注意：按计数 {ours.replace(', ', '，')}；按独立求得的结果（约束方程的秩）{its.replace(', ', '，')}，"
+        "二者不符，以后者为准。",
+        f"Beware: the count gives {ours}, the independent result (rank of the constraints) {its}. "
+        "They disagree; the latter holds.",
+    )
 
 
 def _told(remark: Words) -> Words:
@@ -93,8 +121,10 @@ def _coriolis(answer: Answer) -> Words:
         why = answer.reading.remark or Words("相对速度或角速度为零", "ω or the relative velocity is zero")
         return Words(f"结论：{why.zh}，{symbol} = 0。", f"Answer: {why.en}, so {symbol} = 0.")
     size, way = number(answer.drawn), number(answer.direction)
-    return Words(f"结论：存在哥氏加速度，{symbol} = {size} m/s^2，方向与 $x$ 轴成 {way}°。",
-                 f"Answer: a Coriolis term exists, {symbol} = {size} m/s^2 at {way}° to the $x$ axis.")
+    return Words(
+        f"结论：存在哥氏加速度，{symbol} = {size} m/s^2，方向与 $x$ 轴成 {way}°。",
+        f"Answer: a Coriolis term exists, {symbol} = {size} m/s^2 at {way}° to the $x$ axis.",
+    )
 
 
 def asked(solution: Solution, lang: Lang) -> Iterator[str]:
@@ -112,7 +142,9 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
         if isinstance(ask, AskPoint):
             yield _point_asked(ask, symbol).of(lang)
         elif isinstance(ask, AskCoriolis):
-            yield Words(f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points").of(lang)
+            yield Words(
+                f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points"
+            ).of(lang)
         elif is_place(ask.rel):
             of = symbol.replace("^{∞}", "")
             yield Words(f"{of} 的位置", f"the position of {of}").of(lang)
@@ -128,7 +160,10 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
 def _point_asked(ask: AskPoint, symbol: str) -> Words:
     if ask.slowest is not None:
         line = "".join(ask.slowest)
-        return Words(f"构件 {ask.link} 的 ${line}$ 线上速度最小的点 {symbol}", f"the slowest point {symbol} of link {ask.link} on the line ${line}$")
+        return Words(
+            f"构件 {ask.link} 的 ${line}$ 线上速度最小的点 {symbol}",
+            f"the slowest point {symbol} of link {ask.link} on the line ${line}$",
+        )
     if ask.velocity == 0:
         return Words(f"构件 {ask.link} 的绝对瞬心 {symbol}", f"the instant centre {symbol} of link {ask.link}")
     if ask.acceleration == 0:
@@ -138,7 +173,10 @@ def _point_asked(ask: AskPoint, symbol: str) -> Words:
     assert value is not None
     pair = f"({number(value.real)}, {number(value.imag)})"
     unit = "m/s" if ask.velocity is not None else "m/s^2"
-    return Words(f"构件 {ask.link} 上{kind.zh}为 {pair} {unit} 的点 {symbol}", f"the point {symbol} of link {ask.link} with {kind.en} {pair} {unit}")
+    return Words(
+        f"构件 {ask.link} 上{kind.zh}为 {pair} {unit} 的点 {symbol}",
+        f"the point {symbol} of link {ask.link} with {kind.en} {pair} {unit}",
+    )
 
 
 def scales(solution: Solution, lang: Lang) -> str:
@@ -159,7 +197,8 @@ def sections(solution: Solution, lang: Lang, objects: Objects) -> list[dict[str,
 
 def _step(step: Step, lang: Lang, objects: Objects) -> dict[str, Any]:
     return {
-        "n": step.number, "words": step.words.of(lang),
+        "n": step.number,
+        "words": step.words.of(lang),
         "equation": objects.add("eq", step.equation) if step.equation else "",
         "formulas": [objects.add("f", node) for node in beside(step.formulas, _MOST, _SHORT)],
     }
@@ -173,4 +212,6 @@ def blank_equations(solution: Solution, objects: Objects) -> list[str]:
 
 def _emptied(table: EquationTable) -> EquationTable:
     blank = tuple(Words.same("____") for _ in table.symbols)
-    return EquationTable(symbols=table.symbols, signs=table.signs, directions=blank, magnitudes=tuple("____" for _ in table.symbols))
+    return EquationTable(
+        symbols=table.symbols, signs=table.signs, directions=blank, magnitudes=tuple("____" for _ in table.symbols)
+    )

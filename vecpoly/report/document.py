@@ -1,4 +1,5 @@
-"""A report from solutions: Jinja2 fills a template of our small XML, which is set with drawn figures, tables and formulas."""
+"""A report from solutions: Jinja2 fills a template of our small XML, which is set with drawn figures, tables and
+formulas."""
 
 from __future__ import annotations
 
@@ -8,14 +9,14 @@ from typing import Any
 
 from jinja2 import TemplateNotFound
 
-from ..arguments import known_language, of_kind
-from ..check.printed import check_problem
-from ..data import data_dir
+from ..check.printed.answers import check_problem
+from ..drawing.backends.pdf import draw_pdf
 from ..drawing.figure import draw_figure
-from ..drawing.pdf import draw_pdf
-from ..drawing.sheet import Sheet, sheets
+from ..drawing.sheets.sheet import Sheet, sheets
 from ..errors import ArgumentError, NotAskedError, UnknownNameError
-from ..files import write_whole
+from ..foundation.arguments import known_language, of_kind
+from ..foundation.data import data_dir
+from ..foundation.files import write_whole
 from ..solution import REPEATS, Solution
 from ..typeset.box import MM
 from ..words import Lang, Words, label
@@ -42,8 +43,14 @@ PICTURE = (125.0, 62.0)  # mm: room for the mechanism beside the statement
 
 
 def write_report(
-    solutions: Sequence[Solution], path: str | Path, *, lang: Lang = "zh", style: str = "solution",
-    fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+    solutions: Sequence[Solution],
+    path: str | Path,
+    *,
+    lang: Lang = "zh",
+    style: str = "solution",
+    fields: Mapping[str, str] | None = None,
+    title: Words | None = None,
+    templates: Path | None = None,
 ) -> Path:
     """Write one PDF of these solutions; the file appears whole or not at all.
 
@@ -51,51 +58,82 @@ def write_report(
     Raises UnknownNameError for a style without a template.
     """
     of_kind(path, (str, Path), Words("文件名", "the name of a file"))
-    return write_whole(Path(path), report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates))
+    return write_whole(
+        Path(path), report_bytes(solutions, lang=lang, style=style, fields=fields, title=title, templates=templates)
+    )
 
 
 def report_bytes(
-    solutions: Sequence[Solution], *, lang: Lang = "zh", style: str = "solution",
-    fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+    solutions: Sequence[Solution],
+    *,
+    lang: Lang = "zh",
+    style: str = "solution",
+    fields: Mapping[str, str] | None = None,
+    title: Words | None = None,
+    templates: Path | None = None,
 ) -> bytes:
     """The PDF that `write_report` writes."""
     known_language(lang)
-    solutions = [of_kind(one, Solution, _SOLVED) for one in of_kind(solutions, Sequence, Words("若干解答的列表", "a list of solutions"))]
+    solutions = [
+        of_kind(one, Solution, _SOLVED)
+        for one in of_kind(solutions, Sequence, Words("若干解答的列表", "a list of solutions"))
+    ]
     if not solutions:
-        raise ArgumentError(Words("没有可写的解答：列表是空的", "there is nothing to report: the list of solutions is empty"), code="empty")
+        raise ArgumentError(
+            Words("没有可写的解答：列表是空的", "there is nothing to report: the list of solutions is empty"),
+            code="empty",
+        )
     document, objects = markup(solutions, lang, style, fields or {}, title, templates)
     head = (title or _title(solutions)).of(lang)
     story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
-    meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
+    meta = Metadata(
+        title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
+    )
     return ReportDoc(story, meta).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
     """The red boxes that open a report in which an answer is suspect, whatever its template says."""
     said = [(one.problem.id, one.construction.warning) for one in solutions]
-    return [Callout(Words(f"题 {name}：{text.zh}", f"Problem {name}: {text.en}").of(lang), "fail", lang) for name, text in said if text is not None]
+    return [
+        Callout(Words(f"题 {name}：{text.zh}", f"Problem {name}: {text.en}").of(lang), "fail", lang)
+        for name, text in said
+        if text is not None
+    ]
 
 
 def markup(
-    solutions: Sequence[Solution], lang: Lang, style: str, fields: Mapping[str, str], title: Words | None, templates: Path | None
+    solutions: Sequence[Solution],
+    lang: Lang,
+    style: str,
+    fields: Mapping[str, str],
+    title: Words | None,
+    templates: Path | None,
 ) -> tuple[str, Objects]:
     """The filled template, and the things it names."""
     if style == "course" and len(solutions) != 1:
-        raise NotAskedError(Words(
-            f"一份课程报告只写一道题，这里给了 {len(solutions)} 道；请只给一道，或输出到文件夹",
-            f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder"))
+        raise NotAskedError(
+            Words(
+                f"一份课程报告只写一道题，这里给了 {len(solutions)} 道；请只给一道，或输出到文件夹",
+                f"a course report is about one problem, and {len(solutions)} are given; name one, or write to a folder",
+            )
+        )
     objects = Objects()
     context = {
-        "title": (title or subject(solutions)).of(lang), "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
+        "title": (title or subject(solutions)).of(lang),
+        "fields": [(label, fields.get(label, "")) for label in FIELDS[lang]],
         "problems": [_problem(s, lang, style, objects) for s in solutions],
     }
     try:
         folders = (*((Path(templates),) if templates else ()), data_dir("templates"))
         return filled(f"{style}.{lang}.xml.j2", folders, context), objects
     except TemplateNotFound:
-        raise UnknownNameError(Words(
-            f"没有报告样式“{style}”；已有：{', '.join(STYLES)}",
-            f"no report style '{style}': there are {', '.join(STYLES)}")) from None
+        raise UnknownNameError(
+            Words(
+                f"没有报告样式“{style}”；已有：{', '.join(STYLES)}",
+                f"no report style '{style}': there are {', '.join(STYLES)}",
+            )
+        ) from None
 
 
 def _title(solutions: Sequence[Solution]) -> Words:
@@ -113,23 +151,51 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
 
         return course(solution, lang, objects)
     drawn = picture(solution.problem, solution.construction, *PICTURE)
-    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else ""}
+    common = {
+        **statement(solution, lang),
+        "repeats": REPEATS,
+        "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else "",
+    }
     if style == "question":
         blank = frames(solution.construction)
         return common | {
-            "blanks": blank_equations(solution, objects), "empty": objects.add("tab", empty_table(solution, lang)),
-            "frames": [objects.add("sheet", _page(s, solution, lang)) for s in sheets(blank, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
+            "blanks": blank_equations(solution, objects),
+            "empty": objects.add("tab", empty_table(solution, lang)),
+            "frames": [
+                objects.add("sheet", _page(s, solution, lang))
+                for s in sheets(blank, lang=lang, title=solution.problem.title, way=solution.problem.orientation)
+            ],
         }
-    checked, lines, blocks = check_problem(solution.problem), lines_table(solution, lang), diagram(solution.construction)
+    checked, lines, blocks = (
+        check_problem(solution.problem),
+        lines_table(solution, lang),
+        diagram(solution.construction),
+    )
     return common | {
         "lines": objects.add("tab", lines) if lines else "",
-        "tables": printed_tables(solution.problem, lang, lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang))),
-        "sections": sections(solution, lang, objects), "table": objects.add("tab", readings_table(solution, lang)),
-        "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
+        "tables": printed_tables(
+            solution.problem,
+            lang,
+            lambda _, header, rows, align: objects.add("tab", DataTable(header, rows, None, align, lang=lang)),
+        ),
+        "sections": sections(solution, lang, objects),
+        "table": objects.add("tab", readings_table(solution, lang)),
+        "graphical": any(
+            c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers
+        ),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
-        "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang), "cautions": cautions(solution, lang),
+        "verdicts": verdicts(solution, checked, lang),
+        "conclusions": conclusions(solution, lang),
+        "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
-        "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
+        "sheets": []
+        if blocks
+        else [
+            objects.add("sheet", _page(s, solution, lang))
+            for s in sheets(
+                solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation
+            )
+        ],
     }
 
 
@@ -137,9 +203,17 @@ def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
     alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)
-    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), alt, figure.title.of(lang))
+    return Drawing(
+        e.width,
+        e.height,
+        lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
+        alt,
+        figure.title.of(lang),
+    )
 
 
 def _page(sheet: Sheet, solution: Solution, lang: Lang) -> SheetPage:
     name = Words(f"图纸：题 {solution.problem.id}", f"Sheet: problem {solution.problem.id}").of(lang)
-    return SheetPage(lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name)
+    return SheetPage(
+        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
-from ..formula import Node, Row, Txt
+from ..algebra.formula import Node, Row, Txt
 from ..typeset import layout
 from .flow.style import BODY
 
@@ -24,4 +24,9 @@ def beside(nodes: Sequence[Node], most: int, short: float = inf) -> list[Node]:
         else:
             rows.append([node])
             used = wide if wide <= short else inf
-    return [row[0] if len(row) == 1 else Row(tuple(n for i, one in enumerate(row) for n in ((Txt(_GAP), one) if i else (one,)))) for row in rows]
+    return [
+        row[0]
+        if len(row) == 1
+        else Row(tuple(n for i, one in enumerate(row) for n in ((Txt(_GAP), one) if i else (one,))))
+        for row in rows
+    ]

@@ -1,15 +1,16 @@
-"""The table of lines of action: for each reaction a point of its line, and on which side it touches the friction circle."""
+"""The table of lines of action: for each reaction a point of its line, and on which side it touches the friction
+circle."""
 
 from __future__ import annotations
 
 from math import degrees
 
+from ..algebra.quantity import number
 from ..board.construction import LineOfAction
 from ..check.truths.mechanism import pin_of
+from ..mechanism.asked.forces import pairs, press_named
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
-from ..mechanism.quantities import pairs, press_named
-from ..quantity import number
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
@@ -27,7 +28,11 @@ _SENSE = {"ccw": Words("逆时针", "ccw"), "cw": Words("顺时针", "cw")}
 
 def lines_table(solution: Solution, lang: Lang) -> DataTable | None:
     """One line a reaction whose line of action was drawn; none where there is no such reaction."""
-    acting = [(answer, acts) for answer in solution.answers.values() if (acts := answer.reading.acts) is not None and (answer.drawn or acts.couple)]
+    acting = [
+        (answer, acts)
+        for answer in solution.answers.values()
+        if (acts := answer.reading.acts) is not None and (answer.drawn or acts.couple)
+    ]
     if not acting:
         return None
     rows = [_row(answer, acts, lies(solution, answer.key, acts), lang) for answer, acts in acting]
@@ -43,11 +48,18 @@ def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[st
 
 
 def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
-    """On which side the line touches a friction circle, that it passes through a pin, or how it leans from the normal of a slide."""
+    """On which side the line touches a friction circle, that it passes through a pin, or how it leans from the normal
+    of a slide."""
     if acts.told is not None:
         return acts.told
     if acts.couple is not None:
-        return Words(f"在无穷远处：力偶 {number(abs(acts.couple))} N·m", f"at infinity: a couple of {number(abs(acts.couple))} N·m") + _WAY[acts.couple > 0]
+        return (
+            Words(
+                f"在无穷远处：力偶 {number(abs(acts.couple))} N·m",
+                f"at infinity: a couple of {number(abs(acts.couple))} N·m",
+            )
+            + _WAY[acts.couple > 0]
+        )
     mech, loads = solution.problem.subject, solution.problem.loads
     links = _links(mech, key) if isinstance(mech, Mechanism) else None
     if not isinstance(mech, Mechanism) or links is None:
@@ -55,13 +67,20 @@ def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
     pin = pin_of(mech, *links)
     if acts.tangent:
         return _tangent(acts, pin)
-    return Words(f"过铰链 ${pin}$ 的中心", f"through the centre of ${pin}$") if pin else _leaning(mech, loads, links, key.endswith("_0"))
+    return (
+        Words(f"过铰链 ${pin}$ 的中心", f"through the centre of ${pin}$")
+        if pin
+        else _leaning(mech, loads, links, key.endswith("_0"))
+    )
 
 
 def _tangent(acts: LineOfAction, pin: str) -> Words:
     sense = _SENSE[acts.tangent]
     at = Words(f" ${pin}$ 的", f" of ${pin}$") if pin else Words.same("")
-    return Words(f"切于{at.zh}摩擦圆，对其中心之矩{sense.zh}", f"tangent to the friction circle{at.en}, moment about its centre {sense.en}")
+    return Words(
+        f"切于{at.zh}摩擦圆，对其中心之矩{sense.zh}",
+        f"tangent to the friction circle{at.en}, moment about its centre {sense.en}",
+    )
 
 
 def _displaced(loads: Loads | None, key: str) -> Words:
@@ -79,10 +98,18 @@ def _leaning(mech: Mechanism, loads: Loads | None, links: tuple[str, str], ideal
     """A reaction of a slide or of a contact, and the friction angle between it and the normal."""
     contact = next((c for c in mech.contacts if set(c.links) == set(links)), None)
     friction = loads.friction if loads is not None and not ideal else None
-    phi = 0.0 if friction is None else friction.contacts.get(contact.point, 0.0) if contact is not None else next(
-        (angle for pair, angle in friction.slides.items() if set(pair) == set(links)), 0.0)
-    normal = Words("导路法线", "the normal of the guide") if contact is None else Words(
-        f"接触点 ${contact.point}$ 处的公法线", f"the common normal at the contact ${contact.point}$")
+    phi = (
+        0.0
+        if friction is None
+        else friction.contacts.get(contact.point, 0.0)
+        if contact is not None
+        else next((angle for pair, angle in friction.slides.items() if set(pair) == set(links)), 0.0)
+    )
+    normal = (
+        Words("导路法线", "the normal of the guide")
+        if contact is None
+        else Words(f"接触点 ${contact.point}$ 处的公法线", f"the common normal at the contact ${contact.point}$")
+    )
     if not phi:
         return Words(f"沿{normal.zh}", f"along {normal.en}")
     lean = f"$φ$ = {number(degrees(phi))}°"
@@ -101,4 +128,7 @@ def _off(answer: Answer, acts: LineOfAction) -> str:
 def _links(mech: Mechanism, key: str) -> tuple[str, str] | None:
     """The two links of a reaction's key, by their names."""
     body = key.removeprefix("R_").removesuffix("_0")
-    return next(((a, b) for a, b in pairs(mech) if f"R_{body}" in (press_named(mech, a, b).key, press_named(mech, b, a).key)), None)
+    return next(
+        ((a, b) for a, b in pairs(mech) if f"R_{body}" in (press_named(mech, a, b).key, press_named(mech, b, a).key)),
+        None,
+    )

@@ -8,8 +8,8 @@ from math import ceil
 from typing import Any
 
 from ..board.construction import Construction, Figure, View
-from ..board.extent import bounds, extent
-from ..board.marks import (
+from ..board.paper.extent import bounds, extent
+from ..board.paper.marks import (
     AngleMark,
     Cell,
     Dot,
@@ -56,13 +56,16 @@ def to_scale(figure: Figure) -> bool:
 
 
 def _given_links(figure: Figure, upto: int) -> list[Mark]:
-    """The mechanism as it stands after this step, without construction lines and their letters, and without the pressure angle."""
+    """The mechanism as it stands after this step, without construction lines and their letters, and without the
+    pressure angle."""
     return [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= upto and not _drawn_on(m)]
 
 
 def _drawn_on(mark: Mark) -> bool:
     """Whether a mark belongs to a construction line: the letter at its end, the pressure angle α beside it."""
-    return (isinstance(mark, Point) and mark.dot is Dot.NONE) or (isinstance(mark, AngleMark) and not mark.label.startswith("φ"))
+    return (isinstance(mark, Point) and mark.dot is Dot.NONE) or (
+        isinstance(mark, AngleMark) and not mark.label.startswith("φ")
+    )
 
 
 def _device(figure: Figure, width: float, height: float) -> Figure:
@@ -76,7 +79,8 @@ def _device(figure: Figure, width: float, height: float) -> Figure:
 
 
 def diagram(construction: Construction) -> Figure | None:
-    """The block diagram with all that the solution wrote into it, for the text; none where there are drawings for a sheet."""
+    """The block diagram with all that the solution wrote into it, for the text; none where there are drawings for a
+    sheet."""
     figure = construction.figure(View.MECHANISM)
     if figure is None or not any(isinstance(mark, Cell) for mark in figure.marks):
         return None
@@ -87,8 +91,12 @@ def reduced(figure: Figure, marks: Sequence[Mark], width: float, height: float) 
     """These marks of a figure, reduced so that they fit width × height mm; symbols keep their size."""
     size = extent(marks)
     factor = min(1.0, width / max(size[0], 1.0), height / max(size[1], 1.0))
-    return replace(figure, title=SKETCH if not figure.name else figure.title, marks=tuple(scaled(m, factor) for m in marks),
-                   scale=replace(figure.scale, value=figure.scale.value / factor))
+    return replace(
+        figure,
+        title=SKETCH if not figure.name else figure.title,
+        marks=tuple(scaled(m, factor) for m in marks),
+        scale=replace(figure.scale, value=figure.scale.value / factor),
+    )
 
 
 def scaled(mark: Mark, factor: float) -> Any:
@@ -106,8 +114,11 @@ def scaled(mark: Mark, factor: float) -> Any:
 
 
 def frames(construction: Construction) -> Construction:
-    """The blank sheet: for each figure to be drawn a frame of its size with what is given in it: pivots, guides, poles."""
-    return replace(construction, figures=tuple(_frame(f) for f in construction.figures if to_scale(f) or f.view is View.BODY))
+    """The blank sheet: for each figure to be drawn a frame of its size with what is given in it: pivots, guides,
+    poles."""
+    return replace(
+        construction, figures=tuple(_frame(f) for f in construction.figures if to_scale(f) or f.view is View.BODY)
+    )
 
 
 def _frame(figure: Figure) -> Figure:

@@ -6,14 +6,19 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from ..check.table import ColumnCheck, TableCheck, check_table
-from ..check.table_weigh import Level
-from ..check.table_words import amount, rows_at, which
+from ..check.table.weigh import Level
+from ..check.table.whole import ColumnCheck, TableCheck, check_table
+from ..check.table.words import amount, rows_at, which
 from ..problem.problem import Problem
 from ..words import Lang, Words
 
-Put = Callable[[Words, Sequence[str], Sequence[tuple[str, ...]], str], str]  # title, header, rows, alignment → name for the template
-_HEADER = {"zh": ("列", "结论", "相符行数", "最大偏差", "原因"), "en": ("Column", "Verdict", "Rows right", "Deviation", "By which slip")}
+Put = Callable[
+    [Words, Sequence[str], Sequence[tuple[str, ...]], str], str
+]  # title, header, rows, alignment → name for the template
+_HEADER = {
+    "zh": ("列", "结论", "相符行数", "最大偏差", "原因"),
+    "en": ("Column", "Verdict", "Rows right", "Deviation", "By which slip"),
+}
 _AS_ABOVE = Words("同上", "as above")
 _UNKNOWN = Words("不明", "unknown")
 
@@ -27,9 +32,15 @@ def _table(checked: TableCheck, lang: Lang, put: Put) -> dict[str, Any]:
     title = Words(f"印刷数据表 {checked.title.zh} 各列的核对", f"The columns of the printed table {checked.title.en}")
     count = Counter(_cause(one) for one in checked.columns)
     alike = {level: [one.column.label.of(lang) for one in checked.columns if one.verdict is level] for level in Level}
-    parts = [f"{'、'.join(names)}：{level.words.zh}" if lang == "zh" else f"{', '.join(names)}: {level.words.en}" for level, names in alike.items() if names]
+    parts = [
+        f"{'、'.join(names)}：{level.words.zh}" if lang == "zh" else f"{', '.join(names)}: {level.words.en}"
+        for level, names in alike.items()
+        if names
+    ]
     return {
-        "name": checked.title.of(lang), "whole": _run_on([words.of(lang) for words in checked.whole], lang), "notes": _run_on([words.of(lang) for words in checked.notes], lang),
+        "name": checked.title.of(lang),
+        "whole": _run_on([words.of(lang) for words in checked.whole], lang),
+        "notes": _run_on([words.of(lang) for words in checked.notes], lang),
         "table": put(title, _HEADER[lang], _rows(checked, lang), "llrrl"),
         "short": "；".join(parts) if lang == "zh" else "; ".join(parts),
         "columns": [one.words.of(lang) for one in checked.columns if not _said(one, count[_cause(one)])],
@@ -41,10 +52,24 @@ def _rows(checked: TableCheck, lang: Lang) -> list[tuple[str, ...]]:
     last: Words | None = None
     for one in checked.columns:
         cause = _cause(one)
-        said = "—" if cause is None else (_AS_ABOVE if cause == last and cause != _UNKNOWN and one.explanations[0].alone is None else cause).of(lang)
+        said = (
+            "—"
+            if cause is None
+            else (_AS_ABOVE if cause == last and cause != _UNKNOWN and one.explanations[0].alone is None else cause).of(
+                lang
+            )
+        )
         if one.verdict is Level.ROWS and cause is None:
             said = rows_at(checked.table, which(one.given.outliers))
-        rows.append((one.column.label.of(lang), one.verdict.words.of(lang), f"{one.given.rows_right}/{int(one.column.there.sum())}", amount(one.column, one.given.worst) if one.verdict else "—", said))
+        rows.append(
+            (
+                one.column.label.of(lang),
+                one.verdict.words.of(lang),
+                f"{one.given.rows_right}/{int(one.column.there.sum())}",
+                amount(one.column, one.given.worst) if one.verdict else "—",
+                said,
+            )
+        )
         last = cause
     return rows
 
@@ -52,20 +77,33 @@ def _rows(checked: TableCheck, lang: Lang) -> list[tuple[str, ...]]:
 def _cause(one: ColumnCheck) -> Words | None:
     if one.explanations:
         best = one.explanations[0]
-        many = Words(f"公式中 {best.slips} 处差错（见上）", f"{best.slips} slips in its formula (see above)") if best.slips > 1 else Words("公式中一处差错（见上）", "a slip in its formula (see above)")
+        many = (
+            Words(f"公式中 {best.slips} 处差错（见上）", f"{best.slips} slips in its formula (see above)")
+            if best.slips > 1
+            else Words("公式中一处差错（见上）", "a slip in its formula (see above)")
+        )
         return best.words if best.alone is None else many
     return _UNKNOWN if one.verdict is Level.WRONG else None
 
 
 def _said(one: ColumnCheck, sharing: int) -> bool:
-    """Whether the line of the table, and the box above it, say all: the column is right, or shares its one slip with others."""
+    """Whether the line of the table, and the box above it, say all: the column is right, or shares its one slip with
+    others."""
     if one.explanations and one.explanations[0].alone is not None:
         return len(one.explanations) == 1 and one.best.level < Level.ROWS
     if one.explanations:
-        return sharing > 1 and one.best.level < Level.ROWS and len({slip.slip for slip in one.explanations} - {"constant factor"}) == 1
+        return (
+            sharing > 1
+            and one.best.level < Level.ROWS
+            and len({slip.slip for slip in one.explanations} - {"constant factor"}) == 1
+        )
     return one.verdict <= Level.LAST_DIGIT
 
 
 def _run_on(texts: list[str], lang: Lang) -> str:
     """Several remarks in one box, numbered."""
-    return texts[0] if len(texts) == 1 else ("　" if lang == "zh" else "  ").join(f"({i}) {text}" for i, text in enumerate(texts, 1))
+    return (
+        texts[0]
+        if len(texts) == 1
+        else ("　" if lang == "zh" else "  ").join(f"({i}) {text}" for i, text in enumerate(texts, 1))
+    )

@@ -1,11 +1,12 @@
-"""What is said of a mechanism's structure: moving links, degree of freedom, Assur groups; the frame's number where forces are meant."""
+"""What is said of a mechanism's structure: moving links, degree of freedom, Assur groups; the frame's number where
+forces are meant."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from ..mechanism.assur import Group, decompose, hinges
-from ..mechanism.mobility import Mobility, mobility
+from ..mechanism.groups.assur import Group, decompose, hinges
+from ..mechanism.groups.mobility import Mobility, mobility
 from ..mechanism.model import FRAME, Mechanism
 from ..mechanism.rams import driver_words
 from ..mechanism.seats import seat
@@ -29,7 +30,11 @@ def welded(mech: Mechanism) -> Words:
         return Words.same("")
     zh = "、".join(f"滚子 {roller} 与构件 {host}" for roller, host in mech.welded)
     en = " and ".join(f"roller {roller} to link {host}" for roller, host in mech.welded)
-    return Words(f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。", f"A roller that turns about its own pin is a passive degree of freedom, without effect on the other links; weld {en}. ")
+    return Words(
+        f"滚子绕自身轴线的转动为局部自由度，不影响其余构件的运动，先将{zh}焊成一体。",
+        "A roller that turns about its own pin is a passive degree of freedom, without effect on the other "
+        f"links; weld {en}. ",
+    )
 
 
 def numbering(problem: Problem) -> Words:
@@ -37,19 +42,28 @@ def numbering(problem: Problem) -> Words:
     if problem.loads is None:
         return Words.same("")
     number = problem.mechanism.frame_number
-    return Words(f"机架为构件 {number}；$R_{{ij}}$ 表示构件 $i$ 对构件 $j$ 的作用力。",
-                 f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.") + carried_pins(problem.mechanism) + _any_speed(problem)
+    return (
+        Words(
+            f"机架为构件 {number}；$R_{{ij}}$ 表示构件 $i$ 对构件 $j$ 的作用力。",
+            f"The frame is link {number}; $R_{{ij}}$ is the force of link $i$ on link $j$.",
+        )
+        + carried_pins(problem.mechanism)
+        + _any_speed(problem)
+    )
 
 
 def carried_pins(mech: Mechanism) -> Words:
-    """At each compound hinge: which link carries the pin, so that the others press on it alone; nothing where there is none."""
+    """At each compound hinge: which link carries the pin, so that the others press on it alone; nothing where there is
+    none."""
     found = {point: carrier for point in hinges(mech) if (carrier := seat(mech, point)) is not None}
     if not found:
         return Words.same("")
     zh = "；".join(f"${point}$ 处的销轴属于{_carrier(mech, link).zh}" for point, link in found.items())
     en = "; ".join(f"the pin at ${point}$ belongs to {_carrier(mech, link).en}" for point, link in found.items())
-    return Words(f"复合铰链{zh}，铰接于该处的其他构件只与它相互作用，彼此间无反力。",
-                 f" At multiple joints one link carries the pin, the others press on it and not on each other: {en}.")
+    return Words(
+        f"复合铰链{zh}，铰接于该处的其他构件只与它相互作用，彼此间无反力。",
+        f" At multiple joints one link carries the pin, the others press on it and not on each other: {en}.",
+    )
 
 
 def _carrier(mech: Mechanism, link: str) -> Words:
@@ -59,16 +73,23 @@ def _carrier(mech: Mechanism, link: str) -> Words:
 def _any_speed(problem: Problem) -> Words:
     """Where only the sense of the driver's ω is given: that its size does not matter, and which is drawn."""
     drive = problem.mechanism.drive
-    if drive.slide or not any(datum.words is not None and datum.words.zh.startswith(f"$ω_{drive.link}$") for datum in problem.given.motion):
+    if drive.slide or not any(
+        datum.words is not None and datum.words.zh.startswith(f"$ω_{drive.link}$") for datum in problem.given.motion
+    ):
         return Words.same("")
-    return Words(f"$ω_{drive.link}$ 只给转向，其大小不影响受力，作图取 1 rad/s。", f" Of $ω_{drive.link}$ only the sense is given; its size does not change the forces, 1 rad/s is drawn.")
+    return Words(
+        f"$ω_{drive.link}$ 只给转向，其大小不影响受力，作图取 1 rad/s。",
+        f" Of $ω_{drive.link}$ only the sense is given; its size does not change the forces, 1 rad/s is drawn.",
+    )
 
 
 def _seen(mech: Mechanism, count: Mobility) -> tuple[Mobility, Words]:
     """The count of the links that are seen: a pin in a slot is a higher pair, for which the drawing puts a block."""
     pins = len(mech.slot_pins)
-    return (replace(count, links=count.links - pins, lower=count.lower - 2 * pins, higher=count.higher + pins),
-            Words("（销与槽构成的运动副为高副）", " (a pin in a slot is a higher pair)") if pins else Words.same(""))
+    return (
+        replace(count, links=count.links - pins, lower=count.lower - 2 * pins, higher=count.higher + pins),
+        Words("（销与槽构成的运动副为高副）", " (a pin in a slot is a higher pair)") if pins else Words.same(""),
+    )
 
 
 def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> Words:
@@ -77,25 +98,53 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
     sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
     driver = driver_words(mech)
     if any("G" in g.kind or g.kind in ("gear", "rack", "gear train") for g in groups):
-        rolls = Words("（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)")
+        rolls = Words(
+            "（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)"
+        )
         if counted.higher > len(mech.contacts):
-            rolls = Words("（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a higher pair)")
-        return (Words(f"机构有 {count.links} 个活动构件，自由度 {sum_up}", f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}") + rolls
-                + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives."))
-    zh = "、".join(f"{kind_of(g).zh} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）" for g in groups)
-    en = ", ".join(f"{kind_of(g).en} (links {', '.join(_told(mech, name).en for name in g.links)}{_as_bar(g).en})" for g in groups)
+            rolls = Words(
+                "（轮心距由构件保持的齿轮副，按高副计）",
+                " (gears whose centres links hold apart count as a higher pair)",
+            )
+        return (
+            Words(
+                f"机构有 {count.links} 个活动构件，自由度 {sum_up}",
+                f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}",
+            )
+            + rolls
+            + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives.")
+        )
+    zh = "、".join(
+        f"{kind_of(g).zh} 杆组（构件 {'、'.join(_told(mech, name).zh for name in g.links)}{_as_bar(g).zh}）"
+        for g in groups
+    )
+    en = ", ".join(
+        f"{kind_of(g).en} (links {', '.join(_told(mech, name).en for name in g.links)}{_as_bar(g).en})" for g in groups
+    )
     kind = "the Assur group" if len(groups) == 1 else "made up of the Assur groups"
-    opening = Words(f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}{slots.zh}；{driver.zh}为原动件，",
-                    f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its degree of freedom is {sum_up}{slots.en}. {driver.en[0].upper()}{driver.en[1:]} drives")
+    opening = Words(
+        f"机构有 {count.links} 个活动构件（连机架共 {count.links + 1} 个构件），自由度 {sum_up}{slots.zh}；"
+        f"{driver.zh}为原动件，",
+        f"The mechanism has {count.links} moving links ({count.links + 1} with the frame); its "
+        f"degree of freedom is {sum_up}{slots.en}. {driver.en[0].upper()}{driver.en[1:]} drives",
+    )
     if any(g.kind == "driven" for g in groups):
         return opening + _inside(groups)
     if slots.zh and not mech.contacts:
-        return opening + Words(f"在销处各加一滑块作高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
-                               f"; with a block put in place of each pin in its slot, the rest is {kind} {en}: a {_class(groups).en} mechanism.")
+        return opening + Words(
+            f"在销处各加一滑块作高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
+            f"; with a block put in place of each pin in its slot, the rest is {kind} "
+            f"{en}: a {_class(groups).en} mechanism.",
+        )
     if mech.contacts:
-        return opening + Words(f"高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
-                               f"; with the higher pair replaced by a link and lower pairs, the rest is {kind} {en}: a {_class(groups).en} mechanism.")
-    return opening + Words(f"其余为 {zh}，属{_class(groups).zh}机构。", f", the rest is {kind} {en}: a {_class(groups).en} mechanism.")
+        return opening + Words(
+            f"高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
+            "; with the higher pair replaced by a link and lower pairs, the rest is "
+            f"{kind} {en}: a {_class(groups).en} mechanism.",
+        )
+    return opening + Words(
+        f"其余为 {zh}，属{_class(groups).zh}机构。", f", the rest is {kind} {en}: a {_class(groups).en} mechanism."
+    )
 
 
 def _inside(groups: tuple[Group, ...]) -> Words:
@@ -103,16 +152,35 @@ def _inside(groups: tuple[Group, ...]) -> Words:
     own = next(g for g in groups if g.kind == "driven")
     rest = [g for g in groups if g is not own]
     zh, en = "、".join(own.links), ", ".join(own.links)
-    others = Words("；其余为 " + "、".join(f"{kind_of(g).zh} 杆组（构件 {'、'.join(g.links)}）" for g in rest),
-                   "; the rest is made up of " + ", ".join(f"{kind_of(g).en} (links {', '.join(g.links)})" for g in rest)) if rest else Words.same("")
-    return Words(f"它所连的都是活动构件，驱动作用在构件 {zh} 组成的杆组之内，不能由原动件起逐组求解；作图时改取其中一个与机架相连的构件为假想原动件",
-                 f", acting between two moving links inside the group of links {en}, which cannot be taken group by group from the input; for the drawing a link of the group on the frame is thought to drive instead") + others + Words("。", ".")
+    others = (
+        Words(
+            "；其余为 " + "、".join(f"{kind_of(g).zh} 杆组（构件 {'、'.join(g.links)}）" for g in rest),
+            "; the rest is made up of " + ", ".join(f"{kind_of(g).en} (links {', '.join(g.links)})" for g in rest),
+        )
+        if rest
+        else Words.same("")
+    )
+    return (
+        Words(
+            f"它所连的都是活动构件，驱动作用在构件 {zh} 组成的杆组之内，不能由原动件起逐组求解；"
+            "作图时改取其中一个与机架相连的构件为假想原动件",
+            f", acting between two moving links inside the group of links {en}, which cannot be taken "
+            "group by group from the input; for the drawing a link of the group on the frame is "
+            "thought to drive instead",
+        )
+        + others
+        + Words("。", ".")
+    )
 
 
 def kind_of(group: Group) -> Words:
     """The kind of a group as printed; with a cylinder of known length as one of its bars."""
     told = {"cylinder RR": "RRR", "cylinder RP": "RRP"}.get(group.kind, group.kind)
-    return Words("含驱动副的", "the group with the driven pair") if told == "driven" else Words(_ROMAN.get(told, told), told)
+    return (
+        Words("含驱动副的", "the group with the driven pair")
+        if told == "driven"
+        else Words(_ROMAN.get(told, told), told)
+    )
 
 
 def _as_bar(group: Group) -> Words:
@@ -131,4 +199,8 @@ def _told(mech: Mechanism, link: str) -> Words:
         point = next(iter(mech.link(link).points))
         return Words(f"销 ${point}$ 处的滑块", f"the block at the pin ${point}$")
     contact = next((c for c in mech.contacts if c.substitute == link), None)
-    return Words.same(link) if contact is None else Words(f"代替高副 ${contact.point}$ 的杆", f"the substitute for ${contact.point}$")
+    return (
+        Words.same(link)
+        if contact is None
+        else Words(f"代替高副 ${contact.point}$ 的杆", f"the substitute for ${contact.point}$")
+    )

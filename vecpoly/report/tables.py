@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees
 
-from ..check.verdict import Checked
+from ..algebra.quantity import number
+from ..check.printed.verdict import Checked
 from ..names import is_place
 from ..problem.problem import Problem, as_printed
-from ..quantity import number
 from ..solution import YES_NO, Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
@@ -18,9 +18,14 @@ _READINGS = {
     "zh": ("量", "图上长度 /mm", "比例尺", "量得值", "方向", "精确值", "偏差", "预期误差"),
     "en": ("Quantity", "On paper, mm", "Scale", "Drawn", "Direction", "Exact", "Deviation", "Exp. error"),
 }
-_PRINTED = {"zh": ("量", "原书", "精确值", "偏差", "结论"), "en": ("Quantity", "Printed", "Exact", "Deviation", "Verdict")}
-_EMPTY = {"zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
-          "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense")}
+_PRINTED = {
+    "zh": ("量", "原书", "精确值", "偏差", "结论"),
+    "en": ("Quantity", "Printed", "Exact", "Deviation", "Verdict"),
+}
+_EMPTY = {
+    "zh": ("量", "图上长度 /mm", "比例尺", "数值与单位", "方向（转向）"),
+    "en": ("Quantity", "mm on paper", "Scale", "Value with unit", "Direction, sense"),
+}
 _BLANK, _NONE = "＿＿＿＿＿", "—"
 _COMPUTED = {"zh": "计算值", "en": "Computed"}
 _NOTHING = 1e-9  # m: places that all hands find alike, a fixed pivot
@@ -40,8 +45,12 @@ def readings_table(solution: Solution, lang: Lang) -> DataTable:
 def trimmed(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[float], align: str) -> DataTable:
     """The table without columns in which nothing stands."""
     kept = [i for i in range(len(header)) if not rows or any(row[i] != _NONE for row in rows)]
-    return DataTable([header[i] for i in kept], [[row[i] for i in kept] for row in rows], [widths[i] for i in kept] if widths else None,
-                     "".join(align[i] for i in kept))
+    return DataTable(
+        [header[i] for i in kept],
+        [[row[i] for i in kept] for row in rows],
+        [widths[i] for i in kept] if widths else None,
+        "".join(align[i] for i in kept),
+    )
 
 
 def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
@@ -51,17 +60,40 @@ def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
         drawn, exact = (f"({_fixed(v.real)}, {_fixed(v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
         off = abs(answer.drawn_vector - answer.exact_vector)
         gap = f"{number(1e3 * off if off > _NOTHING else 0.0, 2)} mm"
-        return (f"${r.symbol}$", mm, f"${r.scale}$", f"{drawn} mm", "—", exact, gap,
-                number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE)
+        return (
+            f"${r.symbol}$",
+            mm,
+            f"${r.scale}$",
+            f"{drawn} mm",
+            "—",
+            exact,
+            gap,
+            number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE,
+        )
     if answer.is_place:  # at infinity
         gap = number(answer.deviation, 2) + "°"
-        return (f"${r.symbol}$", mm, "—", "∞", _angle(answer.drawn), _angle(answer.exact), gap, _NONE if answer.computed else rough(answer.expected_error) + "°")
+        return (
+            f"${r.symbol}$",
+            mm,
+            "—",
+            "∞",
+            _angle(answer.drawn),
+            _angle(answer.exact),
+            gap,
+            _NONE if answer.computed else rough(answer.expected_error) + "°",
+        )
     factor = printed_unit(r.unit)[0]
     clean = _clean(answer.exact, answer.expected_error)
     exact = value(clean, YES_NO, lang) if r.unit == YES_NO or answer.undefined else number(factor * clean, 5)
     return (
-        called(r.symbol, r.key, lang), mm, f"${r.scale}$" if r.scale else "—", value(answer.drawn, r.unit, lang, r.key), way(answer, problem, lang),
-        exact, _deviation(answer, factor), _NONE if answer.computed else rough(factor * answer.expected_error),
+        called(r.symbol, r.key, lang),
+        mm,
+        f"${r.scale}$" if r.scale else "—",
+        value(answer.drawn, r.unit, lang, r.key),
+        way(answer, problem, lang),
+        exact,
+        _deviation(answer, factor),
+        _NONE if answer.computed else rough(factor * answer.expected_error),
     )
 
 
@@ -108,7 +140,13 @@ def empty_table(solution: Solution, lang: Lang) -> DataTable:
 def _empty_row(answer: Answer, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     directed = answer.drawn_vector is not None or answer.turns
-    return (called(r.symbol, r.key, lang), _BLANK if r.mm is not None else "—", f"${r.scale}$" if r.scale else "—", _BLANK, _BLANK if directed else "—")
+    return (
+        called(r.symbol, r.key, lang),
+        _BLANK if r.mm is not None else "—",
+        f"${r.scale}$" if r.scale else "—",
+        _BLANK,
+        _BLANK if directed else "—",
+    )
 
 
 def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
@@ -117,7 +155,15 @@ def printed_table(checked: Sequence[Checked], lang: Lang) -> DataTable:
     for c in checked:
         verdict = c.verdict.words.of(lang)
         slip = f"：{c.slip.zh}" if c.slip and lang == "zh" else (f": {c.slip.en}" if c.slip else "")
-        rows.append((f"${symbol_of(c)}$", _as_given(c, lang), _exact_like(c, lang), percent(c.deviation, 1 if c.printed.kind == "graphical" else 2), verdict + slip))
+        rows.append(
+            (
+                f"${symbol_of(c)}$",
+                _as_given(c, lang),
+                _exact_like(c, lang),
+                percent(c.deviation, 1 if c.printed.kind == "graphical" else 2),
+                verdict + slip,
+            )
+        )
     return DataTable(_PRINTED[lang], rows, None, "lrrrl")
 
 
@@ -148,5 +194,3 @@ def percent(ratio: float, digits: int) -> str:
     """A signed percentage; no sign on zero."""
     text = f"{100 * ratio:+.{digits}f}"
     return (text.lstrip("+-") if float(text) == 0 else text.replace("-", "−")) + " %"
-
-

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import isnan
 
+from ..algebra.quantity import number
+from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
-from ..mechanism.quantities import load_named
 from ..problem.problem import Problem
-from ..quantity import number
 from ..solution import YES_NO
 from ..words import Lang, Words
 
@@ -16,8 +16,10 @@ _YES, _NO = Words("是", "yes"), Words("否", "no")
 _PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
 _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
 _WAYS = {
-    "_0": Words("不计摩擦", "no friction"), "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),
-    "_power": Words("虚功率法", "virtual power"), "_sine": Words("正弦定理", "sine rule"),
+    "_0": Words("不计摩擦", "no friction"),
+    "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),
+    "_power": Words("虚功率法", "virtual power"),
+    "_sine": Words("正弦定理", "sine rule"),
 }
 
 
@@ -70,8 +72,14 @@ def direction_of_load(problem: Problem, key: str) -> float | None:
     """The fixed direction (rad) of a force asked by its size: the sign of the size is along it."""
     if problem.loads is None:
         return None
-    return next((load.direction for load in problem.loads.forces
-                 if not load.against and load_named(load).key in (key, *(key.removesuffix(ending) for ending in _WAYS))), None)
+    return next(
+        (
+            load.direction
+            for load in problem.loads.forces
+            if not load.against and load_named(load).key in (key, *(key.removesuffix(ending) for ending in _WAYS))
+        ),
+        None,
+    )
 
 
 def asked_load(problem: Problem, key: str) -> Words | None:
@@ -84,6 +92,8 @@ def asked_load(problem: Problem, key: str) -> Words | None:
     if stem != named.key:
         return None
     force = isinstance(load, Force)
-    return {"driving": Words("驱动力" if force else "驱动力矩", "the driving force" if force else "the driving moment"),
-            "resisting": Words("阻力" if force else "阻力矩", "the resistance" if force else "the resisting moment"),
-            "": Words("平衡力" if force else "平衡力矩", "the balancing force" if force else "the balancing moment")}[load.role]
+    return {
+        "driving": Words("驱动力" if force else "驱动力矩", "the driving force" if force else "the driving moment"),
+        "resisting": Words("阻力" if force else "阻力矩", "the resistance" if force else "the resisting moment"),
+        "": Words("平衡力" if force else "平衡力矩", "the balancing force" if force else "the balancing moment"),
+    }[load.role]

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..check.printed import PrintedCheck
-from ..check.verdict import Verdict
+from ..check.printed.answers import PrintedCheck
+from ..check.printed.verdict import Verdict
 from ..solution import Solution
 from ..words import Lang, Words
 from .tables import percent, symbol_of
 
-_HEADINGS = {"fail": Words("总评：", "On the whole: "), "warn": Words("逐项说明：", "Item by item: "),
-             "note": Words("关于原书：", "On the printed solution: "), "pass": Words.same("")}
+_HEADINGS = {
+    "fail": Words("总评：", "On the whole: "),
+    "warn": Words("逐项说明：", "Item by item: "),
+    "note": Words("关于原书：", "On the printed solution: "),
+    "pass": Words.same(""),
+}
 
 
 def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tuple[str, str]]:
@@ -22,15 +26,32 @@ def verdicts(solution: Solution, checked: PrintedCheck, lang: Lang) -> list[tupl
     for c in checked.answers:
         symbol = symbol_of(c)
         if c.verdict in (Verdict.WRONG, Verdict.ROUNDING) and c.printed.note is not None:
-            said.append(("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang)))
+            said.append(
+                ("warn", Words(f"${symbol}$：{c.printed.note.zh}", f"${symbol}$: {c.printed.note.en}").of(lang))
+            )
         elif c.verdict is Verdict.OUTLIER and checked.fit is None:
             off = percent(c.deviation, 1)
-            said.append(("warn", Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(lang)))
-    if checked.answers and not said and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers):
-        said.append(("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang)))
+            said.append(
+                (
+                    "warn",
+                    Words(f"${symbol}$ 偏差 {off}：作图不够准确。", f"${symbol}$ is off by {off}: a drawing slip.").of(
+                        lang
+                    ),
+                )
+            )
+    if (
+        checked.answers
+        and not said
+        and all(c.verdict in (Verdict.REPRODUCED, Verdict.ROUNDING) for c in checked.answers)
+    ):
+        said.append(
+            ("pass", Words("原书答案与精确值相符。", "The printed answers agree with the exact values.").of(lang))
+        )
     said += [("note", e.of(lang)) for e in solution.problem.errata]
-    return [(kind, _HEADINGS[kind].of(lang) + _listed([text for k, text in said if k == kind], lang))
-            for kind in dict.fromkeys(k for k, _ in said)]
+    return [
+        (kind, _HEADINGS[kind].of(lang) + _listed([text for k, text in said if k == kind], lang))
+        for kind in dict.fromkeys(k for k, _ in said)
+    ]
 
 
 def _listed(texts: Sequence[str], lang: Lang) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from ..formula import Node, Row, Sym, Txt
+from ..algebra.formula import Node, Row, Sym, Txt
 
 
 class Kind(Enum):

@@ -7,7 +7,7 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import assert_never
 
-from ..formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec
+from ..algebra.formula import Frac, Node, Over, Power, Root, Row, Sym, Txt, Vec
 from .atoms import Atom, Kind, atoms, space
 from .box import EMPTY, MM, Box, Glyphs, Rule, place, scaled
 from .fonts import Face, glyph
@@ -56,7 +56,9 @@ def _primed(base: Box, prime: Box, sub: Box, em: float, slope: float) -> Box:
     """b′₂: the prime at its own height, the subscript under it."""
     left = base.width + 0.03 * em
     parts = [(0.0, 0.0, base), (left + slope, 0.0, prime), (left, -SUB * em, sub)]
-    return place([part for part in parts if part[2] is not EMPTY], left + max(prime.width + slope, sub.width) + 0.03 * em)
+    return place(
+        [part for part in parts if part[2] is not EMPTY], left + max(prime.width + slope, sub.width) + 0.03 * em
+    )
 
 
 def _overhang(text: str, em: float, bold: bool) -> float:
@@ -120,9 +122,7 @@ def _tall(bracket: Box, height: float, em: float) -> Box:
     return place([(0.0, shift, grown)], grown.width)
 
 
-def segments(
-    node: Node, em: float, bold: bool = False, *, before: bool, at: Kind = Kind.RELATION
-) -> tuple[Box, ...]:
+def segments(node: Node, em: float, bold: bool = False, *, before: bool, at: Kind = Kind.RELATION) -> tuple[Box, ...]:
     """The formula cut before (or after) its relations: lines of a display, pieces of running text."""
     row = atoms((node,))
     cuts = [i if before else i + 1 for i, atom in enumerate(row) if atom.kind is at]

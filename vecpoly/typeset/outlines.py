@@ -24,7 +24,10 @@ def _element(item: Item, x: float, y: float) -> str:
     strokes, at = [], 0.0
     for char in text:
         if outline := _outline(face, char):
-            strokes.append(f'<path transform="translate({x + item.x + at * em:.3f} {y - item.y:.3f}) scale({em / 1000:.6f})" d="{outline}"/>')
+            strokes.append(
+                f'<path transform="translate({x + item.x + at * em:.3f} {y - item.y:.3f}) '
+                f'scale({em / 1000:.6f})" d="{outline}"/>'
+            )
         at += glyph(char, face).width
     return "".join(strokes)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..formula import row, split_words
+from ..algebra.formula import row, split_words
 from .box import Box, beside
 from .fonts import Face
 from .layout import layout

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..board.board import Board
-from ..board.marks import Role
+from ..board.paper.marks import Role
 from ..board.place import Place
 from ..errors import DeadPointError, EquilibriumError, bilingual
 from ..names import Kind, Named, Rel
@@ -33,10 +33,14 @@ class Closed:
     meeting: Points
 
 
-def close(board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None, *, to: str = "") -> Closed:
-    """Draw the equation as a polygon from the pole (without a right side: back to it) and give the ends of all its vectors.
+def close(
+    board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None, *, to: str = ""
+) -> Closed:
+    """Draw the equation as a polygon from the pole (without a right side: back to it) and give the ends of all its
+    vectors.
 
-    choose: which of two arc meetings is meant (cases with an unknown direction). to: the letter of the point where the chains meet.
+    choose: which of two arc meetings is meant (cases with an unknown direction). to: the letter of the point where the
+    chains meet.
     """
     ends: Ends = {}
     left, open_left = _known_chain(board, view, pole, eq.left, ends)
@@ -152,9 +156,14 @@ def _meet(board: Board, g: Line, h: Line, term: Term, what: str) -> Points:
     except DeadPointError:
         if not isinstance(term.rel, Named):
             raise
-        raise EquilibriumError(bilingual(what) + Words(
-            "：大小未知的两力作用线平行，力多边形不能闭合；请改变方向或摩擦",
-            ": the two forces of unknown size act along parallel lines, so the polygon cannot close; change a direction, or the friction")) from None
+        raise EquilibriumError(
+            bilingual(what)
+            + Words(
+                "：大小未知的两力作用线平行，力多边形不能闭合；请改变方向或摩擦",
+                ": the two forces of unknown size act along parallel lines, so the polygon cannot close; "
+                "change a direction, or the friction",
+            )
+        ) from None
 
 
 def _lettered(term: Term) -> str:

@@ -4,8 +4,10 @@
     ⊥CD      ⊥AB      ⊥BC
      ?       ω₁l_AB    ?
 
-Two chains of terms start at the pole and end at one point. A term is known wholly (already on the paper), or its line of
-action is known, or its length. Exactly two scalars are unknown. Forces in equilibrium have no right side: their sum closes at
+Two chains of terms start at the pole and end at one point. A term is known wholly (already on the paper), or its line
+of
+action is known, or its length. Exactly two scalars are unknown. Forces in equilibrium have no right side: their sum
+closes at
 its start, R_12 + R_32 + Q = 0; being no relative vectors, they make no chain of points.
 """
 
@@ -30,7 +32,8 @@ class Term:
     """One vector of the equation.
 
     along: unit vector on paper of its line (with its sense where the length is known); mm: its length on paper;
-    vector: the whole vector where it is already drawn; tip: letter of its end on the polygon; drawn: no new line needed.
+    vector: the whole vector where it is already drawn; tip: letter of its end on the polygon; drawn: no new line
+    needed.
     summed: the vectors whose sum this term is, parallel ones of unknown sizes: v_BO + v_SB counts as one unknown.
     """
 
@@ -72,14 +75,20 @@ class Equation:
         if not any(isinstance(term.rel, Named) for term in (*self.left, *self.right)):
             ends = {_end(self.left), _end(self.right)}
             if len(ends) != 1:
-                raise EquationError(Words(
-                    f"矢量方程两边的终点不同：{'、'.join(sorted(map(str, ends)))}",
-                    f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}"))
+                raise EquationError(
+                    Words(
+                        f"矢量方程两边的终点不同：{'、'.join(sorted(map(str, ends)))}",
+                        f"the two sides end at different points: {' and '.join(sorted(map(str, ends)))}",
+                    )
+                )
         count = sum(t.unknowns for t in (*self.left, *self.right))
         if count != 2:
-            raise EquationError(Words(
-                f"平面矢量方程恰可解两个未知量；“{self}”有 {count} 个",
-                f"a plane vector equation is closed by exactly two unknown scalars; '{self}' has {count}"))
+            raise EquationError(
+                Words(
+                    f"平面矢量方程恰可解两个未知量；“{self}”有 {count} 个",
+                    f"a plane vector equation is closed by exactly two unknown scalars; '{self}' has {count}",
+                )
+            )
 
     def __str__(self) -> str:
         sides = [" + ".join(t.symbol for t in side) or "0" for side in (self.left, self.right)]
@@ -98,8 +107,10 @@ class Equation:
             cells.append(("0", NOTHING, ""))
             signs.append("=")
         return EquationTable(
-            symbols=tuple(c[0] for c in cells), signs=tuple(signs),
-            directions=tuple(c[1] for c in cells), magnitudes=tuple(c[2] for c in cells),
+            symbols=tuple(c[0] for c in cells),
+            signs=tuple(signs),
+            directions=tuple(c[1] for c in cells),
+            magnitudes=tuple(c[2] for c in cells),
         )
 
 
@@ -119,9 +130,13 @@ def _end(chain: tuple[Term, ...]) -> At:
         while here != term.rel.ref and here in summed:
             here = summed.pop(here)
         if term.rel.ref != here:
-            raise EquationError(Words(
-                f"{term.symbol} 起于 {term.rel.ref or '极点'}，而前面各项之和终于 {here or '极点'}",
-                f"{term.symbol} starts at {term.rel.ref or 'the pole'}, but the sum has arrived at {here or 'the pole'}"))
+            raise EquationError(
+                Words(
+                    f"{term.symbol} 起于 {term.rel.ref or '极点'}，而前面各项之和终于 {here or '极点'}",
+                    f"{term.symbol} starts at {term.rel.ref or 'the pole'}, but the sum has arrived at "
+                    f"{here or 'the pole'}",
+                )
+            )
         here, last = term.rel.to, move
     while here in summed:
         here = summed.pop(here)

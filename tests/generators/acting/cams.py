@@ -1,4 +1,5 @@
-"""Forces in cams and eccentrics: a disc on the crank or on a rod, a follower with a round tip or a flat face, friction in the contact and everywhere."""
+"""Forces in cams and eccentrics: a disc on the crank or on a rod, a follower with a round tip or a flat face, friction
+in the contact and everywhere."""
 
 from __future__ import annotations
 
@@ -47,7 +48,9 @@ def flat_lever(c: Chain) -> str:
     aside = beside + (radius if side == "left" else -radius)
     way = ray / abs(ray) * cmath.exp(-1j * cmath.asin(aside / abs(ray)))
     point = c.letter(c.at[pivot] + way * g)
-    face = c.add([pivot, point], f"face: {{through: {pivot}, left: {beside} mm}}, {point}: {{along: {pivot}, at: {g} mm}}")
+    face = c.add(
+        [pivot, point], f"face: {{through: {pivot}, left: {beside} mm}}, {point}: {{along: {pivot}, at: {g} mm}}"
+    )
     c.joints.append(f"@{driver} touches @{face} at {_contact(c)} {side} of the face")
     return face
 
@@ -61,12 +64,23 @@ def round_slider(c: Chain) -> str:
     steep = (way / tilt).real * (radius + tip)
     other, centre = c.at[e] - 2 * steep * tilt, next(p for p in c.links[driver] if c.at[p] == o)
     if abs((c.at[e] - other).real) > abs((c.at[e] - other).imag):
-        c.branches.append(f"{e} {'right' if c.at[e].real > other.real else 'left'} of {centre}" if (c.at[e].real - o.real) * (other.real - o.real) < 0 else "")
+        c.branches.append(
+            f"{e} {'right' if c.at[e].real > other.real else 'left'} of {centre}"
+            if (c.at[e].real - o.real) * (other.real - o.real) < 0
+            else ""
+        )
     else:
-        c.branches.append(f"{e} {'above' if c.at[e].imag > other.imag else 'below'} {centre}" if (c.at[e].imag - o.imag) * (other.imag - o.imag) < 0 else "")
+        c.branches.append(
+            f"{e} {'above' if c.at[e].imag > other.imag else 'below'} {centre}"
+            if (c.at[e].imag - o.imag) * (other.imag - o.imag) < 0
+            else ""
+        )
     c.branches = [one for one in c.branches if one]
     block = c.add([e], f"block: {e}, disc: {e}, radius: {tip:.4f} mm")
-    c.joints += [f"@{block} slides on line through {k} at {np.degrees(cmath.phase(tilt)):.9f} deg", f"@{driver} touches @{block} at {_contact(c)}"]
+    c.joints += [
+        f"@{block} slides on line through {k} at {np.degrees(cmath.phase(tilt)):.9f} deg",
+        f"@{driver} touches @{block} at {_contact(c)}",
+    ]
     c.slides.append((block, "frame"))
     return block
 
@@ -78,8 +92,13 @@ def flat_slider(c: Chain) -> str:
     foot = o + (-1j if side == "left" else 1j) * way * radius
     f = c.letter(foot + way * c.rng.uniform(-30, 30))
     k, tilt = _guide(c, c.at[f], 1j * way)
-    block = c.add([f], f"block: {f}, face: {{through: {f}, angle: {np.degrees(cmath.phase(way / tilt)):.9f} deg from line}}")
-    c.joints += [f"@{block} slides on line through {k} at {np.degrees(cmath.phase(tilt)):.9f} deg", f"@{driver} touches @{block} at {_contact(c)} {side} of the face"]
+    block = c.add(
+        [f], f"block: {f}, face: {{through: {f}, angle: {np.degrees(cmath.phase(way / tilt)):.9f} deg from line}}"
+    )
+    c.joints += [
+        f"@{block} slides on line through {k} at {np.degrees(cmath.phase(tilt)):.9f} deg",
+        f"@{driver} touches @{block} at {_contact(c)} {side} of the face",
+    ]
     c.slides.append((block, "frame"))
     return block
 
@@ -121,4 +140,7 @@ def cams(rng: np.random.Generator) -> str:
 
 
 def _pressing(c: Chain, follower: str) -> str:
-    return f"  F_q: {{on: @{follower}, at: {c.links[follower][-1]}, size: {c.rng.integers(50, 500)} N, direction: {c.rng.integers(-179, 180)} deg}}\n"
+    return (
+        f"  F_q: {{on: @{follower}, at: {c.links[follower][-1]}, size: {c.rng.integers(50, 500)} N, direction: "
+        f"{c.rng.integers(-179, 180)} deg}}\n"
+    )

@@ -18,14 +18,31 @@ def thrust(rng: np.random.Generator) -> str:
     near, far = [("cylinder", "piston"), ("piston", "cylinder")][int(rng.integers(2))]
     slides = "3 slides in 2" if near == "cylinder" else "2 slides in 3"
     if rng.random() < 0.6:
-        link, more, told = f"{{AC: {reach} mm, E: {{along: AC, at: {e} mm, left: {rng.integers(-60, 60)} mm}}}}", "", f"branch: [C {_side(d, c)} of AD]"
+        link, more, told = (
+            f"{{AC: {reach} mm, E: {{along: AC, at: {e} mm, left: {rng.integers(-60, 60)} mm}}}}",
+            "",
+            f"branch: [C {_side(d, c)} of AD]",
+        )
         centre = "{along: AC, at: 80 mm}"
     else:
-        link, more, told = f"{{block: C, E: {{CE: {e} mm, angle: {rng.integers(-170, 170)} deg from line}}}}", f"1 slides on line through A at {np.degrees(lean):.9f} deg, ", ""
+        link, more, told = (
+            f"{{block: C, E: {{CE: {e} mm, angle: {rng.integers(-170, 170)} deg from line}}}}",
+            f"1 slides on line through A at {np.degrees(lean):.9f} deg, ",
+            "",
+        )
         told, centre = f"guesses: {{C: [{c.real:.1f} mm, {c.imag:.1f} mm]}}", "E"
     load = f"  Q: {{on: 1, at: E, size: {rng.integers(100, 9000)} N, direction: {rng.integers(-179, 180)} deg}}\n"
-    mass = f"masses: {{1: {{mass: {rng.integers(5, 900)} kg, centre: {centre}}}}}\nweight: yes\ninertia: {rng.choice(['yes', 'no'])}\n" if rng.random() < 0.5 else ""
-    friction = f"friction: {{A: {{rho: 3 mm}}, C: {{rho: {rng.uniform(1, 4):.2f} mm}}, D: {{f: 0.1, r: 20 mm}}}}\n" if rng.random() < 0.25 and not more else ""
+    mass = (
+        f"masses: {{1: {{mass: {rng.integers(5, 900)} kg, centre: {centre}}}}}\nweight: yes\n"
+        f"inertia: {rng.choice(['yes', 'no'])}\n"
+        if rng.random() < 0.5
+        else ""
+    )
+    friction = (
+        f"friction: {{A: {{rho: 3 mm}}, C: {{rho: {rng.uniform(1, 4):.2f} mm}}, D: {{f: 0.1, r: 20 mm}}}}\n"
+        if rng.random() < 0.25 and not more
+        else ""
+    )
     return f"""
 id: thrust
 title: thrust

@@ -1,4 +1,5 @@
-"""Random force problems in all the words of the manual: several loads on a link, round bars, centres by lengths, V-grooves, who carries a pin, what is asked."""
+"""Random force problems in all the words of the manual: several loads on a link, round bars, centres by lengths,
+V-grooves, who carries a pin, what is asked."""
 
 from __future__ import annotations
 
@@ -21,13 +22,21 @@ def several(c: Chain, without: str = "") -> str:
 
 
 def _load(c: Chain, tail: str, link: str) -> str:
-    return moment(c, f"M_{tail}", link) if c.rng.random() < 0.3 else force(c, f"F_{tail}", link, str(c.rng.choice(c.links[link])))
+    return (
+        moment(c, f"M_{tail}", link)
+        if c.rng.random() < 0.3
+        else force(c, f"F_{tail}", link, str(c.rng.choice(c.links[link])))
+    )
 
 
 def masses(c: Chain) -> str:
     """Masses of some links: on a letter, set out by offsets or by two lengths, of a round bar, at the one pin."""
     text = "".join(f"  @{name}: {{{_mass(c, name)}}}\n" for name in c.links if c.rng.random() < 0.7)
-    return f"masses:\n{text}weight: {c.rng.choice(['yes', 'no'])}\ninertia: {c.rng.choice(['yes', 'yes', 'no'])}\n" if text else ""
+    return (
+        f"masses:\n{text}weight: {c.rng.choice(['yes', 'no'])}\ninertia: {c.rng.choice(['yes', 'yes', 'no'])}\n"
+        if text
+        else ""
+    )
 
 
 def _mass(c: Chain, name: str) -> str:
@@ -41,9 +50,15 @@ def _mass(c: Chain, name: str) -> str:
         case 1:
             length, x, y = abs(c.at[q] - c.at[p]), c.rng.uniform(10, 80), c.rng.uniform(5, 40)
             s = f"S@{name}"
-            place = f"{{{p}{s}: {np.hypot(x, y):.9g} mm, {q}{s}: {np.hypot(length - x, y):.9g} mm, side: {c.rng.choice(['left', 'right'])} of {p}{q}}}"
+            place = (
+                f"{{{p}{s}: {np.hypot(x, y):.9g} mm, {q}{s}: {np.hypot(length - x, y):.9g} mm, side: "
+                f"{c.rng.choice(['left', 'right'])} of {p}{q}}}"
+            )
         case 2:
-            place = f"{{along: {p}{q}, at: {c.rng.integers(-20, 120)} mm, {c.rng.choice(['left', 'right'])}: {c.rng.integers(0, 40)} mm}}"
+            place = (
+                f"{{along: {p}{q}, at: {c.rng.integers(-20, 120)} mm, {c.rng.choice(['left', 'right'])}: "
+                f"{c.rng.integers(0, 40)} mm}}"
+            )
         case _:
             place = str(c.rng.choice(letters))
     return f"{mass}, inertia: {c.rng.integers(0, 20000)} kg*mm^2, centre: {place}"
@@ -51,7 +66,9 @@ def _mass(c: Chain, name: str) -> str:
 
 def hinges(c: Chain) -> dict[str, list[str]]:
     """Letter of a pin → the moving links there."""
-    found = {p: [name for name, letters in c.links.items() if p in letters] for letters in c.links.values() for p in letters}
+    found = {
+        p: [name for name, letters in c.links.items() if p in letters] for letters in c.links.values() for p in letters
+    }
     return {p: names for p, names in found.items() if len(names) + (p in c.frame) > 1}
 
 
@@ -68,13 +85,24 @@ def _ends(c: Chain, a: str, b: str) -> str:
 
 def _pin(c: Chain) -> str:
     rho, f = c.rng.uniform(0.3, 3), c.rng.uniform(0.05, 0.3)
-    return str(c.rng.choice([f"rho: {rho:.3f} mm", f"f: {f:.3f}, r: {rho / f:.3f} mm", f"f_v: {f:.3f}, r: {rho / f:.3f} mm"]))
+    return str(
+        c.rng.choice([f"rho: {rho:.3f} mm", f"f: {f:.3f}, r: {rho / f:.3f} mm", f"f_v: {f:.3f}, r: {rho / f:.3f} mm"])
+    )
 
 
 def _slide(c: Chain) -> str:
     phi = float(np.radians(c.rng.uniform(2, 9)))
     f, v = np.tan(phi), c.rng.uniform(35, 80)
-    return str(c.rng.choice([f"phi: {degrees(phi):.3f} deg", f"f: {f:.4f}", f"f_v: {f:.4f}", f"f: {f * np.sin(np.radians(v)):.4f}, V: {v:.2f} deg"]))
+    return str(
+        c.rng.choice(
+            [
+                f"phi: {degrees(phi):.3f} deg",
+                f"f: {f:.4f}",
+                f"f_v: {f:.4f}",
+                f"f: {f * np.sin(np.radians(v)):.4f}, V: {v:.2f} deg",
+            ]
+        )
+    )
 
 
 def carriers(c: Chain, always: bool = False) -> str:
@@ -94,7 +122,9 @@ def asked(c: Chain) -> str:
 def as_written(rng: np.random.Generator) -> str:
     """Loads, masses, friction, pins, in all their spellings."""
     c = simple(rng)
-    further = (masses(c) if rng.random() < 0.5 else "") + (friction(c) if rng.random() < 0.5 else "") + carriers(c) + asked(c)
+    further = (
+        (masses(c) if rng.random() < 0.5 else "") + (friction(c) if rng.random() < 0.5 else "") + carriers(c) + asked(c)
+    )
     return numbered(c, template(c, several(c) + free(c, "L0"), further), renumbering(rng, c))
 
 
@@ -104,5 +134,9 @@ def carried(rng: np.random.Generator) -> str:
     c = simple(rng, (rrr, rrp))
     while not carriers(c, always=True):
         c = simple(rng, (rrr, rrp))
-    further = (masses(c) if rng.random() < 0.3 else "") + (friction(c) if rng.random() < 0.4 else "") + carriers(c, always=True)
+    further = (
+        (masses(c) if rng.random() < 0.3 else "")
+        + (friction(c) if rng.random() < 0.4 else "")
+        + carriers(c, always=True)
+    )
     return numbered(c, template(c, several(c) + free(c, "L0"), further), renumbering(rng, c))

@@ -52,7 +52,9 @@ def _crank(sketch: Sketch) -> None:
             crank = Body("1", {a: at, b: end}, [f"{a}{b}: {mm(abs(end - at))}"], axis=way)
         case "beside":
             beside = sketch.between(-30, 30)
-            crank = Body("1", {a: at}, [f"slot: {{through: {a}, left: {mm(beside)}}}"], way, a, at + 1j * way * beside, way)
+            crank = Body(
+                "1", {a: at}, [f"slot: {{through: {a}, left: {mm(beside)}}}"], way, a, at + 1j * way * beside, way
+            )
         case kind:
             crank = Body("1", {a: at}, [f"{kind}: {a}"], way, a, at, way)
     rate, accel = sketch.one(["10 rad/s ccw", "40 r/min cw", "3 rad/s", "-8 rad/s"]), sketch.one(["0", "5", "-20"])
@@ -73,7 +75,9 @@ def _slide(sketch: Sketch) -> None:
     words = led.phrase.split()
     origin = 0j if "=" in words else frame.at[words[3] if "through" in words else words[1][0]]
     travel = ((at - origin) / led.way).real
-    sketch.input = f"{{link: 1, s: {mm(travel)}, v: {sketch.one(['0.5', '-0.2'])} m/s, a: {sketch.one(['0', '3', '-2'])} m/s^2}}"
+    sketch.input = (
+        f"{{link: 1, s: {mm(travel)}, v: {sketch.one(['0.5', '-0.2'])} m/s, a: {sketch.one(['0', '3', '-2'])} m/s^2}}"
+    )
     with_points(sketch, crank)
 
 

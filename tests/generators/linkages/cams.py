@@ -1,4 +1,5 @@
-"""Higher pairs in the pose: a disc of a link that is known moves a lever or a slider with a round tip or a flat face, or a face moves one with a disc."""
+"""Higher pairs in the pose: a disc of a link that is known moves a lever or a slider with a round tip or a flat face,
+or a face moves one with a disc."""
 
 from __future__ import annotations
 
@@ -20,7 +21,12 @@ def cam(sketch: Sketch) -> None:
     o, radius = _disc(sketch, driver)
     form = sketch.one(["round lever", "round slider", "flat lever", "flat slider"])
     other = sketch.one([name for name in sketch.bodies if name != driver.name])
-    follow = {"round lever": _round_lever, "round slider": _round_slider, "flat lever": _flat_lever, "flat slider": _flat_slider}[form]
+    follow = {
+        "round lever": _round_lever,
+        "round slider": _round_slider,
+        "flat lever": _flat_lever,
+        "flat slider": _flat_slider,
+    }[form]
     body = follow(sketch, sketch.bodies[other], driver.name, o, radius)
     with_points(sketch, body)
 
@@ -49,7 +55,11 @@ def _touching(sketch: Sketch, driver: str, o: str, radius: float) -> tuple[compl
     """Centre and radius of a round tip on this disc, and how it touches."""
     tip = 0.0 if sketch.chance(0.15) else sketch.between(4, 25)
     inside = sketch.chance(0.25) and abs(radius - tip) > 6 and tip > 0
-    return sketch.places[o] + sketch.some_way() * (abs(radius - tip) if inside else radius + tip), tip, " inside" if inside else ""
+    return (
+        sketch.places[o] + sketch.some_way() * (abs(radius - tip) if inside else radius + tip),
+        tip,
+        " inside" if inside else "",
+    )
 
 
 def _contact(sketch: Sketch, one: str, two: str, how: str) -> None:
@@ -68,7 +78,9 @@ def _round_lever(sketch: Sketch, parent: Body, driver: str, o: str, radius: floa
         raise Grazing
     ray = sketch.places[o] - base
     which(sketch, e, at, base + ray * ((at - base) / ray).conjugate(), o, c)
-    body = Body(name, {c: base, e: at}, [f"{c}{e}: {mm(abs(at - base))}", f"disc: {e}", f"radius: {mm(tip)}"], axis=at - base)
+    body = Body(
+        name, {c: base, e: at}, [f"{c}{e}: {mm(abs(at - base))}", f"disc: {e}", f"radius: {mm(tip)}"], axis=at - base
+    )
     sketch.add(body)
     _contact(sketch, driver, name, how)
     return body
@@ -100,7 +112,10 @@ def _flat_lever(sketch: Sketch, parent: Body, driver: str, o: str, radius: float
     left = "" if beside == 0.0 else f", left: {mm(beside)}"
     if sketch.chance(0.4):
         d, end = sketch.letter(), base + sketch.some_way() * sketch.between(40, 120)
-        entries = [f"{c}{d}: {mm(abs(end - base))}", f"face: {{through: {c}, angle: {deg(turned(way, end - base))} from {c}{d}{left}}}"]
+        entries = [
+            f"{c}{d}: {mm(abs(end - base))}",
+            f"face: {{through: {c}, angle: {deg(turned(way, end - base))} from {c}{d}{left}}}",
+        ]
         body = Body(name, {c: base, d: end}, entries, axis=end - base)
     else:
         body = Body(name, {c: base}, [f"face: {{through: {c}{left}}}" if left else f"face: {c}"], way, c, axis=way)
@@ -120,7 +135,14 @@ def _flat_slider(sketch: Sketch, parent: Body, driver: str, o: str, radius: floa
     if abs((way / led.way).imag) < 0.2:
         raise Grazing
     left = "" if beside == 0.0 else f", left: {mm(beside)}"
-    body = Body(name, {f: place}, [f"block: {f}", f"face: {{through: {f}, angle: {deg(turned(way, led.way))} from line{left}}}"], led.way, f, axis=led.way)
+    body = Body(
+        name,
+        {f: place},
+        [f"block: {f}", f"face: {{through: {f}, angle: {deg(turned(way, led.way))} from line{left}}}"],
+        led.way,
+        f,
+        axis=led.way,
+    )
     sketch.add(body)
     sketch.joints.append(led.sentence(name, f))
     _contact(sketch, driver, name, side)
@@ -148,7 +170,12 @@ def _face_drives(sketch: Sketch, driver: Body) -> None:
             raise Grazing
         which(sketch, e, at, at - 2 * along * way, hinge)
         start = sketch.places[hinge]
-        body = Body(name, {hinge: start, e: at}, [f"{hinge}{e}: {mm(abs(at - start))}", f"disc: {e}", f"radius: {mm(tip)}"], axis=at - start)
+        body = Body(
+            name,
+            {hinge: start, e: at},
+            [f"{hinge}{e}: {mm(abs(at - start))}", f"disc: {e}", f"radius: {mm(tip)}"],
+            axis=at - start,
+        )
         sketch.add(body)
     else:
         led = rail(sketch, parent, at)

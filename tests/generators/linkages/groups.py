@@ -103,7 +103,9 @@ def rpp(sketch: Sketch) -> None:
             with_points(sketch, sketch.bodies[name])
 
 
-def _slot_on_outer(sketch: Sketch, names: tuple[str, str], p: tuple[str, complex], r: tuple[str, complex], outer: Rail) -> None:
+def _slot_on_outer(
+    sketch: Sketch, names: tuple[str, str], p: tuple[str, complex], r: tuple[str, complex], outer: Rail
+) -> None:
     """Link k carries a slot that passes the pin P, where block j sits, or P itself runs."""
     j, k = names
     left = 0.0 if sketch.chance(0.5) else sketch.between(-20, 20)
@@ -115,7 +117,9 @@ def _slot_on_outer(sketch: Sketch, names: tuple[str, str], p: tuple[str, complex
     _pair(sketch, Rail(f"on {line} of {k}" if line else f"in {k}", body.way, left), body, j, p[0], p[1])
 
 
-def _slot_on_pinned(sketch: Sketch, names: tuple[str, str], p: tuple[str, complex], r: tuple[str, complex], outer: Rail) -> None:
+def _slot_on_pinned(
+    sketch: Sketch, names: tuple[str, str], p: tuple[str, complex], r: tuple[str, complex], outer: Rail
+) -> None:
     """Link j, pinned at P, carries the slot in which link k slides."""
     j, k = names
     left = 0.0 if sketch.chance(0.5) else sketch.between(-20, 20)
@@ -125,7 +129,9 @@ def _slot_on_pinned(sketch: Sketch, names: tuple[str, str], p: tuple[str, comple
     block, turn = slider(sketch, k, r[0], r[1], outer.way)
     sketch.add(body, block)
     sketch.joints.append(outer.sentence(k, r[0], turn))
-    sketch.joints.append(Rail(f"on {line} of {j}" if line else f"in {j}", body.way, left).sentence(k, r[0], turned(block.axis, body.way)))
+    sketch.joints.append(
+        Rail(f"on {line} of {j}" if line else f"in {j}", body.way, left).sentence(k, r[0], turned(block.axis, body.way))
+    )
 
 
 def _apex(sketch: Sketch, p: complex, q: complex) -> complex:
@@ -138,8 +144,12 @@ def _apex(sketch: Sketch, p: complex, q: complex) -> complex:
 
 def _bar(sketch: Sketch, name: str, p: str, at_p: complex, c: str, at: complex) -> Body:
     first, second = (p, c) if sketch.chance(0.6) else (c, p)
-    return Body(name, {first: at_p if first == p else at, second: at if first == p else at_p}, [f"{first}{second}: {mm(abs(at - at_p))}"],
-                axis=(at - at_p) if first == p else (at_p - at))
+    return Body(
+        name,
+        {first: at_p if first == p else at, second: at if first == p else at_p},
+        [f"{first}{second}: {mm(abs(at - at_p))}"],
+        axis=(at - at_p) if first == p else (at_p - at),
+    )
 
 
 def _joined(sketch: Sketch, parent: Body, led: Rail, block: str, c: str, turn: float | None) -> None:

@@ -38,7 +38,10 @@ def _by_ray(sketch: Sketch, body: Body, letter: str) -> tuple[complex, str]:
     at, ray = base + way * complex(t, h), x + y
     match sketch.one(["offsets", "angle", "lengths"]):
         case "angle":
-            return at, f"{letter}: {{{x}{letter}: {mm(abs(at - base))}, angle: {deg(turned(at - base, way))} from {ray}}}"
+            return (
+                at,
+                f"{letter}: {{{x}{letter}: {mm(abs(at - base))}, angle: {deg(turned(at - base, way))} from {ray}}}",
+            )
         case "lengths" if abs(h) > 5:
             lengths = f"{x}{letter}: {mm(abs(at - base))}, {letter}{y}: {mm(abs(at - body.at[y]))}"
             return at, f"{letter}: {{{lengths}, side: {'left' if h > 0 else 'right'} of {ray}}}"
@@ -50,7 +53,11 @@ def _by_guide(sketch: Sketch, body: Body, letter: str) -> tuple[complex, str]:
     t, h = sketch.between(-60, 160), sketch.offset()
     base, at = body.at[body.through], body.at[body.through] + body.way * complex(t, h)
     if sketch.chance(0.5):
-        return at, f"{letter}: {{{body.through}{letter}: {mm(abs(at - base))}, angle: {deg(turned(at - base, body.way))} from line}}"
+        return (
+            at,
+            f"{letter}: {{{body.through}{letter}: {mm(abs(at - base))}, angle: "
+            f"{deg(turned(at - base, body.way))} from line}}",
+        )
     return at, f"{letter}: {{along: {sketch.one([body.through, 'line'])}, at: {mm(t)}{_beside(sketch, h)}}}"
 
 

@@ -32,7 +32,9 @@ def rail(sketch: Sketch, body: Body, at: complex, straight: bool = False) -> Rai
     if body.slot is not None:
         aside = ((at - body.slot) / body.way).imag
         if not straight or abs(aside) < 1e-6:
-            return Rail(f"{sketch.one(['in', 'on', 'along'])} {body.name}", body.way, aside if abs(aside) > 1e-6 else 0.0)
+            return Rail(
+                f"{sketch.one(['in', 'on', 'along'])} {body.name}", body.way, aside if abs(aside) > 1e-6 else 0.0
+            )
     elif not body.through and len(body.at) > 1 and sketch.chance(0.6):
         return _slotted(sketch, body, at, left)
     return _on_points(sketch, body, at, straight)

@@ -39,7 +39,8 @@ def turned(way: complex, back: complex = 1.0) -> float:
 class Body:
     """A link in the pose.
 
-    way: direction of its line, the one on which others slide or which the file calls "line"; through: the letter by which the file
+    way: direction of its line, the one on which others slide or which the file calls "line"; through: the letter by
+    which the file
     knows that line; slot: a place on it, where it is a slot or a rod. axis: direction of the link's own x axis.
     """
 
@@ -104,7 +105,11 @@ class Sketch:
     def parents(self) -> tuple[Body, Body]:
         """Two links of what is known, mostly different."""
         known = list(self.bodies.values())
-        a, b = (known[i] for i in self.rng.choice(len(known), 2, replace=False)) if len(known) > 1 else (known[0], known[0])
+        a, b = (
+            (known[i] for i in self.rng.choice(len(known), 2, replace=False))
+            if len(known) > 1
+            else (known[0], known[0])
+        )
         return a, b
 
     def add(self, *bodies: Body) -> None:
@@ -120,6 +125,17 @@ class Sketch:
         frame, *links = self.bodies.values()
         points = ", ".join(f"{p}: [{mm(z.real)}, {mm(z.imag)}]" for p, z in frame.at.items())
         body = "\n".join(link.text() for link in sorted(links, key=lambda b: int(b.name)))
-        return "\n".join((
-            "id: linkage", "title: linkage", f"frame: {{{points}}}", "links:", body, f"joints: [{', '.join(self.joints)}]",
-            f"input: {self.input}", f"branch: [{', '.join(self.branches)}]", f"find: [{', '.join(self.finds)}]", ""))
+        return "\n".join(
+            (
+                "id: linkage",
+                "title: linkage",
+                f"frame: {{{points}}}",
+                "links:",
+                body,
+                f"joints: [{', '.join(self.joints)}]",
+                f"input: {self.input}",
+                f"branch: [{', '.join(self.branches)}]",
+                f"find: [{', '.join(self.finds)}]",
+                "",
+            )
+        )

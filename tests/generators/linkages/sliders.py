@@ -28,7 +28,8 @@ def slider(sketch: Sketch, name: str, pin: str, at: complex, way: complex) -> tu
 
 
 def guide(sketch: Sketch, name: str, q: str, base: complex, p: complex, left: float) -> tuple[Body, str]:
-    """A link pinned at Q whose slot, or rod, leaves the place p to its left; and how a joint names its line ("": its own)."""
+    """A link pinned at Q whose slot, or rod, leaves the place p to its left; and how a joint names its line ("": its
+    own)."""
     match sketch.one(["slot", "rod", "beside", "inclined", "bar", "far"]):
         case "far":
             return _far(sketch, name, q, base, p, left)
@@ -37,8 +38,13 @@ def guide(sketch: Sketch, name: str, q: str, base: complex, p: complex, left: fl
             way = _towards(base, p, beside + left)
             if form == "inclined":
                 return _inclined(sketch, name, q, base, way, beside), ""
-            kind, side = sketch.one(["slot", "rod"]), f"left: {mm(beside)}" if sketch.chance(0.5) else f"right: {mm(-beside)}"
-            return _own(Body(name, {q: base}, [f"{kind}: {{through: {q}, {side}}}"]), q, way, base + 1j * way * beside), ""
+            kind, side = (
+                sketch.one(["slot", "rod"]),
+                f"left: {mm(beside)}" if sketch.chance(0.5) else f"right: {mm(-beside)}",
+            )
+            return _own(
+                Body(name, {q: base}, [f"{kind}: {{through: {q}, {side}}}"]), q, way, base + 1j * way * beside
+            ), ""
         case "bar":
             way, second = _towards(base, p, left), sketch.letter()
             body = Body(name, {q: base, second: base + way * sketch.between(40, 150)}, way=way, axis=way)
@@ -71,7 +77,9 @@ def _far(sketch: Sketch, name: str, q: str, base: complex, p: complex, left: flo
         raise Grazing
     other = (p - base) / complex(-along, ((p - base) / way).imag)
     which(sketch, second, end, base + (end - base) * other / way)
-    body.entries.append(f"slot: {{through: {second}, angle: {deg(turned(way, base - end))} from {second}{q}, left: {mm(beside)}}}")
+    body.entries.append(
+        f"slot: {{through: {second}, angle: {deg(turned(way, base - end))} from {second}{q}, left: {mm(beside)}}}"
+    )
     return _own(body, second, way, end + 1j * way * beside), ""
 
 

@@ -1,4 +1,5 @@
-"""Members of other families told otherwise: in other units and signs, other letters, another frame, a mirror. The answers stay, turn, or are mirrored."""
+"""Members of other families told otherwise: in other units and signs, other letters, another frame, a mirror. The
+answers stay, turn, or are mirrored."""
 
 from __future__ import annotations
 

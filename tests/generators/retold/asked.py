@@ -1,4 +1,5 @@
-"""Members of other families of which something else is asked: instant centres and velocities by them; points with a given velocity or acceleration."""
+"""Members of other families of which something else is asked: instant centres and velocities by them; points with a
+given velocity or acceleration."""
 
 from __future__ import annotations
 
@@ -8,19 +9,31 @@ from vecpoly import oracle
 from vecpoly.mechanism.model import FRAME, Mechanism
 from vecpoly.names import At, Kind, Rel, parse_rel
 from vecpoly.oracle.motion import Motion
-from vecpoly.problem.asks import AskPoint
+from vecpoly.problem.asked.asks import AskPoint
 from vecpoly.solution import Solution
 
 from ..family import family
 from ..library import data_of
 from .original import original, solved, told
 
-JOINTED = ("four-bar", "linkage-rrr", "linkage-rrp", "linkage-rpr", "linkage-prp", "linkage-rpp", "linkage-cam", "gears-pivots", "gears-arms", "gears-trains")
+JOINTED = (
+    "four-bar",
+    "linkage-rrr",
+    "linkage-rrp",
+    "linkage-rpr",
+    "linkage-prp",
+    "linkage-rpp",
+    "linkage-cam",
+    "gears-pivots",
+    "gears-arms",
+    "gears-trains",
+)
 STEP = 1e-5  # of the drive
 
 
 def one_velocity_at_each_centre(solution: Solution) -> str:
-    """Both links have one velocity at their centre, by central differences of the oracle's positions; the other answers are the original's."""
+    """Both links have one velocity at their centre, by central differences of the oracle's positions; the other answers
+    are the original's."""
     mech = solution.problem.subject
     assert isinstance(mech, Mechanism)
     unit = mech.scale if mech.drive.slide else 1.0
@@ -28,7 +41,9 @@ def one_velocity_at_each_centre(solution: Solution) -> str:
     fastest = max(abs(_velocity(mech, motion, name, 0j, unit)) for name in mech.bodies)
     for key, answer in solution.answers.items():
         if key.startswith("P_") and answer.exact_vector is not None:
-            one, two = (_velocity(mech, motion, _named(mech, n), answer.exact_vector, unit) for n in key.split("_", 1)[1])
+            one, two = (
+                _velocity(mech, motion, _named(mech, n), answer.exact_vector, unit) for n in key.split("_", 1)[1]
+            )
             if not abs(one - two) <= 1e-6 * (fastest + abs(one) + abs(two)):
                 return f"at {key} {answer.exact_vector} the links have {one} and {two} m/s"
     return ""
@@ -56,7 +71,11 @@ def centres(rng: np.random.Generator) -> str:
         if len(data["links"]) < 8:
             break
     turning = [f"omega_{name}" for name in data["links"]]
-    points = [key for key in data["find"] if key.startswith("v_") and key[2:].isalpha() and key.count("_") == 1 and len(key) == 3]
+    points = [
+        key
+        for key in data["find"]
+        if key.startswith("v_") and key[2:].isalpha() and key.count("_") == 1 and len(key) == 3
+    ]
     return told(data | {"method": "centres", "find": ["centres", *turning, *points]}, mark)
 
 
@@ -80,7 +99,10 @@ def _rate(motion: Motion, mech: Mechanism, link: str, place: complex, kind: Kind
     letter = next(iter(mech.link(link).points))
     arm, first = place - complex(motion.position(letter)), complex(motion.value(Rel(kind, At(letter, link))))
     turning = 1j * complex(motion.value(parse_rel(f"omega_{link}")))
-    return first + (turning if kind is Kind.V else 1j * complex(motion.value(parse_rel(f"alpha_{link}"))) + turning**2) * arm
+    return (
+        first
+        + (turning if kind is Kind.V else 1j * complex(motion.value(parse_rel(f"alpha_{link}"))) + turning**2) * arm
+    )
 
 
 @family("asked-points", also=as_given)
@@ -88,11 +110,19 @@ def points(rng: np.random.Generator) -> str:
     """Points with a given velocity or acceleration, Coriolis terms yes or no."""
     mark, text = original(rng, JOINTED)
     data, solution = data_of(text), solved(text)
-    turning = [name for name in data["links"] if solution.answers.get(f"omega_{name}") and abs(solution.answers[f"omega_{name}"].exact) > 1e-3]
+    turning = [
+        name
+        for name in data["links"]
+        if solution.answers.get(f"omega_{name}") and abs(solution.answers[f"omega_{name}"].exact) > 1e-3
+    ]
     asks: list[object] = []
     asks += [{"coriolis": key.removeprefix("ak_")} for key in data["find"] if key.startswith("ak_")][:2]
     for i, name in enumerate(rng.permutation(turning)[:2]):
         kind, unit = [("velocity", "m/s"), ("acceleration", "m/s^2")][int(rng.integers(2))]
         given: object = "0" if rng.random() < 0.3 else [f"{rng.uniform(-0.6, 0.6):.3f} {unit}" for _ in range(2)]
-        asks += [{"point": f"{'MQ'[i]}z{name}", "on": str(name), kind: given}, f"v_{'MQ'[i]}z{name}", f"a_{'MQ'[i]}z{name}"]
+        asks += [
+            {"point": f"{'MQ'[i]}z{name}", "on": str(name), kind: given},
+            f"v_{'MQ'[i]}z{name}",
+            f"a_{'MQ'[i]}z{name}",
+        ]
     return told(data | {"find": asks or data["find"][:1]}, mark)

@@ -1,4 +1,5 @@
-"""The whole cycle of a mechanism as a table of ours: its row at the given position is the solution, and as a printed table it is reproduced."""
+"""The whole cycle of a mechanism as a table of ours: its row at the given position is the solution, and as a printed
+table it is reproduced."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from vecpoly.check.table import check_table
+from vecpoly.check.table.whole import check_table
 from vecpoly.cycle import csv_bytes, cycle, table
 from vecpoly.names import parse_rel
 from vecpoly.solution import Solution
@@ -17,13 +18,30 @@ from ..library import data_of
 from .original import original, told
 
 ROWS = 37
-TURNING = ("change-points", "four-bar", "linkage-rrr", "linkage-rrp", "linkage-rpr", "linkage-prp", "linkage-rpp", "linkage-cam", "gears-pivots", "gears-arms", "gears-stepped", "offset-slot-drives")
+TURNING = (
+    "change-points",
+    "four-bar",
+    "linkage-rrr",
+    "linkage-rrp",
+    "linkage-rpr",
+    "linkage-prp",
+    "linkage-rpp",
+    "linkage-cam",
+    "gears-pivots",
+    "gears-arms",
+    "gears-stepped",
+    "offset-slot-drives",
+)
 
 
 def reproduced(solution: Solution) -> str:
     """What `vecpoly cycle` writes, `vecpoly check --table` finds right in every column."""
     problem = solution.problem
-    keys = [key for key in solution.answers if parse_rel(key).ref is None and parse_rel(key).kind.name in ("OMEGA", "ALPHA", "V", "A")][:8]
+    keys = [
+        key
+        for key in solution.answers
+        if parse_rel(key).ref is None and parse_rel(key).kind.name in ("OMEGA", "ALPHA", "V", "A")
+    ][:8]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "t.csv"
         path.write_bytes(csv_bytes(table(cycle(problem, ROWS), tuple(keys))))

@@ -25,7 +25,8 @@ _LETTER = r"[A-Z][a-z]?"
 
 @dataclass(slots=True)
 class Isometry:
-    """z → e^{iθ} z, or e^{iθ} z̄ where it mirrors; θ in degrees. `pivots`: letters of guides that were told by a coordinate."""
+    """z → e^{iθ} z, or e^{iθ} z̄ where it mirrors; θ in degrees. `pivots`: letters of guides that were told by a
+    coordinate."""
 
     theta: float
     mirrors: bool
@@ -72,7 +73,10 @@ class Isometry:
     def entries(self, entries: Data) -> Data:
         """A point, a slot, a rack, a centre of mass: offsets and angles."""
         turned: dict[str, Callable[[str], str]] = {"angle": self.absolute, "side": self.sided}
-        return {_SWAP.get(key, key) if self.mirrors else key: turned[key](value) if key in turned else value for key, value in entries.items()}
+        return {
+            _SWAP.get(key, key) if self.mirrors else key: turned[key](value) if key in turned else value
+            for key, value in entries.items()
+        }
 
     def link(self, link: Data) -> Data:
         moved = {key: self.entries(value) if isinstance(value, dict) else value for key, value in link.items()}
@@ -82,7 +86,13 @@ class Isometry:
         text = re.sub(rf"\b(on|along|above|below|left of|right of) ([xy]) = ({_NUMBER}) mm", self._guide, text)
         text = re.sub(rf"(line through {_LETTER} at )({_NUMBER} deg)", lambda m: m[1] + self.absolute(m[2]), text)
         text = re.sub(rf"turned ({_NUMBER} deg)", lambda m: f"turned {self.relative(m[1])}", text)
-        return self.sided(re.sub(r" rolls (above|below) (\d)", lambda m: f" rolls {'left' if m[1] == 'above' else 'right'} of {m[2]}", text))
+        return self.sided(
+            re.sub(
+                r" rolls (above|below) (\d)",
+                lambda m: f" rolls {'left' if m[1] == 'above' else 'right'} of {m[2]}",
+                text,
+            )
+        )
 
     def _guide(self, m: re.Match[str]) -> str:
         """y = 30 mm becomes a line through a new letter; above it is left of it."""
@@ -101,13 +111,18 @@ def isometry(rng: np.random.Generator, data: Data) -> Isometry:
 
 
 def moved(data: Data, by: Isometry, places: dict[str, complex]) -> Data:
-    """The problem after the isometry; the places of moving points are rough places, where a statement speaks of up and down."""
+    """The problem after the isometry; the places of moving points are rough places, where a statement speaks of up and
+    down."""
     new = dict(data)
     new["joints"] = [_joint(by, text) for text in data.get("joints") or []]
     new["frame"] = {letter: by.place(pair) for letter, pair in data["frame"].items()}
     new["frame"] |= {letter: by.place([f"{z.real!r} mm", f"{z.imag!r} mm"]) for letter, z in by.pivots.items()}
     new["links"] = {name: by.link(link) for name, link in data["links"].items()}
-    new["branch"] = [by.sided(text) for text in data.get("branch") or [] if re.search(rf"(left|right) of {_LETTER}{_LETTER}\b|parallelogram", text)]
+    new["branch"] = [
+        by.sided(text)
+        for text in data.get("branch") or []
+        if re.search(rf"(left|right) of {_LETTER}{_LETTER}\b|parallelogram", text)
+    ]
     if "guesses" in data or len(new["branch"]) < len(data.get("branch") or []):
         near = {letter: [f"{1e3 * z.real:.3f} mm", f"{1e3 * z.imag:.3f} mm"] for letter, z in places.items()}
         new["guesses"] = {letter: by.place(pair) for letter, pair in (near | data.get("guesses", {})).items()}
@@ -115,7 +130,10 @@ def moved(data: Data, by: Isometry, places: dict[str, complex]) -> Data:
     if "loads" in data:
         new["loads"] = {name: _load(by, load) for name, load in data["loads"].items()}
     if "masses" in data:
-        new["masses"] = {name: {key: by.entries(value) if isinstance(value, dict) else value for key, value in mass.items()} for name, mass in data["masses"].items()}
+        new["masses"] = {
+            name: {key: by.entries(value) if isinstance(value, dict) else value for key, value in mass.items()}
+            for name, mass in data["masses"].items()
+        }
     return new
 
 
@@ -125,7 +143,11 @@ def _joint(by: Isometry, text: str) -> str:
 
 
 def _input(by: Isometry, given: Data) -> Data:
-    turned: dict[str, Callable[[str], str]] = {"phi": by.relative if "on" in given else by.absolute, "omega": by.turning, "alpha": by.turning}
+    turned: dict[str, Callable[[str], str]] = {
+        "phi": by.relative if "on" in given else by.absolute,
+        "omega": by.turning,
+        "alpha": by.turning,
+    }
     return {key: turned[key](value) if key in turned else value for key, value in given.items()}
 
 

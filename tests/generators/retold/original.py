@@ -1,4 +1,5 @@
-"""The member of another family that is told otherwise: its data as texts, its solution, and the comparison with the retold one.
+"""The member of another family that is told otherwise: its data as texts, its solution, and the comparison with the
+retold one.
 
 The title of the retold problem names the original, so that it is found again when the solution is looked at.
 """
@@ -24,9 +25,32 @@ from ..library import Data
 from ..nearby import natural, slack
 
 SEED = 5
-PLENTY = ("change-points", "cylinder-lever", "cylinder-offset", "cylinder-slider", "forces", "forces-couples", "forces-elsewhere", "forces-friction",
-          "forces-masses", "four-bar", "gears-arms", "gears-pivots", "gears-rolling", "gears-trains", "linkage-prp", "linkage-rpp", "linkage-rpr",
-          "linkage-rrp", "linkage-rrr", "linkage-slide", "offset-slot-drives", "pin-in-two-slots", "roller", "linkage-cam")
+PLENTY = (
+    "change-points",
+    "cylinder-lever",
+    "cylinder-offset",
+    "cylinder-slider",
+    "forces",
+    "forces-couples",
+    "forces-elsewhere",
+    "forces-friction",
+    "forces-masses",
+    "four-bar",
+    "gears-arms",
+    "gears-pivots",
+    "gears-rolling",
+    "gears-trains",
+    "linkage-prp",
+    "linkage-rpp",
+    "linkage-rpr",
+    "linkage-rrp",
+    "linkage-rrr",
+    "linkage-slide",
+    "offset-slot-drives",
+    "pin-in-two-slots",
+    "roller",
+    "linkage-cam",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,10 +106,19 @@ def against(solution: Solution, first: Solution, change: Change) -> str:
         if answer.undefined and other.undefined:
             continue
         unit = answer.reading.unit
-        size = max([floor.get(unit, 0.0), *(abs(one.exact) for one in first.answers.values() if one.reading.unit == unit and not one.undefined)])
+        size = max(
+            [
+                floor.get(unit, 0.0),
+                *(abs(one.exact) for one in first.answers.values() if one.reading.unit == unit and not one.undefined),
+            ]
+        )
         if not _gap(answer, other, change, back) <= AGREE * max(size, 1e-9) + near.get(answer.key, 0.0):
             return f"{key} was {_value(answer)}, as {change.key(key)} it is {_value(other)}"
-    return "" if len(first.answers) == len(solution.answers) else f"{len(solution.answers)} answers in the place of {len(first.answers)}"
+    return (
+        ""
+        if len(first.answers) == len(solution.answers)
+        else f"{len(solution.answers)} answers in the place of {len(first.answers)}"
+    )
 
 
 def _value(answer: Answer) -> complex:

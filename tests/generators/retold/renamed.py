@@ -38,7 +38,9 @@ class Names:
         m = _POINTS.fullmatch(word)
         if m is None or not set(re.findall(_LETTER, m[2])) <= set(self.letters):
             return word
-        return (m[1] or "") + re.sub(rf"({_LETTER})(\d*)", lambda n: self.letter[n[1]] + self.number.get(n[2], n[2]), m[2])
+        return (m[1] or "") + re.sub(
+            rf"({_LETTER})(\d*)", lambda n: self.letter[n[1]] + self.number.get(n[2], n[2]), m[2]
+        )
 
     def text(self, text: str) -> str:
         """A text of the file: a statement, a key."""
@@ -63,11 +65,18 @@ class Names:
 
     def data(self, data: Data) -> Data:
         """All of the file: its links in another order, too."""
-        new = {key: self.tree(value) for key, value in data.items() if key not in ("id", "title", "links", "joints", "masses", "loads", "friction")}
+        new = {
+            key: self.tree(value)
+            for key, value in data.items()
+            if key not in ("id", "title", "links", "joints", "masses", "loads", "friction")
+        }
         new["joints"] = [self.joint(text) for text in data.get("joints") or []]
         for key in ("links", "masses"):
             if key in data:
-                new[key] = {self.number[name]: self.tree(value) for name, value in sorted(data[key].items(), key=lambda item: self.number[item[0]])}
+                new[key] = {
+                    self.number[name]: self.tree(value)
+                    for name, value in sorted(data[key].items(), key=lambda item: self.number[item[0]])
+                }
         if "friction" in data:
             new["friction"] = {self._pair(name): value for name, value in data["friction"].items()}
         if "loads" in data:
@@ -81,7 +90,11 @@ class Names:
         return "-".join(self.number.get(part, part) for part in name.split("-")) if "-" in name else self.text(name)
 
     def _load(self, load: Data) -> Data:
-        linked: dict[str, Callable[[str], str | None]] = {"on": self.number.get, "link": self.number.get, "cylinder": self._pair}
+        linked: dict[str, Callable[[str], str | None]] = {
+            "on": self.number.get,
+            "link": self.number.get,
+            "cylinder": self._pair,
+        }
         return {key: linked[key](value) if key in linked else self.text(value) for key, value in load.items()}
 
 

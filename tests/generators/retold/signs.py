@@ -10,7 +10,21 @@ from ..family import family
 from .original import original
 from .units import unchanged
 
-_WIDE = {":": "：", ",": "，", "{": "｛", "}": "｝", "[": "［", "]": "］", "-": "－", ".": "．", "=": "＝", "/": "／", "^": "＾", "*": "＊", "_": "＿"}
+_WIDE = {
+    ":": "：",
+    ",": "，",
+    "{": "｛",
+    "}": "｝",
+    "[": "［",
+    "]": "］",
+    "-": "－",
+    ".": "．",
+    "=": "＝",
+    "/": "／",
+    "^": "＾",
+    "*": "＊",
+    "_": "＿",
+}
 _SQUARE = {"[": "【", "]": "】"}
 _WORDS = {"ccw": "逆时针", "cw": "顺时针", "mm": "毫米", "deg": "度", "r/min": "转/分", "m/s": "米/秒", "kg": "千克"}
 _SIDES = {"left of": "左侧", "right of": "右方", "above": "上方", "below": "下面"}
@@ -30,16 +44,21 @@ def widened(rng: np.random.Generator, text: str, mark: str) -> str:
     square, curly = rng.random() < 0.5, rng.random() < 0.5
     if rng.random() < 0.7:
         text = _chinese(rng, text)
-    lines = [line if line.startswith("title") else _line(rng, line, share, letters, (square, curly)) for line in text.splitlines()]
+    lines = [
+        line if line.startswith("title") else _line(rng, line, share, letters, (square, curly))
+        for line in text.splitlines()
+    ]
     return "\n".join(f"title: {mark}" if line.startswith("title") else line for line in lines) + "\n"
 
 
-def _line(rng: np.random.Generator, line: str, share: dict[str, float], letters: float, brackets: tuple[bool, bool]) -> str:
+def _line(
+    rng: np.random.Generator, line: str, share: dict[str, float], letters: float, brackets: tuple[bool, bool]
+) -> str:
     """Quoted texts and the dashes of a list stay."""
     dash = re.match(r"\s*(- )?", line)
     assert dash is not None
     out, quoted = dash[0], False
-    for sign in line[dash.end():]:
+    for sign in line[dash.end() :]:
         quoted ^= sign == '"'
         if sign == '"' and brackets[1]:
             out += "“" if quoted else "”"
@@ -55,5 +74,9 @@ def _chinese(rng: np.random.Generator, text: str) -> str:
         if rng.random() < 0.5:
             text = re.sub(rf"(?<=[\d ]) ?(?<![\w/]){re.escape(word)}(?![\w/^*])", f" {zh}", text)
     if rng.random() < 0.5:
-        text = re.sub(r"\b([A-Z][a-m]?) (left of|right of|above|below) ((?:[A-Z][a-m]?){1,2})\b(?=[,\]])", lambda m: f"{m[1]} 在 {m[3]} {_SIDES[m[2]]}", text)
+        text = re.sub(
+            r"\b([A-Z][a-m]?) (left of|right of|above|below) ((?:[A-Z][a-m]?){1,2})\b(?=[,\]])",
+            lambda m: f"{m[1]} 在 {m[3]} {_SIDES[m[2]]}",
+            text,
+        )
     return text

@@ -27,9 +27,19 @@ _TEN = {  # unit → others, with the power of ten by which the number grows
     "kg": (("g", 3), ("千克", 0)),
     "kg*m^2": (("kg*mm^2", 6), ("g*m^2", 3), ("kg·m²", 0)),
 }
-_OTHER = {"deg": (("rad", pi / 180), ("r", 1 / 360)), "rad/s": (("r/min", 30 / pi), ("rpm", 30 / pi), ("deg/s", 180 / pi), ("rad/min", 60.0)), "r/min": (("rpm", 1.0), ("rad/s", pi / 30), ("转/分", 1.0)),
-          "rad/s^2": (("deg/s^2", 180 / pi),), "mm": (("in", 1 / 25.4),), "m/s": (("m/min", 60.0), ("km/h", 3.6))}
-_QUANTITY = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) (" + "|".join(sorted(map(re.escape, _TEN | _OTHER), key=len, reverse=True)) + r")(?![\w/*^])")
+_OTHER = {
+    "deg": (("rad", pi / 180), ("r", 1 / 360)),
+    "rad/s": (("r/min", 30 / pi), ("rpm", 30 / pi), ("deg/s", 180 / pi), ("rad/min", 60.0)),
+    "r/min": (("rpm", 1.0), ("rad/s", pi / 30), ("转/分", 1.0)),
+    "rad/s^2": (("deg/s^2", 180 / pi),),
+    "mm": (("in", 1 / 25.4),),
+    "m/s": (("m/min", 60.0), ("km/h", 3.6)),
+}
+_QUANTITY = re.compile(
+    r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) ("
+    + "|".join(sorted(map(re.escape, _TEN | _OTHER), key=len, reverse=True))
+    + r")(?![\w/*^])"
+)
 
 
 def rewritten(rng: np.random.Generator, value: Any) -> Any:

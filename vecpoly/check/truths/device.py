@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from ...devices.base import Device
-from ...frozen import FrozenMap
+from ...foundation.frozen import FrozenMap
 from ...names import Rel
 from ...oracle.devices.registry import device_answers
 from ...problem.problem import Printed, Problem

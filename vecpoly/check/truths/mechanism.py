@@ -11,16 +11,16 @@ import numpy as np
 
 from ... import oracle
 from ...errors import VecpolyError
-from ...mechanism.assur import hinges
+from ...mechanism.asked.forces import given_value, pairs, press_named
+from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism, Prismatic
-from ...mechanism.quantities import given_value, pairs, press_named
 from ...names import Kind, Rel
-from ...problem.asks import AskNamed, AskPoint
+from ...problem.asked.asks import AskNamed, AskPoint
 from ...problem.problem import Printed, Problem
-from ..behind import behind, way
 from ..likely import natural
 from ..nudged import nudged
+from ..printed.behind import behind, way
 from ..roles import refuse_wrong_roles
 from ..truth import ActsAt, Values, finite, knows
 
@@ -61,8 +61,12 @@ class Exact:
         return finite(_kinematic(self.problem, self.motion) | self._central() | self._static())
 
     def _central(self) -> Values:
-        """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction (deg)."""
-        mech, keys = self.problem.mechanism, [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_central]
+        """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction
+        (deg)."""
+        mech, keys = (
+            self.problem.mechanism,
+            [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_central],
+        )
         if not keys:
             return {}
         from ...oracle.centres import Centres
@@ -75,9 +79,15 @@ class Exact:
         asked = [ask.rel for ask in self.problem.asks if isinstance(ask, AskNamed) and not ask.rel.is_central]
         if self.problem.loads is None or not asked:
             return {}
-        data = {named.key: value for named in asked if (value := given_value(self.problem.loads, named.key)) is not None}
-        return data | {named.key: complex(value) if named.is_vector else float(value.real)
-                       for named in asked if named.key not in data for value in [self.balance.value(named.key)]}
+        data = {
+            named.key: value for named in asked if (value := given_value(self.problem.loads, named.key)) is not None
+        }
+        return data | {
+            named.key: complex(value) if named.is_vector else float(value.real)
+            for named in asked
+            if named.key not in data
+            for value in [self.balance.value(named.key)]
+        }
 
     @cached_property
     def lines(self) -> dict[str, ActsAt]:
@@ -93,11 +103,12 @@ class Exact:
                 point, pin = complex(self.balance.line_of(key)), pin_of(mech, by, on)
                 force = complex(self.balance.value(key))
                 if force:
-                    found[key] = ActsAt(point, _tangent(point - complex(self.motion.position(pin)), force) if pin else "")
+                    found[key] = ActsAt(
+                        point, _tangent(point - complex(self.motion.position(pin)), force) if pin else ""
+                    )
                 elif not pin and (couple := float(self.balance.couple_of(key))):
                     found[key] = ActsAt(complex(self.motion.position(_slid(mech, by, on))), couple=couple)
         return found
-
 
     @property
     def likely(self) -> dict[str, float]:
@@ -149,7 +160,9 @@ def pin_of(mech: Mechanism, a: str, b: str) -> str:
 
 def _slid(mech: Mechanism, a: str, b: str) -> str:
     """The letter of the pin of a sliding pair's block."""
-    return next(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and {joint.guide, joint.block} == {a, b})
+    return next(
+        joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and {joint.guide, joint.block} == {a, b}
+    )
 
 
 def _tangent(arm: complex, force: complex) -> str:

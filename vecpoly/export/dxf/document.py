@@ -10,11 +10,11 @@ from typing import Any
 from ...board.construction import Construction, Figure
 from ...drawing.detail import detailed
 from ...drawing.figure import drawing
-from ...drawing.redbox import red_box
 from ...drawing.scene import Item, Rect, TextBox
-from ...drawing.sheet import Sheet
-from ...drawing.symbols import Surroundings
-from ...drawing.titleblock import furniture
+from ...drawing.sheets.redbox import red_box
+from ...drawing.sheets.sheet import Sheet
+from ...drawing.sheets.titleblock import furniture
+from ...drawing.symbols.marks import Surroundings
 from ...errors import VecpolyError
 from ...words import Lang, Words
 from .entities import STYLES, Paper

@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import degrees, pi
 from typing import TYPE_CHECKING, Any
 
-from ...board.marks import Arc, Disc, Dot, FrictionCircle, GearMark, Mark, Point, Segment, Vector
+from ...board.paper.marks import Arc, Disc, Dot, FrictionCircle, GearMark, Mark, Point, Segment, Vector
 from ...drawing.scene import Fill, Item, Stroke, TextBox
 from ...drawing.style import Hue
-from ...drawing.symbols import Surroundings, draw
+from ...drawing.symbols.marks import Surroundings, draw
 from ...typeset import Box, Glyphs, Rule
 from ...typeset.box import MM
 from ...typeset.fonts import MISSING, Face, missing_text

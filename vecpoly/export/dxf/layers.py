@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, assert_never
 
-from ...board.marks import (
+from ...board.paper.marks import (
     AngleMark,
     Arc,
     Block,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ...board import acts as done
-from ...board.marks import (
+from ...board.paper.marks import (
     AngleMark,
     Arc,
     Disc,
@@ -22,7 +22,7 @@ from ...board.marks import (
 from ...board.place import View
 from ...drawing.scene import Stroke
 from ...drawing.style import LINK, THIN, Dash, Hue, Pen
-from ...drawing.symbols import Surroundings, draw
+from ...drawing.symbols.marks import Surroundings, draw
 from ...mechanism.model import Drive
 from ...methods.desk import Desk, Pose
 from ...plane.derived import plain

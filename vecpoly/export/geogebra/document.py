@@ -12,10 +12,10 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
+from ...algebra.quantity import number
 from ...board import acts as done
 from ...board.place import View, view_of
 from ...plane.derived import moves
-from ...quantity import number
 from ...words import Lang
 from ..parts import Numbers
 from ..recording import Recording
@@ -150,7 +150,8 @@ def _roots(acts: Sequence[done.Act], terms: Numbers) -> Iterator[Term]:
 
 
 def _extent(recording: Recording, view: View) -> tuple[complex, complex] | None:
-    """Lower left and upper right corner of the figure over the range of its input, a little larger at most than as given."""
+    """Lower left and upper right corner of the figure over the range of its input, a little larger at most than as
+    given."""
     spots = [
         recording.terms.parts(act.at)
         for act in recording.desk.board.acts

@@ -9,8 +9,8 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from ...board import acts as done
-from ...board.amended import plain_letters
-from ...board.marks import Dot, Role
+from ...board.otherwise.amended import plain_letters
+from ...board.paper.marks import Dot, Role
 from ...board.place import View
 from ...drawing.style import Hue, Pen, kind_hue, pen
 from ..parts import Numbers

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from ...board.marks import Dot, Role
+from ...board.paper.marks import Dot, Role
 from ...mechanism.model import Contact, Prismatic, Rolling
 from ...plane import nominal
 from ...words import Words
 from .direct import Direct, of_kind, pins, spot
-from .polygon import join
 from .state import CentreFigure
+from .theorem.polygon import join
 
 NORMAL = 22.0  # mm of a common normal to either side of the contact
 
@@ -42,9 +42,17 @@ def _normal(fig: CentreFigure, one: Direct) -> None:
 
 
 def _words(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:
-    parts = [part for part in (_pins(fig, found), _slides(fig, found), _rolling(fig, found), _contacts(fig, found)) if part is not None]
-    return Words("直接相连的构件，其瞬心由观察得到：" + "；".join(part.zh for part in parts) + "。在瞬心多边形上用实线表示。",
-                 "The centres of links that are joined are known at sight: " + "; ".join(part.en for part in parts) + ". Full lines of the polygon show them.")
+    parts = [
+        part
+        for part in (_pins(fig, found), _slides(fig, found), _rolling(fig, found), _contacts(fig, found))
+        if part is not None
+    ]
+    return Words(
+        "直接相连的构件，其瞬心由观察得到：" + "；".join(part.zh for part in parts) + "。在瞬心多边形上用实线表示。",
+        "The centres of links that are joined are known at sight: "
+        + "; ".join(part.en for part in parts)
+        + ". Full lines of the polygon show them.",
+    )
 
 
 def _names(fig: CentreFigure, found: tuple[Direct, ...]) -> Words:
@@ -57,25 +65,52 @@ def _pins(fig: CentreFigure, found: tuple[Direct, ...]) -> Words | None:
     for one in pins(found):
         by_letter.setdefault(one.where, []).append(one)
     parts = [(letter, _names(fig, tuple(there))) for letter, there in by_letter.items()]
-    return None if not parts else Words("转动副中心 " + "，".join(f"${letter}$ 为 {names.zh}" for letter, names in parts),
-                                        "at the pins " + ", ".join(f"${letter}$: {names.en}" for letter, names in parts))
+    return (
+        None
+        if not parts
+        else Words(
+            "转动副中心 " + "，".join(f"${letter}$ 为 {names.zh}" for letter, names in parts),
+            "at the pins " + ", ".join(f"${letter}$: {names.en}" for letter, names in parts),
+        )
+    )
 
 
 def _slides(fig: CentreFigure, found: tuple[Direct, ...]) -> Words | None:
     there = tuple(one for one in of_kind(found, Prismatic) if one.centre is not None)
     names = _names(fig, there)
-    return None if not there else Words(f"移动副的瞬心 {names.zh} 在垂直于导路的无穷远处", f"of slides at infinity, perpendicular to the guide: {names.en}")
+    return (
+        None
+        if not there
+        else Words(
+            f"移动副的瞬心 {names.zh} 在垂直于导路的无穷远处",
+            f"of slides at infinity, perpendicular to the guide: {names.en}",
+        )
+    )
 
 
 def _rolling(fig: CentreFigure, found: tuple[Direct, ...]) -> Words | None:
     there = of_kind(found, Rolling)
     names = _names(fig, there)
-    return None if not there else Words(f"纯滚动两构件的瞬心为其接触点：{names.zh}", f"of links that roll, where they touch: {names.en}")
+    return (
+        None
+        if not there
+        else Words(f"纯滚动两构件的瞬心为其接触点：{names.zh}", f"of links that roll, where they touch: {names.en}")
+    )
 
 
 def _contacts(fig: CentreFigure, found: tuple[Direct, ...]) -> Words | None:
     there = tuple(one for one in found if one.centre is None)
     names = _names(fig, there)
     slots = all(isinstance(one.joint, Prismatic) for one in there)
-    at, at_en = ("滚滑副", "of links that slide on each other") if there and isinstance(there[0].joint, Contact) and not slots else ("销槽副", "of a pin in a slot")
-    return None if not there else Words(f"{at}的瞬心 {names.zh} 在过接触点的公法线 $nn$ 上", f"{at_en}, on the common normal $nn$: {names.en}")
+    at, at_en = (
+        ("滚滑副", "of links that slide on each other")
+        if there and isinstance(there[0].joint, Contact) and not slots
+        else ("销槽副", "of a pin in a slot")
+    )
+    return (
+        None
+        if not there
+        else Words(
+            f"{at}的瞬心 {names.zh} 在过接触点的公法线 $nn$ 上", f"{at_en}, on the common normal $nn$: {names.en}"
+        )
+    )

@@ -6,18 +6,19 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...board.construction import View
-from ...board.marks import AngleMark, Dot, Mark, Point, Role, Segment
-from ...mechanism.assur import Group
+from ...board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
+from ...mechanism.groups.assur import Group
 from ...problem.problem import Problem
 from ..desk import Desk, Pose
-from ..kinematics.diagram import draw_frame, draw_links
+from ..kinematics.diagram.links import draw_frame, draw_links
 from .size import Paper
 
 FEW = 4  # links: with more, the letters of the points would crowd those of the centres
 
 
 def mechanism_marks(desk: Desk, problem: Problem, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Mark]:
-    """Frame and links as in the position diagram, reduced; without their construction lines, and of many links without letters."""
+    """Frame and links as in the position diagram, reduced; without their construction lines, and of many links without
+    letters."""
     scratch = Desk(board=desk.board.scratch({View.MECHANISM: paper.scale}), mech=desk.mech, coincident=desk.coincident)
     shapes = problem.given.shapes
     scratch.at = {name: desk.at[name] * paper.factor for name in desk.mech.frame}
@@ -26,7 +27,9 @@ def mechanism_marks(desk: Desk, problem: Problem, paper: Paper, groups: tuple[Gr
             pose = desk.pose[name]
             scratch.pose[name] = Pose(pose.origin * paper.factor, pose.along)
             scratch.at |= {letter: desk.at[letter] * paper.factor for letter in desk.letters(name) if letter in desk.at}
-        scratch.at |= {c.point: desk.at[c.point] * paper.factor for c in desk.mech.contacts if set(c.links) <= set(scratch.pose)}
+        scratch.at |= {
+            c.point: desk.at[c.point] * paper.factor for c in desk.mech.contacts if set(c.links) <= set(scratch.pose)
+        }
         if number == 0:
             draw_frame(scratch, shapes)
         draw_links(scratch, shapes, links)

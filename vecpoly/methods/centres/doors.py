@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from ...mechanism.centre_quantities import Pair
+from ...mechanism.asked.centres import Pair
 from ...names import Named, Rel
-from ...problem.asks import AskPoint
+from ...problem.asked.asks import AskPoint
 from ..desk import Desk
 from ..registry import Door
-from .motions import Motions
-from .search import Search
-from .speeds import Drawn
+from .find.motions import Motions
+from .find.speeds import Drawn
 from .state import CentreFigure
+from .theorem.search import Search
 
 
 def _search(fig: CentreFigure, search: Search) -> None: ...

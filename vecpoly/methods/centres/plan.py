@@ -1,13 +1,14 @@
-"""The instant centres of a mechanism: how many, those at sight, the others in order; then what the problem asks of them."""
+"""The instant centres of a mechanism: how many, those at sight, the others in order; then what the problem asks of
+them."""
 
 from __future__ import annotations
 
+from ...algebra.formula import Row, Txt, row
 from ...board.construction import View
-from ...formula import Row, Txt, row
-from ...mechanism.assur import Group
-from ...mechanism.centre_quantities import count, real_links
+from ...mechanism.asked.centres import count, real_links
+from ...mechanism.groups.assur import Group
 from ...names import Sort
-from ...problem.asks import AskNamed, AskPoint
+from ...problem.asked.asks import AskNamed, AskPoint
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
@@ -16,12 +17,12 @@ from .at_sight import draw_direct
 from .copy import mechanism_marks
 from .direct import direct_centres, normals, scaled
 from .doors import LIMITS, SEARCHES, SLOWEST
-from .motions import Motions
-from .polygon import open_polygon
+from .find.motions import Motions
 from .readings import read_centres
-from .search import Known
 from .size import Paper, paper_for
 from .state import NAME, CentreFigure
+from .theorem.polygon import open_polygon
+from .theorem.search import Known
 
 TITLE = Words("瞬心图", "Instant centres")
 
@@ -34,7 +35,9 @@ def centre_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None
     _count(desk)
     polygon = open_polygon(desk)
     pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True)
-    fig = CentreFigure(desk=desk, pane=pane, polygon=polygon, paper=paper, known=Known(desk.mech, {}, normals(here), paper.far))
+    fig = CentreFigure(
+        desk=desk, pane=pane, polygon=polygon, paper=paper, known=Known(desk.mech, {}, normals(here), paper.far)
+    )
     _copy(fig, problem, paper, groups)
     draw_direct(fig, here)
     for search in seen.searches:
@@ -51,15 +54,23 @@ def _count(desk: Desk) -> None:
     """K links have N = K (K − 1) / 2 centres."""
     k, n = len(real_links(desk.mech)), count(desk.mech)
     number = desk.mech.frame_number
-    desk.board.step(Words(f"机构（含机架 {number}）共有 $K$ = {k} 个构件，瞬心数目为", f"With the frame, {number}, the mechanism has $K$ = {k} links; the number of their centres is"))
+    desk.board.step(
+        Words(
+            f"机构（含机架 {number}）共有 $K$ = {k} 个构件，瞬心数目为",
+            f"With the frame, {number}, the mechanism has $K$ = {k} links; the number of their centres is",
+        )
+    )
     desk.board.write(Row((*row("N = K(K − 1)/2").items, Txt(f" = {k} × {k - 1}/2 = {n}"))))
 
 
 def _copy(fig: CentreFigure, problem: Problem, paper: Paper, groups: tuple[Group, ...]) -> None:
     """The mechanism once more, reduced where its centres need more room."""
     if paper.factor < 1:
-        words = Words(f"为使瞬心落在图纸内，另取较大的 $μ_l$ = {paper.scale.value:g} m/mm 重画机构图，作为瞬心图。",
-                      f"So that the centres fall on the paper, draw the mechanism once more to the scale $μ_l$ = {paper.scale.value:g} m/mm.")
+        words = Words(
+            f"为使瞬心落在图纸内，另取较大的 $μ_l$ = {paper.scale.value:g} m/mm 重画机构图，作为瞬心图。",
+            "So that the centres fall on the paper, draw the mechanism once more to the scale "
+            f"$μ_l$ = {paper.scale.value:g} m/mm.",
+        )
     else:
         words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")
     fig.board.step(words + _sparing(fig), fig.pane)
@@ -70,12 +81,13 @@ def _sparing(fig: CentreFigure) -> Words:
     """How the lines of many centres are drawn."""
     if not fig.crowded:
         return Words.same("")
-    return Words("瞬心较多，各连线只画出交点附近的一段。", " There are many centres: of every line only the piece where it cuts is drawn.")
+    return Words(
+        "瞬心较多，各连线只画出交点附近的一段。",
+        " There are many centres: of every line only the piece where it cuts is drawn.",
+    )
 
 
 def _limit_positions(desk: Desk, problem: Problem) -> None:
     for ask in problem.asks:
         if isinstance(ask, AskNamed) and ask.rel.key not in desk.board.readings and ask.rel.sort is Sort.LIMIT:
             LIMITS.find(Stage.CENTRES, "limit positions").draw(desk, ask.rel)
-
-

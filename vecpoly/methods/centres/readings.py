@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.formula import Row, Txt, row, sym
+from ...algebra.quantity import worked
 from ...board.construction import Reading
 from ...errors import NoMethodError
-from ...formula import Row, Txt, row, sym
-from ...mechanism.centre_quantities import ENDLESS, Pair, centre, centre_speed, link_pairs, ratio
+from ...mechanism.asked.centres import ENDLESS, Pair, centre, centre_speed, link_pairs, ratio
 from ...mechanism.model import FRAME
 from ...names import Kind, Rel
 from ...plane import Points, Reals, nominal, unit
-from ...problem.asks import AskNamed, AskPoint, AskRel
+from ...problem.asked.asks import AskNamed, AskPoint, AskRel
 from ...problem.problem import Problem
-from ...quantity import worked
 from ...words import Words
 from ..registry import Stage
 from .doors import RATIOS, VELOCITIES
-from .motions import Motions
-from .speeds import draw_speeds, read_centre_speed
-from .spots import another_line, measured, spot_of
+from .find.motions import Motions
+from .find.speeds import draw_speeds, read_centre_speed
+from .find.spots import another_line, measured, spot_of
 from .state import CentreFigure
 
 
@@ -49,7 +49,16 @@ def _read_turn(motions: Motions, rel: Rel) -> None:
     motions.find(link)
     if rel.key not in desk.board.readings:
         value = motions.turns[link]
-        desk.board.keep(Reading(key=rel.key, symbol=rel.symbol, unit=rel.unit, scalar=float(nominal(value)), formula=worked(sym(rel.symbol), motions.sizes[link], rel.unit)), value)
+        desk.board.keep(
+            Reading(
+                key=rel.key,
+                symbol=rel.symbol,
+                unit=rel.unit,
+                scalar=float(nominal(value)),
+                formula=worked(sym(rel.symbol), motions.sizes[link], rel.unit),
+            ),
+            value,
+        )
 
 
 def _read_named(motions: Motions, key: str) -> list[tuple[str, Points, Points] | None]:
@@ -70,13 +79,31 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
     if found.along is not None:
         angle = _upright(fig.board.gauge(0j, found.along))
         text = Row((sym(named.symbol), Txt(f" → ∞, {float(nominal(angle)):.4g}°")))
-        _keep(fig, Reading(key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text), angle)
+        _keep(
+            fig,
+            Reading(
+                key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text
+            ),
+            angle,
+        )
         return
     mm = _far_place(fig, pair) if pair in fig.paper.far else _near_place(fig, pair)
     metres = mm * fig.paper.scale.value
     vector = complex(nominal(metres))
     text = Row((*row(named.symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-    _keep(fig, Reading(key=named.key, symbol=named.symbol, unit="m", scalar=abs(vector), vector=vector, scale=fig.paper.scale.symbol, formula=text), np.abs(metres))
+    _keep(
+        fig,
+        Reading(
+            key=named.key,
+            symbol=named.symbol,
+            unit="m",
+            scalar=abs(vector),
+            vector=vector,
+            scale=fig.paper.scale.symbol,
+            formula=text,
+        ),
+        np.abs(metres),
+    )
 
 
 def _near_place(fig: CentreFigure, pair: Pair) -> Points:
@@ -89,14 +116,33 @@ def _far_place(fig: CentreFigure, pair: Pair) -> Points:
     """Off the paper: from a centre on the paper along the line towards it, by direction and distance (mm)."""
     far = spot_of(fig, *pair)
     ways = [way for way in fig.known.ways(pair) if way.via]
-    near = [spot_of(fig, link, way.via) for way in ways for link in pair if not fig.known.of(link, way.via).endless and not fig.far(link, way.via)]
+    near = [
+        spot_of(fig, link, way.via)
+        for way in ways
+        for link in pair
+        if not fig.known.of(link, way.via).endless and not fig.far(link, way.via)
+    ]
     if not near:
-        raise NoMethodError(Words(
-            f"{far.letter} 在图纸之外，图上没有通向它的直线；请加大 μ_l",
-            f"no line on the paper leads to {far.letter}, which is off it; choose a larger μ_l"))
-    start = max(near, key=lambda spot: abs(float(nominal(np.imag(np.conj(unit(far.at - spot.at)) * another_line(fig, spot, far).along)))))
-    fig.board.step(Words(f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",
-                         f"${far.letter}$ is off the paper: measure the direction of ${start.letter}{far.letter}$; its length follows from proportional segments:"), fig.pane)
+        raise NoMethodError(
+            Words(
+                f"{far.letter} 在图纸之外，图上没有通向它的直线；请加大 μ_l",
+                f"no line on the paper leads to {far.letter}, which is off it; choose a larger μ_l",
+            )
+        )
+    start = max(
+        near,
+        key=lambda spot: abs(
+            float(nominal(np.imag(np.conj(unit(far.at - spot.at)) * another_line(fig, spot, far).along)))
+        ),
+    )
+    fig.board.step(
+        Words(
+            f"${far.letter}$ 落在图外：量 ${start.letter}{far.letter}$ 的方向，其长度由比例线段求得：",
+            f"${far.letter}$ is off the paper: measure the direction of "
+            f"${start.letter}{far.letter}$; its length follows from proportional segments:",
+        ),
+        fig.pane,
+    )
     way = np.exp(1j * fig.board.gauge(start.at, far.at))
     return fig.board.coordinates(start.at, start.letter) + way * measured(fig, start, far).value
 

@@ -1,4 +1,5 @@
-"""How large the figure of the centres is drawn: μ_l where all fit the paper, else a larger one, and which centres stay off the paper."""
+"""How large the figure of the centres is drawn: μ_l where all fit the paper, else a larger one, and which centres stay
+off the paper."""
 
 from __future__ import annotations
 
@@ -8,15 +9,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...board.construction import Scale, View
-from ...board.extent import bounds
-from ...board.scales import round_up
-from ...mechanism.centre_quantities import Pair
+from ...board.paper.extent import bounds
+from ...board.paper.scales import round_up
+from ...mechanism.asked.centres import Pair
 from ...plane import Line, cross, nominal
 from ..desk import Desk
 from .direct import Direct, normals
 from .geometry import NONE, Centre
-from .search import Known, Search, order
-from .trial import best_trial
+from .theorem.search import Known, Search, order
+from .theorem.trial import best_trial
 
 ROOMS = ((150.0, 185.0), (225.0, 118.0))  # mm that the figure may fill on a page, upright or across
 LEAST = 36.0  # mm that the mechanism must measure on it, for its links to be told apart
@@ -74,7 +75,8 @@ def _crossed(lines: tuple[Line, ...]) -> bool:
 
 
 def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
-    """The largest round scale on which everything fits; the farthest centres are left out where the mechanism would become too small."""
+    """The largest round scale on which everything fits; the farthest centres are left out where the mechanism would
+    become too small."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
     middle, size = (low + high) / 2, max(high.real - low.real, high.imag - low.imag)
     mu = desk.board.scales[View.MECHANISM]
@@ -88,7 +90,12 @@ def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
             break
         inside.pop()
     margin = complex(MARGIN, MARGIN)
-    return Paper(scale=scale, factor=factor, corners=(corners[0] * factor - margin, corners[1] * factor + margin), far=frozenset(set(spots) - set(inside)))
+    return Paper(
+        scale=scale,
+        factor=factor,
+        corners=(corners[0] * factor - margin, corners[1] * factor + margin),
+        far=frozenset(set(spots) - set(inside)),
+    )
 
 
 def _too_large(corners: tuple[complex, complex]) -> float:

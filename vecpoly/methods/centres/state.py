@@ -8,14 +8,14 @@ import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Pane
-from ...board.marks import Dot, Point, Role, Segment, Vector
-from ...mechanism.centre_quantities import Pair, centre, pair_of, real_links
+from ...board.paper.marks import Dot, Point, Role, Segment, Vector
+from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line, nominal
 from ..desk import Desk
 from .geometry import Centre
-from .search import Known
 from .size import Paper
+from .theorem.search import Known
 
 NAME = "centres"
 BEYOND = 5.0  # mm a line runs on beyond the outermost of its centres
@@ -68,7 +68,8 @@ class CentreFigure:
     # -- marks --------------------------------------------------------------------------------------------------
 
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
-        """Letter a centre: a point, or an arrow from `start` towards infinity; one off the paper is lettered at its lines."""
+        """Letter a centre: a point, or an arrow from `start` towards infinity; one off the paper is lettered at its
+        lines."""
         found = self.known.of(*pair)
         if found.endless:
             self.point_out(start, self._outwards(start, found.way()), self.letters(*pair))
@@ -78,10 +79,15 @@ class CentreFigure:
     def point_out(self, start: complex, way: complex, label: str) -> None:
         """An arrow away from the figure, with a letter at its tip."""
         tip = start + way * (GAP + ARROW)
-        self.board.mark(self.pane, Vector(a=start + way * GAP, b=tip, role=Role.DIRECTION), Point(at=tip + way * TO_LETTER, label=label, dot=Dot.NONE))
+        self.board.mark(
+            self.pane,
+            Vector(a=start + way * GAP, b=tip, role=Role.DIRECTION),
+            Point(at=tip + way * TO_LETTER, label=label, dot=Dot.NONE),
+        )
 
     def rule(self, line: Line, here: Centre, *on: Centre, whole: bool = False) -> None:
-        """A thin line through these centres, a little beyond the outermost; towards one off the paper it ends at the edge with an arrow.
+        """A thin line through these centres, a little beyond the outermost; towards one off the paper it ends at the
+        edge with an arrow.
 
         Of many links' lines, unless asked for whole, only the piece at `here`, the centre that they give.
         """
@@ -101,15 +107,21 @@ class CentreFigure:
         way = along if float((np.conj(along) * (self.known.of(*target).spot() - at)).real) > 0 else -along
         tip = self.edge(at, way)
         if tip is not None:
-            self.board.mark(self.pane, Vector(a=at, b=tip, role=Role.DIRECTION), Point(at=tip + way * TO_LETTER, label=self.letters(*target), dot=Dot.NONE))
+            self.board.mark(
+                self.pane,
+                Vector(a=at, b=tip, role=Role.DIRECTION),
+                Point(at=tip + way * TO_LETTER, label=self.letters(*target), dot=Dot.NONE),
+            )
 
     def edge(self, at: complex, way: complex) -> complex | None:
         """Where a ray from a point of the paper leaves it."""
         low, high = self.paper.corners
         if not self.paper.holds(at):
             return None
-        reach = [((high.real if way.real > 0 else low.real) - at.real) / way.real if abs(way.real) > 1e-12 else np.inf,
-                 ((high.imag if way.imag > 0 else low.imag) - at.imag) / way.imag if abs(way.imag) > 1e-12 else np.inf]
+        reach = [
+            ((high.real if way.real > 0 else low.real) - at.real) / way.real if abs(way.real) > 1e-12 else np.inf,
+            ((high.imag if way.imag > 0 else low.imag) - at.imag) / way.imag if abs(way.imag) > 1e-12 else np.inf,
+        ]
         return at + way * float(min(reach))
 
     def _outwards(self, start: complex, way: complex) -> complex:

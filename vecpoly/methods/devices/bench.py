@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...algebra.formula import Node
+from ...algebra.formula import named as name_of
+from ...algebra.quantity import Expr, Quantity, magnitude, stated, worked
 from ...board.board import NO_LENGTH, Board
 from ...board.construction import LineOfAction, Place, Reading, Scale
-from ...formula import Node
-from ...formula import named as name_of
 from ...names import Named
 from ...plane import Points, Reals, nominal
-from ...quantity import Expr, Quantity, magnitude, stated, worked
 from ...words import Words
 
 NO_SCALE = Scale(symbol="", value=1.0, unit="")  # of a sketch and of a block diagram
@@ -24,9 +24,18 @@ class Bench:
 
     board: Board
 
-    def measured(self, named: Named, place: Place, start: Points, end: Points, letters: str,
-                 acts: LineOfAction | None = None, told: bool = True) -> Quantity:
-        """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula where it is told."""
+    def measured(
+        self,
+        named: Named,
+        place: Place,
+        start: Points,
+        end: Points,
+        letters: str,
+        acts: LineOfAction | None = None,
+        told: bool = True,
+    ) -> Quantity:
+        """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula
+        where it is told."""
         board, scale = self.board, self.board.scale_of(place)
         on_paper = board.measure(start, end, letters)
         size = on_paper.value * scale.value
@@ -37,15 +46,36 @@ class Bench:
             vector = 0j if zero else complex(nominal(size * np.exp(1j * board.gauge(start, end))))
         if told:
             board.write(formula)
-        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(size)), vector=vector,
-                           mm=float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=formula, acts=acts), size)
+        self._keep(
+            Reading(
+                key=named.key,
+                symbol=named.symbol,
+                unit=named.unit,
+                scalar=float(nominal(size)),
+                vector=vector,
+                mm=float(nominal(on_paper.value)),
+                line=letters,
+                scale=scale.symbol,
+                formula=formula,
+                acts=acts,
+            ),
+            size,
+        )
         return magnitude(named.symbol, size, named.unit)
 
     def worked(self, named: Named, expr: Expr) -> Quantity:
         """Compute a quantity from others; written into the step as symbol = formula = numbers = result."""
         result = self.board.compute(named.symbol, expr, named.unit)
-        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(result.value)),
-                           formula=worked(name_of(named.symbol), expr, named.unit)), result.value)
+        self._keep(
+            Reading(
+                key=named.key,
+                symbol=named.symbol,
+                unit=named.unit,
+                scalar=float(nominal(result.value)),
+                formula=worked(name_of(named.symbol), expr, named.unit),
+            ),
+            result.value,
+        )
         return result
 
     def read_off(self, named: Named, place: Place, on_paper: Quantity, letters: str) -> None:
@@ -58,14 +88,20 @@ class Bench:
         result = magnitude(named.symbol, value, named.unit)
         node = formula if formula is not None else stated(result)
         self.board.write(node)
-        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node), value)
+        self._keep(
+            Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node),
+            value,
+        )
         return result
 
     def judged(self, named: Named, yes: Reals, remark: Words) -> None:
         """Keep the answer to a question, 1 yes and 0 no; the sentence that answers it goes into the step."""
         self.board.remark(remark)
         value = np.where(yes, 1.0, 0.0)
-        self._keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), remark=remark), value)
+        self._keep(
+            Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), remark=remark),
+            value,
+        )
 
     def _keep(self, reading: Reading, values: Reals) -> None:
         self.board.keep(reading, values)

@@ -1,4 +1,5 @@
-"""What wedges and inclined planes share: friction angles, reactions that lean from the normal, bodies drawn apart, ΣF = 0."""
+"""What wedges and inclined planes share: friction angles, reactions that lean from the normal, bodies drawn apart, ΣF =
+0."""
 
 from __future__ import annotations
 
@@ -7,15 +8,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...algebra.formula import Row, Txt, row, sym
+from ...algebra.quantity import Quantity, magnitude, number
 from ...board.board import NO_LENGTH
 from ...board.construction import Pane, Place
-from ...board.marks import AngleMark, Dot, Outline, Point, Role, Segment, Vector
+from ...board.paper.marks import AngleMark, Dot, Outline, Point, Role, Segment, Vector
 from ...devices.base import Ratio
 from ...errors import EquilibriumError, LockedError
-from ...formula import Row, Txt, row, sym
 from ...names import Named
 from ...plane import Points, Reals, dot, nominal
-from ...quantity import Quantity, magnitude, number
 from ...vector.close import Closed, close
 from ...vector.equation import KNOWN, Equation, Term
 from ...words import Words
@@ -31,7 +32,8 @@ OFF_N, ALONG_N = Words("与 $n$ 成 $φ$", "$φ$ from $n$"), Words("沿 $n$", "a
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Press:
-    """A reaction on a body: who presses, where, the normal into the body, the direction of the reaction, the body's sliding (unit vectors)."""
+    """A reaction on a body: who presses, where, the normal into the body, the direction of the reaction, the body's
+    sliding (unit vectors)."""
 
     symbol: str
     at: Points
@@ -45,7 +47,9 @@ class Press:
 def friction_angle(bench: Bench, named: Named, f: Ratio, symbol: str = "f") -> Quantity:
     """φ = arctan f, in degrees."""
     phi = float(np.degrees(np.arctan(f.si)))
-    return bench.stated(named, phi, row_of(sym(named.symbol), f" = arctan ${symbol}$ = arctan {number(f.si)} = {number(phi)}°"))
+    return bench.stated(
+        named, phi, row_of(sym(named.symbol), f" = arctan ${symbol}$ = arctan {number(f.si)} = {number(phi)}°")
+    )
 
 
 def row_of(first: object, text: str) -> Row:
@@ -62,7 +66,8 @@ def leaned(normal: Points, motion: Points, phi: Reals) -> Points:
 
 
 def facing(normal: Points, pushed: Points) -> Points:
-    """Of the two faces of a guide the one that the force `pushed` presses the body against: its normal into the body."""
+    """Of the two faces of a guide the one that the force `pushed` presses the body against: its normal into the
+    body."""
     return normal if float(nominal(dot(normal, pushed))) < 0 else -normal
 
 
@@ -86,8 +91,12 @@ def press(bench: Bench, place: Place, reaction: Press) -> None:
     lean = float(np.angle(along / normal))
     if abs(lean) < FLAT:
         return
-    board.mark(place, Segment(a=at, b=at - normal * NORMAL, role=Role.CENTRE), Point(at=at - normal * NORMAL, label="n", dot=Dot.NONE),
-               AngleMark(at=at, radius=ARC, start=float(np.angle(-normal)), sweep=lean, label=reaction.angle))
+    board.mark(
+        place,
+        Segment(a=at, b=at - normal * NORMAL, role=Role.CENTRE),
+        Point(at=at - normal * NORMAL, label="n", dot=Dot.NONE),
+        AngleMark(at=at, radius=ARC, start=float(np.angle(-normal)), sweep=lean, label=reaction.angle),
+    )
 
 
 def pull(bench: Bench, place: Place, at: Points, along: Points, symbol: str) -> None:
@@ -105,14 +114,18 @@ def haul(bench: Bench, place: Place, at: Points, along: Points, symbol: str, len
 def ray(bench: Bench, place: Place, at: Points, along: Points, length: float, label: str = "") -> None:
     """Draw a thin line from a point, with a symbol at its end."""
     start, end = complex(nominal(at)), complex(nominal(at + along * length))
-    bench.board.mark(place, Segment(a=start, b=end, role=Role.CENTRE), *([Point(at=end, label=label, dot=Dot.NONE)] if label else []))
+    bench.board.mark(
+        place, Segment(a=start, b=end, role=Role.CENTRE), *([Point(at=end, label=label, dot=Dot.NONE)] if label else [])
+    )
 
 
 def between(bench: Bench, place: Place, at: Points, one: Points, other: Points, radius: float, label: str) -> None:
     """Mark the angle from one direction to another, the shorter way."""
     start, sweep = float(np.angle(nominal(one))), float(np.angle(nominal(other / one)))
     if abs(sweep) > FLAT:
-        bench.board.mark(place, AngleMark(at=complex(nominal(at)), radius=radius, start=start, sweep=sweep, label=label))
+        bench.board.mark(
+            place, AngleMark(at=complex(nominal(at)), radius=radius, start=start, sweep=sweep, label=label)
+        )
 
 
 def gauged(bench: Bench, one: Points, other: Points) -> Reals:
@@ -120,7 +133,9 @@ def gauged(bench: Bench, one: Points, other: Points) -> Reals:
     return np.degrees(bench.board.gauge(0j, other / one))
 
 
-def cone(bench: Bench, place: Place, at: Points, axis: Points, phi: Reals, length: float, label: str, angle: str = "φ") -> None:
+def cone(
+    bench: Bench, place: Place, at: Points, axis: Points, phi: Reals, length: float, label: str, angle: str = "φ"
+) -> None:
     """The friction cone: the normal with its symbol, and a line at φ (deg) on either side of it."""
     turn = np.exp(1j * np.radians(phi))
     ray(bench, place, at, axis, length, label)
@@ -132,8 +147,11 @@ def cone(bench: Bench, place: Place, at: Points, axis: Points, phi: Reals, lengt
 def concur(bench: Bench, place: Place, at: Points, *ends: Points) -> None:
     """Carry the lines of action on to the point where they meet."""
     middle = complex(nominal(at))
-    bench.board.mark(place, *(Segment(a=complex(nominal(end)), b=middle, role=Role.HIDDEN) for end in ends),
-                     Point(at=middle, label="", dot=Dot.POINT))
+    bench.board.mark(
+        place,
+        *(Segment(a=complex(nominal(end)), b=middle, role=Role.HIDDEN) for end in ends),
+        Point(at=middle, label="", dot=Dot.POINT),
+    )
 
 
 # -- equilibrium ----------------------------------------------------------------------------------------------------
@@ -141,7 +159,15 @@ def concur(bench: Bench, place: Place, at: Points, *ends: Points) -> None:
 
 def given(bench: Bench, place: Place, named: Named, newtons: float, along: Points, tip: str = "") -> Term:
     """A force known wholly, laid off to scale."""
-    return Term(rel=named, symbol=named.symbol, direction=KNOWN, magnitude="✓", along=along, mm=bench.board.to_paper(place, newtons), tip=tip)
+    return Term(
+        rel=named,
+        symbol=named.symbol,
+        direction=KNOWN,
+        magnitude="✓",
+        along=along,
+        mm=bench.board.to_paper(place, newtons),
+        tip=tip,
+    )
 
 
 def frictionless(named: Named) -> Named:
@@ -175,8 +201,17 @@ def balance(bench: Bench, place: Place, start: Points, *terms: Term) -> Closed:
     return close(bench.board, place, start, equation)
 
 
-def driven(bench: Bench, place: Place, start: Points, terms: tuple[Term, ...], locked: Callable[[], LockedError], *, must_press: bool = True) -> Closed:
-    """The same for a body that is driven: a force that comes out against its assumed direction, or at no finite size, means self-locking."""
+def driven(
+    bench: Bench,
+    place: Place,
+    start: Points,
+    terms: tuple[Term, ...],
+    locked: Callable[[], LockedError],
+    *,
+    must_press: bool = True,
+) -> Closed:
+    """The same for a body that is driven: a force that comes out against its assumed direction, or at no finite size,
+    means self-locking."""
     try:
         closed = balance(bench, place, start, *terms)
     except EquilibriumError:
@@ -201,8 +236,11 @@ def points_along(closed: Closed, term: Term) -> bool:
     return float(nominal(dot(end - start, term.along))) > 0
 
 
-def signed(bench: Bench, named: Named, place: Pane, ends: tuple[Points, Points], along: Points, letters: str) -> Quantity:
-    """A force measured on a polygon, positive along a direction: of a self-locking device the force that holds comes out negative."""
+def signed(
+    bench: Bench, named: Named, place: Pane, ends: tuple[Points, Points], along: Points, letters: str
+) -> Quantity:
+    """A force measured on a polygon, positive along a direction: of a self-locking device the force that holds comes
+    out negative."""
     start, end = ends
     if float(nominal(dot(end - start, along))) > -NO_LENGTH:
         return bench.measured(named, place, start, end, letters)
@@ -210,7 +248,16 @@ def signed(bench: Bench, named: Named, place: Pane, ends: tuple[Points, Points],
     board = bench.board
     size = board.mu(place) * board.measure(start, end, letters)
     value = size.value * sign[()]
-    minus = Row((sym(named.symbol), Txt(" = −"), size.symbol(), Txt(" = −"), size.numbers(), Txt(f" = {number(float(nominal(value)))} {named.unit}")))
+    minus = Row(
+        (
+            sym(named.symbol),
+            Txt(" = −"),
+            size.symbol(),
+            Txt(" = −"),
+            size.numbers(),
+            Txt(f" = {number(float(nominal(value)))} {named.unit}"),
+        )
+    )
     return bench.stated(named, value, minus)
 
 

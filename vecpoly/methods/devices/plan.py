@@ -6,12 +6,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...board.amended import AS_DRAWN, Amended
 from ...board.board import Board
 from ...board.construction import Construction, Scale, View
-from ...board.extent import extent
 from ...board.hand import Hand, hand
-from ...board.scales import round_scale
+from ...board.otherwise.amended import AS_DRAWN, Amended
+from ...board.paper.extent import extent
+from ...board.paper.scales import round_scale
 from ...devices.base import Device
 from ...problem.problem import Problem
 from ...words import Words
@@ -23,16 +23,28 @@ TITLES = {View.MECHANISM: Words("简图", "Sketch"), View.BODY: Words("受力图
 SLOT = (150.0, 90.0)  # mm, where the sheet names no place for a figure
 
 
-def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], amended: Amended = AS_DRAWN) -> Drawn:
+def construct_device(
+    problem: Problem, by: Hand, slots: Mapping[View, tuple[float, float]], amended: Amended = AS_DRAWN
+) -> Drawn:
     """Solve a device on a board."""
     device = problem.device
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         scales, sketch = _scales(problem, slots)
         bench = _draw(device, by, scales, amended)
     keys = [ask.rel.key for ask in problem.asks]
-    construction = Construction(problem=problem.id, hand=by.name, figures=bench.board.figures(TITLES),
-                                steps=tuple(bench.board.steps), acts=tuple(bench.board.acts), readings={key: bench.board.readings[key] for key in keys})
-    return Drawn(construction, {key: np.asarray(bench.board.found[key], dtype=float) for key in keys}, {key: sketch.board.readings[key] for key in keys})
+    construction = Construction(
+        problem=problem.id,
+        hand=by.name,
+        figures=bench.board.figures(TITLES),
+        steps=tuple(bench.board.steps),
+        acts=tuple(bench.board.acts),
+        readings={key: bench.board.readings[key] for key in keys},
+    )
+    return Drawn(
+        construction,
+        {key: np.asarray(bench.board.found[key], dtype=float) for key in keys},
+        {key: sketch.board.readings[key] for key in keys},
+    )
 
 
 def _draw(device: Device, by: Hand, scales: Mapping[View, Scale], amended: Amended = AS_DRAWN) -> Bench:
@@ -48,10 +60,20 @@ def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> tupl
     sketch = _draw(device, hand("exact"), {view: _scale(view, value) for view, value in guess.items()})
     chosen: dict[View, Scale] = {}
     for view, value in guess.items():
-        drawn = [figure.marks for figure in sketch.board.figures(TITLES) if figure.view is view and figure.scale.value == value]
-        fitted = max((round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn if value), default=value)
+        drawn = [
+            figure.marks
+            for figure in sketch.board.figures(TITLES)
+            if figure.view is view and figure.scale.value == value
+        ]
+        fitted = max(
+            (round_scale(value, extent(marks), slots.get(view, SLOT)) for marks in drawn if value), default=value
+        )
         chosen[view] = _scale(view, problem.scales.of(view.mu) or fitted)
-    chosen[View.BODY] = chosen[View.MECHANISM] if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES)) else chosen[View.BODY]
+    chosen[View.BODY] = (
+        chosen[View.MECHANISM]
+        if any(f.view is View.MECHANISM for f in sketch.board.figures(TITLES))
+        else chosen[View.BODY]
+    )
     return chosen, sketch
 
 

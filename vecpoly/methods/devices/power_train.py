@@ -5,26 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from ...algebra.quantity import Expr, Powered, Product, Quantity, Sum, magnitude
 from ...board.construction import View
-from ...devices.power_train import (
-    ETA,
-    POWER,
-    POWER_OUT,
-    Part,
-    PowerTrain,
-    Train,
-    ends,
-    eta_prime,
-    out,
-    partings,
-    share,
-)
+from ...devices.power_train import ETA, POWER, POWER_OUT, Part, PowerTrain, Train, ends, eta_prime, out, partings, share
 from ...names import Named
-from ...quantity import Expr, Powered, Product, Quantity, Sum, magnitude
 from ...words import Words
 from .bench import Bench
-from .power_train_diagram import Flow, Flows, draw_train
 from .registry import device_method
+from .sketches.power_train import Flow, Flows, draw_train
 
 
 @dataclass(slots=True)
@@ -52,8 +40,12 @@ class _Way:
         return _sum([self.delivered[letter] for letter in self.letters(train)])
 
 
-@device_method(PowerTrain, title=Words("机器的串联、并联与混联", "Machines in series, in parallel and mixed"),
-               source="机械原理, efficiency of trains of machines", example="5-7")
+@device_method(
+    PowerTrain,
+    title=Words("机器的串联、并联与混联", "Machines in series, in parallel and mixed"),
+    source="机械原理, efficiency of trains of machines",
+    example="5-7",
+)
 def draw_power_train(bench: Bench, device: PowerTrain) -> None:
     """η = P_r / P: series η = Π η_i, parallel η′ = Σ P_out / Σ P_in; the motor gives P = P_r / η."""
     board, way = bench.board, _Way(bench, device)
@@ -62,33 +54,58 @@ def draw_power_train(bench: Bench, device: PowerTrain) -> None:
     useful = _loads(way)
     factors = _etas(way, device.train)
     if device.train[-1].parallel is None:
-        board.step(Words("各部分串联，前一级的输出功率即后一级的输入功率，故总效率等于各级效率的连乘积：",
-                         "The machines are in series: the output of each is the input of the next, so the total efficiency is the product of all efficiencies:"))
+        board.step(
+            Words(
+                "各部分串联，前一级的输出功率即后一级的输入功率，故总效率等于各级效率的连乘积：",
+                "The machines are in series: the output of each is the input of the next, so the "
+                "total efficiency is the product of all efficiencies:",
+            )
+        )
     else:
         factors.append(_parting(way, device.train[-1]))
-        board.step(Words("公共部分与并联部分串联，总效率为：", "The common part and the parallel part are in series; the total efficiency is:"))
+        board.step(
+            Words(
+                "公共部分与并联部分串联，总效率为：",
+                "The common part and the parallel part are in series; the total efficiency is:",
+            )
+        )
     eta = bench.worked(ETA, _product(factors))
     board.step(Words("电动机所需的功率为：", "The motor must supply:"))
     power = bench.worked(POWER, useful / eta)
     if len(device.letters) > 1:
         _shares(way)
     _flow(way, device.train, POWER.symbol, float(power.value))
-    board.step(Words("把各处的功率标在传动简图上：功率由电动机到工作机逐级减小，相邻两处之差即为该级的损失。",
-                     "Enter the powers in the block diagram: they fall from machine to machine on the way from the motor to the load, and each difference is the loss in that machine."), place)
+    board.step(
+        Words(
+            "把各处的功率标在传动简图上：功率由电动机到工作机逐级减小，相邻两处之差即为该级的损失。",
+            "Enter the powers in the block diagram: they fall from machine to machine on the way "
+            "from the motor to the load, and each difference is the loss in that machine.",
+        ),
+        place,
+    )
     draw_train(board, place, device, way.into, way.out)
 
 
 def _loads(way: _Way) -> Quantity:
     """What the ends deliver: P each, or F v; and all together."""
     several = len(way.device.letters) > 1
-    way.bench.board.step(Words("从工作机开始，逆着功率流计算。工作机的有用功率为：" if not several else "从工作机开始，逆着功率流计算。各工作机的有用功率及其总和为：",
-                               "Start at the load and work back against the flow of power. The useful power is:" if not several else
-                               "Start at the loads and work back against the flow of power. The useful powers and their sum are:"))
+    way.bench.board.step(
+        Words(
+            "从工作机开始，逆着功率流计算。工作机的有用功率为："
+            if not several
+            else "从工作机开始，逆着功率流计算。各工作机的有用功率及其总和为：",
+            "Start at the load and work back against the flow of power. The useful power is:"
+            if not several
+            else "Start at the loads and work back against the flow of power. The useful powers and their sum are:",
+        )
+    )
     for letter, end in way.ends():
         named = out(letter) if several else POWER_OUT
         way.delivered[letter] = _delivered(way.bench, named, end)
         way.out[id(end)] = Flow(symbol=named.symbol, power=float(way.delivered[letter].value))
-    return way.bench.worked(POWER_OUT, way.useful(way.device.train)) if several else way.delivered[way.device.letters[0]]
+    return (
+        way.bench.worked(POWER_OUT, way.useful(way.device.train)) if several else way.delivered[way.device.letters[0]]
+    )
 
 
 def _delivered(bench: Bench, named: Named, end: Part) -> Quantity:
@@ -104,9 +121,19 @@ def _parting(way: _Way, part: Part) -> Quantity:
     """η′ = Σ P_out / Σ P_in of parallel branches; first what each of them takes."""
     assert part.parallel is not None
     bench, taken = way.bench, [_taken(way, branch) for branch in part.parallel]
-    names = Words("、".join(f"${way.letters(b)}$" for b in part.parallel), ", ".join(f"${way.letters(b)}$" for b in part.parallel))
-    bench.board.step(Words("支路 ", "The branches ") + names + Words(" 并联，总输入、总输出功率各为两者之和，并联部分的效率为：" if len(taken) == 2 else " 并联，总输入、总输出功率各为它们之和，并联部分的效率为：",
-                     " are in parallel: their inputs add up, and so do their outputs; the efficiency of the parallel part is:"))
+    names = Words(
+        "、".join(f"${way.letters(b)}$" for b in part.parallel), ", ".join(f"${way.letters(b)}$" for b in part.parallel)
+    )
+    bench.board.step(
+        Words("支路 ", "The branches ")
+        + names
+        + Words(
+            " 并联，总输入、总输出功率各为两者之和，并联部分的效率为："
+            if len(taken) == 2
+            else " 并联，总输入、总输出功率各为它们之和，并联部分的效率为：",
+            " are in parallel: their inputs add up, and so do their outputs; the efficiency of the parallel part is:",
+        )
+    )
     places = partings(way.device.train)
     index = next(i for i, other in enumerate(places) if other is part)
     return bench.worked(eta_prime(index, len(places)), way.useful((part,)) / _sum(taken))
@@ -128,11 +155,20 @@ def _taken_symbol(letters: str) -> str:
 
 def _shares(way: _Way) -> None:
     """P_Ad = P_A / Π η over the whole way from the motor to the end A."""
-    way.bench.board.step(Words("其中电动机供给各工作机的功率，等于该机的有用功率除以从电动机到该机各级效率的连乘积；各机之和应等于电动机的功率：",
-                               "Of this the motor supplies to each machine its useful power divided by the product of the efficiencies on the way from the motor; together they must make up the power of the motor:"))
+    way.bench.board.step(
+        Words(
+            "其中电动机供给各工作机的功率，等于该机的有用功率除以从电动机到该机各级效率的连乘积；"
+            "各机之和应等于电动机的功率：",
+            "Of this the motor supplies to each machine its useful power divided by the "
+            "product of the efficiencies on the way from the motor; together they must "
+            "make up the power of the motor:",
+        )
+    )
     parts = []
     for letter, end in way.ends():
-        parts.append(way.bench.worked(share(letter), way.delivered[letter] / _product(_etas(way, _path(way.device.train, end)))))
+        parts.append(
+            way.bench.worked(share(letter), way.delivered[letter] / _product(_etas(way, _path(way.device.train, end))))
+        )
     way.bench.board.compute(POWER.symbol, _sum(parts), "kW")
 
 

@@ -8,7 +8,7 @@ from typing import Generic, Never, TypeVar, cast
 
 from ...devices.base import Device
 from ...errors import NoMethodError
-from ...plugins import DEVICES, load_entries, load_modules
+from ...foundation.plugins import DEVICES, load_entries, load_modules
 from ...words import Words
 from .bench import Bench
 
@@ -60,6 +60,6 @@ def find_device(device: D) -> DeviceMethod[D]:
     try:
         return cast("DeviceMethod[D]", _METHODS[type(device)])  # what is on file under a class draws that class
     except KeyError:
-        raise NoMethodError(Words(
-            f"没有求解装置 {device.kind} 的图解法",
-            f"no construction on file solves the device {device.kind}")) from None
+        raise NoMethodError(
+            Words(f"没有求解装置 {device.kind} 的图解法", f"no construction on file solves the device {device.kind}")
+        ) from None

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.formula import sym
+from ...algebra.quantity import Of, Quantity, magnitude, number
 from ...board.construction import View
 from ...devices.ring_spring import (
     BY_SINES,
@@ -19,10 +21,8 @@ from ...devices.ring_spring import (
     REACTIONS,
     RingSpring,
 )
-from ...formula import sym
 from ...names import Named, reaction
 from ...plane import Points, nominal
-from ...quantity import Of, Quantity, magnitude, number
 from ...words import Words
 from .bench import Bench
 from .inclined import (
@@ -41,7 +41,7 @@ from .inclined import (
     sought,
 )
 from .registry import device_method
-from .ring_spring_sketch import Faces, apart_one, apart_two, faces, sketch
+from .sketches.ring_spring import Faces, apart_one, apart_two, faces, sketch
 from .strokes import Corners, Stroke, strokes
 
 R21, R42 = REACTIONS
@@ -50,15 +50,26 @@ PUSH, SMOOTH, RELEASE = strokes(DRIVE, IDEAL, HOLD, Words("压缩", "compression
 VERTICAL = Words("竖直", "vertical")
 
 
-@device_method(RingSpring, title=Words("环形弹簧缓冲器的力分析", "Forces in a ring-spring buffer"),
-               source="机械原理, friction of inclined faces: both ways, efficiency, self-locking", example="5-4")
+@device_method(
+    RingSpring,
+    title=Words("环形弹簧缓冲器的力分析", "Forces in a ring-spring buffer"),
+    source="机械原理, friction of inclined faces: both ways, efficiency, self-locking",
+    example="5-4",
+)
 def draw_ring_spring(bench: Bench, device: RingSpring) -> None:
     """Sketch, friction angle, pushing, without friction, releasing, the limits."""
     board, it = bench.board, faces(device.alpha.si)
     board.section(Words("简图与摩擦角", "Sketch and friction angle"))
-    board.step(Words("画出简图（长度不按比例）：$F$ 压楔块 1 向下，两侧楔块 2、3 克服弹簧力 $Q$ 向外移动，4 为机架；各斜面的法线与 $F$ 成 $α$ 角。",
-                     "Sketch, lengths not to scale: $F$ pushes wedge 1 down, the side wedges 2 and 3 move out against the spring forces $Q$; 4 is the frame. The normals of "
-                     "all faces make the angle $α$ with $F$."), View.MECHANISM)
+    board.step(
+        Words(
+            "画出简图（长度不按比例）：$F$ 压楔块 1 向下，两侧楔块 2、3 克服弹簧力 $Q$ 向外移动，4 为机架；"
+            "各斜面的法线与 $F$ 成 $α$ 角。",
+            "Sketch, lengths not to scale: $F$ pushes wedge 1 down, the side wedges 2 and 3 move "
+            "out against the spring forces $Q$; 4 is the frame. The normals of all faces make the "
+            "angle $α$ with $F$.",
+        ),
+        View.MECHANISM,
+    )
     sketch(bench, it)
     board.step(Words("求摩擦角：", "The friction angle:"))
     phi = friction_angle(bench, PHI, device.f)
@@ -82,20 +93,42 @@ def _push(bench: Bench, device: RingSpring, it: Faces, phi: Quantity) -> Quantit
     board, (r12, r42) = bench.board, _lines(it, float(phi.value), 1)
     board.section(Words("压缩行程：$F$ 为驱动力", "Compression: $F$ drives"))
     two = board.open_pane(View.BODY, "2", Words("楔块 2 受力图（压缩）", "Free body of wedge 2, compression"))
-    board.step(Words("先取楔块 2 为分离体：$Q$ 全知，$R_12$、$R_42$ 只有大小未知，可解（楔块 1 上三力的大小都未知）。2 相对 1 沿斜面向外上方滑动（$v_21$），相对 4 沿斜面向外下方滑动（$v_24$），"
-                     "故 $R_12$、$R_42$ 各自法线 $n$ 逆滑动方向偏转 $φ$；三力汇交于一点。",
-                     "Take wedge 2 first: $Q$ is known, and of $R_12$ and $R_42$ only the magnitudes are unknown, whereas on wedge 1 the magnitudes of all three forces are. Wedge 2 "
-                     "slides outward and up on 1 ($v_21$), outward and down on 4 ($v_24$), so $R_12$ and $R_42$ are turned from the normals $n$ by $φ$ against the sliding; the three "
-                     "forces meet in one point."), two)
+    board.step(
+        Words(
+            "先取楔块 2 为分离体：$Q$ 全知，$R_12$、$R_42$ 只有大小未知，可解（楔块 1 上三力的大小都未知）。"
+            "2 相对 1 沿斜面向外上方滑动（$v_21$），相对 4 沿斜面向外下方滑动（$v_24$），故 $R_12$、"
+            "$R_42$ 各自法线 $n$ 逆滑动方向偏转 $φ$；三力汇交于一点。",
+            "Take wedge 2 first: $Q$ is known, and of $R_12$ and $R_42$ only the magnitudes are "
+            "unknown, whereas on wedge 1 the magnitudes of all three forces are. Wedge 2 slides "
+            "outward and up on 1 ($v_21$), outward and down on 4 ($v_24$), so $R_12$ and $R_42$ "
+            "are turned from the normals $n$ by $φ$ against the sliding; the three forces meet in "
+            "one point.",
+        ),
+        two,
+    )
     apart_two(bench, two, it, r12, r42)
     one = board.open_pane(View.BODY, "1", Words("楔块 1 受力图（压缩）", "Free body of wedge 1, compression"))
-    board.step(Words("再取楔块 1 为分离体：$R_21 = −R_12$ 已求得；由对称，$R_31$ 与 $R_21$ 关于 $F$ 的作用线对称。$R_31$、$F$ 的大小待求。",
-                     "Then wedge 1: $R_21 = −R_12$ has been found, and by symmetry $R_31$ is its mirror image in the line of $F$. The magnitudes of $R_31$ and $F$ are sought."), one)
+    board.step(
+        Words(
+            "再取楔块 1 为分离体：$R_21 = −R_12$ 已求得；由对称，$R_31$ 与 $R_21$ 关于 $F$ 的作用线对称。$R_31$、"
+            "$F$ 的大小待求。",
+            "Then wedge 1: $R_21 = −R_12$ has been found, and by symmetry $R_31$ is its mirror "
+            "image in the line of $F$. The magnitudes of $R_31$ and $F$ are sought.",
+        ),
+        one,
+    )
     apart_one(bench, one, it, -r12)
     ends = _polygon(bench, device, (r12, r42), PUSH, Words.same(""))
-    board.step(Words("量各边，乘以 $μ_F$。用正弦定理核对：等腰三角形 $abc$ 的两腰与 $F$ 成 $α − φ$，故 $Q = 2R_21 sin(α − φ)$；同理 $F = 2R_21 cos(α − φ)$，即 $F = Q cot(α − φ)$。",
-                     "Measure the sides and multiply by $μ_F$. Check by the sine rule: the equal sides of the triangle $abc$ make $α − φ$ with $F$, so that $Q = 2R_21 sin(α − φ)$, "
-                     "and likewise $F = 2R_21 cos(α − φ)$; hence $F = Q cot(α − φ)$."), ends.place)
+    board.step(
+        Words(
+            "量各边，乘以 $μ_F$。用正弦定理核对：等腰三角形 $abc$ 的两腰与 $F$ 成 $α − φ$，故 $Q = 2R_21 sin(α − "
+            "φ)$；同理 $F = 2R_21 cos(α − φ)$，即 $F = Q cot(α − φ)$。",
+            "Measure the sides and multiply by $μ_F$. Check by the sine rule: the equal sides of "
+            "the triangle $abc$ make $α − φ$ with $F$, so that $Q = 2R_21 sin(α − φ)$, and "
+            "likewise $F = 2R_21 cos(α − φ)$; hence $F = Q cot(α − φ)$.",
+        ),
+        ends.place,
+    )
     bench.measured(R21, ends.place, ends.c, ends.b, "c b")
     bench.measured(R42, ends.place, ends.c, ends.a, "c a")
     return bench.measured(DRIVE, ends.place, ends.d, ends.c, "d c")
@@ -103,10 +136,19 @@ def _push(bench: Bench, device: RingSpring, it: Faces, phi: Quantity) -> Quantit
 
 def _ideal(bench: Bench, device: RingSpring, it: Faces, drive: Quantity) -> Quantity:
     bench.board.section(Words("效率", "Efficiency"))
-    lead = Words("设各面无摩擦，反力都沿法线，同样作力多边形。", "Without friction the reactions lie along the normals; the polygons are drawn in the same way. ")
+    lead = Words(
+        "设各面无摩擦，反力都沿法线，同样作力多边形。",
+        "Without friction the reactions lie along the normals; the polygons are drawn in the same way. ",
+    )
     ends = _polygon(bench, device, (it.over, it.under), SMOOTH, lead)
-    bench.board.step(Words("量得 $F_0$。压缩行程的效率等于理想驱动力与实际驱动力之比；由 $F_0 = Q cot α$ 可用公式核对。",
-                           "Measure $F_0$. The efficiency of compression is the ratio of the ideal to the actual driving force; $F_0 = Q cot α$ gives a formula for it."), ends.place)
+    bench.board.step(
+        Words(
+            "量得 $F_0$。压缩行程的效率等于理想驱动力与实际驱动力之比；由 $F_0 = Q cot α$ 可用公式核对。",
+            "Measure $F_0$. The efficiency of compression is the ratio of the ideal to the "
+            "actual driving force; $F_0 = Q cot α$ gives a formula for it.",
+        ),
+        ends.place,
+    )
     ideal = bench.measured(IDEAL, ends.place, ends.d, ends.c, "d_0 c_0")
     bench.worked(ETA, ideal / drive)
     return ideal
@@ -115,29 +157,61 @@ def _ideal(bench: Bench, device: RingSpring, it: Faces, drive: Quantity) -> Quan
 def _release(bench: Bench, device: RingSpring, it: Faces, phi: Quantity, ideal: Quantity) -> None:
     board = bench.board
     board.section(Words("回弹行程：$Q$ 为驱动力", "Release: $Q$ drives"))
-    lead = Words("回弹时各相对滑动反向，反力都偏到法线的另一侧。", "On release all sliding is reversed, and the reactions are turned to the other side of the normals. ")
+    lead = Words(
+        "回弹时各相对滑动反向，反力都偏到法线的另一侧。",
+        "On release all sliding is reversed, and the reactions are turned to the other side of the normals. ",
+    )
     ends = _polygon(bench, device, _lines(it, float(phi.value), -1), RELEASE, lead)
-    board.step(Words("量得 $F'$。回弹时 $F'$ 为阻力，效率等于实际阻力与理想阻力之比；以 $−φ$ 代 $φ$ 得 $F' = Q cot(α + φ)$，用以核对。",
-                     "Measure $F'$. On release $F'$ is the resistance, and the efficiency is the ratio of the actual to the ideal resistance; with $−φ$ for $φ$ follows "
-                     "$F' = Q cot(α + φ)$ as a check."), ends.place)
+    board.step(
+        Words(
+            "量得 $F'$。回弹时 $F'$ 为阻力，效率等于实际阻力与理想阻力之比；以 $−φ$ 代 $φ$ 得 $F' = Q cot(α + φ)$，"
+            "用以核对。",
+            "Measure $F'$. On release $F'$ is the resistance, and the efficiency is the ratio of "
+            "the actual to the ideal resistance; with $−φ$ for $φ$ follows $F' = Q cot(α + φ)$ as "
+            "a check.",
+        ),
+        ends.place,
+    )
     hold = signed(bench, HOLD, ends.place, (ends.d, ends.c), -1j, "d' c'")
     bench.worked(ETA_BACK, hold / ideal)
     if float(nominal(hold.value)) <= 1e-9 * device.Q.si:
-        board.remark(Words("$F' ≤ 0$，$η' ≤ 0$：回弹行程自锁，弹簧不能把楔块 1 顶回。", " $F' ≤ 0$ and $η' ≤ 0$: the release is self-locking, the springs do not push wedge 1 back."))
+        board.remark(
+            Words(
+                "$F' ≤ 0$，$η' ≤ 0$：回弹行程自锁，弹簧不能把楔块 1 顶回。",
+                " $F' ≤ 0$ and $η' ≤ 0$: the release is self-locking, the springs do not push wedge 1 back.",
+            )
+        )
 
 
 def _polygon(bench: Bench, device: RingSpring, along: tuple[Points, Points], stroke: Stroke, lead: Words) -> Corners:
-    """Q = ab, R_12 = bc, R_42 = ca; R_31 = bd, F = dc: Q, R_12, R_42 close on wedge 2; −R_12, R_31 and the force on wedge 1 are joined to them at the common side."""
+    """Q = ab, R_12 = bc, R_42 = ca; R_31 = bd, F = dc: Q, R_12, R_42 close on wedge 2; −R_12, R_31 and the force on
+    wedge 1 are joined to them at the common side."""
     board, place = bench.board, bench.board.open_pane(View.FORCE, stroke.drive.key, stroke.title)
     by_1, by_4, on_1, by_3 = (stroke.force(force) for force in (R12, R42, R21, R31))
     drive, lean, tips, (r12, r42) = stroke.drive, stroke.lean, stroke.corners(), along
-    board.step(lead + Words(f"按 $μ_F$ 作楔块 2 的力多边形：$ab$ 代表 $Q$，过 $b$ 作 ${by_1.symbol}$ 的方向线，过 $a$ 作 ${by_4.symbol}$ 的方向线，交于 ${tips[0]}$。",
-                            f"Draw the force polygon of wedge 2 to the scale $μ_F$: $ab$ stands for $Q$; the direction of ${by_1.symbol}$ through $b$ and that of ${by_4.symbol}$ "
-                            f"through $a$ meet at ${tips[0]}$."), place)
+    board.step(
+        lead
+        + Words(
+            f"按 $μ_F$ 作楔块 2 的力多边形：$ab$ 代表 $Q$，过 $b$ 作 ${by_1.symbol}$ 的方向线，"
+            f"过 $a$ 作 ${by_4.symbol}$ 的方向线，交于 ${tips[0]}$。",
+            "Draw the force polygon of wedge 2 to the scale $μ_F$: $ab$ stands for $Q$; "
+            f"the direction of ${by_1.symbol}$ through $b$ and that of ${by_4.symbol}$ "
+            f"through $a$ meet at ${tips[0]}$.",
+        ),
+        place,
+    )
     terms = given(bench, place, SPRING, device.Q.si, -1 + 0j, "b"), sought(by_1, r12, lean), sought(by_4, r42, lean)
     b, c = driven(bench, place, 0j, terms, device.locked).ends[by_1.key]
-    board.step(Words(f"楔块 1 的力多边形：${tips[0]}$$b$ 即 ${on_1.symbol}$；过 $b$ 作 ${by_3.symbol}$ 的方向线，过 ${tips[0]}$ 作 ${drive.symbol}$ 的方向线，交于 ${tips[1]}$。",
-                     f"The polygon of wedge 1: ${tips[0]}$$b$ is ${on_1.symbol}$; the direction of ${by_3.symbol}$ through $b$ and that of ${drive.symbol}$ through ${tips[0]}$ meet at ${tips[1]}$."), place)
+    board.step(
+        Words(
+            f"楔块 1 的力多边形：${tips[0]}$$b$ 即 ${on_1.symbol}$；过 $b$ 作 ${by_3.symbol}$ 的方向线，"
+            f"过 ${tips[0]}$ 作 ${drive.symbol}$ 的方向线，交于 ${tips[1]}$。",
+            f"The polygon of wedge 1: ${tips[0]}$$b$ is ${on_1.symbol}$; the direction of "
+            f"${by_3.symbol}$ through $b$ and that of ${drive.symbol}$ through ${tips[0]}$ meet at "
+            f"${tips[1]}$.",
+        ),
+        place,
+    )
     terms = drawn(on_1, b - c), sought(by_3, np.conj(r12), lean), sought(drive, -1j, VERTICAL)
     _, d = driven(bench, place, c, terms, device.locked, must_press=stroke is PUSH).ends[by_3.key]
     letter(bench, place, {"a": 0j, tips[0]: c, tips[1]: d})
@@ -145,36 +219,63 @@ def _polygon(bench: Bench, device: RingSpring, along: tuple[Points, Points], str
 
 
 def _limits(bench: Bench, device: RingSpring, phi: Quantity) -> None:
-    """Pushing: the reactions are vertical, none of them against Q. Releasing: they are horizontal, none of them against F."""
+    """Pushing: the reactions are vertical, none of them against Q. Releasing: they are horizontal, none of them against
+    F."""
     board = bench.board
     board.section(Words("不自锁的条件", "Conditions against self-locking"))
     place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))
     turn = np.exp(1j * np.radians(phi.value))
     push, release = board.turn(1j / turn), board.turn(turn)
-    board.step(Words("压缩行程的极限：$R_12$、$R_42$ 竖直（与 $F$ 平行），没有水平分力与 $Q$ 平衡，无论 $F$ 多大都压不动。自竖直线量 $φ$ 得法线 $n$，它与 $F$ 的夹角为 $α$ 的下限。"
-                     "由 $η = tan(α − φ)/tan α > 0$ 同样得 $α > φ$。",
-                     "The limit of compression: $R_12$ and $R_42$ are vertical, along $F$; they have no horizontal component to balance $Q$, and no $F$ moves the wedges. Set off $φ$ from the "
-                     "vertical to get the normal $n$; its angle with $F$ is the lower limit of $α$. $η = tan(α − φ)/tan α > 0$ gives $α > φ$ as well."), place)
+    board.step(
+        Words(
+            "压缩行程的极限：$R_12$、$R_42$ 竖直（与 $F$ 平行），没有水平分力与 $Q$ 平衡，无论 $F$ 多大都压不动。"
+            "自竖直线量 $φ$ 得法线 $n$，它与 $F$ 的夹角为 $α$ 的下限。由 $η = tan(α − φ)/tan α > 0$ 同样得 $α > "
+            "φ$。",
+            "The limit of compression: $R_12$ and $R_42$ are vertical, along $F$; they have no "
+            "horizontal component to balance $Q$, and no $F$ moves the wedges. Set off $φ$ from "
+            "the vertical to get the normal $n$; its angle with $F$ is the lower limit of $α$. $η "
+            "= tan(α − φ)/tan α > 0$ gives $α > φ$ as well.",
+        ),
+        place,
+    )
     for along, label in ((1j, "R_{42}"), (push, "n"), (release, "n'"), (1 + 0j, "R'_{42}")):
         ray(bench, place, 0j, along, 40.0, label)
     between(bench, place, 0j, push, 1j, 30.0, f"{LEAST.symbol} = φ")
     least = gauged(bench, push, 1j)
     bench.stated(LEAST, least, row_of(sym(LEAST.symbol), f" = $φ$ = {number(float(nominal(least)))}°"))
-    board.step(Words("回弹行程的极限：$R'_12$、$R'_42$ 水平（与 $Q$ 平行），没有竖直分力推回楔块 1。自水平线量 $φ$ 得法线 $n'$，它与 $F$ 的夹角为 $α$ 的上限。"
-                     "由 $η' = tan α/tan(α + φ) > 0$ 同样得 $α < 90° − φ$。",
-                     "The limit of release: $R'_12$ and $R'_42$ are horizontal, along $Q$; they have no vertical component to push wedge 1 back. Set off $φ$ from the horizontal to get the "
-                     "normal $n'$; its angle with $F$ is the upper limit of $α$. $η' = tan α/tan(α + φ) > 0$ gives $α < 90° − φ$ as well."), place)
+    board.step(
+        Words(
+            "回弹行程的极限：$R'_12$、$R'_42$ 水平（与 $Q$ 平行），没有竖直分力推回楔块 1。自水平线量 $φ$ 得法线 "
+            "$n'$，它与 $F$ 的夹角为 $α$ 的上限。由 $η' = tan α/tan(α + φ) > 0$ 同样得 $α < 90° − φ$。",
+            "The limit of release: $R'_12$ and $R'_42$ are horizontal, along $Q$; they have no "
+            "vertical component to push wedge 1 back. Set off $φ$ from the horizontal to get the "
+            "normal $n'$; its angle with $F$ is the upper limit of $α$. $η' = tan α/tan(α + φ) > "
+            "0$ gives $α < 90° − φ$ as well.",
+        ),
+        place,
+    )
     between(bench, place, 0j, release, 1j, 18.0, GREATEST.symbol)
     between(bench, place, 0j, 1 + 0j, release, 30.0, "φ")
     greatest = gauged(bench, release, 1j)
-    bench.stated(GREATEST, greatest, row_of(sym(GREATEST.symbol), f" = 90° − $φ$ = {number(float(nominal(greatest)))}°"))
+    bench.stated(
+        GREATEST, greatest, row_of(sym(GREATEST.symbol), f" = 90° − $φ$ = {number(float(nominal(greatest)))}°")
+    )
     _verdict(bench, float(np.degrees(device.alpha.si)), float(nominal(phi.value)))
 
 
 def _verdict(bench: Bench, alpha: float, phi: float) -> None:
     """Where α stands between its limits (deg)."""
     if alpha < 90.0 - phi - 1e-9:
-        bench.board.remark(Words(f"本题 $φ$ < $α$ = {number(alpha)}° < $90° − φ$，两个行程都不自锁。",
-                                 f" Here $φ$ < $α$ = {number(alpha)}° < $90° − φ$: neither stroke is self-locking."))
+        bench.board.remark(
+            Words(
+                f"本题 $φ$ < $α$ = {number(alpha)}° < $90° − φ$，两个行程都不自锁。",
+                f" Here $φ$ < $α$ = {number(alpha)}° < $90° − φ$: neither stroke is self-locking.",
+            )
+        )
     else:
-        bench.board.remark(Words(f"本题 $α$ = {number(alpha)}° ≥ $90° − φ$，回弹行程自锁。", f" Here $α$ = {number(alpha)}° ≥ $90° − φ$: the release is self-locking."))
+        bench.board.remark(
+            Words(
+                f"本题 $α$ = {number(alpha)}° ≥ $90° − φ$，回弹行程自锁。",
+                f" Here $α$ = {number(alpha)}° ≥ $90° − φ$: the release is self-locking.",
+            )
+        )

@@ -1,4 +1,5 @@
-"""A screw jack: the thread unrolled is an inclined plane, its force polygon gives the moment; the collar adds its own."""
+"""A screw jack: the thread unrolled is an inclined plane, its force polygon gives the moment; the collar adds its
+own."""
 
 from __future__ import annotations
 
@@ -7,6 +8,8 @@ from math import degrees, pi
 
 import numpy as np
 
+from ...algebra.formula import Node, Row, Txt, named
+from ...algebra.quantity import Of, Quantity, Sum, Times, magnitude, number
 from ...board.construction import View
 from ...devices.screw_jack import (
     ALPHA,
@@ -24,16 +27,14 @@ from ...devices.screw_jack import (
     TAN_ALPHA,
     ScrewJack,
 )
-from ...formula import Node, Row, Txt, named
 from ...names import Named
 from ...plane import Points, nominal
-from ...quantity import Of, Quantity, Sum, Times, magnitude, number
 from ...words import Words
 from .bench import NO_SCALE, Bench
-from .dimensions import millimetres
 from .inclined import OFF_N, balance, friction_angle, given, leaned, letter, row_of, sought
 from .registry import device_method
-from .screw_jack_sketch import collar_ring, nut_apart, nut_in_cone, unrolled
+from .sketches.dimensions import millimetres
+from .sketches.screw_jack import collar_ring, nut_apart, nut_in_cone, unrolled
 
 _SOURCE = "机械原理, screw jack: square thread and ring-shaped collar"
 
@@ -73,14 +74,22 @@ def _thread(bench: Bench, device: ScrewJack) -> _Jack:
     """Mean diameter, lead, lead angle, friction angle; the thread unrolled."""
     board = bench.board
     sketch = board.open_pane(View.MECHANISM, "thread", Words("螺纹沿中径展开", "Thread unrolled at its mean diameter"))
-    board.step(Words("将螺纹沿中径 $d_2$ 展开成斜面，其倾角即螺纹升角 $α$，螺母相当于斜面上的滑块：",
-                     "Unrolled at its mean diameter $d_2$ the thread is an inclined plane whose slope is the lead angle $α$, and the nut a block on it:"), sketch)
+    board.step(
+        Words(
+            "将螺纹沿中径 $d_2$ 展开成斜面，其倾角即螺纹升角 $α$，螺母相当于斜面上的滑块：",
+            "Unrolled at its mean diameter $d_2$ the thread is an inclined plane whose slope is "
+            "the lead angle $α$, and the nut a block on it:",
+        ),
+        sketch,
+    )
     mean = board.compute("d_2", (millimetres("d", device.d.si) + millimetres("d_1", device.d1.si)) / _pure(2), "mm")
     pitch = millimetres("p", device.p.si)
     lead = board.compute("L", Times(device.starts, pitch), "mm") if device.starts > 1 else pitch
     tan = bench.worked(TAN_ALPHA, lead / (Quantity(Txt("π"), pi, "") * mean))
     steep = float(np.degrees(np.arctan(tan.value)))
-    alpha = bench.stated(ALPHA, steep, Row((named("α"), Txt(f" = arctan {number(float(tan.value))} = {number(steep)}°"))))
+    alpha = bench.stated(
+        ALPHA, steep, Row((named("α"), Txt(f" = arctan {number(float(tan.value))} = {number(steep)}°")))
+    )
     along = unrolled(bench, sketch, float(mean.value), float(lead.value), "p" if device.starts == 1 else "L")
     return _Jack(mean=mean, alpha=alpha, phi=_friction(bench, device), along=along)
 
@@ -91,12 +100,23 @@ def _friction(bench: Bench, device: ScrewJack) -> Quantity:
     if device.beta is None:
         board.step(Words("螺纹副的摩擦角：", "The friction angle of the thread:"))
         return friction_angle(bench, PHI, device.thread, "f" if device.f else "f_s")
-    board.step(Words("三角螺纹的牙侧面倾斜 $β$，同样的载荷产生更大的法向反力，以当量摩擦系数 $f_v$ 代替 $f$，相应的当量摩擦角为 $φ_v$：",
-                     "The flanks of the V-thread are inclined by $β$ and the same load gives larger normal reactions: an equivalent coefficient $f_v$ replaces $f$, with the friction angle $φ_v$:"))
+    board.step(
+        Words(
+            "三角螺纹的牙侧面倾斜 $β$，同样的载荷产生更大的法向反力，以当量摩擦系数 $f_v$ 代替 $f$，"
+            "相应的当量摩擦角为 $φ_v$：",
+            "The flanks of the V-thread are inclined by $β$ and the same load gives larger normal "
+            "reactions: an equivalent coefficient $f_v$ replaces $f$, with the friction angle "
+            "$φ_v$:",
+        )
+    )
     f = magnitude("f" if device.f else "f_s", device.thread.si, "")
     wedge = board.compute("f_v", f / Of("cos", magnitude("β", degrees(device.beta.si), "deg")), "")
     lean = float(np.degrees(np.arctan(wedge.value)))
-    return bench.stated(PHI_V, lean, row_of(named(PHI_V.symbol), f" = arctan $f_v$ = arctan {number(float(wedge.value))} = {number(lean)}°"))
+    return bench.stated(
+        PHI_V,
+        lean,
+        row_of(named(PHI_V.symbol), f" = arctan $f_v$ = arctan {number(float(wedge.value))} = {number(lean)}°"),
+    )
 
 
 def _polygon(bench: Bench, device: ScrewJack, jack: _Jack) -> Quantity:
@@ -107,17 +127,39 @@ def _polygon(bench: Bench, device: ScrewJack, jack: _Jack) -> Quantity:
     load, push, press_on = (Named("Q", "Q", "N"), Named("F_t", "F_t", "N"), Named("R", "R", "N"))
     if device.Q is None:
         load, push, press_on = Named("Q_0", "Q_0", "N"), Named("F_t0", "F_{t0}", "N"), Named("R_0", "R_0", "N")
-        board.step(Words(f"各力均与载荷成正比，载荷待求，故先取 $Q_0$ = {device.trial:g} N 作图。",
-                         f"The load is sought, and all forces are proportional to it: draw for the load $Q_0$ = {device.trial:g} N."))
-    board.step(Words(f"取螺母为分离体，受轴向载荷 ${load.symbol}$、中径处的圆周力 ${push.symbol}$ 和螺纹的总反力 ${press_on.symbol}$。螺母沿斜面上升，${press_on.symbol}$ 自法线 $n$ 逆滑动方向偏转 ${phi}$。"
-                     f"按 $μ_F$ 作力多边形：$ab$ 代表 ${load.symbol}$，过 $b$ 作水平线，过 $a$ 作 ${press_on.symbol}$ 的方向线，交于 $c$。由 ${push.symbol} = {load.symbol} tan(α + {phi})$ 可用公式核对。",
-                     f"On the nut act the axial load ${load.symbol}$, the tangential force ${push.symbol}$ at the mean diameter and the total reaction ${press_on.symbol}$ of the thread. "
-                     f"The nut moves up the slope, so ${press_on.symbol}$ is turned from the normal $n$ by ${phi}$ against the sliding. Draw the force polygon to the scale $μ_F$: $ab$ stands for ${load.symbol}$; "
-                     f"a horizontal line through $b$ and the direction of ${press_on.symbol}$ through $a$ meet at $c$. ${push.symbol} = {load.symbol} tan(α + {phi})$ gives a check by formula."), plan)
+        board.step(
+            Words(
+                f"各力均与载荷成正比，载荷待求，故先取 $Q_0$ = {device.trial:g} N 作图。",
+                "The load is sought, and all forces are proportional to it: draw for the load "
+                f"$Q_0$ = {device.trial:g} N.",
+            )
+        )
+    board.step(
+        Words(
+            f"取螺母为分离体，受轴向载荷 ${load.symbol}$、中径处的圆周力 ${push.symbol}$ 和螺纹的总反力 "
+            f"${press_on.symbol}$。螺母沿斜面上升，${press_on.symbol}$ 自法线 $n$ 逆滑动方向偏转 ${phi}$。"
+            f"按 $μ_F$ 作力多边形：$ab$ 代表 ${load.symbol}$，过 $b$ 作水平线，过 $a$ 作 ${press_on.symbol}$ "
+            f"的方向线，交于 $c$。由 ${push.symbol} = {load.symbol} tan(α + {phi})$ 可用公式核对。",
+            f"On the nut act the axial load ${load.symbol}$, the tangential force ${push.symbol}$ "
+            f"at the mean diameter and the total reaction ${press_on.symbol}$ of the thread. The "
+            f"nut moves up the slope, so ${press_on.symbol}$ is turned from the normal $n$ by "
+            f"${phi}$ against the sliding. Draw the force polygon to the scale $μ_F$: $ab$ stands "
+            f"for ${load.symbol}$; a horizontal line through $b$ and the direction of "
+            f"${press_on.symbol}$ through $a$ meet at $c$. ${push.symbol} = {load.symbol} tan(α + "
+            f"{phi})$ gives a check by formula.",
+        ),
+        plan,
+    )
     lean = leaned(1j * jack.along, jack.along, jack.phi.value)
     nut_apart(bench, apart, jack.along, lean, phi, (load.symbol, push.symbol, press_on.symbol))
-    closed = balance(bench, plan, 0j, given(bench, plan, load, device.trial, -1j), sought(push, 1 + 0j, Words("水平", "horizontal")),
-                     sought(press_on, lean, OFF_N if phi == "φ" else Words("与 $n$ 成 $φ_v$", "$φ_v$ from $n$")))
+    closed = balance(
+        bench,
+        plan,
+        0j,
+        given(bench, plan, load, device.trial, -1j),
+        sought(push, 1 + 0j, Words("水平", "horizontal")),
+        sought(press_on, lean, OFF_N if phi == "φ" else Words("与 $n$ 成 $φ_v$", "$φ_v$ from $n$")),
+    )
     ends = closed.ends[push.key]
     letter(bench, plan, {"a": closed.ends[load.key][0], "b": ends[0], "c": ends[1]})
     reading = board.measure(*ends, "b c")
@@ -136,9 +178,18 @@ def _collar(bench: Bench, device: ScrewJack) -> Quantity:
     """M_1/Q = f (D³ − d_0³) / 3 (D² − d_0²): an even pressure on a ring."""
     board, rub = bench.board, "f" if device.f else "f_c"
     ring = board.open_pane(View.MECHANISM, "collar", Words("支承环面", "Collar ring"))
-    board.step(Words(f"载荷均布在内径 $d_0$、外径 $D$ 的环面上，压强 $q = 4Q/π(D^2 − d_0^2)$；半径 $r$ 处宽 d$r$ 的圆环上的摩擦力矩为 ${rub} q · 2π r^2$d$r$，自 $r = d_0/2$ 积分到 $D/2$ 即得 $M_1$。注意 $D$、$d_0$ 是直径，系数为 1/3（用半径时才是 2/3）：",
-                     f"The load is spread evenly over the ring between the diameters $d_0$ and $D$, with the pressure $q = 4Q/π(D^2 − d_0^2)$; on a ring of radius $r$ and width d$r$ friction has the moment "
-                     f"${rub} q · 2π r^2$d$r$; the integral from $r = d_0/2$ to $D/2$ is $M_1$. $D$ and $d_0$ are diameters: the factor is 1/3 (2/3 goes with radii):"), ring)
+    board.step(
+        Words(
+            "载荷均布在内径 $d_0$、外径 $D$ 的环面上，压强 $q = 4Q/π(D^2 − d_0^2)$；半径 $r$ 处宽 d$r$ 的圆环上的摩"
+            f"擦力矩为 ${rub} q · 2π r^2$d$r$，自 $r = d_0/2$ 积分到 $D/2$ 即得 $M_1$。注意 $D$、$d_0$ 是直径，"
+            "系数为 1/3（用半径时才是 2/3）：",
+            "The load is spread evenly over the ring between the diameters $d_0$ and $D$, with "
+            "the pressure $q = 4Q/π(D^2 − d_0^2)$; on a ring of radius $r$ and width d$r$ "
+            f"friction has the moment ${rub} q · 2π r^2$d$r$; the integral from $r = d_0/2$ to "
+            "$D/2$ is $M_1$. $D$ and $d_0$ are diameters: the factor is 1/3 (2/3 goes with radii):",
+        ),
+        ring,
+    )
     outer, inner = millimetres("D", device.D.si), millimetres("d_0", device.d0.si)
     radii = [float(board.to_paper(ring, float(nominal(q.value)) / 2e3)) for q in (outer, inner)]
     collar_ring(bench, ring, *radii)
@@ -148,10 +199,20 @@ def _collar(bench: Bench, device: ScrewJack) -> Quantity:
 
 def _efficiency(bench: Bench, jack: _Jack, m1: Quantity, m2: Quantity) -> Quantity:
     """M = M_1 + M_2; M_0 = Q d_2 tan α / 2 would do without friction; η = M_0 / M."""
-    bench.board.step(Words("提升重物所需的总力矩 $M$，以及不计摩擦时的理想力矩 $M_0$：", "The moment $M$ that lifts the load, and the ideal moment $M_0$ without friction:"))
+    bench.board.step(
+        Words(
+            "提升重物所需的总力矩 $M$，以及不计摩擦时的理想力矩 $M_0$：",
+            "The moment $M$ that lifts the load, and the ideal moment $M_0$ without friction:",
+        )
+    )
     whole = bench.worked(RATIOS[2], m1 + m2)
     m0 = bench.worked(RATIOS[3], jack.mean * Of("tan", jack.alpha) / _pure(2))
-    bench.board.step(Words("千斤顶的效率等于理想力矩与实际力矩之比；只计螺纹时为 $η_s$：", "The efficiency is the ratio of the ideal to the actual moment; $η_s$ is that of the thread alone:"))
+    bench.board.step(
+        Words(
+            "千斤顶的效率等于理想力矩与实际力矩之比；只计螺纹时为 $η_s$：",
+            "The efficiency is the ratio of the ideal to the actual moment; $η_s$ is that of the thread alone:",
+        )
+    )
     bench.worked(ETA, m0 / whole)
     bench.worked(ETA_THREAD, m0 / m2)
     return m0
@@ -162,7 +223,12 @@ def _moments(bench: Bench, device: ScrewJack, m1: Quantity, m2: Quantity, m0: Qu
     whole = Quantity(_bracketed(named("M/Q")), m1.value + m2.value, "mm")
     arm = millimetres("l", device.lever.si)
     if device.F:
-        bench.board.step(Words("由 $F l = M$ 求手柄上的力 $F$ 所能提升的载荷：", "$F l = M$ gives the load that the force $F$ on the lever lifts:"))
+        bench.board.step(
+            Words(
+                "由 $F l = M$ 求手柄上的力 $F$ 所能提升的载荷：",
+                "$F l = M$ gives the load that the force $F$ on the lever lifts:",
+            )
+        )
         load = bench.worked(LOAD, magnitude("F", device.F.si, "N") * arm / whole).value
     else:
         bench.board.step(Words("由 $F l = M$ 求手柄上的力：", "$F l = M$ gives the force on the lever:"))
@@ -182,22 +248,43 @@ def _locked(bench: Bench, jack: _Jack) -> None:
     """Under the load alone the reaction stands against it, at α from the normal: the thread locks where α ≤ φ."""
     board, name = bench.board, _name(jack.phi)
     place = board.open_pane(View.BODY, "cone", Words("去掉 $F$ 后螺母的受力", "The nut with $F$ removed"), NO_SCALE)
-    board.step(Words(f"去掉 $F$ 后（不计环面摩擦），螺母只受 $Q$ 和螺纹的总反力 $R$，静止时二力共线，$R$ 竖直，与法线 $n$ 的夹角等于 $α$；$α ≤ {name}$ 时 $R$ 在摩擦锥内，无论 $Q$ 多大螺母都不会自行松退。",
-                     f"With $F$ removed, and leaving aside the friction of the collar, only $Q$ and the total reaction $R$ of the thread act on the nut. At rest they are collinear: $R$ is vertical and makes the "
-                     f"angle $α$ with the normal $n$. Where $α ≤ {name}$ it lies within the friction cone, and the nut does not turn back however large $Q$ is."), place)
+    board.step(
+        Words(
+            "去掉 $F$ 后（不计环面摩擦），螺母只受 $Q$ 和螺纹的总反力 $R$，静止时二力共线，$R$ 竖直，"
+            f"与法线 $n$ 的夹角等于 $α$；$α ≤ {name}$ 时 $R$ 在摩擦锥内，无论 $Q$ 多大螺母都不会自行松退。",
+            "With $F$ removed, and leaving aside the friction of the collar, only $Q$ and the "
+            "total reaction $R$ of the thread act on the nut. At rest they are collinear: $R$ is "
+            f"vertical and makes the angle $α$ with the normal $n$. Where $α ≤ {name}$ it lies "
+            "within the friction cone, and the nut does not turn back however large $Q$ is.",
+        ),
+        place,
+    )
     nut_in_cone(bench, place, jack.along, jack.phi.value, name)
     alpha, phi = jack.alpha, jack.phi
     steep, lean = (number(float(nominal(q.value))) for q in (alpha, phi))
     locks = np.asarray(alpha.value <= phi.value * (1 + 1e-12))
-    sign, zh, en = ("≤", "螺纹自锁", "the thread is self-locking") if bool(nominal(locks)) else (">", "螺纹不自锁", "the thread is not self-locking")
-    bench.judged(SELF_LOCKING, locks, Words(f"$α$ = {steep}° {sign} ${name}$ = {lean}°，{zh}。",
-                                            f" $α$ = {steep}° {sign} ${name}$ = {lean}°: {en}."))
+    sign, zh, en = (
+        ("≤", "螺纹自锁", "the thread is self-locking")
+        if bool(nominal(locks))
+        else (">", "螺纹不自锁", "the thread is not self-locking")
+    )
+    bench.judged(
+        SELF_LOCKING,
+        locks,
+        Words(f"$α$ = {steep}° {sign} ${name}$ = {lean}°，{zh}。", f" $α$ = {steep}° {sign} ${name}$ = {lean}°: {en}."),
+    )
 
 
 def _back(bench: Bench, jack: _Jack, m1: Quantity, m0: Quantity) -> None:
     """M' = M_1 + Q d_2 tan(φ − α) / 2 lowers the load."""
-    bench.board.step(Words("放下重物时各摩擦力矩反向，所需的力矩为 $M′$（为负时表示须制动）；以载荷为驱动力时的效率 $η′ = −M′/M_0$，$η′ ≤ 0$ 时载荷不能自行下降：",
-                           "Lowering the load reverses all friction; it takes the moment $M′$ (negative: a braking moment). With the load driving, the efficiency is $η′ = −M′/M_0$; "
-                           "where $η′ ≤ 0$ the load does not sink by itself:"))
+    bench.board.step(
+        Words(
+            "放下重物时各摩擦力矩反向，所需的力矩为 $M′$（为负时表示须制动）；以载荷为驱动力时的效率 $η′ = "
+            "−M′/M_0$，$η′ ≤ 0$ 时载荷不能自行下降：",
+            "Lowering the load reverses all friction; it takes the moment $M′$ (negative: a "
+            "braking moment). With the load driving, the efficiency is $η′ = −M′/M_0$; "
+            "where $η′ ≤ 0$ the load does not sink by itself:",
+        )
+    )
     back = bench.worked(BACK, m1 + jack.mean * Of("tan", jack.phi - jack.alpha) / _pure(2))
     bench.worked(ETA_BACK, Sum((back / m0,), (-1,)))

@@ -1,4 +1,5 @@
-"""A force on a link as it is known while forces are being found: its vector on the polygon, where it acts, where it stands on paper."""
+"""A force on a link as it is known while forces are being found: its vector on the polygon, where it acts, where it
+stands on paper."""
 
 from __future__ import annotations
 
@@ -20,7 +21,11 @@ def summed(parts: Iterable[Reals]) -> Reals:
     """The sum; zero where the nominal hand's parts cancel but for rounding."""
     every = list(parts)
     total: Reals = sum(every, 0.0)
-    return total if abs(float(nominal(total))) > ROUNDING * max((abs(float(nominal(part))) for part in every), default=0.0) else 0.0
+    return (
+        total
+        if abs(float(nominal(total))) > ROUNDING * max((abs(float(nominal(part))) for part in every), default=0.0)
+        else 0.0
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,7 +47,8 @@ class Drawn:
 class Acting:
     """A force on a link: its name, its vector on the polygon, a point of its line of action; its two table entries.
 
-    couple: what a slide passes on beside a force of zero (N·m). computed: the size (N) of a force that stands on no polygon.
+    couple: what a slide passes on beside a force of zero (N·m). computed: the size (N) of a force that stands on no
+    polygon.
     """
 
     named: Named

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from ...mechanism.asked.forces import load_named
 from ...mechanism.loads import Moment
-from ...mechanism.quantities import load_named
 from ...plane import Reals
-from .letters import slide_couple
+from .lines.letters import slide_couple
 from .state import Statics
 
 
 def couples_on(st: Statics, link: str, *, within: Collection[str] = ()) -> Iterator[tuple[str, Reals]]:
-    """Symbol and size (N·m, counter-clockwise positive) of the known couples; friction couples of pins are no couples of their own.
+    """Symbol and size (N·m, counter-clockwise positive) of the known couples; friction couples of pins are no couples
+    of their own.
 
     within: links drawn together with this one; what slides pass on between them is an inner couple and left out.
     """

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from ...mechanism.assur import Dyad
+from ...mechanism.groups.assur import Dyad
 from ...mechanism.loads import Load
 from ...plane import Line
 from ..registry import Door
-from .pieces import Held, TwoForce
+from .lines.links_of_group import Held, TwoForce
 from .state import Statics
 
 

@@ -1,4 +1,5 @@
-"""Inertia forces: F_I = m a_S against the acceleration, M_I = J α against the angular acceleration, joined by h = M_I / F_I."""
+"""Inertia forces: F_I = m a_S against the acceleration, M_I = J α against the angular acceleration, joined by h = M_I /
+F_I."""
 
 from __future__ import annotations
 
@@ -6,15 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...algebra.formula import Node
+from ...algebra.quantity import Quantity, magnitude, worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Place, Reading, View
-from ...board.marks import Dot, Role
-from ...formula import Node
+from ...board.paper.marks import Dot, Role
+from ...mechanism.asked.forces import quantities
 from ...mechanism.loads import GRAVITY, Mass
-from ...mechanism.quantities import quantities
 from ...names import At, Named, alpha, ascii_key
 from ...plane import Points, Reals, nominal, unit
-from ...quantity import Quantity, magnitude, worked
 from ...words import Words
 from ..desk import POLE
 from ..kinematics.image import found_tip
@@ -28,7 +29,8 @@ SHORT = 1.5  # mm: a shorter arm is not lettered
 
 
 def inertia_forces(st: Statics) -> None:
-    """Inertia force and couple of every mass from the drawn accelerations (N, N·m), and its weight, kept in `st.inertia`.
+    """Inertia force and couple of every mass from the drawn accelerations (N, N·m), and its weight, kept in
+    `st.inertia`.
 
     Where no force is left to displace, or its arm would exceed the mechanism, the couple stays in `st.inertia_couples`.
     """
@@ -48,8 +50,14 @@ def weight_named(mass: Mass) -> Named:
 def _inertia(st: Statics, mass: Mass) -> None:
     link, s = mass.link, st.desk.name(At(mass.centre))
     tip = found_tip(st.desk, View.ACCELERATION, At(mass.centre, link))
-    st.board.step(Words(f"构件 {link} 的惯性力 $F_{{I{link}}}$ 与质心加速度 $a_{{{mass.centre}}}$ 方向相反，作用于质心 ${s}$。",
-                        f"The inertia force $F_{{I{link}}}$ of link {link} acts at its centre of mass ${s}$, against the acceleration $a_{{{mass.centre}}}$."), View.MECHANISM)
+    st.board.step(
+        Words(
+            f"构件 {link} 的惯性力 $F_{{I{link}}}$ 与质心加速度 $a_{{{mass.centre}}}$ 方向相反，作用于质心 ${s}$。",
+            f"The inertia force $F_{{I{link}}}$ of link {link} acts at its centre of mass "
+            f"${s}$, against the acceleration $a_{{{mass.centre}}}$.",
+        ),
+        View.MECHANISM,
+    )
     force = _force(st, mass, tip)
     couple, sense = _couple(st, mass)
     if force is None:
@@ -65,7 +73,12 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     named = quantities(st.mech, st.loads)[f"F_I{link}"]
     letters = f"{POLE[View.ACCELERATION]} {st.desk.tip_label(View.ACCELERATION, At(mass.centre))}"
     if abs(complex(nominal(tip))) < NO_LENGTH:
-        board.remark(Words(f"因 $a_{{{mass.centre}}}$ = 0，故 $F_{{I{link}}}$ = 0。", f" Here $a_{{{mass.centre}}}$ = 0, so $F_{{I{link}}}$ = 0."))
+        board.remark(
+            Words(
+                f"因 $a_{{{mass.centre}}}$ = 0，故 $F_{{I{link}}}$ = 0。",
+                f" Here $a_{{{mass.centre}}}$ = 0, so $F_{{I{link}}}$ = 0.",
+            )
+        )
         st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j), 0.0)
         return None
     on_paper = board.measure(0j, tip, letters)
@@ -74,9 +87,17 @@ def _force(st: Statics, mass: Mass, tip: Points) -> Acting | None:
     size = board.compute(named.symbol, expr, "N")
     vector = -unit(tip) * st.mm(size.value)
     direction = board.gauge(tip, 0j)
-    reading = Reading(key=named.key, symbol=named.symbol, unit="N", scalar=float(nominal(size.value)),
-                      vector=complex(nominal(size.value * np.exp(1j * direction))), mm=float(nominal(on_paper.value)), line=letters,
-                      scale=board.scales[View.ACCELERATION].symbol, formula=worked(size.node, expr, "N"))
+    reading = Reading(
+        key=named.key,
+        symbol=named.symbol,
+        unit="N",
+        scalar=float(nominal(size.value)),
+        vector=complex(nominal(size.value * np.exp(1j * direction))),
+        mm=float(nominal(on_paper.value)),
+        line=letters,
+        scale=board.scales[View.ACCELERATION].symbol,
+        formula=worked(size.node, expr, "N"),
+    )
     st.keep(reading, size.value)
     return _settle(st, mass, named, vector, st.desk.where(At(mass.centre)))
 
@@ -90,13 +111,22 @@ def _couple(st: Statics, mass: Mass) -> tuple[Quantity, int]:
     formula: Node | None = None
     couple = magnitude(named.symbol, 0.0, named.unit)
     if sense:
-        expr = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2") * magnitude(f"α_{link}", np.abs(rate), "rad/s^2")
+        expr = magnitude(f"J_{{{mass.centre}}}", mass.inertia, "kg·m^2") * magnitude(
+            f"α_{link}", np.abs(rate), "rad/s^2"
+        )
         couple, formula = board.compute(named.symbol, expr, named.unit), worked(couple.node, expr, named.unit)
         way = TURN[sense]
-        board.remark(Words(f"惯性力矩 $M_{{I{link}}}$ 与 $α_{link}$ 转向相反，为{way.zh}。",
-                           f" The inertia couple $M_{{I{link}}}$ turns against $α_{link}$, {way.en}."))
+        board.remark(
+            Words(
+                f"惯性力矩 $M_{{I{link}}}$ 与 $α_{link}$ 转向相反，为{way.zh}。",
+                f" The inertia couple $M_{{I{link}}}$ turns against $α_{link}$, {way.en}.",
+            )
+        )
     signed = -mass.inertia * rate
-    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(signed)), formula=formula), signed)
+    st.keep(
+        Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(signed)), formula=formula),
+        signed,
+    )
     return couple, sense
 
 
@@ -112,17 +142,37 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
         return
     expr = couple / magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
     arm = board.compute(named.symbol, expr, "m")
-    st.keep(Reading(key=named.key, symbol=named.symbol, unit="m", scalar=float(nominal(arm.value)), formula=worked(arm.node, expr, "m")), arm.value)
+    st.keep(
+        Reading(
+            key=named.key,
+            symbol=named.symbol,
+            unit="m",
+            scalar=float(nominal(arm.value)),
+            formula=worked(arm.node, expr, "m"),
+        ),
+        arm.value,
+    )
     if float(nominal(arm.value)) > st.mech.scale:
-        board.remark(Words(f"$h_{link}$ 大于机构尺寸，$F_{{I{link}}}$ 与 $M_{{I{link}}}$ 不再合成。",
-                           f" $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart."))
+        board.remark(
+            Words(
+                f"$h_{link}$ 大于机构尺寸，$F_{{I{link}}}$ 与 $M_{{I{link}}}$ 不再合成。",
+                f" $h_{link}$ exceeds the mechanism; $F_{{I{link}}}$ and $M_{{I{link}}}$ stay apart.",
+            )
+        )
         st.inertia_couples[link] = st.board.found[f"M_I{link}"]
         _draw_force(st, force.named.symbol, s, along)
         return
     turning = np.sign(st.board.found[f"M_I{link}"])
     at = board.lay_off(s, -1j * along * turning, board.to_paper(View.MECHANISM, arm.value))
-    board.remark(Words(f"将 $F_{{I{link}}}$ 平移 $h_{link}$，使其对 $ {st.desk.name(At(mass.centre))}$ 之矩与 $M_{{I{link}}}$ 同向，合成为一个总惯性力。",
-                       f" Displaced by $h_{link}$ to the side where its moment about ${st.desk.name(At(mass.centre))}$ has the sense of $M_{{I{link}}}$, the force replaces both."))
+    board.remark(
+        Words(
+            f"将 $F_{{I{link}}}$ 平移 $h_{link}$，使其对 $ {st.desk.name(At(mass.centre))}$ 之矩与 $M_{{I{link}}}$ "
+            "同向，合成为一个总惯性力。",
+            f" Displaced by $h_{link}$ to the side where its moment about "
+            f"${st.desk.name(At(mass.centre))}$ has the sense of $M_{{I{link}}}$, the force "
+            "replaces both.",
+        )
+    )
     _settle(st, mass, force.named, force.vector, at)
     _draw_force(st, force.named.symbol, at, along)
     draw_arm(st, View.MECHANISM, named.symbol, s, at, along)
@@ -132,18 +182,32 @@ def _weight(st: Statics, mass: Mass) -> None:
     """G = m g, down through S."""
     named = weight_named(mass)
     s = st.desk.name(At(mass.centre))
-    st.board.step(Words(f"构件 {mass.link} 的重力过质心 ${s}$ 竖直向下。", f"The weight of link {mass.link} acts straight down through ${s}$."), View.MECHANISM)
-    size = st.board.compute(named.symbol, magnitude(f"m_{mass.link}", mass.mass, "kg") * magnitude("g", GRAVITY, "m/s^2"), "N")
-    acting = Acting(named=named, vector=-1j * st.mm(size.value), at=st.desk.where(At(mass.centre)), size=f"$m_{mass.link} g$")
+    st.board.step(
+        Words(
+            f"构件 {mass.link} 的重力过质心 ${s}$ 竖直向下。",
+            f"The weight of link {mass.link} acts straight down through ${s}$.",
+        ),
+        View.MECHANISM,
+    )
+    size = st.board.compute(
+        named.symbol, magnitude(f"m_{mass.link}", mass.mass, "kg") * magnitude("g", GRAVITY, "m/s^2"), "N"
+    )
+    acting = Acting(
+        named=named, vector=-1j * st.mm(size.value), at=st.desk.where(At(mass.centre)), size=f"$m_{mass.link} g$"
+    )
     st.inertia.setdefault(mass.link, []).append(acting)
 
 
 def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -> Acting:
     """The inertia force on its line, in place of an earlier one."""
     scale = st.board.scales[View.MECHANISM].value
-    acting = Acting(named=named, vector=vector, at=at, direction=Words.same("✓"), size=f"$m_{mass.link} a_{{{mass.centre}}}$")
+    acting = Acting(
+        named=named, vector=vector, at=at, direction=Words.same("✓"), size=f"$m_{mass.link} a_{{{mass.centre}}}$"
+    )
     st.inertia[mass.link] = [acting]
-    st.board.readings[named.key] = replace(st.board.readings[named.key], acts=LineOfAction(point=complex(nominal(at)) * scale))
+    st.board.readings[named.key] = replace(
+        st.board.readings[named.key], acts=LineOfAction(point=complex(nominal(at)) * scale)
+    )
     return acting
 
 

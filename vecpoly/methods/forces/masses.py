@@ -4,23 +4,29 @@ from __future__ import annotations
 
 from math import pi
 
-from ...formula import Txt
+from ...algebra.formula import Txt
+from ...algebra.quantity import Expr, Quantity, magnitude
+from ...mechanism.asked.forces import quantities
 from ...mechanism.loads import Mass, Rod
-from ...mechanism.quantities import quantities
 from ...plane import nominal
-from ...quantity import Expr, Quantity, magnitude
 from ...words import Words
 from .readings import keep_value
 from .state import Statics
 
 
 def masses(st: Statics) -> None:
-    """Keep mass (kg) and moment of inertia (kg·m²) of every link as readings; write out how those of bars follow from their section."""
+    """Keep mass (kg) and moment of inertia (kg·m²) of every link as readings; write out how those of bars follow from
+    their section."""
     rods = [mass for mass in st.loads.masses if mass.rod is not None]
     if rods:
         links, links_en = "、".join(mass.link for mass in rods), ", ".join(mass.link for mass in rods)
-        st.board.step(Words(f"构件 {links} 为圆截面杆，按细长杆求质量和对质心的转动惯量：",
-                            f"Link{'s' if len(rods) > 1 else ''} {links_en}: round bars; mass and moment of inertia about the centre of mass as thin rods:"))
+        st.board.step(
+            Words(
+                f"构件 {links} 为圆截面杆，按细长杆求质量和对质心的转动惯量：",
+                f"Link{'s' if len(rods) > 1 else ''} {links_en}: round bars; mass and moment of "
+                "inertia about the centre of mass as thin rods:",
+            )
+        )
     for mass in st.loads.masses:
         _keep(st, mass)
 

@@ -1,23 +1,26 @@
-"""In which order a loaded mechanism is taken apart: the link that closes, the groups from the far end, and the links on which they hang."""
+"""In which order a loaded mechanism is taken apart: the link that closes, the groups from the far end, and the links on
+which they hang."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 from ...errors import MobilityError
-from ...mechanism.assur import Group, decompose, ends
+from ...mechanism.groups.assur import Group, decompose, ends
 from ...mechanism.loads import Force, Loads, Moment
 from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute
+from .balance.power_alone import is_drawn
 from .hubs import on_groups
-from .pieces import Held
-from .power_alone import is_drawn
+from .lines.links_of_group import Held
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Order:
-    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end; mech: with the pins where the groups hang.
+    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end; mech: with
+    the pins where the groups hang.
 
-    held is None where that link has no fixed pin (or guide, for a force), or where from it the mechanism comes apart into groups above class II
+    held is None where that link has no fixed pin (or guide, for a force), or where from it the mechanism comes apart
+    into groups above class II
     though from the driving link it does not: then the groups end at the driving link.
     """
 
@@ -40,9 +43,14 @@ def order_of(mech: Mechanism, loads: Loads) -> Order:
 
 
 def order_without(mech: Mechanism, thrust: Force) -> Order:
-    """The order once a cylinder between two moving links has given way to its thrust, which is known: any link on the frame closes."""
+    """The order once a cylinder between two moving links has given way to its thrust, which is known: any link on the
+    frame closes."""
     own = {thrust.link, thrust.against}
-    rest = replace(mech, links=tuple(link for link in mech.links if link.name not in own), joints=tuple(j for j in mech.joints if not own & set(ends(j))))
+    rest = replace(
+        mech,
+        links=tuple(link for link in mech.links if link.name not in own),
+        joints=tuple(j for j in mech.joints if not own & set(ends(j))),
+    )
     for link in rest.bodies:
         joint = fixed_joint(rest, link)
         drive = Drive(link=link, position=0.0, rate=1.0, slide=isinstance(joint, Prismatic))
@@ -53,17 +61,26 @@ def order_without(mech: Mechanism, thrust: Force) -> Order:
 
 def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
     """The joint of a link to the frame."""
-    return next((j for j in mech.joints if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}), None)
+    return next(
+        (
+            j
+            for j in mech.joints
+            if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}
+        ),
+        None,
+    )
 
 
 def _held(mech: Mechanism, drive: Drive) -> Mechanism:
-    """The mechanism, its pins where the groups hang if only so the driving link is pinned to the frame: it may sit on the pin of another link there."""
+    """The mechanism, its pins where the groups hang if only so the driving link is pinned to the frame: it may sit on
+    the pin of another link there."""
     hung = on_groups(mech, drive)
     return hung if fixed_joint(mech, drive.link) is None and fixed_joint(hung, drive.link) is not None else mech
 
 
 def _apart(mech: Mechanism, drive: Drive) -> Order:
-    """The groups when this drive moves the mechanism: with the pins as the problem has them, else where the groups hang."""
+    """The groups when this drive moves the mechanism: with the pins as the problem has them, else where the groups
+    hang."""
     hung, mech = on_groups(mech, drive), _held(mech, drive)
     found = _pressing(mech, drive)
     if found is not None and is_drawn(found):

@@ -1,7 +1,10 @@
-"""The force analysis of a mechanism: inertia forces, groups from the far end, the link with the balancing load; without friction, then with it.
+"""The force analysis of a mechanism: inertia forces, groups from the far end, the link with the balancing load; without
+friction, then with it.
 
-With friction the pass without it comes first: it tells on which side every reaction presses, and it gives the ideal balancing
-load. The friction pass is tried on scratch paper until every reaction has the sense that was assumed (and the pin couples of
+With friction the pass without it comes first: it tells on which side every reaction presses, and it gives the ideal
+balancing
+load. The friction pass is tried on scratch paper until every reaction has the sense that was assumed (and the pin
+couples of
 groups solved by moments have settled); then it is drawn.
 """
 
@@ -10,33 +13,24 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...board.construction import View
-from ...board.marks import FrictionCircle
+from ...board.paper.marks import FrictionCircle
 from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
-from ...mechanism.assur import Group
+from ...mechanism.asked.forces import load_named, without_friction
+from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Loads, Moment
 from ...mechanism.model import FRAME, Revolute
-from ...mechanism.quantities import load_named, without_friction
 from ...plane import nominal
-from ...problem.asks import AskNamed
+from ...problem.asked.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage
-from .checks import check_methods
-from .doors import DRIVERS
-from .efficiency import NOTHING, read_efficiency
-from .free_body import draw_free_bodies
-from .given_loads import draw_given_loads
-from .group import solve_group
-from .hubs import hub_couples, hubs_of, joined, say_hubs
-from .inertia import inertia_forces
-from .order import fixed_joint, order_of, order_without
-from .pieces import Held
-from .power_alone import is_alone, is_drawn, power_first, refuse_undrawn
-from .readings import read_reactions
-from .settling import settled
-from .state import Statics
-from .thrust import (
+from .balance.checks import check_methods
+from .balance.efficiency import NOTHING, read_efficiency
+from .balance.power_alone import is_alone, is_drawn, power_first, refuse_undrawn
+from .bodies.free_body import draw_free_bodies
+from .bodies.given_loads import draw_given_loads
+from .closing.thrust import (
     as_moved,
     as_outer_forces,
     floating_unknown,
@@ -45,6 +39,15 @@ from .thrust import (
     read_thrusts,
     without_cylinders,
 )
+from .doors import DRIVERS
+from .groups.group import solve_group
+from .hubs import hub_couples, hubs_of, joined, say_hubs
+from .inertia import inertia_forces
+from .lines.links_of_group import Held
+from .order import fixed_joint, order_of, order_without
+from .readings import read_reactions
+from .settling import settled
+from .state import Statics
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -94,7 +97,11 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
 def _as_they_are(st: Statics, problem: Problem) -> None:
     """Where nothing rubs, what is asked without friction is what was found: M_1_0 = M_1."""
     for ask in problem.asks:
-        if isinstance(ask, AskNamed) and (found := ask.rel.key.removesuffix("_0")) != ask.rel.key and found in st.board.readings:
+        if (
+            isinstance(ask, AskNamed)
+            and (found := ask.rel.key.removesuffix("_0")) != ask.rel.key
+            and found in st.board.readings
+        ):
             st.keep(replace(st.board.readings[found], key=ask.rel.key, symbol=ask.rel.symbol), st.board.found[found])
 
 
@@ -105,12 +112,15 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
     if (floating := floating_unknown(desk.mech, loads)) is not None:
         order = order_without(desk.mech, floating)
         return order.held is not None and is_drawn(order.groups)
-    moved = replace(loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces))
+    moved = replace(
+        loads, forces=tuple(as_moved(desk.mech, force) if force.against else force for force in loads.forces)
+    )
     return is_drawn(without_cylinders(order_of(desk.mech, moved).groups, loads))
 
 
 def _balance_alone(desk: Desk, problem: Problem) -> Statics:
-    """No reaction is asked for, and not all are drawn: virtual power finds the balancing load, and the lever where it is asked for."""
+    """No reaction is asked for, and not all are drawn: virtual power finds the balancing load, and the lever where it
+    is asked for."""
     assert problem.loads is not None
     st = Statics(desk=desk, loads=problem.loads)
     inertia_forces(st)
@@ -124,16 +134,25 @@ def _balance_alone(desk: Desk, problem: Problem) -> Statics:
 
 
 def _power_first(st: Statics) -> Held:
-    """The balancing load acts on a link that hangs on no fixed joint: by virtual power it is known before any reaction; the driving link closes.
+    """The balancing load acts on a link that hangs on no fixed joint: by virtual power it is known before any reaction;
+    the driving link closes.
 
     Raises NoMethodError with friction, of which virtual power knows nothing.
     """
     name, link, driver = st.unknown.name, st.mech.number(st.unknown.link), st.mech.drive.link
     joint = fixed_joint(st.mech, driver)
     if st.loads.friction or joint is None:
-        raise NoMethodError(Words(f"{name} 作用于构件 {link}，该构件不与机架相连；计入摩擦时没有可用的图解法。请令平衡力（矩）作用于与机架相连的构件，或去掉 friction，或用 vecpoly exact",
-                                  f"{name} acts on link {link}, which is not joined to the frame: with friction no graphical method on file balances it there; let it act on a "
-                                  f"link joined to the frame, leave out the friction, or use 'vecpoly exact'"), code="no-method", numbers={"link": link})
+        raise NoMethodError(
+            Words(
+                f"{name} 作用于构件 {link}，该构件不与机架相连；计入摩擦时没有可用的图解法。请令平衡力（矩）"
+                "作用于与机架相连的构件，或去掉 friction，或用 vecpoly exact",
+                f"{name} acts on link {link}, which is not joined to the frame: with "
+                "friction no graphical method on file balances it there; let it act on a "
+                "link joined to the frame, leave out the friction, or use 'vecpoly exact'",
+            ),
+            code="no-method",
+            numbers={"link": link},
+        )
     power_first(st)
     return Held(link=driver, parent=FRAME, joint=joint)
 
@@ -158,8 +177,17 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
     desk = ideal.desk
     desk.board.section(REAL)
     _circles(ideal)
-    st = Statics(desk=desk, loads=ideal.loads, rubbing=True, ideal=guide, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, couples=couples,
-                 hubs=ideal.hubs, own=ideal.own)
+    st = Statics(
+        desk=desk,
+        loads=ideal.loads,
+        rubbing=True,
+        ideal=guide,
+        inertia=ideal.inertia,
+        inertia_couples=ideal.inertia_couples,
+        couples=couples,
+        hubs=ideal.hubs,
+        own=ideal.own,
+    )
     _walk(st, groups, held)
     _refuse_locked(ideal, st)
     st = joined(st, own)
@@ -168,12 +196,19 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
 
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:
-    """Friction may only lower a resisting load, not through zero: it would have to help. Inertia forces may turn it round."""
+    """Friction may only lower a resisting load, not through zero: it would have to help. Inertia forces may turn it
+    round."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
     if not st.loads.dynamic and before * after <= 0 and abs(before) > NOTHING * abs(after):
-        raise LockedError(Words(
-            f"{st.unknown.name} 有摩擦时为 {after:.4g}，无摩擦时为 {before:.4g}：它反向后须帮助运动；机构在此位置自锁，请减小 f 或 ρ",
-            f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense reversed it would have to help the motion; the mechanism is self-locking in this position, lower f or ρ"))
+        raise LockedError(
+            Words(
+                f"{st.unknown.name} 有摩擦时为 {after:.4g}，无摩擦时为 {before:.4g}：它反向后须帮助运动；"
+                "机构在此位置自锁，请减小 f 或 ρ",
+                f"{st.unknown.name} would be {after:.4g} with friction and {before:.4g} without: with its sense "
+                "reversed it would have to help the motion; the mechanism is self-locking in this position, "
+                "lower f or ρ",
+            )
+        )
 
 
 def _circles(st: Statics) -> None:
@@ -181,10 +216,26 @@ def _circles(st: Statics) -> None:
     board = st.board
     radii = "、".join(f"$ρ_{point}$ = {1e3 * rho:g} mm" for point, rho in st.loads.friction.pins.items() if rho)
     if radii:
-        board.step(Words(f"在机构图上按 $μ_l$ 作各转动副的摩擦圆：{radii}。", f"Draw the friction circles of the pins on the diagram to $μ_l$: {radii.replace('、', ', ')}."), View.MECHANISM)
+        board.step(
+            Words(
+                f"在机构图上按 $μ_l$ 作各转动副的摩擦圆：{radii}。",
+                f"Draw the friction circles of the pins on the diagram to $μ_l$: {radii.replace('、', ', ')}.",
+            ),
+            View.MECHANISM,
+        )
     else:
-        board.step(Words("转动副中的摩擦不计，其反力仍过铰链中心；其余有摩擦的运动副中，总反力偏离法线一个摩擦角。",
-                         "The pins have no friction, their reactions still pass through the centres; in the other joints with friction the total reaction leans from the normal by the friction angle."), View.MECHANISM)
+        board.step(
+            Words(
+                "转动副中的摩擦不计，其反力仍过铰链中心；其余有摩擦的运动副中，总反力偏离法线一个摩擦角。",
+                "The pins have no friction, their reactions still pass through the centres; in "
+                "the other joints with friction the total reaction leans from the normal by the "
+                "friction angle.",
+            ),
+            View.MECHANISM,
+        )
     for point, rho in st.loads.friction.pins.items():
         if rho:
-            board.mark(View.MECHANISM, FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=st.desk.mm(rho), label=""))
+            board.mark(
+                View.MECHANISM,
+                FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=st.desk.mm(rho), label=""),
+            )

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from ...algebra.formula import sym
+from ...algebra.quantity import Expr, Product, number, worked
 from ...board.board import NO_LENGTH
 from ...board.construction import LineOfAction, Reading, View
-from ...formula import sym
-from ...mechanism.assur import hinges
+from ...mechanism.asked.forces import apart, pairs
+from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import GRAVITY, Force
 from ...mechanism.model import Mechanism
-from ...mechanism.quantities import apart, pairs
 from ...mechanism.seats import seat
 from ...names import Named
 from ...plane import Points, Reals, nominal
 from ...problem.problem import Problem
-from ...quantity import Expr, Product, number, worked
 from ...words import Words
 from .acting import Acting, Drawn
 from .state import Statics
@@ -24,7 +24,10 @@ _SIDE = {1: "ccw", -1: "cw", 0: ""}
 def keep_value(st: Statics, named: Named, value: Reals, expr: Expr) -> None:
     """A signed value with the formula from which it was computed."""
     formula = worked(sym(named.symbol), expr, named.unit)
-    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula), value)
+    st.keep(
+        Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=formula),
+        value,
+    )
 
 
 def keep_nothing(st: Statics, named: Named) -> None:
@@ -43,8 +46,19 @@ def keep_measured(st: Statics, named: Named, drawn: Drawn, sign: int = 1) -> Rea
     expr = st.board.mu(drawn.place) * on_paper
     st.board.write(worked(sym(named.symbol), expr, named.unit))
     value = sign * expr.value
-    st.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), mm=float(nominal(on_paper.value)),
-                    line=drawn.letters, scale=st.scale.symbol, formula=worked(sym(named.symbol), expr, named.unit)), value)
+    st.keep(
+        Reading(
+            key=named.key,
+            symbol=named.symbol,
+            unit=named.unit,
+            scalar=float(nominal(value)),
+            mm=float(nominal(on_paper.value)),
+            line=drawn.letters,
+            scale=st.scale.symbol,
+            formula=worked(sym(named.symbol), expr, named.unit),
+        ),
+        value,
+    )
     return value
 
 
@@ -83,15 +97,30 @@ def _reaction(st: Statics, force: Acting, side: tuple[Points, Points, str]) -> N
     vector = size * board.bearing(start, end)
     metres = complex(nominal(force.at)) * board.scales[View.MECHANISM].value
     couple = float(nominal(force.couple))
-    st.keep(Reading(
-        key=named.key, symbol=named.symbol, unit="N", scalar=0.0 if zero else float(nominal(size)), vector=0j if zero else complex(nominal(vector)),
-        mm=None if zero else float(nominal(on_paper.value)), line=letters, scale=scale.symbol, formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
-        remark=_couple_words(named, couple) if couple else None, acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None)), size)
+    st.keep(
+        Reading(
+            key=named.key,
+            symbol=named.symbol,
+            unit="N",
+            scalar=0.0 if zero else float(nominal(size)),
+            vector=0j if zero else complex(nominal(vector)),
+            mm=None if zero else float(nominal(on_paper.value)),
+            line=letters,
+            scale=scale.symbol,
+            formula=worked(sym(named.symbol), board.mu(View.FORCE) * on_paper, "N"),
+            remark=_couple_words(named, couple) if couple else None,
+            acts=LineOfAction(point=metres, tangent=_SIDE[force.tangent], couple=couple or None),
+        ),
+        size,
+    )
 
 
 def _couple_words(named: Named, couple: float) -> Words:
     way = Words("逆时针", "counter-clockwise") if couple > 0 else Words("顺时针", "clockwise")
-    return Words(f"${named.symbol}$ = 0，移动副只传递力偶 {number(abs(couple))} N·m（{way.zh}）", f"${named.symbol}$ = 0, the slide passes on a couple alone: {number(abs(couple))} N·m, {way.en}")
+    return Words(
+        f"${named.symbol}$ = 0，移动副只传递力偶 {number(abs(couple))} N·m（{way.zh}）",
+        f"${named.symbol}$ = 0, the slide passes on a couple alone: {number(abs(couple))} N·m, {way.en}",
+    )
 
 
 def _no_reaction(st: Statics, a: str, b: str) -> None:
@@ -100,8 +129,12 @@ def _no_reaction(st: Statics, a: str, b: str) -> None:
     carrier = st.mech.number(seat(st.mech, point) or "")
     for by, on in ((a, b), (b, a)):
         named = st.named(by, on)
-        remark = Words(f"铰链 ${point}$ 的销轴属于构件 {carrier}，构件 {st.mech.number(by)}、{st.mech.number(on)} 互不接触，${named.symbol}$ = 0",
-                       f"the pin at ${point}$ belongs to link {carrier}, links {st.mech.number(by)} and {st.mech.number(on)} do not touch each other: ${named.symbol}$ = 0")
+        remark = Words(
+            f"铰链 ${point}$ 的销轴属于构件 {carrier}，构件 {st.mech.number(by)}、{st.mech.number(on)} 互不接触"
+            f"，${named.symbol}$ = 0",
+            f"the pin at ${point}$ belongs to link {carrier}, links {st.mech.number(by)} and "
+            f"{st.mech.number(on)} do not touch each other: ${named.symbol}$ = 0",
+        )
         st.keep(Reading(key=named.key, symbol=named.symbol, unit="N", scalar=0.0, vector=0j, remark=remark), 0.0)
 
 

@@ -1,15 +1,16 @@
-"""Against which motion friction acts: relative turning at a pin, relative sliding in a guide or at a contact, read off the velocity polygon."""
+"""Against which motion friction acts: relative turning at a pin, relative sliding in a guide or at a contact, read off
+the velocity polygon."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.quantity import number
 from ...board.construction import View
 from ...errors import NoSlipSenseError, bilingual
 from ...mechanism.model import FRAME, Prismatic
 from ...names import omega
 from ...plane import Points, dot, nominal
-from ...quantity import number
 from ...words import Words
 from ..kinematics.image import known_tips
 from .state import STILL, Statics
@@ -18,14 +19,19 @@ TURN = {1: Words("逆时针", "counter-clockwise"), -1: Words("顺时针", "cloc
 
 
 def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
-    """Why the reaction touches the friction circle on its side: ω of the one link against the other, and the moment against it."""
+    """Why the reaction touches the friction circle on its side: ω of the one link against the other, and the moment
+    against it."""
     sense = st.moment_sense(point, by, on)
     if not sense:
         return Words.same("")
     symbol, way, against = st.named(by, on).symbol, TURN[-sense], TURN[sense]
     rate, turns = relative_omega(st, by, on)
-    return Words(f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，由此确定 ${symbol}$ 切于 ${point}$ 处摩擦圆的哪一侧。",
-                 f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is {against.en}, which determines the side on which ${symbol}$ touches the friction circle.")
+    return Words(
+        f"{rate}，为{way.zh}；${symbol}$ 对 ${point}$ 之矩与 ${turns}$ 转向相反，为{against.zh}，"
+        f"由此确定 ${symbol}$ 切于 ${point}$ 处摩擦圆的哪一侧。",
+        f" {rate}, {way.en}; the moment of ${symbol}$ about ${point}$ opposes ${turns}$ and is "
+        f"{against.en}, which determines the side on which ${symbol}$ touches the friction circle.",
+    )
 
 
 def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
@@ -41,7 +47,8 @@ def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
 
 
 def velocity_of(st: Statics, link: str, place: Points) -> Points:
-    """Velocity (mm on the velocity polygon) of the point of a link that is at this place of the diagram, from a drawn tip and ω."""
+    """Velocity (mm on the velocity polygon) of the point of a link that is at this place of the diagram, from a drawn
+    tip and ω."""
     desk = st.desk
     if link == FRAME:
         return 0j
@@ -52,7 +59,8 @@ def velocity_of(st: Statics, link: str, place: Points) -> Points:
 
 
 def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words | str) -> Points:
-    """Direction of a reaction with normal part along `normal`: turned by φ from it, against the sliding of the link it acts on.
+    """Direction of a reaction with normal part along `normal`: turned by φ from it, against the sliding of the link it
+    acts on.
 
     Raises NoSlipSenseError where nothing slides.
     """
@@ -60,7 +68,14 @@ def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words |
         return normal
     along = float(nominal((np.conj(1j * normal) * slip).real))
     if abs(along) * st.board.scales[View.VELOCITY].value <= STILL * st.speed:
-        raise NoSlipSenseError(bilingual(what) + Words("：在此位置无相对滑动，摩擦力方向不定；请另取原动件位置，或去掉此处摩擦", ": nothing slides in this position, so friction has no sense; choose another input position, or leave out this friction"))
+        raise NoSlipSenseError(
+            bilingual(what)
+            + Words(
+                "：在此位置无相对滑动，摩擦力方向不定；请另取原动件位置，或去掉此处摩擦",
+                ": nothing slides in this position, so friction has no sense; choose another input position, or "
+                "leave out this friction",
+            )
+        )
     leant: Points = normal * complex(np.exp(-1j * phi * np.sign(along)))
     return leant
 
@@ -77,18 +92,26 @@ def inclined(st: Statics, joint: Prismatic, by: str, on: str) -> Points:
     at = desk.at[joint.pin]
     slip = velocity_of(st, on, at) - velocity_of(st, by, at)
     i, j = st.mech.number(by), st.mech.number(on)
-    return leaning(st, normal, slip, st.phi(joint), Words(f"构件 {i} 与 {j} 间的移动副", f"the slide of links {i} and {j}"))
+    return leaning(
+        st, normal, slip, st.phi(joint), Words(f"构件 {i} 与 {j} 间的移动副", f"the slide of links {i} and {j}")
+    )
 
 
 def slide_words(st: Statics, joint: Prismatic, by: str, on: str) -> Words:
     """Why the reaction of a slide leans as it does."""
     i, j, symbol = st.mech.number(by), st.mech.number(on), st.named(by, on).symbol
     if not st.phi(joint):
-        return Words(f"${symbol}$ 垂直于构件 {i}、{j} 间的导路。", f" ${symbol}$ is normal to the guide of links {i} and {j}.")
+        return Words(
+            f"${symbol}$ 垂直于构件 {i}、{j} 间的导路。", f" ${symbol}$ is normal to the guide of links {i} and {j}."
+        )
     way = sliding_way(st, joint, by, on)
-    return Words(f"由速度多边形，构件 {j} 相对构件 {i} 沿导路{way.zh}滑动（$v_{{{j}{i}}}$），摩擦力与之反向，故 ${symbol}$ 自导路法线偏转 $φ$ 角，与 $v_{{{j}{i}}}$ 成 90° + $φ$。",
-                 f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); friction opposes it, so ${symbol}$ is inclined at $φ$ to the normal of the guide "
-                 f"and makes 90° + $φ$ with $v_{{{j}{i}}}$.")
+    return Words(
+        f"由速度多边形，构件 {j} 相对构件 {i} 沿导路{way.zh}滑动（$v_{{{j}{i}}}$），摩擦力与之反向，"
+        f"故 ${symbol}$ 自导路法线偏转 $φ$ 角，与 $v_{{{j}{i}}}$ 成 90° + $φ$。",
+        f" By the velocity polygon link {j} slides {way.en} along link {i} ($v_{{{j}{i}}}$); "
+        f"friction opposes it, so ${symbol}$ is inclined at $φ$ to the normal of the guide and "
+        f"makes 90° + $φ$ with $v_{{{j}{i}}}$.",
+    )
 
 
 def sliding_way(st: Statics, joint: Prismatic, by: str, on: str) -> Words:

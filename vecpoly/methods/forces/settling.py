@@ -1,7 +1,10 @@
-"""Successive approximation (逐步逼近) on scratch paper: the sense of every reaction, and the friction couples of pins that enter moment equations.
+"""Successive approximation (逐步逼近) on scratch paper: the sense of every reaction, and the friction couples of pins
+that enter moment equations.
 
-A group solved by moments needs the friction couple ρR of each pin before R is known. Passes over the whole mechanism give
-couples from couples; between two changes of sense that is a linear relation, so its secant hits the fixed point. Friction is
+A group solved by moments needs the friction couple ρR of each pin before R is known. Passes over the whole mechanism
+give
+couples from couples; between two changes of sense that is a linear relation, so its secant hits the fixed point.
+Friction is
 raised in a few shares, so that the reactions change sides, where they do, one after the other.
 """
 
@@ -14,7 +17,7 @@ import numpy as np
 
 from ...board.board import NO_LENGTH
 from ...errors import LockedError
-from ...mechanism.assur import Group
+from ...mechanism.groups.assur import Group
 from ...mechanism.model import Revolute
 from ...plane import Reals, dot, nominal
 from ...words import Words
@@ -29,14 +32,26 @@ SHARES = (0.25, 0.5, 0.75, 1.0)
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
 
 
-def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Further) -> tuple[Statics, dict[tuple[str, str], Reals]]:
-    """A pass with friction whose senses and pin couples reproduce themselves, and these couples. further: more couples than those of pins in groups.
+def settled(
+    ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Further
+) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+    """A pass with friction whose senses and pin couples reproduce themselves, and these couples. further: more couples
+    than those of pins in groups.
 
     Raises LockedError where none is found: with this friction nothing moves.
     """
     scratch = replace(ideal.desk, board=ideal.board.scratch())
     scratch.board.step(Words.same(""))
-    start = Statics(desk=scratch, loads=ideal.loads, rubbing=True, ideal=ideal, inertia=ideal.inertia, inertia_couples=ideal.inertia_couples, hubs=ideal.hubs, own=ideal.own)
+    start = Statics(
+        desk=scratch,
+        loads=ideal.loads,
+        rubbing=True,
+        ideal=ideal,
+        inertia=ideal.inertia,
+        inertia_couples=ideal.inertia_couples,
+        hubs=ideal.hubs,
+        own=ideal.own,
+    )
     shares = SHARES if ideal.by_moments or ideal.hubs else (1.0,)
     guide: Statics = ideal
 
@@ -50,14 +65,18 @@ def settled(ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Furt
     return guide, couples
 
 
-def _fixed(start: Statics, rubbed: Further, walk: Walk, couples: Couples) -> tuple[Statics, dict[tuple[str, str], Reals]]:
+def _fixed(
+    start: Statics, rubbed: Further, walk: Walk, couples: Couples
+) -> tuple[Statics, dict[tuple[str, str], Reals]]:
     """The fixed point at one share of the friction."""
     guide, slope, last = start.ideal, None, np.inf
     assert guide is not None
     for _ in range(ROUNDS):
         st = _pass(start, guide, couples, walk)
         after = rubbed(st)
-        if after.keys() != couples.keys():  # friction wakes loads on a link that only passed a force on: now moments solve its group
+        if (
+            after.keys() != couples.keys()
+        ):  # friction wakes loads on a link that only passed a force on: now moments solve its group
             couples, guide, slope, last = {key: couples.get(key, 0.0) for key in after}, st, None, np.inf
             continue
         same, gap = _same_senses(st, guide), _gap(couples, after)
@@ -67,9 +86,13 @@ def _fixed(start: Statics, rubbed: Further, walk: Walk, couples: Couples) -> tup
             slope = _slope(start, st, rubbed, walk, couples) if couples else np.zeros((0, 0))
         guide, last = st, gap
         couples = _secant(couples, after, slope)
-    raise LockedError(Words(
-        f"考虑摩擦时各反力不断换侧，平衡不能确定：机构在此位置对 {start.unknown.name} 自锁；请减小 f 或 ρ",
-        f"with friction no equilibrium settles, the reactions keep changing sides: the mechanism is locked for {start.unknown.name} in this position, lower f or ρ"))
+    raise LockedError(
+        Words(
+            f"考虑摩擦时各反力不断换侧，平衡不能确定：机构在此位置对 {start.unknown.name} 自锁；请减小 f 或 ρ",
+            "with friction no equilibrium settles, the reactions keep changing sides: the mechanism is locked "
+            f"for {start.unknown.name} in this position, lower f or ρ",
+        )
+    )
 
 
 def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:
@@ -90,7 +113,9 @@ def pin_couples(st: Statics, groups: tuple[Group, ...]) -> dict[tuple[str, str],
                 for by, on in ((joint.a, joint.b), (joint.b, joint.a)):
                     force = st.push(by, on)
                     if on in group.links and force is not None:
-                        found[by, on] = st.newton_metres(np.abs(force.vector) * rubbing.rho(joint.point) * rubbing.moment_sense(joint.point, by, on))
+                        found[by, on] = st.newton_metres(
+                            np.abs(force.vector) * rubbing.rho(joint.point) * rubbing.moment_sense(joint.point, by, on)
+                        )
     return found
 
 
@@ -118,7 +143,9 @@ def _slope(start: Statics, st: Statics, rubbed: Further, walk: Walk, couples: Co
     stride = max([abs(c) for c in base.values()]) or 1.0
     columns = []
     for key in couples:
-        moved = rubbed(_pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk))
+        moved = rubbed(
+            _pass(start, st, {k: c + (stride * 1e-3 if k == key else 0.0) for k, c in couples.items()}, walk)
+        )
         columns.append([(float(nominal(moved.get(k, c))) - c) / (stride * 1e-3) for k, c in base.items()])
     return np.array(columns).T
 

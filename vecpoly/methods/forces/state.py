@@ -1,6 +1,7 @@
 """What is known of the forces while they are being found: one pass over the links, with friction or without.
 
-Vectors are mm on the force polygon (× μ_F = N), lines of action are in mm on the kinematic diagram. A force `by` → `on` is known
+Vectors are mm on the force polygon (× μ_F = N), lines of action are in mm on the kinematic diagram. A force `by` → `on`
+is known
 under that pair and, reversed, under the opposite one: R_21 = −R_12.
 """
 
@@ -13,9 +14,9 @@ import numpy as np
 from ...board.board import Board
 from ...board.construction import Pane, Reading, Scale, View
 from ...errors import NoSlipSenseError
+from ...mechanism.asked.forces import load_named, press_named, without_friction
 from ...mechanism.loads import Force, Load, Loads, Moment
 from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
-from ...mechanism.quantities import load_named, press_named, without_friction
 from ...names import Named, omega, reaction
 from ...plane import Line, Points, Reals, foot, nominal
 from ...words import Words
@@ -28,7 +29,8 @@ STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Hub:
-    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that meet there.
+    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that
+    meet there.
 
     blocks: those that are thought about the pin, in the slots in which it runs.
     """
@@ -42,7 +44,8 @@ class Hub:
 
 @dataclass(slots=True)
 class Statics:
-    """One pass. `rubbing`: whether friction counts; `ideal`: the finished pass without it; `couples`: pin couples of the last round (N·m)."""
+    """One pass. `rubbing`: whether friction counts; `ideal`: the finished pass without it; `couples`: pin couples of
+    the last round (N·m)."""
 
     desk: Desk
     loads: Loads
@@ -50,8 +53,12 @@ class Statics:
     ideal: Statics | None = None
     acting: dict[tuple[str, str], Acting] = field(default_factory=dict)  # (by, on) of reactions
     inertia: dict[str, list[Acting]] = field(default_factory=dict)  # link → inertia force (displaced by h) and weight
-    inertia_couples: dict[str, Reals] = field(default_factory=dict)  # link → inertia couple that no displaced force carries (N·m)
-    couples: dict[tuple[str, str], Reals] = field(default_factory=dict)  # (by, on) → friction couple on `on`, where the method wants couples
+    inertia_couples: dict[str, Reals] = field(
+        default_factory=dict
+    )  # link → inertia couple that no displaced force carries (N·m)
+    couples: dict[tuple[str, str], Reals] = field(
+        default_factory=dict
+    )  # (by, on) → friction couple on `on`, where the method wants couples
     by_moments: set[tuple[str, ...]] = field(default_factory=set)  # links of groups that were solved by moments
     share: float = 1.0  # of the friction, while it is raised
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
@@ -77,12 +84,17 @@ class Statics:
         if hub is not None and {by, on} & set(hub.blocks):  # the slot presses on the pin of its carrier
             by, on = (hub.carrier if link == hub.hung else link for link in (by, on))
             hub = None
-        name = press_named(self.own or self.mech, by, on) if hub is None else reaction(*(hub.point if link == hub.hung else self.mech.number(link) for link in (by, on)))
+        name = (
+            press_named(self.own or self.mech, by, on)
+            if hub is None
+            else reaction(*(hub.point if link == hub.hung else self.mech.number(link) for link in (by, on)))
+        )
         return without_friction(name) if self.preliminary else name
 
     @property
     def preliminary(self) -> bool:
-        """Whether this is the pass without friction that precedes one with friction: it leaves little on the diagram."""
+        """Whether this is the pass without friction that precedes one with friction: it leaves little on the
+        diagram."""
         return bool(self.loads.friction) and not self.rubbing
 
     @property
@@ -104,8 +116,11 @@ class Statics:
     def polygon(self, name: str, title: Words) -> Pane:
         """The force polygon of this name, begun where it is new; one without friction stands apart."""
         zero = Words("不计摩擦时", " without friction")
-        return self.board.open_pane(View.FORCE, f"{name} ideal" if self.preliminary else name,
-                                    Words(zero.zh + title.zh, title.en + zero.en) if self.preliminary else title)
+        return self.board.open_pane(
+            View.FORCE,
+            f"{name} ideal" if self.preliminary else name,
+            Words(zero.zh + title.zh, title.en + zero.en) if self.preliminary else title,
+        )
 
     # -- forces -----------------------------------------------------------------------------------------------
 
@@ -132,17 +147,41 @@ class Statics:
             return self.acting[by, on]
         other = self.acting.get((on, by))
         drawn = other.drawn.reversed() if other is not None and other.drawn is not None else None
-        return None if other is None else replace(other, named=self.named(by, on), vector=-other.vector, drawn=drawn, tangent=-other.tangent, couple=-other.couple)
+        return (
+            None
+            if other is None
+            else replace(
+                other,
+                named=self.named(by, on),
+                vector=-other.vector,
+                drawn=drawn,
+                tangent=-other.tangent,
+                couple=-other.couple,
+            )
+        )
 
     def pushed_before(self, by: str, on: str) -> Points | None:
         """The reaction's vector in the pass that went before, if there was one."""
         found = None if self.ideal is None else self.ideal.push(by, on)
         return None if found is None else found.vector
 
-    def settle(self, by: str, on: str, vector: Points, at: Points, drawn: Drawn | None = None, tangent: int = 0, *,
-               computed: Reals | None = None) -> Acting:
+    def settle(
+        self,
+        by: str,
+        on: str,
+        vector: Points,
+        at: Points,
+        drawn: Drawn | None = None,
+        tangent: int = 0,
+        *,
+        computed: Reals | None = None,
+    ) -> Acting:
         """Keep a reaction as found."""
-        return self.keep_reaction(by, on, Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent, computed=computed))
+        return self.keep_reaction(
+            by,
+            on,
+            Acting(named=self.named(by, on), vector=vector, at=at, drawn=drawn, tangent=tangent, computed=computed),
+        )
 
     def keep_reaction(self, by: str, on: str, found: Acting) -> Acting:
         """Keep a reaction with all that is known of it."""
@@ -172,25 +211,38 @@ class Statics:
         return [found for other in others if (found := self.push(other, link)) is not None]
 
     def moment(self, link: str) -> Reals:
-        """Sum of the given couples on a link, of those that slides pass on, and of the friction couples of its pins (N·m)."""
+        """Sum of the given couples on a link, of those that slides pass on, and of the friction couples of its pins
+        (N·m)."""
         parts: list[Reals] = [self.size_of(load) for load in self.sized(link) if isinstance(load, Moment)]
-        parts += [self.inertia_couples.get(link, 0.0), *(f.couple for f in self.reactions(link)), *(c for (_, on), c in self.couples.items() if on == link)]
+        parts += [
+            self.inertia_couples.get(link, 0.0),
+            *(f.couple for f in self.reactions(link)),
+            *(c for (_, on), c in self.couples.items() if on == link),
+        ]
         return summed(parts)
 
     def loaded(self, link: str) -> bool:
         """Whether anything but the two joints of a group acts on the link: then it is no two-force link."""
-        return any(abs(nominal(f.vector)) > 1e-9 for f in self.known(link)) or bool(self.loads.on(link)) or bool(np.any(self.moment(link)))
+        return (
+            any(abs(nominal(f.vector)) > 1e-9 for f in self.known(link))
+            or bool(self.loads.on(link))
+            or bool(np.any(self.moment(link)))
+        )
 
     def _load(self, load: Force) -> Acting:
         vector = self.mm(self.size_of(load)) * complex(np.exp(1j * load.direction))
-        return Acting(named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$")
+        return Acting(
+            named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$"
+        )
 
     # -- friction ---------------------------------------------------------------------------------------------
 
     def rho(self, point: str) -> float:
         """Radius of the friction circle of a pin on paper (mm); 0 in a pass without friction."""
         alone = any(hub.point == point for hub in self.hubs)  # there friction acts as couples
-        return self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
+        return (
+            self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
+        )
 
     def phi(self, joint: Prismatic | Contact) -> float:
         """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
@@ -208,16 +260,23 @@ class Statics:
     def moment_sense(self, point: str, by: str, on: str) -> int:
         """Sense (+1 ccw) of the moment of R_by,on about the pin's centre: against the turning of `on` relative to `by`.
 
-        0 where the pin has no friction, or only runs in a slot. Raises NoSlipSenseError where the links do not turn relative to each other.
+        0 where the pin has no friction, or only runs in a slot. Raises NoSlipSenseError where the links do not turn
+        relative to each other.
         """
         if not self.rho(point) or {by, on} & self.mech.slot_pins.keys():
             return 0
         rate = self.turning(on, by)
         if abs(rate) <= STILL * self._rate():
             i, j = self.mech.number(by), self.mech.number(on)
-            raise NoSlipSenseError(Words(
-                f"转动副 {point}：构件 {i} 与 {j} 在此位置无相对转动，摩擦力矩方向不定；请另取原动件位置，或去掉 {point} 处的摩擦",
-                f"pin {point}: links {i} and {j} do not turn relative to each other in this position, so their friction has no sense; choose another input position, or leave out the friction of {point}"))
+            raise NoSlipSenseError(
+                Words(
+                    f"转动副 {point}：构件 {i} 与 {j} 在此位置无相对转动，摩擦力矩方向不定；请另取原动件位置，"
+                    f"或去掉 {point} 处的摩擦",
+                    f"pin {point}: links {i} and {j} do not turn relative to each other in this position, so "
+                    "their friction has no sense; choose another input position, or leave out the friction of "
+                    f"{point}",
+                )
+            )
         return -1 if rate > 0 else 1
 
     def touch(self, point: str, along: Points, sense: int) -> Points:
@@ -225,7 +284,8 @@ class Statics:
         return self.desk.at[point] - 1j * along * sense * self.rho(point)
 
     def at_joint(self, joint: Joint, line: Line) -> Points:
-        """Where a line of action passes a joint: nearest to the pin, or, if that is on the sheet, the point that the line was laid through."""
+        """Where a line of action passes a joint: nearest to the pin, or, if that is on the sheet, the point that the
+        line was laid through."""
         if isinstance(joint, Revolute):
             return foot(line, self.desk.at[joint.point])
         away = isinstance(joint, Prismatic) and abs(complex(nominal(line.at - self.desk.at[joint.pin]))) > OFF_SHEET

@@ -1,9 +1,10 @@
-"""Normal and tangential component of a relative acceleration that no equation needed: drawn because they are asked for."""
+"""Normal and tangential component of a relative acceleration that no equation needed: drawn because they are asked
+for."""
 
 from __future__ import annotations
 
 from ...board.construction import View
-from ...board.marks import Role
+from ...board.paper.marks import Role
 from ...mechanism.model import FRAME
 from ...names import At, Kind, Rel, omega
 from ...words import Words
@@ -14,10 +15,17 @@ _VIEW = View.ACCELERATION
 
 
 def draw_components(desk: Desk, rel: Rel) -> None:
-    """a_CB (or a_C, about the fixed pivot) split: a^n_CB = ω² l from C towards B, a^t_CB from its tip to c'. Nothing where a link is missing."""
+    """a_CB (or a_C, about the fixed pivot) split: a^n_CB = ω² l from C towards B, a^t_CB from its tip to c'. Nothing
+    where a link is missing."""
     link, about = _link(desk, rel)
     to = desk.canonical(rel.to)
-    known = link and about is not None and omega(link) in desk.turns and desk.has_tip(_VIEW, to) and desk.has_tip(_VIEW, about)
+    known = (
+        link
+        and about is not None
+        and omega(link) in desk.turns
+        and desk.has_tip(_VIEW, to)
+        and desk.has_tip(_VIEW, about)
+    )
     ref = None if about is None else ref_at(desk, _VIEW, about, link)
     parts_of = [Rel(kind, to, ref) for kind in (Kind.AN, Kind.AT)]
     keys = [rel.key for rel in parts_of]
@@ -25,7 +33,13 @@ def draw_components(desk: Desk, rel: Rel) -> None:
         return
     board, start, end = desk.board, desk.tip(_VIEW, about), desk.tip(_VIEW, to)
     whole, parts = symbol(desk, Rel(Kind.A, to, ref)), [symbol(desk, Rel(kind, to, ref)) for kind in (Kind.AN, Kind.AT)]
-    board.step(Words(f"将 ${whole}$ 分解为 ${parts[0]}$ 和 ${parts[1]}$。", f"Resolve ${whole}$ into ${parts[0]}$ and ${parts[1]}$."), _VIEW)
+    board.step(
+        Words(
+            f"将 ${whole}$ 分解为 ${parts[0]}$ 和 ${parts[1]}$。",
+            f"Resolve ${whole}$ into ${parts[0]}$ and ${parts[1]}$.",
+        ),
+        _VIEW,
+    )
     term = normal(desk, to, about, link)
     assert term.along is not None and term.mm is not None
     foot = board.lay_off(start, term.along, term.mm, key=key(desk, parts_of[0]))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from ...mechanism.assur import Dyad, Group
+from ...mechanism.groups.assur import Dyad, Group
 from ...mechanism.model import Drive
 from ...mechanism.rams import Ram
 from ..desk import Desk

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.quantity import magnitude
 from ...board.construction import View
-from ...board.marks import Role
+from ...board.paper.marks import Role
 from ...mechanism.model import FRAME, Drive, Prismatic
 from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Points, Reals
-from ...quantity import magnitude
 from ...words import Words
 from ..desk import POLE, VECTOR, Desk, Turn
 from ..registry import Stage, method
@@ -32,14 +32,24 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
     b = others[0]
     name, tip = desk.show(At(b)), desk.tip_label(View.VELOCITY, At(b))
     way, way_en = ("逆时针", "ccw") if drive.rate > 0 else ("顺时针", "cw")
-    board.step(Words(f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 $v_{{{name}}}$：",
-                     f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ ({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:"), View.VELOCITY)
+    board.step(
+        Words(
+            f"$v_{{{name}}}$ ⊥ ${pivot}{b}$，指向与 $ω_{drive.link}$（{way}）一致；取极点 $p$，作 $p{tip}$ 代表 "
+            f"$v_{{{name}}}$：",
+            f"$v_{{{name}}}$ is perpendicular to ${pivot}{b}$ in the sense of $ω_{drive.link}$ "
+            f"({way_en}); from the pole $p$ lay off $p{tip}$ for $v_{{{name}}}$:",
+        ),
+        View.VELOCITY,
+    )
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
     speed = desk.sizes[Rel(Kind.V, At(b)).key] = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
     board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
-    desk.known_as[View.VELOCITY, At(b)] = (Words.same(f"⊥$ {pivot}{b}$"), f"$ω_{drive.link} l_{desk.bar(drive.link, pivot, b)}$")
+    desk.known_as[View.VELOCITY, At(b)] = (
+        Words.same(f"⊥$ {pivot}{b}$"),
+        f"$ω_{drive.link} l_{desk.bar(drive.link, pivot, b)}$",
+    )
     desk.ends[Rel(Kind.V, At(b)).key] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
     images_of_link(desk, View.VELOCITY, drive.link)
 
@@ -57,20 +67,34 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     name = f"a^n_{{{shown}}}" if drive.accel else f"a_{{{shown}}}"
     board.step(_turned(desk, drive, pivot, b), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
-    size = desk.sizes[Rel(Kind.AN if drive.accel else Kind.A, At(b)).key] = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
-    board.write_length(View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size)
+    size = desk.sizes[Rel(Kind.AN if drive.accel else Kind.A, At(b)).key] = board.compute(
+        name, w.squared() * desk.length(pivot, b), "m/s^2"
+    )
+    board.write_length(
+        View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size
+    )
     along = desk.towards(b, pivot)
     _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
     tip = desk.tip(View.ACCELERATION, At(b))
     desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
     if not drive.accel:
-        desk.known_as[View.ACCELERATION, At(b)] = (Words.same(f"${b}→{pivot}$"), f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$")
+        desk.known_as[View.ACCELERATION, At(b)] = (
+            Words.same(f"${b}→{pivot}$"),
+            f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$",
+        )
     else:
         eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
-        size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2")
+        size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(
+            f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2"
+        )
         board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
         parts = [key(desk, Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
-        end = board.lay_off(tip, 1j * np.sign(drive.accel) * desk.towards(pivot, b), board.to_paper(View.ACCELERATION, size_t.value), key=parts[0])
+        end = board.lay_off(
+            tip,
+            1j * np.sign(drive.accel) * desk.towards(pivot, b),
+            board.to_paper(View.ACCELERATION, size_t.value),
+            key=parts[0],
+        )
         end = desk.put_tip(View.ACCELERATION, At(b), end)
         board.arrow(View.ACCELERATION, tip, end, Role.GIVEN, key=parts[0])
         board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
@@ -83,10 +107,19 @@ def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
     """The directions of a_B^n and a_B^t, or of a_B at constant speed."""
     tip, link = desk.tip_label(View.ACCELERATION, At(b)), drive.link
     if drive.accel:
-        return Words(f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；取极点 $p′$，依次作 $p′n′$、$n′{tip}$：",
-                     f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the pole $p′$ lay off $p′n′$ and $n′{tip}$:")
-    return Words(f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；取极点 $p′$，作 $p′{tip}$：",
-                 f"Uniform rotation ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ is purely normal, from ${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:")
+        return Words(
+            f"原动件的法向加速度由 ${b}$ 指向 ${pivot}$，切向加速度垂直于 ${pivot}{b}$，指向与 $α_{link}$ 一致；"
+            f"取极点 $p′$，依次作 $p′n′$、$n′{tip}$：",
+            f"The normal acceleration of the driving link points from ${b}$ to ${pivot}$, the "
+            f"tangential one is perpendicular to ${pivot}{b}$ in the sense of $α_{link}$; from the "
+            f"pole $p′$ lay off $p′n′$ and $n′{tip}$:",
+        )
+    return Words(
+        f"原动件匀速转动（$α_{link}$ = 0），$a_{{{desk.show(At(b))}}}$ 只有法向分量，由 ${b}$ 指向 ${pivot}$；"
+        f"取极点 $p′$，作 $p′{tip}$：",
+        f"Uniform rotation ($α_{link}$ = 0): $a_{{{desk.show(At(b))}}}$ is purely normal, from "
+        f"${b}$ to ${pivot}$; from the pole $p′$ lay off $p′{tip}$:",
+    )
 
 
 @method(stage=Stage.VELOCITY, group="slide", title=_TITLE, source=_SOURCE, example="")
@@ -110,8 +143,14 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
         _no_vector(desk, view, drive, b)
         return
     tip = desk.tip_label(view, At(b))
-    desk.board.step(Words(f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${pole}{tip}$ 代表 ${stem}_{b}$：",
-                          f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off ${pole}{tip}$ for ${stem}_{b}$:"), view)
+    desk.board.step(
+        Words(
+            f"滑块 {drive.link} 沿导路移动；取极点 ${pole}$，作 ${pole}{tip}$ 代表 ${stem}_{b}$：",
+            f"Slider {drive.link} moves along its guide; from the pole ${pole}$ lay off "
+            f"${pole}{tip}$ for ${stem}_{b}$:",
+        ),
+        view,
+    )
     size = desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
     desk.board.write_length(view, f"{pole} {tip}", size)
     desk.sizes[Rel(VECTOR[view], At(b)).key] = size
@@ -122,9 +161,17 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
 def _no_vector(desk: Desk, view: View, drive: Drive, b: str) -> None:
     """A slider at constant speed, or at rest: its point is at the pole."""
     rel, pole = Rel(VECTOR[view], At(b)), POLE[view]
-    tip, why = desk.tip_label(view, At(b)), Words("作匀速移动", "moves at constant speed") if view is View.ACCELERATION else Words("静止", "is at rest")
-    desk.board.step(Words(f"滑块 {drive.link} {why.zh}，${rel.symbol}$ = 0，${tip}$ 与极点 ${pole}$ 重合。",
-                          f"Slider {drive.link} {why.en}: ${rel.symbol}$ = 0, and ${tip}$ lies at the pole ${pole}$."), view)
+    tip, why = (
+        desk.tip_label(view, At(b)),
+        Words("作匀速移动", "moves at constant speed") if view is View.ACCELERATION else Words("静止", "is at rest"),
+    )
+    desk.board.step(
+        Words(
+            f"滑块 {drive.link} {why.zh}，${rel.symbol}$ = 0，${tip}$ 与极点 ${pole}$ 重合。",
+            f"Slider {drive.link} {why.en}: ${rel.symbol}$ = 0, and ${tip}$ lies at the pole ${pole}$.",
+        ),
+        view,
+    )
     desk.sizes[rel.key] = magnitude(rel.symbol, 0.0, rel.kind.unit)
     _first_vector(desk, view, b, 1 + 0j, 0.0)
     images_of_link(desk, view, drive.link)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.quantity import magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
-from ...board.marks import Dot, Role
+from ...board.paper.marks import Dot, Role
 from ...names import At, Kind, Rel, alpha, omega
 from ...plane import Points, Reals, cross, nominal, similar
-from ...quantity import magnitude
 from ...vector.close import close
 from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
@@ -67,11 +67,18 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     a, b, c = letters
     if _in_line(desk, p_at, q_at, at):
-        words = Words(f"${x}$ 在直线 ${p}{q}$ 上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在 ${a}{b}$ 上定出 ${c}$。",
-                      f"{kind_en.capitalize()} image: ${x}$ lies on the line ${p}{q}$, so ${c}$ lies on ${a}{b}$ with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.")
+        words = Words(
+            f"${x}$ 在直线 ${p}{q}$ 上，用{kind}影像：按 ${a}{c} : {a}{b} = {p}{x} : {p}{q}$ 在 ${a}{b}$ 上定出 "
+            f"${c}$。",
+            f"{kind_en.capitalize()} image: ${x}$ lies on the line ${p}{q}$, so ${c}$ lies on "
+            f"${a}{b}$ with ${a}{c} : {a}{b} = {p}{x} : {p}{q}$.",
+        )
     else:
-        words = Words(f"用{kind}影像求 ${x}$：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${c}$。",
-                      f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to ${p}{q}{x}$ with the letters in the same order gives ${c}$.")
+        words = Words(
+            f"用{kind}影像求 ${x}$：作 △${a} {b} {c}$ ∽ △${p}{q}{x}$，字母绕行顺序相同，得 ${c}$。",
+            f"{kind_en.capitalize()} image of link {link}: triangle ${a} {b} {c}$ similar to "
+            f"${p}{q}{x}$ with the letters in the same order gives ${c}$.",
+        )
     board.step(words, view)
     letter_at_pole(desk, view, p_at, q_at)
     tips = desk.tip(view, p_at), desk.tip(view, q_at)
@@ -102,7 +109,13 @@ def _in_line(desk: Desk, p: At, q: At, x: At) -> bool:
 def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     """v_X = v_P + ω × PX, or a_X = a_P + a^n + a^t, all known: the vector of X is the closing side."""
     board, label = desk.board, desk.tip_label(view, at)
-    board.step(Words(f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。", f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}."), view)
+    board.step(
+        Words(
+            f"由构件 {link} 的转动求 ${desk.name(at)}$ 点的{QUANTITY[view].zh}。",
+            f"The {QUANTITY[view].en} of ${desk.name(at)}$ from the turning of link {link}.",
+        ),
+        view,
+    )
     rests = ref_at(desk, view, held, link) is None
     terms = (*(() if rests else (known(desk, view, held),)), *_turning_terms(desk, view, link, at, held))
     rel = Rel(VECTOR[view], desk.canonical(at))
@@ -118,7 +131,8 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
 
 
 def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple[Term, ...]:
-    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides or rolls."""
+    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides
+    or rolls."""
     p, x, ref = held.point, at.point, ref_at(desk, view, held, link)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)
@@ -127,7 +141,10 @@ def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple
     accel = desk.turns[alpha(link)]
     if accel.never or not np.any(accel.value):
         return (n,)
-    return (n, _laid(desk, view, Rel(Kind.AT, desk.canonical(at), ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value))
+    return (
+        n,
+        _laid(desk, view, Rel(Kind.AT, desk.canonical(at), ref), link, p, x, f"$α_{link} l_{p}{x}$", accel.value),
+    )
 
 
 def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str, rate: Reals) -> Term:
@@ -139,6 +156,11 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
     desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
-    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{x}$"), magnitude=text,
-                along=along[()], mm=desk.board.to_paper(view, desk.sizes[rel.key].value))
-
+    return Term(
+        rel=rel,
+        symbol=symbol(desk, rel),
+        direction=Words.same(f"⊥$ {p}{x}$"),
+        magnitude=text,
+        along=along[()],
+        mm=desk.board.to_paper(view, desk.sizes[rel.key].value),
+    )

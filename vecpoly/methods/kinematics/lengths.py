@@ -9,20 +9,30 @@ from ..desk import POLE, Desk
 
 
 def write_lengths(desk: Desk, view: View, eq: Equation) -> None:
-    """n′ k′ = a^k / μ_a = 11.5 mm of every vector that was computed: its tail is where the known vectors before it have arrived."""
+    """n′ k′ = a^k / μ_a = 11.5 mm of every vector that was computed: its tail is where the known vectors before it have
+    arrived."""
     for chain in (eq.left, eq.right):
         tail = POLE[view]
         for term in chain:
             head = _head(desk, view, term)
             if term.mm is not None and head and term.rel.key in desk.sizes:
-                shifted = term is chain[-1] and chain[0].unknowns and not term.tip and isinstance(term.rel, Rel) and term.rel.ref
-                start = desk.tip_label(view, shifted) if shifted else tail  # the last one, behind one that was sought, comes to its end
+                shifted = (
+                    term is chain[-1]
+                    and chain[0].unknowns
+                    and not term.tip
+                    and isinstance(term.rel, Rel)
+                    and term.rel.ref
+                )
+                start = (
+                    desk.tip_label(view, shifted) if shifted else tail
+                )  # the last one, behind one that was sought, comes to its end
                 desk.board.write_length(view, f"{start} {head}", desk.sizes[term.rel.key])
             tail = head or tail
 
 
 def _head(desk: Desk, view: View, term: Term) -> str:
-    """The letter at the end of a term that is laid off or drawn already; none of one that is sought, or that vanishes."""
+    """The letter at the end of a term that is laid off or drawn already; none of one that is sought, or that
+    vanishes."""
     if term.unknowns or term.magnitude == "0" or not isinstance(term.rel, Rel):
         return ""
     return term.tip or desk.tip_label(view, term.rel.to)

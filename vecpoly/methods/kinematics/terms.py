@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.quantity import Quantity, Times, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
 from ...names import At, Kind, Rel, ascii_key, omega
 from ...plane import Points, nominal
-from ...quantity import Quantity, Times, magnitude
 from ...vector.equation import KNOWN, Term
 from ...words import Words
 from ..desk import VECTOR, Desk, Turn
@@ -40,8 +40,13 @@ def known(desk: Desk, view: View, at: At) -> Term:
 
 def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
     """A vector perpendicular to the drawn line PQ, its magnitude unknown: v_QP or a^t_QP of a turning link."""
-    return Term(rel=rel, symbol=symbol(desk, rel), direction=Words.same(f"⊥$ {p}{q}$"), magnitude="?",
-                along=1j * desk.towards(p, q))
+    return Term(
+        rel=rel,
+        symbol=symbol(desk, rel),
+        direction=Words.same(f"⊥$ {p}{q}$"),
+        magnitude="?",
+        along=1j * desk.towards(p, q),
+    )
 
 
 def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
@@ -49,8 +54,7 @@ def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
     name = guide_name(desk, joint)
     if rel.ref is not None:
         _note_slide(desk, joint, rel.to, rel.ref)
-    return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?",
-                along=desk.guide_line(joint).along)
+    return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?", along=desk.guide_line(joint).along)
 
 
 def _note_slide(desk: Desk, joint: Prismatic, to: At, ref: At) -> None:
@@ -93,14 +97,22 @@ def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
     if not at_rest:
         desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
         value = desk.sizes[rel.key].value
-    return Term(rel=rel, symbol=sign, direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
-                magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$", along=desk.towards(q, about),
-                mm=desk.board.to_paper(View.ACCELERATION, value), tip="" if at_rest else tip)
+    return Term(
+        rel=rel,
+        symbol=sign,
+        direction=ABSENT if at_rest else Words.same(f"${q}→{about}$"),
+        magnitude="0" if at_rest else f"$ω_{link}^2 {plain_symbol(length)}$",
+        along=desk.towards(q, about),
+        mm=desk.board.to_paper(View.ACCELERATION, value),
+        tip="" if at_rest else tip,
+    )
 
 
 def tangential(desk: Desk, at: At, about: At, link: str) -> Term:
     """a^t = α l: perpendicular to the line, magnitude unknown."""
-    return across(desk, Rel(Kind.AT, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link)), about.point, at.point)
+    return across(
+        desk, Rel(Kind.AT, desk.canonical(at), ref_at(desk, View.ACCELERATION, about, link)), about.point, at.point
+    )
 
 
 def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
@@ -116,9 +128,15 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
     vanishes = abs(nominal(expr.value)) < 1e-12
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
-    return Term(rel=rel, symbol=sign, magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
-                direction=ABSENT if vanishes else Words.same(f"⊥$ {plain_symbol(vr)}$"),
-                along=along, mm=board.to_paper(View.ACCELERATION, desk.sizes[rel.key].value), tip="" if vanishes else desk.k_tip(rel))
+    return Term(
+        rel=rel,
+        symbol=sign,
+        magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
+        direction=ABSENT if vanishes else Words.same(f"⊥$ {plain_symbol(vr)}$"),
+        along=along,
+        mm=board.to_paper(View.ACCELERATION, desk.sizes[rel.key].value),
+        tip="" if vanishes else desk.k_tip(rel),
+    )
 
 
 def plain_symbol(quantity: Quantity) -> str:
@@ -142,14 +160,18 @@ def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Word
     if size < NO_LENGTH:
         return Words(f"此瞬时 ${v}$ = 0，故 ${sign}$ = 0。", f" At this instant ${v}$ = 0, so ${sign}$ = 0.")
     way, way_en = ("逆时针", "counter-clockwise") if w > 0 else ("顺时针", "clockwise")
-    return Words(f"将 ${v}$ 沿 $ω_{link}$ 的转向（{way}）转过 90°，即得哥氏加速度 ${sign}$ 的方向。",
-                 f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the Coriolis term ${sign}$.")
+    return Words(
+        f"将 ${v}$ 沿 $ω_{link}$ 的转向（{way}）转过 90°，即得哥氏加速度 ${sign}$ 的方向。",
+        f" Turning ${v}$ by 90° in the sense of $ω_{link}$ ({way_en}) gives the direction of the "
+        f"Coriolis term ${sign}$.",
+    )
 
 
 def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
     """The reference point of a turning link, none where it is a fixed pivot.
 
-    Of a pitch point, whose accelerations differ, it is the link's own; D2, a point of a link that slides over the pivot D, is no pivot.
+    Of a pitch point, whose accelerations differ, it is the link's own; D2, a point of a link that slides over the pivot
+    D, is no pivot.
     """
     own = At(about.point, link)
     if view is View.ACCELERATION and (view, own) in desk.tips:
@@ -159,4 +181,3 @@ def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
 
 def _n_tip(desk: Desk, link: str) -> str:
     return f"n_{link}^′"
-

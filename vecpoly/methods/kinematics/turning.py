@@ -1,26 +1,31 @@
-"""ω and α of a link, read off the polygons: magnitude from the length, sense by carrying the vector to the mechanism."""
+"""ω and α of a link, read off the polygons: magnitude from the length, sense by carrying the vector to the
+mechanism."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from ...algebra.quantity import magnitude, worked
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...names import alpha, omega
 from ...plane import Points, Reals, cross, nominal
-from ...quantity import magnitude, worked
 from ...words import Words
 from ..desk import Desk, Turn
 
 
-def angular_velocity(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
+def angular_velocity(
+    desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str
+) -> None:
     """ω = v / l from the relative velocity of `point` about `about`, v = μ_v × its length on paper."""
     rate = _rate(desk, View.VELOCITY, f"ω_{link}", "rad/s", about, point, ends, letters)
     desk.turns[omega(link)] = Turn(desk.board.conclude(omega(link).key, rate, "rad/s"))
     desk.board.remark(_sense(f"ω_{link}", symbol, point, nominal(desk.turns[omega(link)].value)))
 
 
-def angular_acceleration(desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str) -> None:
+def angular_acceleration(
+    desk: Desk, link: str, about: str, point: str, ends: tuple[Points, Points], letters: str, symbol: str
+) -> None:
     """α = a^t / l from the tangential acceleration of `point` about `about`."""
     rate = _rate(desk, View.ACCELERATION, f"α_{link}", "rad/s^2", about, point, ends, letters)
     desk.turns[alpha(link)] = Turn(desk.board.conclude(alpha(link).key, rate, "rad/s^2"))
@@ -33,16 +38,28 @@ def same_turn(desk: Desk, link: str, as_link: str, view: View, said: bool = True
     desk.turns[kind(link)] = desk.turns[kind(as_link)]
     if said and not desk.turns[kind(link)].never and as_link != "0":
         greek = "ω" if view is View.VELOCITY else "α"
-        desk.board.remark(Words(f"构件 {link} 与 {as_link} 组成移动副，$ {greek}_{link}$ = $ {greek}_{as_link}$。",
-                                f" Links {link} and {as_link} form a sliding pair: $ {greek}_{link}$ = $ {greek}_{as_link}$."))
+        desk.board.remark(
+            Words(
+                f"构件 {link} 与 {as_link} 组成移动副，$ {greek}_{link}$ = $ {greek}_{as_link}$。",
+                f" Links {link} and {as_link} form a sliding pair: $ {greek}_{link}$ = $ {greek}_{as_link}$.",
+            )
+        )
 
 
-def _rate(desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str) -> Reals:
+def _rate(
+    desk: Desk, view: View, name: str, unit: str, about: str, point: str, ends: tuple[Points, Points], letters: str
+) -> Reals:
     board = desk.board
     none = abs(nominal(ends[1] - ends[0])) < NO_LENGTH
     first, last = letters.split()
-    words = (Words(f"${last}$ 与 ${first}$ 重合，故", f"${last}$ coincides with ${first}$, so") if none
-             else Words(f"量取图上长度 ${_braced(first)}{last}$，求 ${name}$。", f"Measure ${_braced(first)}{last}$ and find ${name}$."))
+    words = (
+        Words(f"${last}$ 与 ${first}$ 重合，故", f"${last}$ coincides with ${first}$, so")
+        if none
+        else Words(
+            f"量取图上长度 ${_braced(first)}{last}$，求 ${name}$。",
+            f"Measure ${_braced(first)}{last}$ and find ${name}$.",
+        )
+    )
     board.step(words, view)
     on_paper = board.measure(*ends, letters)
     length = desk.length(about, point)
@@ -57,7 +74,10 @@ def _sense(name: str, symbol: str, point: str, value: float) -> Words:
     if abs(value) < 1e-12:
         return Words(f" ${name}$ = 0。", f" ${name}$ = 0.")
     way, way_en = ("逆时针 ↺", "counter-clockwise ↺") if value > 0 else ("顺时针 ↻", "clockwise ↻")
-    return Words(f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。", f" Placing ${symbol}$ at ${point}$ shows that ${name}$ is {way_en}.")
+    return Words(
+        f"将 ${symbol}$ 移至 ${point}$ 点，知 ${name}$ 为{way}。",
+        f" Placing ${symbol}$ at ${point}$ shows that ${name}$ is {way_en}.",
+    )
 
 
 def _braced(letter: str) -> str:

@@ -1,4 +1,5 @@
-"""What is asked but was needed by no equation: points given by their vectors, points under which a link only passes, components."""
+"""What is asked but was needed by no equation: points given by their vectors, points under which a link only passes,
+components."""
 
 from __future__ import annotations
 
@@ -6,7 +7,7 @@ from collections.abc import Sequence
 
 from ...board.construction import View
 from ...names import At, Kind
-from ...problem.asks import Ask, AskPoint, AskRel
+from ...problem.asked.asks import Ask, AskPoint, AskRel
 from ..desk import VECTOR, Desk
 from .components import draw_components
 from .given_vector import find_point

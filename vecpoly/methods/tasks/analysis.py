@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...board.amended import Amended
 from ...board.hand import Hand
+from ...board.otherwise.amended import Amended
 from ...board.place import View, views
 from ...mechanism.model import Mechanism
 from ...problem.problem import Problem

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...board.amended import Amended
 from ...board.hand import Hand
+from ...board.otherwise.amended import Amended
 from ...devices.base import Device
 from ...problem.problem import Problem
 from ..desk import Desk

@@ -1,4 +1,5 @@
-"""Exact answers for an eccentric clamp: Newton on the three equations of equilibrium with the pin's friction couple, bisection for e."""
+"""Exact answers for an eccentric clamp: Newton on the three equations of equilibrium with the pin's friction couple,
+bisection for e."""
 
 from __future__ import annotations
 
@@ -22,14 +23,21 @@ def eccentric_clamp(device: EccentricClamp) -> Values:
     ideal, _ = _equilibrium(device, 0.0, 0.0)
     arm = _arm(device, device.e.si)
     values: dict[str, complex | float] = {
-        "phi": float(np.degrees(np.arctan(f))), "R_21": _press(device, f), "F": force, "R_31": r31, "F_0": ideal, "eta": ideal / force,
-        "h": arm, "self_locking": float(arm <= device.radius * (1 + 1e-12)),
+        "phi": float(np.degrees(np.arctan(f))),
+        "R_21": _press(device, f),
+        "F": force,
+        "R_31": r31,
+        "F_0": ideal,
+        "eta": ideal / force,
+        "h": arm,
+        "self_locking": float(arm <= device.radius * (1 + 1e-12)),
     }
     return values | ({"e_limit": _limit(device)} if device.limited and turn else {})
 
 
 def _press(device: EccentricClamp, f: float) -> complex:
-    """What the work does on the disc while the clamp closes: Q up, f Q against the sliding of the disc's lowest point."""
+    """What the work does on the disc while the clamp closes: Q up, f Q against the sliding of the disc's lowest
+    point."""
     return device.Q.si * complex(-device.turn * f, 1.0)
 
 
@@ -46,8 +54,13 @@ def _equilibrium(device: EccentricClamp, f: float, rho: float) -> tuple[float, c
 
     def excess(x: Vector) -> Vector:
         size = np.hypot(x[1], x[2])
-        return np.array([x[0] * pull.real + press.real + x[1], x[0] * pull.imag + press.imag + x[2],
-                         (x[0] * turning + resisting - device.turn * rho * size) / lever])
+        return np.array(
+            [
+                x[0] * pull.real + press.real + x[1],
+                x[0] * pull.imag + press.imag + x[2],
+                (x[0] * turning + resisting - device.turn * rho * size) / lever,
+            ]
+        )
 
     x = np.array([device.Q.si, -press.real, -press.imag])
     for _ in range(60):
@@ -59,9 +72,15 @@ def _equilibrium(device: EccentricClamp, f: float, rho: float) -> tuple[float, c
         if np.abs(step).max() < 1e-13 * device.Q.si:
             break
     if x[0] <= 0 or np.abs(excess(x)).max() > 1e-9 * device.Q.si:
-        raise LockedError(Words(
-            f"手柄上的力不能使夹具克服 Q = {device.Q.text} 继续运动：f = {device.f.text}、rho = {1e3 * rho:g} mm 时，力对 A 的力臂小于摩擦所需；请加长手柄，或减小 f 或 rho",
-            f"no force on the handle keeps this clamp moving against Q = {device.Q.text}: with f = {device.f.text} and rho = {1e3 * rho:g} mm its arm about A is too short for the friction; lengthen the handle or lower f or rho"))
+        raise LockedError(
+            Words(
+                f"手柄上的力不能使夹具克服 Q = {device.Q.text} 继续运动：f = {device.f.text}、"
+                f"rho = {1e3 * rho:g} mm 时，力对 A 的力臂小于摩擦所需；请加长手柄，或减小 f 或 rho",
+                f"no force on the handle keeps this clamp moving against Q = {device.Q.text}: with f = "
+                f"{device.f.text} and rho = {1e3 * rho:g} mm its arm about A is too short for the friction; "
+                "lengthen the handle or lower f or rho",
+            )
+        )
     return float(x[0]), complex(x[1], x[2])
 
 

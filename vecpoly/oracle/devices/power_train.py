@@ -6,26 +6,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ...devices.power_train import (
-    ETA,
-    POWER,
-    POWER_OUT,
-    Part,
-    PowerTrain,
-    Train,
-    ends,
-    eta_prime,
-    out,
-    parts,
-    share,
-)
+from ...devices.power_train import ETA, POWER, POWER_OUT, Part, PowerTrain, Train, ends, eta_prime, out, parts, share
 from .registry import Values, answers
 
 
 @answers(PowerTrain)
 def power_train(device: PowerTrain) -> Values:
     """All powers in kW from the balances of all machines; efficiencies as their quotients."""
-    given = {id(end): (end.P.si if end.P else end.F.si * end.v.si if end.F and end.v else 0.0) / 1e3 for end in ends(device.train)}
+    given = {
+        id(end): (end.P.si if end.P else end.F.si * end.v.si if end.F and end.v else 0.0) / 1e3
+        for end in ends(device.train)
+    }
     taken = _balance(device.train, given)
     motor = taken[id(device.train[0])]
     values: dict[str, complex | float] = {}

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...devices.base import Device
 from ...errors import NoMethodError
-from ...plugins import load_modules
+from ...foundation.plugins import load_modules
 from ...words import Words
 
 Values = Mapping[str, complex | float]
@@ -33,4 +33,6 @@ def device_answers(device: Device) -> Values:
     try:
         return _EXACT[type(device)](device)
     except KeyError:
-        raise NoMethodError(Words(f"解析法不能求解装置 {device.kind}", f"the oracle knows no device {device.kind}")) from None
+        raise NoMethodError(
+            Words(f"解析法不能求解装置 {device.kind}", f"the oracle knows no device {device.kind}")
+        ) from None

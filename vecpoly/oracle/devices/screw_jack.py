@@ -1,4 +1,5 @@
-"""Exact answers for a screw jack: the collar by integrating its pressure over rings, the nut by the balance of two components."""
+"""Exact answers for a screw jack: the collar by integrating its pressure over rings, the nut by the balance of two
+components."""
 
 from __future__ import annotations
 
@@ -22,9 +23,20 @@ def screw_jack(device: ScrewJack) -> Values:
     load = device.Q.si if device.Q else device.F.si * arm / total if device.F else np.nan
     tan = lead / (2 * np.pi * mean)
     values = {
-        "phi": np.degrees(np.arctan2(f, 1.0)), "tan_alpha": tan, "alpha": np.degrees(np.arctan2(lead, 2 * np.pi * mean)),
-        "M1_over_Q": rub, "M2_over_Q": up, "M_over_Q": total, "M0_over_Q": ideal, "eta": ideal / total, "eta_thread": ideal / up,
-        "Q": load, "F": load * total / arm, "self_locking": down <= 0, "M_r_over_Q": back, "eta_r": -back / ideal,
+        "phi": np.degrees(np.arctan2(f, 1.0)),
+        "tan_alpha": tan,
+        "alpha": np.degrees(np.arctan2(lead, 2 * np.pi * mean)),
+        "M1_over_Q": rub,
+        "M2_over_Q": up,
+        "M_over_Q": total,
+        "M0_over_Q": ideal,
+        "eta": ideal / total,
+        "eta_thread": ideal / up,
+        "Q": load,
+        "F": load * total / arm,
+        "self_locking": down <= 0,
+        "M_r_over_Q": back,
+        "eta_r": -back / ideal,
     }
     values |= {name: load * values[f"{name}_over_Q"] / 1e3 for name in ("M1", "M2", "M", "M0")}
     return {key: float(value) for key, value in values.items()}
@@ -33,7 +45,8 @@ def screw_jack(device: ScrewJack) -> Values:
 def _push(lead_per_radius: float, f: float) -> float:
     """Horizontal force per unit of load that moves the nut evenly; f < 0: on its way down.
 
-    Unknown normal force N and push H: along and across the slope of the thread, N (t_perp − f t) balances load and push.
+    Unknown normal force N and push H: along and across the slope of the thread, N (t_perp − f t) balances load and
+    push.
     """
     along = np.array([2 * np.pi, lead_per_radius]) / np.hypot(2 * np.pi, lead_per_radius)
     normal = np.array([-along[1], along[0]])

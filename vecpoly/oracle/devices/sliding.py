@@ -1,7 +1,9 @@
 """Equilibrium of bodies that only translate and press on each other through flat faces with Coulomb friction.
 
-Unknown are the normal forces of the faces and one force. Friction is f times the normal force, against the sliding: with the
-velocities given, ΣF = 0 of every body is a linear system, solved for each choice of which face of a two-sided guide presses.
+Unknown are the normal forces of the faces and one force. Friction is f times the normal force, against the sliding:
+with the
+velocities given, ΣF = 0 of every body is a linear system, solved for each choice of which face of a two-sided guide
+presses.
 """
 
 from __future__ import annotations
@@ -19,7 +21,8 @@ RESIDUAL = 1e-10  # of the largest force: forces that leave more than this are i
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """Body `by` presses on body `on` with a normal force along `normal` (into `on`); a two-sided guide may also press the other way."""
+    """Body `by` presses on body `on` with a normal force along `normal` (into `on`); a two-sided guide may also press
+    the other way."""
 
     by: str
     on: str
@@ -36,18 +39,22 @@ class Balance:
     reactions: Mapping[tuple[str, str], complex]
 
 
-def equilibrium(faces: tuple[Face, ...], velocity: Mapping[str, complex], known: Mapping[str, complex],
-                sought: tuple[str, complex]) -> Balance | None:
+def equilibrium(
+    faces: tuple[Face, ...], velocity: Mapping[str, complex], known: Mapping[str, complex], sought: tuple[str, complex]
+) -> Balance | None:
     """ΣF = 0 of every body that has a velocity; None where no normal force that presses will do.
 
-    velocity: of each moving body, to any scale (others rest); known: given force on a body; sought: body and unit direction of the
+    velocity: of each moving body, to any scale (others rest); known: given force on a body; sought: body and unit
+    direction of the
     unknown force.
     """
     for signs in product(*((1.0, -1.0) if face.two_sided else (1.0,) for face in faces)):
         along = [_direction(face, sign, velocity) for face, sign in zip(faces, signs, strict=True)]
         forces = _solved(faces, along, tuple(velocity), known, sought)
         if forces is not None and (forces[:-1] >= -NOTHING * np.abs(forces).max()).all():
-            reactions = {(face.by, face.on): complex(size * u) for face, u, size in zip(faces, along, forces[:-1], strict=True)}
+            reactions = {
+                (face.by, face.on): complex(size * u) for face, u, size in zip(faces, along, forces[:-1], strict=True)
+            }
             return Balance(float(forces[-1]), reactions)
     return None
 
@@ -59,18 +66,24 @@ def _direction(face: Face, sign: float, velocity: Mapping[str, complex]) -> comp
     return sign * face.normal - face.f * float(np.sign((slip * tangent.conjugate()).real)) * tangent
 
 
-def _solved(faces: tuple[Face, ...], along: list[complex], bodies: tuple[str, ...], known: Mapping[str, complex],
-            sought: tuple[str, complex]) -> npt.NDArray[np.float64] | None:
-    """Normal forces and the sought one; None where no finite forces balance. Symmetry may make equations say the same thing."""
+def _solved(
+    faces: tuple[Face, ...],
+    along: list[complex],
+    bodies: tuple[str, ...],
+    known: Mapping[str, complex],
+    sought: tuple[str, complex],
+) -> npt.NDArray[np.float64] | None:
+    """Normal forces and the sought one; None where no finite forces balance. Symmetry may make equations say the same
+    thing."""
     rows = {body: 2 * i for i, body in enumerate(bodies)}
     matrix, right = np.zeros((2 * len(bodies), len(faces) + 1)), np.zeros(2 * len(bodies))
     entries = [(face.on, j, u) for j, (face, u) in enumerate(zip(faces, along, strict=True))]
     entries += [(face.by, j, -u) for j, (face, u) in enumerate(zip(faces, along, strict=True))]
     for body, column, force in [*entries, (sought[0], len(faces), sought[1])]:
         if body in rows:
-            matrix[rows[body]:rows[body] + 2, column] += force.real, force.imag
+            matrix[rows[body] : rows[body] + 2, column] += force.real, force.imag
     for body, force in known.items():
-        right[rows[body]:rows[body] + 2] -= force.real, force.imag
+        right[rows[body] : rows[body] + 2] -= force.real, force.imag
     forces, _, rank, _ = np.linalg.lstsq(matrix, right)
     balanced = np.abs(matrix @ forces - right).max() <= RESIDUAL * max(np.abs(right).max(), np.abs(forces).max())
     return np.asarray(forces, dtype=np.float64) if balanced and rank == len(faces) + 1 else None

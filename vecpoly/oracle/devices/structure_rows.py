@@ -1,6 +1,8 @@
-"""Constraints of a planar chain as rows of a Jacobian: 3 coordinates a link (displacement and turn from the given position).
+"""Constraints of a planar chain as rows of a Jacobian: 3 coordinates a link (displacement and turn from the given
+position).
 
-Row by row a constraint is a wrench: its force f at a place p of a link adds f_x, f_y, p × f to the three columns of that link. All lengths
+Row by row a constraint is a wrench: its force f at a place p of a link adds f_x, f_y, p × f to the three columns of
+that link. All lengths
 are divided by the size of the chain.
 """
 
@@ -38,7 +40,7 @@ class Rows:
         p = at / self.size
         if link == FRAME:
             return p
-        x, y, turn = self.pose[self.column(link):][:3]
+        x, y, turn = self.pose[self.column(link) :][:3]
         return p * cmath.exp(1j * turn) + complex(x, y)
 
     def turned(self, link: str, along: complex) -> complex:
@@ -75,10 +77,14 @@ class Rows:
             if link != FRAME:
                 turn[self.column(link) + 2] = sign
         p, q, f = self.place(block, pair.at), self.place(guide, pair.at), self.turned(guide, 1j * pair.along)
-        return [(turn, self.angle(block) - self.angle(guide)), (self._row((block, p, f), (guide, p, -f)), (f.conjugate() * (p - q)).real)]
+        return [
+            (turn, self.angle(block) - self.angle(guide)),
+            (self._row((block, p, f), (guide, p, -f)), (f.conjugate() * (p - q)).real),
+        ]
 
     def _touching(self, pair: Pair) -> tuple[Floats, float]:
-        """Two profiles keep the distance of their centres; a profile on a flat face keeps its centre's distance from it."""
+        """Two profiles keep the distance of their centres; a profile on a flat face keeps its centre's distance from
+        it."""
         (a, b), (one, two) = pair.links, pair.about
         if one is None or two is None:
             round_, flat, centre = (b, a, two) if one is None else (a, b, one)
@@ -110,5 +116,5 @@ class Rows:
             if link != FRAME:
                 i = self.column(link)
                 arm = p - complex(self.pose[i], self.pose[i + 1])
-                row[i:i + 3] += (f.real, f.imag, (arm.conjugate() * f).imag)
+                row[i : i + 3] += (f.real, f.imag, (arm.conjugate() * f).imag)
         return row

@@ -17,8 +17,15 @@ def wedge_clamp(device: WedgeClamp) -> Values:
     limit = boundary(lambda alpha: _out(alpha, f).size <= 0, 0.0, pi / 2)
     held, ideal = _out(device.alpha.si, f), _out(device.alpha.si, 0.0)
     scale, scale0 = (size / abs(found.reactions["2", "3"]) for found in (held, ideal))
-    return {"phi": degrees(atan(f)), "alpha_limit": degrees(limit), "F": held.size * scale, "F_sine": held.size * scale,
-            "F_0": ideal.size * scale0, "R_13": held.reactions["1", "3"] * scale, "eta": held.size * scale / (ideal.size * scale0)}
+    return {
+        "phi": degrees(atan(f)),
+        "alpha_limit": degrees(limit),
+        "F": held.size * scale,
+        "F_sine": held.size * scale,
+        "F_0": ideal.size * scale0,
+        "R_13": held.reactions["1", "3"] * scale,
+        "eta": held.size * scale / (ideal.size * scale0),
+    }
 
 
 def _out(alpha: float, f: float) -> Balance:

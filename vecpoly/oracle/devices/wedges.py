@@ -24,10 +24,20 @@ def wedges(device: Wedges) -> Values:
     assert ideal is not None
     angles = {device.angle(face).key: degrees(atan(f[face])) for face in FACES}
     reactions = {f"R_{by}{on}": moved.reactions[by, on] for by, on in (("1", "2"), ("3", "2"), ("3", "1"))}
-    return angles | reactions | {
-        "F": moved.size, "F_sine": moved.size, "F_0": ideal.size, "eta": ideal.size / moved.size,
-        "F_r": held.size, "eta_r": held.size / ideal.size, "lock_direct": degrees(lock_direct), "lock_reverse": degrees(lock_reverse),
-    }
+    return (
+        angles
+        | reactions
+        | {
+            "F": moved.size,
+            "F_sine": moved.size,
+            "F_0": ideal.size,
+            "eta": ideal.size / moved.size,
+            "F_r": held.size,
+            "eta_r": held.size / ideal.size,
+            "lock_direct": degrees(lock_direct),
+            "lock_reverse": degrees(lock_reverse),
+        }
+    )
 
 
 def _held(device: Wedges, f: dict[str, float]) -> Balance:
@@ -38,9 +48,15 @@ def _held(device: Wedges, f: dict[str, float]) -> Balance:
 
 def _way(device: Wedges, f: dict[str, float], sense: int) -> Balance | None:
     """Equilibrium while 2 rises (sense 1) or sinks (−1): velocities keep the wedges in contact."""
-    across, guide = np.exp(1j * device.beta.si), np.exp(1j * (radians(90) - device.alpha.si))  # normal from 1 into 2; way of 1
+    across, guide = (
+        np.exp(1j * device.beta.si),
+        np.exp(1j * (radians(90) - device.alpha.si)),
+    )  # normal from 1 into 2; way of 1
     rise = (guide * np.conj(across)).real / (1j * np.conj(across)).real
-    faces = (Face("1", "2", complex(across), f["12"]), Face("3", "2", -1 + 0j, f["23"], two_sided=True),
-             Face("3", "1", complex(1j * guide), f["13"], two_sided=True))
+    faces = (
+        Face("1", "2", complex(across), f["12"]),
+        Face("3", "2", -1 + 0j, f["23"], two_sided=True),
+        Face("3", "1", complex(1j * guide), f["13"], two_sided=True),
+    )
     velocity = {"1": sense * complex(guide), "2": sense * 1j * float(rise)}
     return equilibrium(faces, velocity, {"2": -1j * device.Q.si}, ("1", complex(guide)))

@@ -41,27 +41,40 @@ def checked(mech: Mechanism, loads: Loads) -> None:
     free = [load.name for load in loads.all if load.size is None]
     if len(free) != 1:
         named = f" ({', '.join(free)})" if free else ""
-        raise EquilibriumError(Words(
-            f"有 {len(free)} 个载荷未给大小{named}；应恰有一个待求，以平衡其余载荷",
-            f"{len(free)} loads have no size{named}; exactly one must be left to balance the others"))
+        raise EquilibriumError(
+            Words(
+                f"有 {len(free)} 个载荷未给大小{named}；应恰有一个待求，以平衡其余载荷",
+                f"{len(free)} loads have no size{named}; exactly one must be left to balance the others",
+            )
+        )
     for item in (*loads.all, *loads.masses):
         if item.link not in mech.bodies:
             name = f"the mass of {item.link}" if isinstance(item, Mass) else item.name
-            raise EquilibriumError(Words(
-                f"{f'构件 {item.link} 的质量' if isinstance(item, Mass) else item.name} 作用于“{item.link}”，它不是活动构件；已有：{', '.join(mech.bodies)}",
-                f"{name} acts on '{item.link}', which is no moving link; known: {', '.join(mech.bodies)}"))
+            raise EquilibriumError(
+                Words(
+                    f"{f'构件 {item.link} 的质量' if isinstance(item, Mass) else item.name} "
+                    f"作用于“{item.link}”，它不是活动构件；已有：{', '.join(mech.bodies)}",
+                    f"{name} acts on '{item.link}', which is no moving link; known: {', '.join(mech.bodies)}",
+                )
+            )
         letter = item.centre if isinstance(item, Mass) else item.point if isinstance(item, Force) else None
         if letter is not None and letter not in mech.link(item.link).points:
             known = ", ".join(mech.link(item.link).points)
-            raise UnknownNameError(Words(
-                f"构件 {item.link} 上没有点 {letter}；已有：{known}",
-                f"link {item.link} has no point {letter}; known: {known}"))
+            raise UnknownNameError(
+                Words(
+                    f"构件 {item.link} 上没有点 {letter}；已有：{known}",
+                    f"link {item.link} has no point {letter}; known: {known}",
+                )
+            )
     friction = loads.friction
     for where, value in (*friction.pins.items(), *friction.slides.items(), *friction.contacts.items()):
         if not value >= 0:
-            raise EquilibriumError(Words(
-                f"{where} 处的摩擦为 {value:g}；不得为负",
-                f"friction at {where} is {value:g}; it must not be negative"))
+            raise EquilibriumError(
+                Words(
+                    f"{where} 处的摩擦为 {value:g}；不得为负",
+                    f"friction at {where} is {value:g}; it must not be negative",
+                )
+            )
 
 
 def given(mech: Mechanism, loads: Loads, bodies: Bodies) -> tuple[Acting, ...]:
@@ -82,14 +95,21 @@ def sought(mech: Mechanism, loads: Loads, bodies: Bodies) -> Acting:
 def inertia(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
     """-m a_S at the centre of mass, and the couple -J α."""
     body, local = bodies[mass.link], mech.link(mass.link).points[mass.centre]
-    return Acting(name=f"F_I{mass.link}", link=mass.link, at=body.point(local),
-                  force=-mass.mass * body.acceleration_of(local), couple=-mass.inertia * body.alpha)
+    return Acting(
+        name=f"F_I{mass.link}",
+        link=mass.link,
+        at=body.point(local),
+        force=-mass.mass * body.acceleration_of(local),
+        couple=-mass.inertia * body.alpha,
+    )
 
 
 def weight(mech: Mechanism, mass: Mass, bodies: Bodies) -> Acting:
     """m g downwards at the centre of mass."""
     at = bodies[mass.link].point(mech.link(mass.link).points[mass.centre])
-    return Acting(name=f"G_{mass.link}", link=mass.link, at=at, force=np.full(1, -1j * GRAVITY * mass.mass), couple=NONE)
+    return Acting(
+        name=f"G_{mass.link}", link=mass.link, at=at, force=np.full(1, -1j * GRAVITY * mass.mass), couple=NONE
+    )
 
 
 def _load(mech: Mechanism, load: Load, size: float, bodies: Bodies) -> Acting:
@@ -105,7 +125,10 @@ def _load(mech: Mechanism, load: Load, size: float, bodies: Bodies) -> Acting:
 
 def _thrust(mech: Mechanism, load: Force, size: float, bodies: Bodies) -> Acting:
     """The force of a cylinder on its two links, apart along the line of their pins."""
-    places = [bodies[link].point(mech.link(link).points[letter]) for link, letter in ((load.against, load.foot), (load.link, load.point))]
+    places = [
+        bodies[link].point(mech.link(link).points[letter])
+        for link, letter in ((load.against, load.foot), (load.link, load.point))
+    ]
     ray = places[1] - places[0]
     push: Points = size * ray / np.abs(ray)
     back = Acting(name=load.name, link=load.against, at=places[0], force=-push, couple=NONE)

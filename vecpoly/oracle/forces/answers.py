@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ...errors import UnknownNameError
+from ...mechanism.asked.forces import given_value
 from ...mechanism.loads import Mass
 from ...mechanism.model import FRAME
-from ...mechanism.quantities import given_value
 from ...words import Words
 from ..state import Points, Reals, cross
 from .acting import Acting, inertia
@@ -19,9 +19,12 @@ from .system import ROUNDING, Balance
 def value(result: Equilibrium, key: str) -> Points | Reals:
     """The quantity with this key; UnknownNameError where there is none."""
     if key not in result.named:
-        raise UnknownNameError(Words(
-            f"此处没有量 {key}；已有：{', '.join(result.named)}",
-            f"there is no quantity {key} here; known: {', '.join(result.named)}"))
+        raise UnknownNameError(
+            Words(
+                f"此处没有量 {key}；已有：{', '.join(result.named)}",
+                f"there is no quantity {key} here; known: {', '.join(result.named)}",
+            )
+        )
     with np.errstate(invalid="ignore", divide="ignore"):
         found = _value(result, key)
     return result.shaped(found)  # type: ignore[type-var, return-value]
@@ -42,7 +45,11 @@ def line(result: Equilibrium, key: str) -> Points:
 def couple(result: Equilibrium, key: str) -> Reals:
     """The couple (N·m) that goes with this reaction where a slide passes on a couple and no force; 0 elsewhere."""
     index, sign = _find(result, key)
-    wrench = Wrench(np.zeros(1, np.complex128), np.zeros(1)) if index is None else result.wet.wrench(result.system.pairs, index)
+    wrench = (
+        Wrench(np.zeros(1, np.complex128), np.zeros(1))
+        if index is None
+        else result.wet.wrench(result.system.pairs, index)
+    )
     passed = sign * np.where(wrench.force == 0, wrench.couple, 0.0)
     return result.shaped(np.where(np.abs(passed) <= ROUNDING * result.wet.largest * result.system.scale, 0.0, passed))
 
@@ -73,15 +80,20 @@ def _balancing(result: Equilibrium, load: Reals) -> Reals:
 
 
 def _find(result: Equilibrium, key: str) -> tuple[int | None, int]:
-    """The pair of these links, and +1 where it holds the force on its link b; None: a hinge's links that are pinned through a third."""
+    """The pair of these links, and +1 where it holds the force on its link b; None: a hinge's links that are pinned
+    through a third."""
     for index, pair in enumerate(result.system.pairs):
         if key in pair.keys:
             return index, 1 if key == pair.keys[0] else -1
     if key in result.named:
         return None, 1
-    raise UnknownNameError(Words(
-        f"没有 {key}：两构件不直接接触；已有：{', '.join(name for name in result.named if name.startswith('R_'))}",
-        f"there is no {key}: the two links do not touch each other; known: {', '.join(name for name in result.named if name.startswith('R_'))}"))
+    raise UnknownNameError(
+        Words(
+            f"没有 {key}：两构件不直接接触；已有：{', '.join(name for name in result.named if name.startswith('R_'))}",
+            f"there is no {key}: the two links do not touch each other; known: "
+            f"{', '.join(name for name in result.named if name.startswith('R_'))}",
+        )
+    )
 
 
 def _reaction(result: Equilibrium, key: str, balance: Balance) -> Points:
@@ -99,7 +111,8 @@ def _virtual(result: Equilibrium) -> Reals:
 
 
 def _arm(result: Equilibrium) -> Reals:
-    """|M| / R: the frame's reaction (any reaction where the link has none) and everything else but M make a couple with this arm."""
+    """|M| / R: the frame's reaction (any reaction where the link has none) and everything else but M make a couple with
+    this arm."""
     link = result.loads.unknown.link
     own = [index for index, pair in enumerate(result.system.pairs) if link in (pair.a, pair.b)]
     held = [index for index in own if FRAME in (result.system.pairs[index].a, result.system.pairs[index].b)]
@@ -118,5 +131,10 @@ def _inertia(result: Equilibrium, key: str) -> Points | Reals:
 def _acting(result: Equilibrium, mass: Mass) -> Acting:
     if result.loads.dynamic:
         return inertia(result.mech, mass, result.motion.bodies)
-    return Acting(name=f"F_I{mass.link}", link=mass.link, at=np.zeros(1, np.complex128),
-                  force=np.zeros(1, np.complex128), couple=np.zeros(1))
+    return Acting(
+        name=f"F_I{mass.link}",
+        link=mass.link,
+        at=np.zeros(1, np.complex128),
+        force=np.zeros(1, np.complex128),
+        couple=np.zeros(1),
+    )

@@ -1,6 +1,7 @@
 """Linear equations at many positions at once: one elimination for all of them, LAPACK where its pivots are weak.
 
-The equations of statics are sparse, and most of their coefficients are the same at all positions (a pin's force enters by ±1).
+The equations of statics are sparse, and most of their coefficients are the same at all positions (a pin's force enters
+by ±1).
 So an equation is a mapping column -> coefficient, an array of one element where it does not change, and the pivots are
 chosen once: unchanging ones first, then those that stay furthest from zero.
 """
@@ -45,7 +46,9 @@ def solved(left: list[Equation], right: list[Equation], sides: int, count: int) 
                 found[column, side] = total / pivot
     if weak.any():
         index = np.flatnonzero(weak)
-        found[:, :, index] = _lapack(_dense(left, len(left), count)[..., index], _dense(right, sides, count)[..., index])
+        found[:, :, index] = _lapack(
+            _dense(left, len(left), count)[..., index], _dense(right, sides, count)[..., index]
+        )
     return found
 
 
@@ -75,13 +78,18 @@ def _triangle(left: list[Equation], right: list[Equation], count: int) -> tuple[
 
 
 def _pivot(rows: list[tuple[int, Equation]]) -> tuple[int, int] | None:
-    """Equation and column of the next pivot: of the unchanging ones that which spares most, else the one furthest from zero."""
+    """Equation and column of the next pivot: of the unchanging ones that which spares most, else the one furthest from
+    zero."""
     uses: dict[int, int] = {}
     for _, row in rows:
         for column in row:
             uses[column] = uses.get(column, 0) + 1
-    steady = [((len(row) - 1) * (uses[column] - 1), i, column) for i, row in rows
-              for column, v in row.items() if v.size == 1 and abs(v[0]) > 1e-3]
+    steady = [
+        ((len(row) - 1) * (uses[column] - 1), i, column)
+        for i, row in rows
+        for column, v in row.items()
+        if v.size == 1 and abs(v[0]) > 1e-3
+    ]
     if steady:
         return min(steady)[1:]
     moving = [(float(np.fmin.reduce(np.abs(v))), i, column) for i, row in rows for column, v in row.items()]

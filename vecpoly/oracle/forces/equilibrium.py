@@ -43,7 +43,8 @@ class Forces(Equilibrium):
         return line(self, key)
 
     def couple_of(self, key: str) -> Reals:
-        """The couple (N·m, counter-clockwise) beside this reaction where two links slide and pass on no force; 0 elsewhere."""
+        """The couple (N·m, counter-clockwise) beside this reaction where two links slide and pass on no force; 0
+        elsewhere."""
         return couple(self, key)
 
 
@@ -52,17 +53,26 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
 
     Σ F - m a = 0 and Σ M - J α = 0 for every moving link. position: as in `oracle.solve`.
     strict: the first position that fails raises NoSlipSenseError (friction at rest), LockedError, or EquilibriumError
-    (an unknown that does no work, links that part); else such positions give NaN. Also raises the errors of `oracle.solve`.
+    (an unknown that does no work, links that part); else such positions give NaN. Also raises the errors of
+    `oracle.solve`.
     """
     from .. import solve
+
     checked(mech, loads)
     motion = solve(mech, position, order=2 if loads.dynamic else 1, strict=strict)
     moving = mech.drive.rate != 0.0
     rates = motion.bodies if moving else solve(unit_drive(mech), position, order=1, strict=strict).bodies
     asked = np.atleast_1d(np.asarray(mech.drive.position if position is None else position, dtype=np.float64))
     judge = Judge(Run(asked, strict, "mm" if mech.drive.slide else "deg"))
-    system = System(tuple(name for name in mech.bodies if name not in mech.slot_pins), motion.bodies, pairs_of(mech, motion.bodies, rates, loads.friction),
-                    given(mech, loads, motion.bodies), sought(mech, loads, motion.bodies), mech.scale, asked.size)
+    system = System(
+        tuple(name for name in mech.bodies if name not in mech.slot_pins),
+        motion.bodies,
+        pairs_of(mech, motion.bodies, rates, loads.friction),
+        given(mech, loads, motion.bodies),
+        sought(mech, loads, motion.bodies),
+        mech.scale,
+        asked.size,
+    )
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         judge.idle(system, rates)
         skip = judge.lost.copy()

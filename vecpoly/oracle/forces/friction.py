@@ -1,7 +1,8 @@
 """How hard the joints with friction press, by Newton, with continuation in the friction where it is needed.
 
 Statics is linear in the reactions and in friction's wrenches, so the pressing force of joint k is
-p_k = p0_k + λ Σ_j g_kj u_j with u_j = |p_j|: as many equations as joints with friction. λ = 0 is no friction, 1 all of it.
+p_k = p0_k + λ Σ_j g_kj u_j with u_j = |p_j|: as many equations as joints with friction. λ = 0 is no friction, 1 all of
+it.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ def sizes(base: Points, gain: Points) -> tuple[Reals, Reals]:
 
 
 def _contracts(weight: Reals) -> Flags:
-    """Where u -> |p0 + Σ g u| is a contraction in some weighted norm: then its fixed point is the only one, at every λ."""
+    """Where u -> |p0 + Σ g u| is a contraction in some weighted norm: then its fixed point is the only one, at every
+    λ."""
     scale: Reals = np.ones(weight.shape[1:])
     for _ in range(3):
         scale = 1.0 + _apply(weight, scale)
@@ -83,7 +85,8 @@ def _newton(base: Points, gain: Points, lam: Reals, u: Reals, rounds: int) -> tu
 
 
 def _foreseen(u: Reals, rise: Reals) -> Reals:
-    """u a step on: as 1/(c - λ), for it runs off, and comes in from afar, like that; u²/(u - rise), to first order u + rise."""
+    """u a step on: as 1/(c - λ), for it runs off, and comes in from afar, like that; u²/(u - rise), to first order u +
+    rise."""
     share = rise / np.where(u > 0, u, np.inf)
     return np.where(share < 0.9, u / (1 - np.minimum(share, 0.9)) + np.where(u > 0, 0.0, rise), u + rise)
 
@@ -106,7 +109,9 @@ def _continued(base: Points, gain: Points) -> tuple[Reals, Reals]:
         near = np.abs(u_new - guess).max(axis=0) <= 0.1 * np.abs(u_new).max(axis=0)
         good = found & near & (np.linalg.det(np.moveaxis(eye - new * slope, -1, 0)) > 0)
         u[:, going[good]], lam[going[good]] = u_new[:, good], new[good]
-        step[going] *= np.where(good, np.where(smooth[going], 2.0, 1.0), 0.5)  # what failed a moment ago is not tried again at once
+        step[going] *= np.where(
+            good, np.where(smooth[going], 2.0, 1.0), 0.5
+        )  # what failed a moment ago is not tried again at once
         smooth[going] = good
     u[:, lam < 1.0] = np.nan
     return u, lam

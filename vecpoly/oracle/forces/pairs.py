@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...mechanism.assur import is_held
+from ...mechanism.asked.forces import press_named
+from ...mechanism.groups.assur import is_held
 from ...mechanism.loads import Friction
 from ...mechanism.model import Contact, Mechanism, Prismatic, Revolute, Rolling
-from ...mechanism.quantities import press_named
 from ...words import Words
-from ..contact import touching
-from ..pitch import pitch_point
+from ..closed.contact import touching
+from ..closed.pitch import pitch_point
 from ..state import NONE, STILL, Bodies, Points, Reals, dot
 
 ONE: Points = np.ones(1, np.complex128)
@@ -37,7 +37,8 @@ class Pair:
 
     units: wrenches on b of unknown size, of which the first `pressed` make the force that friction counts by.
     rub: friction's wrench on b for a pressing force of 1 N; grip: ρ (m) or tan φ; rate: rad/s or m/s of b against a.
-    along: the line on which a point of the line of action is given (None: square to the force, as on a friction circle).
+    along: the line on which a point of the line of action is given (None: square to the force, as on a friction
+    circle).
     """
 
     text: Words  # for messages
@@ -62,7 +63,8 @@ class Pair:
 
 
 def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction) -> tuple[Pair, ...]:
-    """Every pair of bodies that press on each other; `rates` holds the links' velocities (of a unit drive where it rests)."""
+    """Every pair of bodies that press on each other; `rates` holds the links' velocities (of a unit drive where it
+    rests)."""
     thought, slots = mech.substitutes, mech.slot_pins
     found = [_pin(mech, bodies, rates, joint, friction.pins.get(joint.point, 0.0)) for joint in _pins(mech, thought)]
     for joint in mech.joints:
@@ -78,7 +80,8 @@ def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction)
 
 
 def _pins(mech: Mechanism, thought: frozenset[str]) -> Iterator[Revolute]:
-    """The hinges' pins; where a substitute link stands between two bodies at one hinge, they are pinned to each other."""
+    """The hinges' pins; where a substitute link stands between two bodies at one hinge, they are pinned to each
+    other."""
     for joint in mech.joints:
         if isinstance(joint, Revolute) and not {joint.a, joint.b} & {*thought, *mech.slot_pins}:
             yield joint
@@ -108,12 +111,25 @@ def _pin(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Revolute, radius
     rate = rates[joint.b].omega - rates[joint.a].omega
     rub = Wrench(STILL, radius * _against(rate)) if radius else None
     at = bodies[joint.a].point(mech.link(joint.a).points[joint.point])
-    return Pair(text=Words(f"转动副 {joint.point}", f"pin {joint.point}"), who=_who(mech, joint.a, joint.b), keys=_keys(mech, joint.a, joint.b), a=joint.a, b=joint.b, at=at, units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
-                pressed=2, rub=rub, grip=radius, rate=rate, turns=True)
+    return Pair(
+        text=Words(f"转动副 {joint.point}", f"pin {joint.point}"),
+        who=_who(mech, joint.a, joint.b),
+        keys=_keys(mech, joint.a, joint.b),
+        a=joint.a,
+        b=joint.b,
+        at=at,
+        units=(Wrench(ONE, NONE), Wrench(1j * ONE, NONE)),
+        pressed=2,
+        rub=rub,
+        grip=radius,
+        rate=rate,
+        turns=True,
+    )
 
 
 def _slide(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, angle: float) -> Pair:
-    """Force square to the guide and couple, that is a normal force anywhere along the guide; friction tan φ N along it."""
+    """Force square to the guide and couple, that is a normal force anywhere along the guide; friction tan φ N along
+    it."""
     guide, pin = bodies[joint.guide], mech.link(joint.block).points[joint.pin]
     along = guide.unit * complex(np.exp(1j * joint.direction))
     origin, place = guide.point(joint.origin), bodies[joint.block].point(pin)
@@ -123,8 +139,20 @@ def _slide(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, ang
     rub = Wrench(along * (grip * _against(rate)), NONE) if grip else None
     units = (Wrench(1j * along, NONE), Wrench(STILL, np.full(1, mech.scale)))
     who = _who(mech, joint.guide, joint.block)
-    return Pair(text=Words(f"构件 {who[1]} 与 {who[0]} 的移动副", f"slide of {who[1]} on {who[0]}"), who=who, keys=_keys(mech, joint.guide, joint.block), a=joint.guide, b=joint.block,
-                at=foot, units=units, pressed=1, rub=rub, grip=grip, rate=rate, along=along)
+    return Pair(
+        text=Words(f"构件 {who[1]} 与 {who[0]} 的移动副", f"slide of {who[1]} on {who[0]}"),
+        who=who,
+        keys=_keys(mech, joint.guide, joint.block),
+        a=joint.guide,
+        b=joint.block,
+        at=foot,
+        units=units,
+        pressed=1,
+        rub=rub,
+        grip=grip,
+        rate=rate,
+        along=along,
+    )
 
 
 def _slotted(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, angle: float) -> Pair:
@@ -132,20 +160,45 @@ def _slotted(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, a
     pin = mech.slot_pins[joint.block]
     local = mech.link(pin.carrier).points[pin.point]
     along, place = bodies[pin.guide].unit * complex(np.exp(1j * joint.direction)), bodies[pin.carrier].point(local)
-    rate, grip = dot(along, rates[pin.carrier].velocity_of(local) - rates[pin.guide].velocity_at(place)), float(np.tan(angle))
+    rate, grip = (
+        dot(along, rates[pin.carrier].velocity_of(local) - rates[pin.guide].velocity_at(place)),
+        float(np.tan(angle)),
+    )
     rub, who = Wrench(along * (grip * _against(rate)), NONE) if grip else None, _who(mech, pin.guide, pin.carrier)
-    return Pair(text=Words(f"销 {pin.point} 与构件 {who[0]} 的槽之间", f"pin {pin.point} in the slot of {who[0]}"), who=who, keys=_keys(mech, pin.guide, pin.block), a=pin.guide, b=pin.carrier,
-                at=place, units=(Wrench(1j * along, NONE),), pressed=1, rub=rub, grip=grip, rate=rate, along=along)
+    return Pair(
+        text=Words(f"销 {pin.point} 与构件 {who[0]} 的槽之间", f"pin {pin.point} in the slot of {who[0]}"),
+        who=who,
+        keys=_keys(mech, pin.guide, pin.block),
+        a=pin.guide,
+        b=pin.carrier,
+        at=place,
+        units=(Wrench(1j * along, NONE),),
+        pressed=1,
+        rub=rub,
+        grip=grip,
+        rate=rate,
+        along=along,
+    )
 
 
 def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
-    """Pitch-point force without loss: of any direction, or along the teeth alone where links hold the gear's centre already."""
+    """Pitch-point force without loss: of any direction, or along the teeth alone where links hold the gear's centre
+    already."""
     at, (a, b) = pitch_point(joint, mech, bodies), (joint.on.link, joint.gear.link)
     units: tuple[Wrench, ...] = (Wrench(ONE, NONE), Wrench(1j * ONE, NONE))
     if is_held(mech, joint):
         ray = bodies[b].point(mech.link(b).points[joint.gear.centre]) - at
         units = (Wrench(1j * ray / np.abs(ray), NONE),)
-    return Pair(text=Words(f"节点 {joint.point}", f"pitch point {joint.point}"), who=_who(mech, a, b), keys=_keys(mech, a, b), a=a, b=b, at=at, units=units, along=ONE)
+    return Pair(
+        text=Words(f"节点 {joint.point}", f"pitch point {joint.point}"),
+        who=_who(mech, a, b),
+        keys=_keys(mech, a, b),
+        a=a,
+        b=b,
+        at=at,
+        units=units,
+        along=ONE,
+    )
 
 
 def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, angle: float) -> Pair:
@@ -156,5 +209,18 @@ def _contact(mech: Mechanism, bodies: Bodies, rates: Bodies, contact: Contact, a
     rate = dot(across, rates[disc].velocity_at(place) - rates[on].velocity_at(place))
     grip = float(np.tan(angle))
     rub = Wrench(across * (grip * _against(rate)), NONE) if grip else None
-    return Pair(text=Words(f"接触点 {contact.point}", f"contact {contact.point}"), who=_who(mech, on, disc), keys=_keys(mech, on, disc), a=on, b=disc, at=place, units=(Wrench(normal, NONE),),
-                pressed=1, rub=rub, grip=grip, rate=rate, along=across, pushes=True)
+    return Pair(
+        text=Words(f"接触点 {contact.point}", f"contact {contact.point}"),
+        who=_who(mech, on, disc),
+        keys=_keys(mech, on, disc),
+        a=on,
+        b=disc,
+        at=place,
+        units=(Wrench(normal, NONE),),
+        pressed=1,
+        rub=rub,
+        grip=grip,
+        rate=rate,
+        along=across,
+        pushes=True,
+    )

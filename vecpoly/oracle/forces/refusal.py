@@ -34,7 +34,8 @@ class Judge:
         return np.asarray(self.causes != Cause.NONE)
 
     def bad(self, mask: Flags, cause: Cause | NDArray[np.int_]) -> int | None:
-        """The first failing position where strict; None where none fails, or where they are only marked, each with its first cause."""
+        """The first failing position where strict; None where none fails, or where they are only marked, each with its
+        first cause."""
         if not mask.any():
             return None
         if self.run.strict:
@@ -57,10 +58,17 @@ class Judge:
         if (at := self.bad(np.broadcast_to(weak, self.run.q.shape), Cause.IDLE)) is not None:
             here, rest = self.where(at), Words(f"构件 {free.link} 不转动", f"link {free.link} does not turn")
             if free.force.any():
-                rest = Words(f"其在构件 {free.link} 上的作用点不沿其方向运动", f"its point of link {free.link} does not move in its direction")
-            raise EquilibriumError(Words(
-                f"{here.zh}，{free.name} 不能平衡其余载荷：{rest.zh}，它不作功；请另选平衡载荷，或另取位置",
-                f"{free.name} cannot balance the other loads {here.en}: {rest.en} here, so it does no work; let another load balance, or choose another position"))
+                rest = Words(
+                    f"其在构件 {free.link} 上的作用点不沿其方向运动",
+                    f"its point of link {free.link} does not move in its direction",
+                )
+            raise EquilibriumError(
+                Words(
+                    f"{here.zh}，{free.name} 不能平衡其余载荷：{rest.zh}，它不作功；请另选平衡载荷，或另取位置",
+                    f"{free.name} cannot balance the other loads {here.en}: {rest.en} here, so it does no work; "
+                    "let another load balance, or choose another position",
+                )
+            )
 
     def senseless(self, system: System, rates: Bodies, moving: bool) -> None:
         """NoSlipSenseError where a pair with friction has no relative motion."""
@@ -68,25 +76,42 @@ class Judge:
         for pair in system.pairs:
             if not pair.rubs or pair.rate is None:
                 continue
-            still = np.abs(pair.rate) <= STILL * (pace / system.scale if pair.turns else pace) if moving else np.ones(1, bool)
+            still = (
+                np.abs(pair.rate) <= STILL * (pace / system.scale if pair.turns else pace)
+                if moving
+                else np.ones(1, bool)
+            )
             if (at := self.bad(np.broadcast_to(still, self.run.q.shape), Cause.SENSELESS)) is not None:
                 here = self.where(at)
-                why = Words(f"{here.zh}无相对运动", f"there is no relative motion {here.en}") if moving else Words("原动件静止", "the drive stands still")
+                why = (
+                    Words(f"{here.zh}无相对运动", f"there is no relative motion {here.en}")
+                    if moving
+                    else Words("原动件静止", "the drive stands still")
+                )
                 raise NoSlipSenseError(
-                    pair.text + Words(
-                    f"：{why.zh}，构件 {'、'.join(pair.who)} 间的摩擦方向不定；请{'另取位置' if moving else '给出原动件的速度'}，或去掉此处摩擦",
-                    f": friction between links {' and '.join(pair.who)} has no sense, for {why.en}; "
-                    f"{'choose another position' if moving else 'give the drive a rate'}, or leave out this friction")
+                    pair.text
+                    + Words(
+                        f"：{why.zh}，构件 {'、'.join(pair.who)} 间的摩擦方向不定；"
+                        f"请{'另取位置' if moving else '给出原动件的速度'}，或去掉此处摩擦",
+                        f": friction between links {' and '.join(pair.who)} has no sense, for {why.en}; "
+                        f"{'choose another position' if moving else 'give the drive a rate'}, or leave out "
+                        "this friction",
+                    )
                 )
 
     def unsolved(self, dry: Balance) -> None:
         """EquilibriumError where the equations have no single solution."""
         if (at := self.bad(~np.isfinite(dry.load), Cause.UNSOLVED)) is not None:
-            raise EquilibriumError(Words(
-                f"{self.where(at).zh}，各反力没有唯一解：有构件受重复约束，或处于死点位置",
-                f"the reactions have no single value {self.where(at).en}: a link is held twice, or at a dead point"))
+            raise EquilibriumError(
+                Words(
+                    f"{self.where(at).zh}，各反力没有唯一解：有构件受重复约束，或处于死点位置",
+                    f"the reactions have no single value {self.where(at).en}: a link is held twice, or at a dead point",
+                )
+            )
 
-    def locked(self, system: System, balances: tuple[Balance, Balance], reached: Reals, inertia: bool, rates: Bodies) -> None:
+    def locked(
+        self, system: System, balances: tuple[Balance, Balance], reached: Reals, inertia: bool, rates: Bodies
+    ) -> None:
         """LockedError where the driving loads cannot move the mechanism against its friction."""
         dry, wet = balances
         free, lever = system.free, system.free.power(rates)
@@ -96,22 +121,39 @@ class Judge:
         if (at := self.bad(reached < 1.0, np.where(driven, Cause.LOCKED, Cause.BOUND))) is not None:
             share = float(reached[at])
             here = self.where(at)
-            needs = Words(f"{here.zh}，{free.name} 无论多大都不能驱动机构", f"no {free.name}, however large, moves the mechanism {here.en}")
+            needs = Words(
+                f"{here.zh}，{free.name} 无论多大都不能驱动机构",
+                f"no {free.name}, however large, moves the mechanism {here.en}",
+            )
             if driven[at]:
-                needs = Words(f"{here.zh}，无论 {free.name} 为何值，驱动载荷都不能驱动机构", f"the driving loads cannot move the mechanism {here.en}, whatever {free.name}")
-            raise LockedError(Words("自锁：", "locked: ") + needs + Words(
-                f"；摩擦达到给定值的 {100 * share:.3g} % 时即卡死。请减小摩擦，或另取位置",
-                f"; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose another position"))
+                needs = Words(
+                    f"{here.zh}，无论 {free.name} 为何值，驱动载荷都不能驱动机构",
+                    f"the driving loads cannot move the mechanism {here.en}, whatever {free.name}",
+                )
+            raise LockedError(
+                Words("自锁：", "locked: ")
+                + needs
+                + Words(
+                    f"；摩擦达到给定值的 {100 * share:.3g} % 时即卡死。请减小摩擦，或另取位置",
+                    f"; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose "
+                    "another position",
+                )
+            )
         if not inertia and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
-            drives = [(act.name, float(np.broadcast_to(act.power(rates), self.run.q.shape)[at])) for act in system.known]
+            drives = [
+                (act.name, float(np.broadcast_to(act.power(rates), self.run.q.shape)[at])) for act in system.known
+            ]
             names = ", ".join(name for name, power in drives if power > 0)
             raise LockedError(
                 Words(
-                f"自锁：{self.where(at).zh}，{names} 不能驱动机构：无摩擦时 {free.name} 耗功 {-float(before[at]):.4g} W，而摩擦耗功 {float((after - before)[at]):.4g} W，"
-                f"效率将为 {-float(after[at] / abs(before[at])):.3g}；请减小摩擦，或改由 {free.name} 驱动",
-                f"locked: {names} cannot move the mechanism {self.where(at).en}: without friction {free.name} would take "
-                f"{-float(before[at]):.4g} W, the friction takes {float((after - before)[at]):.4g} W, so the efficiency would be "
-                f"{-float(after[at] / abs(before[at])):.3g}. Reduce the friction, or let {free.name} drive")
+                    f"自锁：{self.where(at).zh}，{names} 不能驱动机构：无摩擦时 {free.name} 耗功 "
+                    f"{-float(before[at]):.4g} W，而摩擦耗功 {float((after - before)[at]):.4g} W，"
+                    f"效率将为 {-float(after[at] / abs(before[at])):.3g}；请减小摩擦，或改由 {free.name} 驱动",
+                    f"locked: {names} cannot move the mechanism {self.where(at).en}: without friction "
+                    f"{free.name} would take {-float(before[at]):.4g} W, the friction takes "
+                    f"{float((after - before)[at]):.4g} W, so the efficiency would be "
+                    f"{-float(after[at] / abs(before[at])):.3g}. Reduce the friction, or let {free.name} drive",
+                )
             )
 
     def parting(self, system: System, wet: Balance) -> None:
@@ -121,15 +163,21 @@ class Judge:
             if pair.pushes and (at := self.bad(units[0] < -STILL * largest, Cause.PARTING)) is not None:
                 raise EquilibriumError(
                     Words(
-                    f"{self.where(at).zh}，构件 {'、'.join(pair.who)} 在{pair.text.zh}脱开：平衡需要该处有 {-float(units[0][at]):.4g} N 的拉力，而接触只能受压；请改变载荷的方向",
-                    f"links {' and '.join(pair.who)} part at their {pair.text.en} {self.where(at).en}: equilibrium would need a pull of "
-                    f"{-float(units[0][at]):.4g} N there, and a contact only presses; change the sense of a load")
+                        f"{self.where(at).zh}，构件 {'、'.join(pair.who)} 在{pair.text.zh}脱开："
+                        f"平衡需要该处有 {-float(units[0][at]):.4g} N 的拉力，而接触只能受压；请改变载荷的方向",
+                        f"links {' and '.join(pair.who)} part at their {pair.text.en} {self.where(at).en}: "
+                        f"equilibrium would need a pull of {-float(units[0][at]):.4g} N there, and a contact "
+                        "only presses; change the sense of a load",
+                    )
                 )
 
 
 def _pace(system: System, rates: Bodies) -> Reals:
     """The mechanism's scale of rates (m/s): the fastest link's."""
-    speeds = [np.abs(body.velocity) + np.abs(body.omega) * system.scale for name, body in rates.items() if name in system.names]
+    speeds = [
+        np.abs(body.velocity) + np.abs(body.omega) * system.scale
+        for name, body in rates.items()
+        if name in system.names
+    ]
     pace: Reals = np.max(np.broadcast_arrays(*speeds), axis=0)
     return pace
-

@@ -9,9 +9,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ...mechanism.asked.forces import quantities
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
-from ...mechanism.quantities import quantities
 from ...names import Named
 from ..motion import Motion
 from ..state import Bodies, Reals
@@ -22,7 +22,8 @@ _Number = TypeVar("_Number", np.complex128, np.float64)
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """The links' equilibrium, solved. Every answer has the shape of the positions asked for (a number for one position)."""
+    """The links' equilibrium, solved. Every answer has the shape of the positions asked for (a number for one
+    position)."""
 
     mech: Mechanism
     loads: Loads
@@ -58,7 +59,9 @@ class Equilibrium:
     @property
     def _working(self) -> list[Reals]:
         """The powers, 0 where one is nothing but rounding."""
-        speeds = [np.abs(body.velocity) + np.abs(body.omega) * self.system.scale for body in self.motion.bodies.values()]
+        speeds = [
+            np.abs(body.velocity) + np.abs(body.omega) * self.system.scale for body in self.motion.bodies.values()
+        ]
         least = ROUNDING * self.wet.largest * np.max(np.broadcast_arrays(*speeds), axis=0)
         return [np.where(np.abs(power) <= least, 0.0, power) for power in self.powers]
 
@@ -66,8 +69,11 @@ class Equilibrium:
     def loss(self) -> Reals:
         """Σ ρ R |ω| + Σ tan φ N |v| over the joints (W)."""
         moving = self.mech.drive.rate != 0.0
-        losses = [pair.grip * np.abs(pair.rate) * size for pair, size in zip(self.system.pairs, self.wet.rubs, strict=True)
-                  if pair.rate is not None and moving]
+        losses = [
+            pair.grip * np.abs(pair.rate) * size
+            for pair, size in zip(self.system.pairs, self.wet.rubs, strict=True)
+            if pair.rate is not None and moving
+        ]
         return self.shaped(np.sum([np.zeros(self.system.count), *losses], axis=0))
 
     def shaped(self, values: NDArray[_Number]) -> NDArray[_Number]:

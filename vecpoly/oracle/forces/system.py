@@ -1,4 +1,5 @@
-"""The equations of equilibrium, three for every body, all positions at once; friction's wrenches as further right-hand sides."""
+"""The equations of equilibrium, three for every body, all positions at once; friction's wrenches as further right-hand
+sides."""
 
 from __future__ import annotations
 
@@ -32,8 +33,12 @@ class Balance:
         if not lost.any():
             return self
         blank = np.where(lost, np.nan, 0.0)
-        return Balance(tuple(tuple(size + blank for size in units) for units in self.units),
-                       tuple(size + blank for size in self.rubs), self.load + blank, self.largest)
+        return Balance(
+            tuple(tuple(size + blank for size in units) for units in self.units),
+            tuple(size + blank for size in self.rubs),
+            self.load + blank,
+            self.largest,
+        )
 
     def wrench(self, pairs: Sequence[Pair], index: int) -> Wrench:
         """Force and couple (about the pair's point) of link a on link b; a force that is only rounding is zero."""
@@ -42,7 +47,10 @@ class Balance:
         if pair.rub is not None:
             parts.append((self.rubs[index], pair.rub))
         force = sum((size * unit.force for size, unit in parts), np.zeros_like(self.load, np.complex128))
-        return Wrench(np.where(np.abs(force) <= ROUNDING * self.largest, 0.0, force), sum((size * unit.couple for size, unit in parts), np.zeros_like(self.load)))
+        return Wrench(
+            np.where(np.abs(force) <= ROUNDING * self.largest, 0.0, force),
+            sum((size * unit.couple for size, unit in parts), np.zeros_like(self.load)),
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,7 +66,8 @@ class System:
     count: int  # positions
 
     def solve(self, skip: Flags) -> tuple[Balance, Balance, Reals]:
-        """Without friction, with it, and the share of the friction that could be borne (1: all). skip: positions that stay NaN.
+        """Without friction, with it, and the share of the friction that could be borne (1: all). skip: positions that
+        stay NaN.
 
         Raises EquilibriumError where unknowns and equations differ in number.
         """
@@ -66,9 +75,14 @@ class System:
         rubbing = [pair for pair in self.pairs if pair.rub is not None]
         side = len(columns) + 1
         if side != 3 * len(self.names):
-            raise EquilibriumError(Words(
-                f"{len(self.names)} 个构件有 {3 * len(self.names)} 个平衡方程，而未知量有 {side} 个：一个平衡载荷只适用于单自由度、没有闲置构件的机构",
-                f"{3 * len(self.names)} equations of equilibrium for {len(self.names)} links, but {side} unknowns: one balancing load holds a mechanism of one degree of freedom without idle links"))
+            raise EquilibriumError(
+                Words(
+                    f"{len(self.names)} 个构件有 {3 * len(self.names)} 个平衡方程，而未知量有 {side} 个："
+                    "一个平衡载荷只适用于单自由度、没有闲置构件的机构",
+                    f"{3 * len(self.names)} equations of equilibrium for {len(self.names)} links, but {side} "
+                    "unknowns: one balancing load holds a mechanism of one degree of freedom without idle links",
+                )
+            )
         left, right = ([Equation() for _ in range(side)] for _ in "lr")
         for k, (pair, unit) in enumerate(columns):
             self._enter_pair(left, k, pair, unit)
@@ -122,4 +136,3 @@ class System:
         given = [size for act in self.known for size in (np.abs(act.force), np.abs(act.couple) / self.scale)]
         largest: Reals = np.max(np.broadcast_arrays(np.zeros(self.count), *given, *np.abs(x[:-1])), axis=0)
         return largest
-

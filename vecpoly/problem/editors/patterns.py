@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from ...units import Dim
-from ...written import NUMBER, SENSE, pattern
-from ..branches import BRANCHES
-from ..contacts import FORMS as CONTACTS
-from ..rolling import FORMS as ROLLING
-from ..slides import FORMS as JOINTS
+from ...units.patterns import NUMBER, SENSE, pattern
+from ...units.reading import Dim
+from ..joints.branches import BRANCHES
+from ..joints.contacts import FORMS as CONTACTS
+from ..joints.rolling import FORMS as ROLLING
+from ..joints.slides import FORMS as JOINTS
 
 Schema = dict[str, Any]
 _SYMBOL = (
@@ -21,7 +21,8 @@ _SYMBOL = (
 
 
 def quantity(dim: Dim, *others: str) -> Schema:
-    """A quantity with its unit, or one of the other ways of writing (patterns without anchors); a bare 0 may be a number."""
+    """A quantity with its unit, or one of the other ways of writing (patterns without anchors); a bare 0 may be a
+    number."""
     texts = "|".join([pattern(dim), *(f"^ *({other}) *$" for other in others)])
     return {"anyOf": [{"type": "string", "pattern": texts}, {"const": 0}]}
 
@@ -33,7 +34,12 @@ def angle_from() -> Schema:
 
 def number(*others: str) -> Schema:
     """A pure number, as text or as a number."""
-    return {"anyOf": [{"type": "number"}, {"type": "string", "pattern": "|".join(f"^ *({one}) *$" for one in (NUMBER, *others))}]}
+    return {
+        "anyOf": [
+            {"type": "number"},
+            {"type": "string", "pattern": "|".join(f"^ *({one}) *$" for one in (NUMBER, *others))},
+        ]
+    }
 
 
 def omega() -> Schema:

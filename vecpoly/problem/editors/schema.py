@@ -1,4 +1,5 @@
-"""The JSON Schema of problem and assignment files: pydantic's, with patterns, descriptions, and what YAML writes as numbers or null."""
+"""The JSON Schema of problem and assignment files: pydantic's, with patterns, descriptions, and what YAML writes as
+numbers or null."""
 
 from __future__ import annotations
 
@@ -6,8 +7,8 @@ from typing import Any
 
 from ...devices.base import kinds
 from ...figures import scales
-from ...units import Dim, PerMm
-from ..schema import AssignmentSpec, ProblemSpec
+from ...units.reading import Dim, PerMm
+from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
 from .device_words import DATA
 from .patterns import Schema, quantity
@@ -45,8 +46,18 @@ def json_schema() -> Schema:
         data["description"] = _said("Problem.data")
     _finish(schema, "Problem")
     for key in ("frame", "guesses"):
-        schema["properties"][key]["additionalProperties"] = {"type": ["array", "null"], "items": _LENGTH, "minItems": 2, "maxItems": 2}
-    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": ID, "title": "vecpoly problem file", "description": "vecpoly 题目文件 / a vecpoly problem file"}
+        schema["properties"][key]["additionalProperties"] = {
+            "type": ["array", "null"],
+            "items": _LENGTH,
+            "minItems": 2,
+            "maxItems": 2,
+        }
+    head = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$id": ID,
+        "title": "vecpoly problem file",
+        "description": "vecpoly 题目文件 / a vecpoly problem file",
+    }
     return head | {key: value for key, value in schema.items() if key != "title"}
 
 
@@ -57,23 +68,42 @@ def _with_devices(schema: Schema) -> None:
     for name, kind in kinds().items():
         data = kind.model_json_schema()
         schema["$defs"] |= data.pop("$defs", {})
-        schema["allOf"].append({"if": {"properties": {"device": {"const": name}}, "required": ["device"]}, "then": {"properties": {"data": data}}})
+        schema["allOf"].append(
+            {
+                "if": {"properties": {"device": {"const": name}}, "required": ["device"]},
+                "then": {"properties": {"data": data}},
+            }
+        )
 
 
 def _with_assignments(schema: Schema) -> None:
-    """A file that lists problems is an assignment; any other needs an id and says what it is about, or extends another."""
+    """A file that lists problems is an assignment; any other needs an id and says what it is about, or extends
+    another."""
     sheet = AssignmentSpec.model_json_schema()["properties"]
     changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
-    schema["properties"] |= {"title_block": sheet["title_block"], "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}}}
+    schema["properties"] |= {
+        "title_block": sheet["title_block"],
+        "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}},
+    }
     schema["required"] = ["title"]
     about = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
-    asked = {"properties": {"find": {"type": ["array", "null"], "items": {"anyOf": [patterns.symbols(), {"$ref": "#/$defs/FindSpec"}]}}}}
-    problem = {"required": ["id"], "anyOf": about, "allOf": [{"if": {"required": ["device"]}, "else": asked}], "not": {"required": ["title_block"]}}
+    asked = {
+        "properties": {
+            "find": {"type": ["array", "null"], "items": {"anyOf": [patterns.symbols(), {"$ref": "#/$defs/FindSpec"}]}}
+        }
+    }
+    problem = {
+        "required": ["id"],
+        "anyOf": about,
+        "allOf": [{"if": {"required": ["device"]}, "else": asked}],
+        "not": {"required": ["title_block"]},
+    }
     schema |= {"if": {"required": ["problems"]}, "then": {"propertyNames": {"enum": list(sheet)}}, "else": problem}
 
 
 def _finish(spec: Schema, name: str) -> None:
-    """Patterns and descriptions of the keys; every key may be null, which takes it away from what is extended, and no key is a must there."""
+    """Patterns and descriptions of the keys; every key may be null, which takes it away from what is extended, and no
+    key is a must there."""
     if name not in ("Problem", "PrintedSpec", "FindSpec", "Slot", "Item"):
         spec.pop("required", None)
     for group in ("properties", "patternProperties"):
@@ -102,7 +132,13 @@ def _inside(value: Any) -> None:
     """The objects without a name of their own that stand inside: texts, links, places, slots."""
     if isinstance(value, dict):
         keys = set(value.get("properties", ()))
-        for mark, name in (("block", "Link"), ("along", "Place"), ("through", "Slot"), ("zh", "Text"), ("problem", "Item")):
+        for mark, name in (
+            ("block", "Link"),
+            ("along", "Place"),
+            ("through", "Slot"),
+            ("zh", "Text"),
+            ("problem", "Item"),
+        ):
             if mark in keys:
                 _finish(value, name)
                 return

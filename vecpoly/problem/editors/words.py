@@ -8,47 +8,80 @@ from ...words import Words
 KEYS = {
     "Problem.id": Words("题号：字母（汉字）、数字、- _ .", "id: letters, digits, - _ ."),
     "Problem.title": Words("题目名称：一个文本，或 {zh: ..., en: ...}", "title: one text, or {zh: ..., en: ...}"),
-    "Problem.extends": Words("沿用其数据的题号或文件；只写不同之处，null 去掉一个键", "id or file of a problem whose data are taken over; only what differs is written, null takes a key away"),
+    "Problem.extends": Words(
+        "沿用其数据的题号或文件；只写不同之处，null 去掉一个键",
+        "id or file of a problem whose data are taken over; only what differs is written, null takes a key away",
+    ),
     "Problem.source": Words("出处", "where the problem is printed"),
     "Problem.statement": Words("题目正文；符号写在 $ 之间", "the text of the problem; symbols between dollar signs"),
     "Problem.frame": Words("机架上的固定点：A: [0 mm, 0 mm]", "the fixed points: A: [0 mm, 0 mm]"),
     "Problem.links": Words("按编号列出活动构件；机架不写", "the moving links by number; the frame has no entry"),
-    "Problem.joints": Words("移动副和滚动副，每个一句话；转动副不写", "sliding and rolling joints, a sentence each; pins need no entry"),
-    "Problem.input": Words("原动件：转动（phi、omega、alpha）或移动（s、v、a）", "the input: turning (phi, omega, alpha) or sliding (s, v, a)"),
+    "Problem.joints": Words(
+        "移动副和滚动副，每个一句话；转动副不写", "sliding and rolling joints, a sentence each; pins need no entry"
+    ),
+    "Problem.input": Words(
+        "原动件：转动（phi、omega、alpha）或移动（s、v、a）",
+        "the input: turning (phi, omega, alpha) or sliding (s, v, a)",
+    ),
     "Problem.branch": Words("装配方式：C above AD；C 在 AD 上方", "which assembly: C above AD"),
     "Problem.scales": Words("比例尺：给定，或 auto", "scales: given, or auto"),
     "Problem.find": Words("所求的量：v_E、a_E、omega_2", "what is asked: v_E, a_E, omega_2"),
-    "Problem.method": Words("速度分析用多边形（polygons）或瞬心（centres）", "velocities by vector polygons, or by instant centres"),
+    "Problem.method": Words(
+        "速度分析用多边形（polygons）或瞬心（centres）", "velocities by vector polygons, or by instant centres"
+    ),
     "Problem.printed": Words("待核对的书中答案", "printed answers to be checked"),
     "Problem.errata": Words("已知的印刷错误", "known misprints"),
-    "Problem.tables": Words("待核对的数据表（CSV、XLSX），写本文件旁的路径", "printed tables (CSV, XLSX) to be checked, as paths beside this file"),
+    "Problem.tables": Words(
+        "待核对的数据表（CSV、XLSX），写本文件旁的路径",
+        "printed tables (CSV, XLSX) to be checked, as paths beside this file",
+    ),
     "Problem.sheet": Words("图纸", "the drawing sheet"),
     "Problem.guesses": Words("点的大致位置，用于Ⅲ级杆组", "rough positions of points, for groups of class III"),
-    "Problem.pins": Words("复合铰链的销轴固定在哪个构件上：{C: 3}", "which link carries the pin of a compound hinge: {C: 3}"),
-    "Problem.loads": Words("作用于机构的力和力矩；其中一个待求", "forces and moments on the mechanism; one of them is unknown"),
+    "Problem.pins": Words(
+        "复合铰链的销轴固定在哪个构件上：{C: 3}", "which link carries the pin of a compound hinge: {C: 3}"
+    ),
+    "Problem.loads": Words(
+        "作用于机构的力和力矩；其中一个待求", "forces and moments on the mechanism; one of them is unknown"
+    ),
     "Problem.friction": Words("转动副、移动副和接触点的摩擦", "friction of pins, slides and contacts"),
     "Problem.masses": Words("构件的质量、转动惯量和质心", "masses of links, their inertia and centres"),
-    "Problem.weight": Words("是否计重力（yes/no，默认 no）", "does gravity act on the masses (no, where nothing is said)"),
+    "Problem.weight": Words(
+        "是否计重力（yes/no，默认 no）", "does gravity act on the masses (no, where nothing is said)"
+    ),
     "Problem.inertia": Words("是否计惯性力（yes/no，默认 yes）", "do inertia forces act (yes, where nothing is said)"),
-    "Problem.device": Words("机械装置的种类：不是连杆机构而是斜面、螺旋等", "a device instead of a mechanism: a wedge, a screw, a train of machines"),
+    "Problem.device": Words(
+        "机械装置的种类：不是连杆机构而是斜面、螺旋等",
+        "a device instead of a mechanism: a wedge, a screw, a train of machines",
+    ),
     "Problem.data": Words("机械装置的已知数据", "the data of the device"),
     "Problem.title_block": Words("作业的标题栏：课程、班级、姓名", "title block of an assignment: course, class, name"),
-    "Problem.problems": Words("作业中的题目：题号、文件，或 {problem: 3-9, ...}", "the problems of an assignment: ids, files, or {problem: 3-9, ...}"),
+    "Problem.problems": Words(
+        "作业中的题目：题号、文件，或 {problem: 3-9, ...}",
+        "the problems of an assignment: ids, files, or {problem: 3-9, ...}",
+    ),
     "Item.problem": Words("题号或文件", "id or file of the problem"),
     "InputSpec.link": Words("原动件的编号", "number of the driving link"),
     "InputSpec.phi": Words("位置角：60 deg，或 60 deg from AD", "position: 60 deg, or 60 deg from AD"),
-    "InputSpec.omega": Words("角速度：10 rad/s ccw、40 r/min 顺时针；只需转向时写 ccw", "angular velocity: 10 rad/s ccw, 40 r/min cw; ccw alone where only the sense matters"),
+    "InputSpec.omega": Words(
+        "角速度：10 rad/s ccw、40 r/min 顺时针；只需转向时写 ccw",
+        "angular velocity: 10 rad/s ccw, 40 r/min cw; ccw alone where only the sense matters",
+    ),
     "InputSpec.alpha": Words("角加速度：5 rad/s^2 ccw", "angular acceleration: 5 rad/s^2 ccw"),
     "InputSpec.s": Words("沿导路由原点量起的位移：120 mm", "travel along the guide from its origin: 120 mm"),
     "InputSpec.v": Words("移动速度：0.5 m/s", "velocity along the guide: 0.5 m/s"),
     "InputSpec.a": Words("移动加速度：2 m/s^2", "acceleration along the guide: 2 m/s^2"),
-    "InputSpec.on": Words("相对于哪个活动构件运动；不写时相对于机架", "the moving link on which the link moves; the frame where nothing is said"),
+    "InputSpec.on": Words(
+        "相对于哪个活动构件运动；不写时相对于机架",
+        "the moving link on which the link moves; the frame where nothing is said",
+    ),
     "InputSpec.cylinder": Words("被驱动的移动副的两构件：2-3", "the two links of the driven sliding pair: 2-3"),
     "InputSpec.length": Words("液压缸两铰链间的长度：900 mm", "length of a cylinder between its two pins: 900 mm"),
     "LoadSpec.cylinder": Words("液压缸的推力，写其两构件：2-3", "the thrust of a cylinder, by its two links: 2-3"),
     "LoadSpec.on": Words("所作用构件的编号", "number of the link on which it acts"),
     "LoadSpec.at": Words("力的作用点（构件上的字母）", "the lettered point of the link at which a force acts"),
-    "LoadSpec.size": Words("大小：1000 N、20 N*m ccw；待求的写 \"?\"", "size: 1000 N, 20 N*m ccw; \"?\" for the load that balances"),
+    "LoadSpec.size": Words(
+        '大小：1000 N、20 N*m ccw；待求的写 "?"', 'size: 1000 N, 20 N*m ccw; "?" for the load that balances'
+    ),
     "LoadSpec.direction": Words("力的方向，由 x 轴量起：180 deg", "direction of a force from the x axis: 180 deg"),
     "LoadSpec.role": Words("驱动（driving）或阻力（resisting）", "what it is meant to do: driving or resisting"),
     "FrictionSpec.rho": Words("摩擦圆半径：6 mm", "radius of a pin's friction circle: 6 mm"),
@@ -59,21 +92,35 @@ KEYS = {
     "FrictionSpec.V": Words("槽形半角：f_v = f / sin V", "half the angle of a V-groove: f_v = f / sin V"),
     "RodSpec.diameter": Words("圆杆直径：50 mm", "diameter of a round bar: 50 mm"),
     "RodSpec.density": Words("密度：7800 kg/m^3", "density: 7800 kg/m^3"),
-    "RodSpec.along": Words("杆两端的点，默认为构件的前两点", "two points of the link, its first two where nothing is said"),
+    "RodSpec.along": Words(
+        "杆两端的点，默认为构件的前两点", "two points of the link, its first two where nothing is said"
+    ),
     "MassSpec.mass": Words("质量：3 kg", "mass: 3 kg"),
-    "MassSpec.inertia": Words("绕质心的转动惯量：0.02 kg*m^2", "moment of inertia about the centre of mass: 0.02 kg*m^2"),
+    "MassSpec.inertia": Words(
+        "绕质心的转动惯量：0.02 kg*m^2", "moment of inertia about the centre of mass: 0.02 kg*m^2"
+    ),
     "MassSpec.centre": Words("质心：构件上的点，或位置", "centre of mass: a point of the link, or a place"),
     "MassSpec.rod": Words("圆杆：质量与转动惯量由尺寸算出", "a round bar: mass and inertia follow from its section"),
-    **{f"ScalesSpec.{key}": Words(f"{mu.called.zh}：{mu.example}", f"{mu.called.en.partition(' ')[2]}: {mu.example}")
-       for key, mu in scales().items()},
+    **{
+        f"ScalesSpec.{key}": Words(f"{mu.called.zh}：{mu.example}", f"{mu.called.en.partition(' ')[2]}: {mu.example}")
+        for key, mu in scales().items()
+    },
     "FindSpec.point": Words("所求的点，字母后为构件号：M2", "a point to be found, its letter and its link: M2"),
     "FindSpec.on": Words("点所在的构件", "the link of the point"),
-    "FindSpec.velocity": Words("该点的速度：[-0.25 m/s, 0.14 m/s] 或 0", "velocity of the point: [-0.25 m/s, 0.14 m/s], or 0"),
-    "FindSpec.acceleration": Words("该点的加速度：[1 m/s^2, 0 m/s^2] 或 0", "acceleration of the point: [1 m/s^2, 0 m/s^2], or 0"),
-    "FindSpec.coriolis": Words("判断哥氏加速度有无与方向：B3B2", "does the Coriolis term exist, and where does it point: B3B2"),
+    "FindSpec.velocity": Words(
+        "该点的速度：[-0.25 m/s, 0.14 m/s] 或 0", "velocity of the point: [-0.25 m/s, 0.14 m/s], or 0"
+    ),
+    "FindSpec.acceleration": Words(
+        "该点的加速度：[1 m/s^2, 0 m/s^2] 或 0", "acceleration of the point: [1 m/s^2, 0 m/s^2], or 0"
+    ),
+    "FindSpec.coriolis": Words(
+        "判断哥氏加速度有无与方向：B3B2", "does the Coriolis term exist, and where does it point: B3B2"
+    ),
     "FindSpec.slowest": Words("此直线上速度最小的点：BC", "the slowest point of the link on this line: BC"),
     "PrintedSpec.symbol": Words("量的符号：v_E、l_BC", "symbol of the quantity: v_E, l_BC"),
-    "PrintedSpec.value": Words("书中的值：0.177 m/s，或图上长度 41.1 mm", "the printed value: 0.177 m/s, or a length on paper: 41.1 mm"),
+    "PrintedSpec.value": Words(
+        "书中的值：0.177 m/s，或图上长度 41.1 mm", "the printed value: 0.177 m/s, or a length on paper: 41.1 mm"
+    ),
     "PrintedSpec.scale": Words("值为图上长度时的比例尺", "where the value is a length on paper: its scale"),
     "PrintedSpec.direction": Words("书中的方向：180 deg", "the printed direction: 180 deg"),
     "PrintedSpec.kind": Words("计算（calculated）或图解（graphical）", "calculated, or read off a drawing (graphical)"),
@@ -86,8 +133,13 @@ KEYS = {
     "Link.piston": Words("液压缸的活塞与活塞杆，写其铰链", "the piston with its rod, by its pin"),
     "Link.gear": Words("齿轮，写其中心", "a gear, by its centre"),
     "Link.rack": Words("齿条，写其节线所过的铰链", "a rack, by the pin through which its pitch line passes"),
-    "Link.phi": Words("齿轮（或由齿轮带动的杆）在给定位置的方向角：40 deg", "how a gear, or an arm that gears drive, stands in the given position: 40 deg"),
-    "Link.s": Words("由齿轮带动的齿条在给定位置的位移：40 mm", "travel of a rack that a gear drives, in the given position: 40 mm"),
+    "Link.phi": Words(
+        "齿轮（或由齿轮带动的杆）在给定位置的方向角：40 deg",
+        "how a gear, or an arm that gears drive, stands in the given position: 40 deg",
+    ),
+    "Link.s": Words(
+        "由齿轮带动的齿条在给定位置的位移：40 mm", "travel of a rack that a gear drives, in the given position: 40 mm"
+    ),
     "Link.disc": Words("圆盘、偏心轮或圆头，写其中心", "a disc, eccentric or round tip, by its centre"),
     "Link.face": Words("平面（平底），写其所过的铰链", "a flat face, by the pin through which it passes"),
     "Link.radius": Words("齿轮节圆或圆盘的半径：60 mm", "radius of the pitch circle or of the disc: 60 mm"),

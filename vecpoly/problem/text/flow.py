@@ -1,4 +1,5 @@
-"""A collection in brackets, sign by sign: which full-width signs are its punctuation, and which belong to a text in it."""
+"""A collection in brackets, sign by sign: which full-width signs are its punctuation, and which belong to a text in
+it."""
 
 from __future__ import annotations
 
@@ -15,7 +16,8 @@ _WORD = re.compile(r"[\w.'′＿．－-]+")
 
 @dataclass(slots=True)
 class Frame:
-    """One pair of brackets: what closes it, the key before the value being read, the value's text so far, and what stood in quotes there."""
+    """One pair of brackets: what closes it, the key before the value being read, the value's text so far, and what
+    stood in quotes there."""
 
     closer: str
     key: str = ""
@@ -48,7 +50,7 @@ class Flow:
             out += [(one, at + i) for i, one in enumerate(line[at:])]
             return len(line)
         fresh = not self.frames or not self.frames[-1].so_far.strip()
-        if fresh and (sign in "\"'" or (sign in QUOTES and QUOTES[sign] in line[at + 1:] and not self._spoken())):
+        if fresh and (sign in "\"'" or (sign in QUOTES and QUOTES[sign] in line[at + 1 :] and not self._spoken())):
             return self._open_quote(line, at, out)
         if sign in OPENING and (fresh if sign not in "{[" else True) and not (sign == "【" and self._spoken()):
             return self._push(at, out, OPENING[sign])
@@ -66,7 +68,7 @@ class Flow:
         if sign in ":：" and not frame.key and (frame.closer == "}" or not self._spoken()) and _WORD.fullmatch(key):
             frame.key, frame.so_far, frame.quoted = "".join(map(narrow, key)), "", ""
             out.append((":", at))
-            if sign == "：" and line[at + 1: at + 2] not in (" ", "\u3000"):
+            if sign == "：" and line[at + 1 : at + 2] not in (" ", "\u3000"):
                 out.append((" ", -1))
             return at + 1
         if sign == "," or (sign in "，、" and self._separates(line, at, sign)):
@@ -97,8 +99,10 @@ class Flow:
     def _closes(self, line: str, at: int, sign: str) -> bool:
         if sign in "}]":
             return True
-        follows = line[at + 1:].lstrip(" \u3000")[:1]
-        return not self._spoken() or (CLOSING[sign] == self.frames[-1].closer == "}" and (not follows or follows in ",，}]｝］#"))
+        follows = line[at + 1 :].lstrip(" \u3000")[:1]
+        return not self._spoken() or (
+            CLOSING[sign] == self.frames[-1].closer == "}" and (not follows or follows in ",，}]｝］#")
+        )
 
     def _names(self) -> set[str]:
         return set(self.above) | {frame.key for frame in self.frames}

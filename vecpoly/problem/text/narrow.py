@@ -43,7 +43,8 @@ def narrowed(text: str, name: str) -> Narrowed:
 
 
 class _Lines:
-    """Walks the lines and keeps what is open: keys by their indents, a flow collection, a quoted text, a spoken text."""
+    """Walks the lines and keeps what is open: keys by their indents, a flow collection, a quoted text, a spoken
+    text."""
 
     def __init__(self, name: str) -> None:
         self.name, self.faults, self.spaces = name, list[Fault](), dict[int, list[int]]()
@@ -113,7 +114,9 @@ class _Lines:
             self.flow = None if flow.closed else flow
             return out
         if first in ("(", "（") and names & PAIRS and not texts and (pair := ROUND.match(line, start)):
-            return [(sign, start + i) for i, sign in enumerate(squared(pair[0]))] + _same(line[pair.end():], pair.end())
+            return [(sign, start + i) for i, sign in enumerate(squared(pair[0]))] + _same(
+                line[pair.end() :], pair.end()
+            )
         if first and first in "\"'":
             self.quote = "" if _end_of_quote(line, start + 1, first) else first
             return _same(line[start:], start)
@@ -131,12 +134,23 @@ class _Lines:
                 self._fault(number, at, sign, remedy(sign) or "")
 
     def _fault(self, number: int, column: int, sign: str, better: str) -> None:
-        what = Words("全角空格", "a full-width space") if sign == "\u3000" else Words(f"全角字符“{sign}”", f"the full-width '{sign}'")
+        what = (
+            Words("全角空格", "a full-width space")
+            if sign == "\u3000"
+            else Words(f"全角字符“{sign}”", f"the full-width '{sign}'")
+        )
         instead = Words("半角空格", "plain spaces") if better == " " else Words(f"半角“{better}”", f"'{better}'")
         said = Words(f"{what.zh}在此含义不明", f"{what.en} has no clear meaning here") + (
-            Words(f"；请写{instead.zh}，或将整个文本放在引号内", f"; write {instead.en}, or put the whole text between quotes") if better else
-            Words("；请删去，或将整个文本放在引号内", "; leave it out, or put the whole text between quotes"))
-        self.faults.append(Fault(said=said, code="full-width", place=Place(self.name, number + 1, column + 1), numbers={"sign": sign}))
+            Words(
+                f"；请写{instead.zh}，或将整个文本放在引号内",
+                f"; write {instead.en}, or put the whole text between quotes",
+            )
+            if better
+            else Words("；请删去，或将整个文本放在引号内", "; leave it out, or put the whole text between quotes")
+        )
+        self.faults.append(
+            Fault(said=said, code="full-width", place=Place(self.name, number + 1, column + 1), numbers={"sign": sign})
+        )
 
 
 Signs = list[tuple[str, int]]  # each sign with its column as written; −1: put in; a sign in doubt follows \ue000
@@ -151,7 +165,12 @@ def _plain(line: str, start: int, files: bool) -> Signs:
     rest = line[start:]
     bare = rest.split(" #")[0].rstrip()
     if len(bare) > 1 and bare[0] in QUOTES and bare[-1] == QUOTES[bare[0]]:
-        return [('"', start), *_same(bare[1:-1], start + 1), ('"', start + len(bare) - 1), *_same(rest[len(bare):], start + len(bare))]
+        return [
+            ('"', start),
+            *_same(bare[1:-1], start + 1),
+            ('"', start + len(bare) - 1),
+            *_same(rest[len(bare) :], start + len(bare)),
+        ]
     if files:
         return _same(rest, start)
     out: Signs = []
@@ -161,7 +180,7 @@ def _plain(line: str, start: int, files: bool) -> Signs:
             out.append((sign, start + i))
         else:
             out.append((narrow(sign), start + i))
-    return out + _same(rest[len(bare):], start + len(bare))
+    return out + _same(rest[len(bare) :], start + len(bare))
 
 
 def _end_of_quote(line: str, start: int, quote: str) -> bool:

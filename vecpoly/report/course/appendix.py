@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from ...findings.study.study import Study
 from ...words import Words
 from ..flow.listing import Listing
 from .numbering import TINY, Press
-from .results import tabled
-from .study import Study
+from .results.chapter import tabled
 
 _COLUMNS = 12
 
@@ -20,36 +20,70 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
     """The listing and the tables; tables only for what chapter 5 does not show."""
     press.chapter = "A"
     text = study.problem.text
-    return {"file": press.objects.add("listing", Listing(text)) if text else "", "tables": list(_tables(study, press)), "sparse": study.dense}
+    return {
+        "file": press.objects.add("listing", Listing(text)) if text else "",
+        "tables": list(_tables(study, press)),
+        "sparse": study.dense,
+    }
 
 
 def _tables(study: Study, press: Press) -> Iterator[str]:
     """The points that chapter 5 leaves out, two or three to a table; slides and transmission angles."""
     rest = [c.key[2:] for c in study.whole.columns if c.key.startswith("p_") and c.key[2:] not in study.points]
     parts, abreast = (("p_{}", "v_{}.abs", "a_{}.abs"), 3) if study.dense else (("p_{}", "v_{}", "a_{}"), 2)
-    groups = [rest[i:i + abreast] for i in range(0, len(rest), abreast)]
+    groups = [rest[i : i + abreast] for i in range(0, len(rest), abreast)]
     last = groups.pop() if len(groups) > 1 and len(groups[-1]) < abreast else []  # a small table fills the last page
     yield from (_points(study, press, letters, parts) for letters in groups)
     drive = study.turn.real(study.whole.drive.key)
-    slides = [c.key for c in study.whole.columns if c.key.startswith("s_") and not np.allclose(study.turn.real(c.key), drive, equal_nan=True)]
+    slides = [
+        c.key
+        for c in study.whole.columns
+        if c.key.startswith("s_") and not np.allclose(study.turn.real(c.key), drive, equal_nan=True)
+    ]
     told = [key for s in slides for key in (s, f"v_{s[2:]}", f"a_{s[2:]}")] + [t.key for t in study.facts.transmissions]
     wide = sum(len(study.turn.info(part.format(letter)).parts) for letter in last for part in parts)
     if last and told and len(told) + wide <= _COLUMNS:  # both in one table
         told += [part.format(letter) for letter in last for part in parts]
         last = []
     for i in range(0, len(told), _COLUMNS):
-        some = told[i:i + _COLUMNS]
+        some = told[i : i + _COLUMNS]
         letters = dict.fromkeys(key.partition(".")[0][2:] for key in some if key[:2] == "p_")
-        kinds = [words for words, has in ((Words("移动副的相对运动", "Sliding motions"), any(key.startswith("s_") for key in some)),
-                                          (Words("传动角", "transmission angles" if slides else "Transmission angles"), any(key.startswith("gamma_") for key in some)),
-                                          (_motion([*letters]), bool(letters))) if has]
-        yield tabled(study, press, some, Words("、".join(w.zh for w in kinds), ", ".join(w.en if not i else w.en[0].lower() + w.en[1:] for i, w in enumerate(kinds))), TINY, _every(study))
+        kinds = [
+            words
+            for words, has in (
+                (Words("移动副的相对运动", "Sliding motions"), any(key.startswith("s_") for key in some)),
+                (
+                    Words("传动角", "transmission angles" if slides else "Transmission angles"),
+                    any(key.startswith("gamma_") for key in some),
+                ),
+                (_motion([*letters]), bool(letters)),
+            )
+            if has
+        ]
+        yield tabled(
+            study,
+            press,
+            some,
+            Words(
+                "、".join(w.zh for w in kinds),
+                ", ".join(w.en if not i else w.en[0].lower() + w.en[1:] for i, w in enumerate(kinds)),
+            ),
+            TINY,
+            _every(study),
+        )
     if last:
         yield _points(study, press, last, parts)
 
 
 def _points(study: Study, press: Press, letters: list[str], parts: tuple[str, ...]) -> str:
-    return tabled(study, press, [part.format(letter) for letter in letters for part in parts], _motion(letters), TINY, _every(study))
+    return tabled(
+        study,
+        press,
+        [part.format(letter) for letter in letters for part in parts],
+        _motion(letters),
+        TINY,
+        _every(study),
+    )
 
 
 def _every(study: Study) -> int:

@@ -4,27 +4,22 @@ from __future__ import annotations
 
 from typing import Any
 
+from ...findings.study.study import study
 from ...solution import REPEATS, Solution
 from ...words import Lang, Words
 from ..content import Objects
 from ..picture import picture
 from ..printed_tables import printed_tables
-from . import (
-    analysis,
-    appendix,
-    axes,
-    book,
-    checking,
-    comparison,
-    drawings,
-    example,
-    modelling,
-    results,
-    statement,
-    structure,
-)
+from . import appendix, statement
+from .analysis import chapter as analysis
+from .checks import book, comparison
+from .checks import chapter as checking
+from .modelling import axes, example
+from .modelling import formulas as modelling
 from .numbering import Press, drawn
-from .study import study
+from .results import chapter as results
+from .results import drawings
+from .structure import chapter as structure
 from .symbols import symbols
 
 _COVER = (130.0, 95.0)  # mm
@@ -32,19 +27,33 @@ KIND = Words("机械原理课程大作业", "Theory of machines: course assignme
 
 
 def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
-    """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without a closed form."""
+    """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without
+    a closed form."""
     subject = study(solution)
     press = Press(lang, objects)
     stations = comparison.compared(subject)
     return {
-        "id": subject.problem.id, "assumed": statement.assumed(subject).of(lang), "title": subject.problem.title.of(lang), "kind": KIND.of(lang), "cover": _cover(solution, lang, objects),
-        "hand": solution.construction.hand, "repeats": REPEATS, "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
-        "symbols": symbols(subject, press), "task": statement.task(subject, press), "structure": structure.chapter(subject, press), "axes": axes.chapter(subject, press),
-        "model": modelling.chapter(subject, press) | {"example": example.section(subject, press)}, "results": results.chapter(subject, press),
-        "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)), "comparison": comparison.chapter(subject, press, stations), "checking": checking.chapter(subject, press),
+        "id": subject.problem.id,
+        "assumed": statement.assumed(subject).of(lang),
+        "title": subject.problem.title.of(lang),
+        "kind": KIND.of(lang),
+        "cover": _cover(solution, lang, objects),
+        "hand": solution.construction.hand,
+        "repeats": REPEATS,
+        "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
+        "symbols": symbols(subject, press),
+        "task": statement.task(subject, press),
+        "structure": structure.chapter(subject, press),
+        "axes": axes.chapter(subject, press),
+        "model": modelling.chapter(subject, press) | {"example": example.section(subject, press)},
+        "results": results.chapter(subject, press),
+        "drawings": drawings.chapter(subject, press, drawings.chosen(subject, lang)),
+        "comparison": comparison.chapter(subject, press, stations),
+        "checking": checking.chapter(subject, press),
         "book": book.chapter(subject, press),  # within chapter 7
         "tables": (tables := printed_tables(subject.problem, lang, press.table)),  # within chapter 7
-        "analysis": analysis.chapter(subject, press, stations, tables), "appendix": appendix.chapter(subject, press),
+        "analysis": analysis.chapter(subject, press, stations, tables),
+        "appendix": appendix.chapter(subject, press),
     }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ...drawing.pdf import draw_pdf
+from ...drawing.backends.pdf import draw_pdf
 from ...drawing.scene import Item, Scene, TextBox
 from ...typeset import layout_words
 from ...typeset.box import MM
@@ -24,7 +24,8 @@ TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")
 
 @dataclass(slots=True)
 class Press:
-    """Makes numbered figures and tables and keeps them for the template. chapter: the number of the chapter being made."""
+    """Makes numbered figures and tables and keeps them for the template. chapter: the number of the chapter being
+    made."""
 
     lang: Lang
     objects: Objects
@@ -55,7 +56,9 @@ class Press:
         number = Words.same(f" {self.number('figure')}")
         return _FIGURE + number
 
-    def table(self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL) -> str:
+    def table(
+        self, title: Words, header: Sequence[str], rows: Sequence[tuple[str, ...]], align: str, *, style: Style = CELL
+    ) -> str:
         """A numbered table; its name for the template."""
         caption = self._caption(_TABLE, "table", title)
         made = DataTable(header, rows, None, align, lang=self.lang, caption=caption, style=style)
@@ -87,4 +90,10 @@ def paired(left: tuple[Scene, str], right: tuple[Scene, str]) -> Drawing:
 def drawn(scene: Scene, caption: str, alt: str = "") -> Drawing:
     """A scene as a captioned block of the text."""
     e = scene.extents
-    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM), alt or spoken(caption), caption)
+    return Drawing(
+        e.width,
+        e.height,
+        lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM),
+        alt or spoken(caption),
+        caption,
+    )

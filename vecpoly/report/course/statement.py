@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from ...algebra.quantity import number
 from ...drawing.figure import draw_figure
-from ...mechanism.mobility import mobility
+from ...findings.study.study import Study
+from ...mechanism.groups.mobility import mobility
 from ...names import Rel
-from ...quantity import number
 from ...words import Words
 from ..content import statement
 from ..picture import picture, to_scale
-from .dimensions import dimensions, rounded
+from .modelling.dimensions import dimensions, rounded
 from .numbering import Press
-from .study import Study
 
 _PICTURE = (130.0, 80.0)  # mm
 
@@ -30,8 +30,14 @@ def task(study: Study, press: Press) -> dict[str, Any]:
         where += f", ${figure.scale.symbol}$ = {number(figure.scale.value)} {figure.scale.per_mm}"
     title = Words(f"机构运动简图（{where.replace(', ', '，')}）", f"Kinematic diagram ({where})")
     told = statement(study.given, press.lang) if study.drawn else _undrawn(study, press)
-    return {**told, "picture": press.figure(scene, title) if scene else "", "dimensions": dimensions(study, press, figure), "freedom": mobility(study.mech).freedom,
-            "more": ("、" if press.lang == "zh" else ", ").join(_more(study)), "assumed": assumed(study).of(press.lang)}
+    return {
+        **told,
+        "picture": press.figure(scene, title) if scene else "",
+        "dimensions": dimensions(study, press, figure),
+        "freedom": mobility(study.mech).freedom,
+        "more": ("、" if press.lang == "zh" else ", ").join(_more(study)),
+        "assumed": assumed(study).of(press.lang),
+    }
 
 
 def _undrawn(study: Study, press: Press) -> dict[str, str]:
@@ -43,7 +49,9 @@ def _undrawn(study: Study, press: Press) -> dict[str, str]:
 
 def _more(study: Study) -> list[str]:
     """What is drawn beyond what is asked for."""
-    return [f"${answer.reading.symbol}$" for key, answer in study.solution.answers.items() if key not in study.given.answers]
+    return [
+        f"${answer.reading.symbol}$" for key, answer in study.solution.answers.items() if key not in study.given.answers
+    ]
 
 
 def assumed(study: Study) -> Words:
@@ -52,7 +60,22 @@ def assumed(study: Study) -> Words:
         return Words.same("")
     symbol = f"$ω_{{{study.mech.drive.link}}}$"
     loads = study.problem.loads
-    forces = Words.same("") if loads is None else Words("；惯性力与 ω² 成正比" if loads.dynamic else "；反力和平衡载荷与其大小无关",
-                                                        "; inertia forces with its square" if loads.dynamic else "; reactions and the balancing load do not depend on it")
-    return Words(f"题目只给出 {symbol} 的转向，未给大小，本报告取 |{symbol}| = 1 rad/s 计算和作图。各角速度、速度与 {symbol} 成正比，各角加速度、加速度与 {symbol} 的平方成正比，位置与其大小无关{forces.zh}；转速为其他值时按此换算。",
-                 f"Only the sense of {symbol} is given, not its size: this report takes |{symbol}| = 1 rad/s. All velocities are proportional to {symbol}, all accelerations to its square, and positions do not depend on it{forces.en}; for another speed the results scale accordingly.")
+    forces = (
+        Words.same("")
+        if loads is None
+        else Words(
+            "；惯性力与 ω² 成正比" if loads.dynamic else "；反力和平衡载荷与其大小无关",
+            "; inertia forces with its square"
+            if loads.dynamic
+            else "; reactions and the balancing load do not depend on it",
+        )
+    )
+    return Words(
+        f"题目只给出 {symbol} 的转向，未给大小，本报告取 |{symbol}| = 1 rad/s 计算和作图。各角速度、"
+        f"速度与 {symbol} 成正比，各角加速度、加速度与 {symbol} 的平方成正比，位置与其大小无关{forces.zh}；"
+        "转速为其他值时按此换算。",
+        f"Only the sense of {symbol} is given, not its size: this report takes |{symbol}| = 1 "
+        f"rad/s. All velocities are proportional to {symbol}, all accelerations to its square, and "
+        f"positions do not depend on it{forces.en}; for another speed the results scale "
+        "accordingly.",
+    )

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from ...board.construction import View
 from ...figures import views
-from ...mechanism.quantities import load_symbol
+from ...findings.study.study import Study
+from ...mechanism.asked.forces import load_symbol
 from ...words import Words
 from ..flow.table import DataTable
 from .numbering import TINY, Press
-from .study import Study
 
 _HEADER = {"zh": ["符号", "含义", "单位"], "en": ["Symbol", "Meaning", "Unit"]}
 Row = tuple[str, Words, str]
@@ -18,11 +18,16 @@ Row = tuple[str, Words, str]
 
 def symbols(study: Study, press: Press) -> str:
     """A table without number, two symbols to a line."""
-    told = [(symbol.replace("、", "、" if press.lang == "zh" else ", "), words.of(press.lang), unit) for symbol, words, unit in (*_model(study), *_forces(study), *_drawn(study))]
+    told = [
+        (symbol.replace("、", "、" if press.lang == "zh" else ", "), words.of(press.lang), unit)
+        for symbol, words, unit in (*_model(study), *_forces(study), *_drawn(study))
+    ]
     half = (len(told) + 1) // 2
     rows = [(*one, *two) for one, two in zip(told[:half], [*told[half:], ("", "", "")][:half], strict=True)]
     caption = Words("主要符号", "Symbols").of(press.lang)
-    return press.objects.add("tab", DataTable(_HEADER[press.lang] * 2, rows, None, "llc" * 2, lang=press.lang, caption=caption, style=TINY))
+    return press.objects.add(
+        "tab", DataTable(_HEADER[press.lang] * 2, rows, None, "llc" * 2, lang=press.lang, caption=caption, style=TINY)
+    )
 
 
 def _model(study: Study) -> Iterator[Row]:
@@ -32,36 +37,74 @@ def _model(study: Study) -> Iterator[Row]:
     length = next((c for c in constants if c.startswith("l_")), "")
     if length:
         one, two = length[3], length[4:-1]
-        yield f"${length}$", Words(f"${one}$、${two}$ 两点的距离，余类推", f"distance from ${one}$ to ${two}$, and so on"), "mm"
-    yield "$φ_i$、$ω_i$、$α_i$", Words("构件 $i$ 的转角、角速度、角加速度", "angle and angular rates of link $i$"), "°, rad/s, rad/s²"
+        yield (
+            f"${length}$",
+            Words(f"${one}$、${two}$ 两点的距离，余类推", f"distance from ${one}$ to ${two}$, and so on"),
+            "mm",
+        )
+    yield (
+        "$φ_i$、$ω_i$、$α_i$",
+        Words("构件 $i$ 的转角、角速度、角加速度", "angle and angular rates of link $i$"),
+        "°, rad/s, rad/s²",
+    )
     letter = next(iter(study.points), "")
     if letter:
-        yield f"$x_{{{letter}}}$、$y_{{{letter}}}$", Words(f"${letter}$ 点的坐标，余类推", f"coordinates of ${letter}$, and so on"), "mm"
-        yield f"$v_{{{letter}x}}$、$a_{{{letter}x}}$", Words(f"${letter}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${letter}$'s rates"), "m/s, m/s²"
+        yield (
+            f"$x_{{{letter}}}$、$y_{{{letter}}}$",
+            Words(f"${letter}$ 点的坐标，余类推", f"coordinates of ${letter}$, and so on"),
+            "mm",
+        )
+        yield (
+            f"$v_{{{letter}x}}$、$a_{{{letter}x}}$",
+            Words(f"${letter}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${letter}$'s rates"),
+            "m/s, m/s²",
+        )
     pair = next((c.key[2:] for c in study.whole.columns if c.key.startswith("s_") and f"s_{{{c.key[2:]}}}" in used), "")
     if pair:
-        yield (f"$s_{{{pair}}}$、$v_{{{pair}}}$、$a_{{{pair}}}$",
-               Words(f"构件 {pair[:1]} 沿构件 {pair[1:]} 的滑移及其变化率", f"sliding of link {pair[:1]} along link {pair[1:]}, its rates"), "mm, m/s, m/s²")
+        yield (
+            f"$s_{{{pair}}}$、$v_{{{pair}}}$、$a_{{{pair}}}$",
+            Words(
+                f"构件 {pair[:1]} 沿构件 {pair[1:]} 的滑移及其变化率",
+                f"sliding of link {pair[:1]} along link {pair[1:]}, its rates",
+            ),
+            "mm, m/s, m/s²",
+        )
     beta = next((c for c in constants if c.startswith("β_")), "")
     if beta:
-        yield f"${beta}$", Words(f"由构件的轴线量至 ${beta[3:-1]}$ 的角", f"angle from the link's axis to ${beta[3:-1]}$"), "°"
+        yield (
+            f"${beta}$",
+            Words(f"由构件的轴线量至 ${beta[3:-1]}$ 的角", f"angle from the link's axis to ${beta[3:-1]}$"),
+            "°",
+        )
     yield from ((f"${c}$", words, unit) for c, words, unit in _others(constants))
     if {"A_0", "B_0"} & {*study.env}:
-        yield "$A_0$、$B_0$、$C_0$" if "C_0" in study.env else "$A_0$、$B_0$", Words("位置方程消元的辅助量", "auxiliary, position equations"), "—"
+        yield (
+            "$A_0$、$B_0$、$C_0$" if "C_0" in study.env else "$A_0$、$B_0$",
+            Words("位置方程消元的辅助量", "auxiliary, position equations"),
+            "—",
+        )
     if "G_1" in study.env:
         yield "$G_1$", Words("速度、加速度方程组的行列式", "determinant, rate equations"), "—"
     if "G_2" in study.env:
         yield "$G_2$、$G_3$", Words("加速度方程组的右端", "right sides, acceleration equations"), "m/s²"
     gamma = next(iter(study.facts.transmissions), None)
     if gamma is not None:
-        yield f"${study.whole.info(gamma.key).symbol}$", Words("杆组的传动角（锐角）", "transmission angle (acute)"), "°"
+        yield (
+            f"${study.whole.info(gamma.key).symbol}$",
+            Words("杆组的传动角（锐角）", "transmission angle (acute)"),
+            "°",
+        )
 
 
 def _others(constants: list[str]) -> Iterator[Row]:
     """Offsets, fixed angles, the sign of the assembly."""
-    for stem, words, unit in (("e_", Words("导路的偏距", "offset of a guide"), "mm"), ("ψ_", Words("导路的方向角", "direction of a guide"), "°"),
-                              ("δ_", Words("移动副两构件的固定夹角", "fixed angle between links of a sliding pair"), "°"), ("r_", Words("齿轮、滚子的半径", "radius of a gear or roller"), "mm"),
-                              ("M", Words("装配模式系数，$M$ = ±1", "sign that tells the assembly, $M$ = ±1"), "—")):
+    for stem, words, unit in (
+        ("e_", Words("导路的偏距", "offset of a guide"), "mm"),
+        ("ψ_", Words("导路的方向角", "direction of a guide"), "°"),
+        ("δ_", Words("移动副两构件的固定夹角", "fixed angle between links of a sliding pair"), "°"),
+        ("r_", Words("齿轮、滚子的半径", "radius of a gear or roller"), "mm"),
+        ("M", Words("装配模式系数，$M$ = ±1", "sign that tells the assembly, $M$ = ±1"), "—"),
+    ):
         found = next((c for c in constants if c.startswith(stem) and (stem != "M" or c == "M")), "")
         if found:
             yield found, words, unit
@@ -73,10 +116,21 @@ def _forces(study: Study) -> Iterator[Row]:
     if loads is None:
         return
     unknown = loads.unknown.name
-    yield f"${load_symbol(unknown)}$", Words("平衡载荷", "the balancing load"), study.whole.info(unknown).shown_unit if unknown in study.forces else "—"
+    yield (
+        f"${load_symbol(unknown)}$",
+        Words("平衡载荷", "the balancing load"),
+        study.whole.info(unknown).shown_unit if unknown in study.forces else "—",
+    )
     reaction = next((key for key in study.forces if key.startswith("R_")), "")
     if reaction:
-        yield f"${study.whole.info(reaction).symbol}$", Words(f"构件 {reaction[2:-1]} 对构件 {reaction[-1]} 的反力", f"force of link {reaction[2:-1]} on link {reaction[-1]}"), "N"
+        yield (
+            f"${study.whole.info(reaction).symbol}$",
+            Words(
+                f"构件 {reaction[2:-1]} 对构件 {reaction[-1]} 的反力",
+                f"force of link {reaction[2:-1]} on link {reaction[-1]}",
+            ),
+            "N",
+        )
     if "eta" in study.forces:
         yield "$η$", Words("机械效率", "efficiency"), "—"
     if loads.friction and loads.friction.pins:
@@ -93,4 +147,8 @@ def _drawn(study: Study) -> Iterator[Row]:
     drawn = sorted({figure.view for figure in figures})
     yield from ((*view.letters, "mm") for view in drawn if view.letters is not None)
     if View.ACCELERATION in drawn:
-        yield "$a^n$、$a^t$、$a^k$", Words("法向、切向、哥氏加速度", "normal, tangential, Coriolis acceleration"), "m/s²"
+        yield (
+            "$a^n$、$a^t$、$a^k$",
+            Words("法向、切向、哥氏加速度", "normal, tangential, Coriolis acceleration"),
+            "m/s²",
+        )

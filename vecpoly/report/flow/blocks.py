@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from ...formula import plain, row, split_words
+from ...algebra.formula import plain, row, split_words
 from ...typeset.box import MM, Box, scaled
 from ...typeset.canvas import Ink
 from ...typeset.words import layout_words
@@ -124,9 +124,7 @@ class Callout(Block):
 class Drawing(Block):
     """A figure of true size, drawn by a callback at its lower left corner, centred, captioned below."""
 
-    def __init__(
-        self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = ""
-    ) -> None:
+    def __init__(self, width_mm: float, height_mm: float, draw: Draw, alt: str = "", caption: str = "") -> None:
         super().__init__(6.0, 6.0)
         self.size = (width_mm * MM, height_mm * MM)
         self.alt, self._draw = alt, draw

@@ -18,7 +18,9 @@ _WIDEST = 160.0  # mm of a title
 class Cover(SheetPage):
     """A page without header or number: kind of report, title, subtitle, figure, fields with their values."""
 
-    def __init__(self, kind: str, title: str, subtitle: str, fields: Sequence[tuple[str, str]], figure: Drawing | None) -> None:
+    def __init__(
+        self, kind: str, title: str, subtitle: str, fields: Sequence[tuple[str, str]], figure: Drawing | None
+    ) -> None:
         super().__init__(self._page)
         self.kind, self.title, self.subtitle = kind, title, subtitle
         self.fields, self.figure = tuple(fields), figure

@@ -14,8 +14,8 @@ from reportlab.platypus.doctemplate import BaseDocTemplate, NextPageTemplate, Pa
 from reportlab.platypus.flowables import PageBreak
 from reportlab.platypus.frames import Frame
 
-from ...drawing.pdf import compress
-from ...files import write_whole
+from ...drawing.backends.pdf import compress
+from ...foundation.files import write_whole
 from ...typeset.box import MM
 from ...typeset.canvas import Ink, lost
 from ...typeset.fonts import Face, load

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...algebra.formula import Node, Row, Txt, Vec, row, sym
 from ...board.construction import EquationTable
-from ...formula import Node, Row, Txt, Vec, row, sym
 from ...typeset.box import MM, Box
 from ...typeset.canvas import Ink
 from ...typeset.fonts import Face

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...formula import Node
+from ...algebra.formula import Node
 from ...typeset.atoms import Kind
 from ...typeset.box import MM, Box, beside
 from ...typeset.canvas import Ink

@@ -28,7 +28,11 @@ class Listing(Block):
         """Size in a column."""
         if not self._lines and self._text:
             cells = int((width - _MARGIN) / (_CELL * _SIZE))
-            self._lines = tuple(pair for i, line in enumerate(self._text.rstrip("\n").split("\n"), 1) for pair in _folded(str(i), line, cells))
+            self._lines = tuple(
+                pair
+                for i, line in enumerate(self._text.rstrip("\n").split("\n"), 1)
+                for pair in _folded(str(i), line, cells)
+            )
         self.width, self.height = width, _LEADING * len(self._lines) + 4.0
         return width, self.height
 

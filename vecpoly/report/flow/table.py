@@ -25,6 +25,7 @@ _Row = tuple[tuple[Line, ...], ...]
 _MANY_ROWS = 10
 _LEAST_ROWS = 4  # rows that a page break leaves together, before and after it
 
+
 class DataTable(Block):
     """header, rows: words with inline formulas; widths in mm (None: by content); align: l, c, r each."""
 
@@ -110,9 +111,7 @@ class DataTable(Block):
         caption = self.caption if start == 0 else ""
         rows = self.rows[start:end]
         widths = self._set_widths
-        return DataTable(
-            self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style
-        )
+        return DataTable(self.header, rows, widths, self.align, lang=self.lang, caption=caption, style=self.style)
 
     def draw(self) -> None:
         """Draw caption, header, rows and rules, centred in the column."""

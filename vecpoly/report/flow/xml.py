@@ -54,9 +54,12 @@ def parse(xml: str) -> Element:
         stack[-1].text += data
 
     def doctype(*_: object) -> None:
-        raise MarkupError(Words(
-            f"第 {parser.CurrentLineNumber} 行：不允许文档类型声明",
-            f"line {parser.CurrentLineNumber}: a document type declaration is not allowed"))
+        raise MarkupError(
+            Words(
+                f"第 {parser.CurrentLineNumber} 行：不允许文档类型声明",
+                f"line {parser.CurrentLineNumber}: a document type declaration is not allowed",
+            )
+        )
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda tag: stack.pop()
@@ -65,9 +68,12 @@ def parse(xml: str) -> Element:
     try:
         parser.Parse(xml, True)
     except expat.ExpatError as error:
-        raise MarkupError(Words(
-            f"第 {error.lineno} 行：XML 语法错误（{expat.ErrorString(error.code)}）",
-            f"line {error.lineno}: {expat.ErrorString(error.code)}")) from None
+        raise MarkupError(
+            Words(
+                f"第 {error.lineno} 行：XML 语法错误（{expat.ErrorString(error.code)}）",
+                f"line {error.lineno}: {expat.ErrorString(error.code)}",
+            )
+        ) from None
     return stack[0].children[0]
 
 
@@ -84,7 +90,9 @@ def _lang(root: Element) -> Lang:
 
 
 def _fail(element: Element, cause: Words) -> NoReturn:
-    raise MarkupError(Words(f"第 {element.line} 行：<{element.tag}>：", f"line {element.line}: <{element.tag}>: ") + cause)
+    raise MarkupError(
+        Words(f"第 {element.line} 行：<{element.tag}>：", f"line {element.line}: <{element.tag}>: ") + cause
+    )
 
 
 class _Reader:
@@ -108,13 +116,23 @@ class _Reader:
         """The flowables of all children."""
         out: list[Any] = []
         if parent.text.strip():
-            _fail(parent, Words(
-                "文字应写在 <p>、标题、<note>、<callout> 或 <step> 中", "text must stand in <p>, a heading, <note>, <callout> or <step>"))
+            _fail(
+                parent,
+                Words(
+                    "文字应写在 <p>、标题、<note>、<callout> 或 <step> 中",
+                    "text must stand in <p>, a heading, <note>, <callout> or <step>",
+                ),
+            )
         for child in parent.children:
             reader = self._readers.get(child.tag)
             if reader is None:
-                _fail(child, Words(
-                    f"未知元素；已有 {', '.join(sorted(self._readers))}", f"unknown; known are {', '.join(sorted(self._readers))}"))
+                _fail(
+                    child,
+                    Words(
+                        f"未知元素；已有 {', '.join(sorted(self._readers))}",
+                        f"unknown; known are {', '.join(sorted(self._readers))}",
+                    ),
+                )
             out.extend(reader(child))
         return out
 
@@ -134,7 +152,12 @@ class _Reader:
             _fail(element, Words(f"没有名为“{ref}”的对象", f"nothing is named '{ref}'"))
         found = self._objects[ref]
         if not isinstance(found, kind):
-            _fail(element, Words(f"“{ref}”是 {type(found).__name__}，不是 {what}", f"'{ref}' is a {type(found).__name__}, not {what}"))
+            _fail(
+                element,
+                Words(
+                    f"“{ref}”是 {type(found).__name__}，不是 {what}", f"'{ref}' is a {type(found).__name__}, not {what}"
+                ),
+            )
         return found
 
     def _formula(self, element: Element) -> list[Any]:
@@ -158,12 +181,18 @@ class _Reader:
     def _titleblock(self, element: Element) -> list[Any]:
         for child in element.children:
             if child.tag != "field" or "label" not in child.attributes:
-                _fail(child, Words("标题栏由 <field label= value=/> 组成", "a title block holds <field label= value=/>"))
+                _fail(
+                    child, Words("标题栏由 <field label= value=/> 组成", "a title block holds <field label= value=/>")
+                )
         fields = [(c.attributes["label"], c.attributes.get("value", "")) for c in element.children]
         return [TitleBlock(fields)]
 
     def _cover(self, element: Element) -> list[Any]:
-        fields = [(c.attributes["label"], c.attributes.get("value", "")) for c in element.children if c.tag == "field" and "label" in c.attributes]
+        fields = [
+            (c.attributes["label"], c.attributes.get("value", ""))
+            for c in element.children
+            if c.tag == "field" and "label" in c.attributes
+        ]
         figure = self._lookup(element, Drawing, "a figure") if element.attributes.get("ref") else None
         get = element.attributes.get
         return [Cover(get("kind", ""), get("title", ""), get("subtitle", ""), fields, figure)]
@@ -183,13 +212,19 @@ class _Reader:
     def _callout(self, element: Element) -> list[Any]:
         kind = element.attributes.get("kind", "note")
         if kind not in KINDS:
-            _fail(element, Words(f"kind“{kind}”不在 {', '.join(KINDS)} 之中", f"kind '{kind}' is none of {', '.join(KINDS)}"))
+            _fail(
+                element,
+                Words(f"kind“{kind}”不在 {', '.join(KINDS)} 之中", f"kind '{kind}' is none of {', '.join(KINDS)}"),
+            )
         return [Callout(_text(element), kind, self._lang)]
 
 
 def _text(element: Element) -> str:
     if element.children:
-        _fail(element.children[0], Words(f"<{element.tag}> 之内不能再有元素", f"no element may stand inside <{element.tag}>"))
+        _fail(
+            element.children[0],
+            Words(f"<{element.tag}> 之内不能再有元素", f"no element may stand inside <{element.tag}>"),
+        )
     return _plain(element)
 
 

@@ -1,6 +1,7 @@
 """Where the central link may lie in a given orientation: every leg leaves its origin a circle or a straight line.
 
-The orientation is the unit vector u of the link's x axis; a point with the local coordinates b then lies at X + u b (mm).
+The orientation is the unit vector u of the link's x axis; a point with the local coordinates b then lies at X + u b
+(mm).
 A hinged leg keeps B on its circle, a guided one on its guide; a slotted leg keeps Q at its distance from the slide.
 """
 
@@ -41,8 +42,7 @@ def locus_of(desk: Desk, star: Star, leg: Axial, u: Points) -> Locus:
         case Slotted(link=link, slide=slide, outer=q):
             along = along_of(star, slide, u)
             return Line(
-                desk.at[q] + 1j * along * desk.mm(_origin_left(desk, star, slide) - desk.offset(slide, link, q)),
-                along,
+                desk.at[q] + 1j * along * desk.mm(_origin_left(desk, star, slide) - desk.offset(slide, link, q)), along
             )
         case _:
             assert_never(leg)

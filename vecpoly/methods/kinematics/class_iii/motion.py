@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import assert_never
 
 from ....board.construction import View
-from ....mechanism.assur import Group
+from ....mechanism.groups.assur import Group
 from ....mechanism.model import FRAME
 from ....names import At, Kind, Rel
 from ....plane import Points
@@ -21,8 +21,8 @@ from ....words import Words
 from ...desk import QUANTITY, VECTOR, Desk
 from ...registry import Stage, method
 from ..chains import coincident_tip, letters, never_turns, sliding_chain, solve
+from ..dyads.rrr import opening, total, turn_of_link
 from ..image import imaged, images_of_link
-from ..rrr import opening, total, turn_of_link
 from ..terms import key, known, symbol
 from ..turning import angular_acceleration, angular_velocity, same_turn
 from .special import Special, find_special, special_of
@@ -60,9 +60,7 @@ def _polygon(desk: Desk, view: View, star: Star) -> None:
     for leg in star.axial:
         prepare(desk, view, leg)
     chains = (
-        _over_special(desk, view, star)
-        if star.parallel is None
-        else _without_turning(desk, view, star, star.parallel)
+        _over_special(desk, view, star) if star.parallel is None else _without_turning(desk, view, star, star.parallel)
     )
     images_of_link(desk, view, star.plate)
     for leg in star.axial:
@@ -105,15 +103,14 @@ def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict
     desk.board.step(
         Words(
             f"求特殊点 ${s}$ 的{kind.zh}：分别由构件 {special.pair[0].link}、{special.pair[1].link} 列矢量方程并作图。",
-            f"The {kind.en} of the special point ${s}$: write the vector equation over links {special.pair[0].link} and "
-            f"{special.pair[1].link} and draw it.",
+            f"The {kind.en} of the special point ${s}$: write the vector equation over links "
+            f"{special.pair[0].link} and {special.pair[1].link} and draw it.",
         )
         + parts,
         view,
     )
     (left, own_left), (right, own_right) = (
-        to_special(desk, view, star, leg, special.at, primes)
-        for leg, primes in zip(special.pair, (1, 2), strict=True)
+        to_special(desk, view, star, leg, special.at, primes) for leg, primes in zip(special.pair, (1, 2), strict=True)
     )
     sought = symbol(desk, Rel(VECTOR[view], special.at))
     solve(desk, view, Equation(left=left, right=right, total=sought), special.at)
@@ -125,13 +122,7 @@ def _turn(desk: Desk, view: View, plate: str, about: At, to: At, closed: Closed)
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, to, about)
     if view is View.VELOCITY:
         angular_velocity(
-            desk,
-            plate,
-            about.point,
-            to.point,
-            closed.ends[rel.key],
-            letters(desk, view, about, to),
-            symbol(desk, rel),
+            desk, plate, about.point, to.point, closed.ends[rel.key], letters(desk, view, about, to), symbol(desk, rel)
         )
     else:
         line = f"n_{plate}^{{′′′}} {desk.tip_label(view, to)}"

@@ -1,4 +1,5 @@
-"""A class III group located by trial (试凑法): the central link is turned, held by two legs, until the third fits too."""
+"""A class III group located by trial (试凑法): the central link is turned, held by two legs, until the third fits
+too."""
 
 from __future__ import annotations
 
@@ -7,16 +8,16 @@ from itertools import pairwise
 import numpy as np
 
 from ....board.construction import View
-from ....board.marks import Role, Segment
+from ....board.paper.marks import Role, Segment
 from ....errors import AssemblyError, DeadPointError
-from ....mechanism.assur import Group
-from ....mechanism.branch import margin
+from ....mechanism.assembly.branch import margin
+from ....mechanism.groups.assur import Group
 from ....mechanism.model import Statement
 from ....plane import Points
 from ....words import Words
 from ...desk import Desk
 from ...registry import Stage, method
-from ..assembly import HAIR, said
+from ..position.assembly import HAIR, said
 from .assemblies import Assembly, assemblies, bare, places, settled, trial
 from .loci import Ring, locus_of, meet, orientation, put
 from .star import Axial, Hinged, Slotted, Star, star_of
@@ -39,7 +40,11 @@ def position_class_iii(desk: Desk, group: Group) -> None:
     star = star_of(group)
     found, deciding = _chosen(desk, star, assemblies(desk, star))
     desk.board.step(led_words(star, found.legs) if star.parallel else trial_words(star, found.legs), View.MECHANISM)
-    which = Words("（取与题给装配形式相符的一种）", " (of the assemblies, the one given)") if deciding is None else said(deciding)
+    which = (
+        Words("（取与题给装配形式相符的一种）", " (of the assemblies, the one given)")
+        if deciding is None
+        else said(deciding)
+    )
     desk.board.remark(which + Words("。", "."))
     u = orientation(desk, star, star.parallel) if star.parallel else np.exp(1j * settled(desk, star, found))
     if not star.parallel:
@@ -55,10 +60,11 @@ def _chosen(desk: Desk, star: Star, options: list[Assembly]) -> tuple[Assembly, 
     if not options:
         raise AssemblyError(
             Words(
-                f"构件 {star.links} 不能装配：无论中心构件 {star.plate} 取什么方位，三个支链都不能同时满足（或恰在死点位置）；"
-                "请检查各杆长和导路，或改换原动件的位置。",
-                f"links {star.links} cannot be joined: in no orientation does link {star.plate} fit all three legs, or they "
-                "stand just at a dead point; check the lengths and guides, or move the input",
+                f"构件 {star.links} 不能装配：无论中心构件 {star.plate} 取什么方位，"
+                "三个支链都不能同时满足（或恰在死点位置）；请检查各杆长和导路，或改换原动件的位置。",
+                f"links {star.links} cannot be joined: in no orientation does link {star.plate} fit all "
+                "three legs, or they stand just at a dead point; check the lengths and guides, or move the "
+                "input",
             ),
             code="no-assembly",
         )
@@ -103,7 +109,8 @@ def _which(desk: Desk, star: Star, after: list[dict[str, complex]], fits: bool) 
             f"the assemblies are, as guesses: {told}",
         )
     return Words(
-        f"构件 {star.links} 有 {len(after)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），或用 branch 说明：{told}",
+        f"构件 {star.links} 有 {len(after)} 种装配，须说明取哪一种：写 guesses: 下列之一（约数即可），"
+        f"或用 branch 说明：{told}",
         f"links {star.links} can be joined in {len(after)} ways; say which by `branch`, or by `guesses:`, "
         f"one of these (roughly): {told}",
     )
@@ -113,8 +120,7 @@ def _laid(desk: Desk, star: Star, found: Assembly, u: Points) -> Points:
     """The origin of the central link: two loci drawn by hand, met on the side that was found."""
     loci = [locus_of(desk, star, leg, u) for leg in found.legs[:2]]
     one, two = (
-        Ring(locus.centre, desk.board.hand.carry(locus.radius)) if isinstance(locus, Ring) else locus
-        for locus in loci
+        Ring(locus.centre, desk.board.hand.carry(locus.radius)) if isinstance(locus, Ring) else locus for locus in loci
     )
     return meet(one, two)[0 if found.first else 1]
 

@@ -13,7 +13,7 @@ from itertools import combinations
 import numpy as np
 
 from ....board.construction import View
-from ....board.marks import Dot, Role
+from ....board.paper.marks import Dot, Role
 from ....errors import DeadPointError
 from ....names import At
 from ....plane import Line, cross, lines_meet, nominal, unit
@@ -41,9 +41,11 @@ def special_of(desk: Desk, star: Star) -> Special:
     if not ways[0][0] > FLAT:
         raise DeadPointError(
             Words(
-                f"构件 {star.links}：三个支链的轴线交于一点或互相平行，Ⅲ级杆组处于死点位置，速度没有唯一解；请改换原动件的位置。",
-                f"links {star.links}: the axes of the three legs meet in one point or are parallel; the class III group is at a "
-                "dead point and its velocities have no single value; choose another input position",
+                f"构件 {star.links}：三个支链的轴线交于一点或互相平行，Ⅲ级杆组处于死点位置，速度没有唯一解；"
+                "请改换原动件的位置。",
+                f"links {star.links}: the axes of the three legs meet in one point or are parallel; the "
+                "class III group is at a dead point and its velocities have no single value; choose "
+                "another input position",
             ),
             code="dead-point",
         )

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from ....errors import NoMethodError
-from ....mechanism.assur import Group, Outer, ends
+from ....mechanism.groups.assur import Group, Outer, ends
 from ....mechanism.model import FRAME, Joint, Prismatic, Revolute
 from ....names import At
 from ....plane import Line
@@ -135,7 +135,8 @@ def _leg(outer: Outer, inner: list[Joint]) -> Leg | None:
 
 
 def letters_on_legs(group: Group) -> dict[str, str]:
-    """Letters at which points of several links of a class III group coincide, and the leg whose point is meant first."""
+    """Letters at which points of several links of a class III group coincide, and the leg whose point is meant
+    first."""
     if not group.kind.startswith("class III"):
         return {}
     inner = {name: [joint for joint in group.inner if name in ends(joint)] for name in group.links}

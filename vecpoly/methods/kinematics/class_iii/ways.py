@@ -1,4 +1,5 @@
-"""The equations of a class III group: from known points over a leg to the central link, and on it to its special point."""
+"""The equations of a class III group: from known points over a leg to the central link, and on it to its special
+point."""
 
 from __future__ import annotations
 
@@ -6,9 +7,9 @@ from typing import assert_never
 
 import numpy as np
 
+from ....algebra.quantity import magnitude
 from ....board.construction import View
 from ....names import At, Kind, Rel, alpha, omega
-from ....quantity import magnitude
 from ....vector.equation import Term
 from ....words import Words
 from ...desk import VECTOR, Desk

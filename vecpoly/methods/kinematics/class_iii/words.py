@@ -32,9 +32,10 @@ def led_words(star: Star, legs: tuple[Axial, ...]) -> Words:
     one, two = (keeps(star, other) for other in legs)
     return (
         Words(
-            f"构件 {leg.link} 与构件 {leg.parent}、{star.plate} 都组成移动副，故中心构件 {star.plate} 的方位已定：平移构件 {star.plate}，使",
-            f"Link {leg.link} forms sliding pairs both with its guide and with link {star.plate}, which fixes the orientation "
-            f"of the central link {star.plate}: shift it so that ",
+            f"构件 {leg.link} 与构件 {leg.parent}、{star.plate} 都组成移动副，故中心构件 {star.plate} "
+            f"的方位已定：平移构件 {star.plate}，使",
+            f"Link {leg.link} forms sliding pairs both with its guide and with link {star.plate}, which "
+            f"fixes the orientation of the central link {star.plate}: shift it so that ",
         )
         + one
         + Words("，且", " and ")

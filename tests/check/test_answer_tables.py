@@ -1,0 +1,53 @@
+"""The table of answers prints what the solution holds: length on paper, drawn, exact, deviation, expected error, in the
+unit of its line."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from vecpoly.algebra.formula import Txt
+from vecpoly.algebra.quantity import magnitude
+from vecpoly.problem.load import load
+from vecpoly.report.tables import readings_table
+from vecpoly.report.values import printed_unit
+from vecpoly.solution import Solution, solve
+
+
+def number(text: str) -> float:
+    """The first number of a cell."""
+    found = re.search(r"[−-]?\d+(?:\.\d+)?", text)
+    assert found, text
+    return float(found[0].replace("−", "-"))
+
+
+@pytest.fixture(scope="module", params=["3-5", "4-3a", "six-bar-dynamic"])
+def solution(request: pytest.FixtureRequest) -> Solution:
+    return solve(load(request.param), repeats=40)
+
+
+def test_every_number_of_the_table_is_that_of_the_answer(solution: Solution) -> None:
+    table, seen = readings_table(solution, "en"), 0
+    assert len(table.rows) == len(solution.answers)
+    for cells, answer in zip(table.rows, solution.answers.values(), strict=True):
+        row = dict(zip(table.header, map(str, cells), strict=True))
+        factor = printed_unit(answer.reading.unit)[0]
+        if any("10^" in cell or "{" in row[name] for name, cell in row.items() if name != "Quantity"):
+            continue  # a power of ten
+        assert number(row["Drawn"]) == pytest.approx(factor * answer.drawn, rel=2e-3) and number(
+            row["Exact"]
+        ) == pytest.approx(factor * answer.exact, rel=2e-3)
+        if answer.reading.mm is not None:
+            assert number(row["On paper, mm"]) == pytest.approx(answer.reading.mm, abs=0.051)
+        if not answer.computed:
+            assert number(row["Deviation"]) == pytest.approx(100 * answer.relative_deviation, abs=0.0051)
+            assert number(row["Exp. error"]) == pytest.approx(factor * answer.expected_error, rel=0.06)
+            seen += 1
+    assert seen >= 3
+
+
+@pytest.mark.parametrize(("value", "shown"), [(3.0, "3"), (-3.0, "(-3)"), (0.0, "0"), (-0.25, "(-0.25)")])
+def test_a_negative_number_in_a_product_stands_in_brackets_and_no_other(value: float, shown: str) -> None:
+    node = magnitude("v", value, "m/s").numbers()
+    assert isinstance(node, Txt) and node.text.replace("−", "-") == shown

@@ -1,0 +1,137 @@
+"""Printed answers get the verdict they deserve, and the slip behind a wrong one is named."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from vecpoly.check.printed.answers import check_problem
+from vecpoly.check.printed.verdict import Verdict, check_printed
+from vecpoly.names import parse_rel
+from vecpoly.problem.load import load
+from vecpoly.problem.problem import Printed
+
+
+def printed(text: str, value: float, kind: str = "calculated", key: str = "v_E") -> Printed:
+    return Printed(symbol=key, rel=parse_rel(key), value=value, text=text, kind=kind)  # type: ignore[arg-type]
+
+
+def verdicts(name: str) -> dict[str, Verdict]:
+    return {c.printed.symbol: c.verdict for c in check_problem(load(name)).answers}
+
+
+@pytest.mark.parametrize(
+    ("text", "exact", "verdict"),
+    [
+        ("3.14 m/s", 3.1449, Verdict.REPRODUCED),
+        ("3.14 m/s", 3.1451, Verdict.ROUNDING),
+        ("3.14 m/s", 3.1599, Verdict.ROUNDING),
+        ("3.14 m/s", 3.1601, Verdict.WRONG),
+    ],
+)
+def test_a_calculated_value_is_judged_by_its_last_printed_digit(text: str, exact: float, verdict: Verdict) -> None:
+    assert check_printed(printed(text, 3.14), exact).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("value", "verdict"),
+    [
+        (1.0299, Verdict.REPRODUCED),
+        (1.0301, Verdict.OUTLIER),
+        (1.0999, Verdict.OUTLIER),
+        (1.1001, Verdict.WRONG),
+        (0.9701, Verdict.REPRODUCED),
+        (0.9699, Verdict.OUTLIER),
+    ],
+)
+def test_a_value_read_off_a_drawing_may_be_three_per_cent_off(value: float, verdict: Verdict) -> None:
+    assert check_printed(printed(f"{value} m/s", value, "graphical"), 1.0).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("factor", "slip"),
+    [(10.0, "10 times"), (0.001, "0.001 times"), (2 * pi / 60, "r/min"), (1 / (2 * pi), "2π left out")],
+)
+def test_the_usual_slips_are_recognised(factor: float, slip: str) -> None:
+    checked = check_printed(printed("x", 0.173 * factor, "graphical"), 0.173)
+    assert checked.verdict is Verdict.WRONG
+    assert checked.slip is not None and slip in checked.slip.en
+
+
+def test_a_wrong_sense_is_recognised() -> None:
+    checked = check_printed(printed("-2 rad/s", -2.0, key="omega_2"), 2.0)
+    assert checked.verdict is Verdict.WRONG
+    assert checked.slip is not None and "sense" in checked.slip.en
+
+
+def test_an_unsigned_angular_velocity_is_compared_by_magnitude() -> None:
+    assert check_printed(printed("2 rad/s", 2.0, key="omega_2"), -2.0).verdict is Verdict.REPRODUCED
+
+
+def test_3_14_is_printed_ten_times_too_large() -> None:
+    answers = {c.printed.symbol: c for c in check_problem(load("3-14")).answers}
+    assert answers["v_C"].verdict is Verdict.WRONG
+    assert answers["v_C"].slip is not None and "10 times" in answers["v_C"].slip.en
+    assert answers["omega_2"].verdict is Verdict.REPRODUCED
+
+
+def test_3_9_has_a_drawing_slip_in_alpha_only() -> None:
+    found = verdicts("3-9")
+    assert found.pop("alpha_2") is found.pop("at_C2B") is Verdict.OUTLIER
+    assert set(found.values()) == {Verdict.REPRODUCED}
+    alpha = next(c for c in check_problem(load("3-9")).answers if c.printed.symbol == "alpha_2")
+    assert alpha.deviation == pytest.approx(-0.0474, abs=1e-4)
+
+
+def test_3_5_as_printed_is_impossible() -> None:
+    result = check_problem(load("3-5"))
+    assert result.whole is not None and "impossible" in result.whole.en and "不可能" in result.whole.zh
+    assert result.fit is not None and result.fit.misfit > 0.2
+
+
+def test_3_5_with_the_emended_length_is_possible() -> None:
+    result = check_problem(load("3-5-xD400"))
+    assert result.whole is None
+    assert verdicts("3-5-xD400")["omega_3"] is Verdict.REPRODUCED
+
+
+def test_the_conveyor_lost_two_pi() -> None:
+    result = check_problem(load("C-conveyor"))
+    assert result.whole is not None and "2π" in result.whole.en
+    assert {c.printed.symbol for c in result.answers if c.verdict is Verdict.WRONG} >= {
+        "v_B",
+        "v_E",
+        "a_B",
+        "a_C",
+        "a_E",
+    }
+
+
+@pytest.mark.parametrize(
+    ("key", "ratio", "slip"), [("ak_B3B2", 0.5, "the 2 of"), ("v_E", 0.5, None), ("v_E", 2.0, None), ("a_E", 2.0, None)]
+)
+def test_a_factor_2_is_a_slip_only_where_a_formula_has_it(key: str, ratio: float, slip: str | None) -> None:
+    checked = check_printed(printed("x", 0.173 * ratio, "graphical", key=key), 0.173)
+    assert checked.verdict is Verdict.WRONG
+    assert (checked.slip is None) if slip is None else (checked.slip is not None and slip in checked.slip.en)
+
+
+def test_the_rate_of_a_link_that_translates_is_wrong_with_the_reason() -> None:
+    checked = check_printed(printed("2 rad/s", 2.0, key="omega_4"), 1e-17)
+    assert checked.verdict is Verdict.WRONG and checked.exact == 0.0
+    assert checked.slip is not None and "link 4 does not turn here" in checked.slip.en and "构件 4" in checked.slip.zh
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "exact", "verdict"),
+    [
+        ("3 rad/s", 3.0, 1.2575, Verdict.WRONG),
+        ("2 rad/s", 2.0, 1.2575, Verdict.ROUNDING),
+        ("1.27 rad/s", 1.27, 1.2575, Verdict.ROUNDING),
+    ],
+)
+def test_two_units_of_the_last_digit_are_rounding_only_where_they_are_little(
+    text: str, value: float, exact: float, verdict: Verdict
+) -> None:
+    assert check_printed(printed(text, value, key="omega_2"), exact).verdict is verdict

@@ -1,0 +1,105 @@
+"""Claims about the command as a process: exit codes, pipes, signals, and what it imports."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+HEAVY = ("matplotlib", "reportlab", "shapely", "jinja2", "pypdfium2")
+
+
+def command(
+    *words: str, cwd: Path | None = None, env: dict[str, str] | None = None
+) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run([sys.executable, "-m", "vecpoly", *words], capture_output=True, cwd=cwd, check=False,
+                          env={**os.environ, **(env or {})}, timeout=120)  # fmt: skip
+
+
+def test_version_and_help_leave_with_0() -> None:
+    assert command("--version").stdout.startswith(b"vecpoly ")
+    assert b"report" in command("--help").stdout
+
+
+def test_a_refusal_leaves_with_2_and_no_traceback() -> None:
+    done = command("solve", "no-such-problem")
+    assert done.returncode == 2 and done.stdout == b""
+    assert done.stderr.startswith(b"vecpoly: no problem 'no-such-problem'") and done.stderr.count(b"\n") == 1
+
+
+def test_output_is_utf_8_whatever_the_locale() -> None:
+    shown = command("solve", "3-9", "--lang", "zh", env={"LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"})
+    assert shown.returncode == 0 and "ω_3" in shown.stdout.decode() and "顺时针" in shown.stdout.decode()
+
+
+def test_piped_output_has_no_progress_bar_and_no_escape_codes() -> None:
+    done = command("solve", "3-9", "3-14", "3-8")
+    assert done.stderr == b"" and b"\x1b" not in done.stdout
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes of another kind")
+def test_a_reader_that_goes_away_is_met_with_silence() -> None:
+    read, write = os.pipe()
+    os.close(read)
+    process = subprocess.Popen([sys.executable, "-m", "vecpoly", "list"], stdout=write, stderr=subprocess.PIPE)
+    os.close(write)
+    _, said = process.communicate(timeout=60)
+    assert said == b"" and process.returncode == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a shell of another kind")
+@pytest.mark.parametrize("words", ["list", "solve 3-9 --json -", "--help"])
+def test_closed_streams_are_no_error(words: str) -> None:
+    done = subprocess.run(
+        ["sh", "-c", f'exec "$0" -m vecpoly {words} >&-', sys.executable],
+        stderr=subprocess.PIPE,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 0 and done.stderr == b""
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize("words", ["list", "--help", "--version"])
+def test_a_full_disk_behind_the_output_is_told_in_a_line(words: str) -> None:
+    with Path("/dev/full").open("wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "vecpoly", words], stdout=full, stderr=subprocess.PIPE, check=False, timeout=60
+        )
+    assert done.returncode == 2 and done.stderr == b"vecpoly: No space left on device\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to send")
+def test_ctrl_c_leaves_with_130_and_nothing_half_written(tmp_path: Path) -> None:
+    process = subprocess.Popen([sys.executable, "-m", "vecpoly", "demo", "-o", str(tmp_path)], stderr=subprocess.PIPE)
+    while not any(tmp_path.glob("*.pdf")):  # past start-up, in the middle of drawing
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=120)
+    assert process.returncode == 130 and b"Traceback" not in said
+    assert not [p for p in tmp_path.iterdir() if p.suffix != ".pdf"]
+
+
+def test_solve_imports_nothing_it_does_not_need() -> None:
+    code = (
+        "import sys; from typer.testing import CliRunner; from vecpoly.cli import app\n"
+        "assert CliRunner().invoke(app, ['solve', '3-9']).exit_code == 0\n"
+        f"print([name for name in {HEAVY!r} if name in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_the_command_line_itself_is_light() -> None:
+    code = (
+        "import sys, vecpoly.cli; print([n for n in ('numpy', 'pydantic', 'ruamel.yaml', 'pint', 'rich.table') "
+        "if n in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

@@ -1,0 +1,167 @@
+"""The printed mathematical model of every mechanism, and of random ones, moves as the oracle does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tests.generators.family import families, member
+from vecpoly import oracle
+from vecpoly.analytic.build import model
+from vecpoly.analytic.equations import Model
+from vecpoly.errors import AssemblyError, NoMethodError
+from vecpoly.findings.study.from_pivots import from_pivots
+from vecpoly.mechanism.model import Mechanism
+from vecpoly.names import At
+from vecpoly.problem.library import library
+from vecpoly.problem.load import load, loads
+
+IDS = tuple(entry.id for entry in library() if isinstance(load(entry.id).subject, Mechanism))
+GEARED = {
+    "crank-rack-pinion",
+    "geared-five-bar",
+    "hypocycloid-drive",
+    "pinion-drives-rack",
+    "planet-drive",
+    "planetary-sun-drives",
+    "rack-drives-pinion",
+    "stepped-planet",
+    "travel-doubler",
+}
+FAMILIES = (
+    "linkage-cam",
+    "linkage-prp",
+    "linkage-rpp",
+    "linkage-rpr",
+    "linkage-rrp",
+    "linkage-rrr",
+    "linkage-slide",
+    "class-iii",
+    "class-iii-slider",
+    "cylinder-inside",
+    "cylinder-lever",
+    "cylinder-offset",
+    "cylinder-slider",
+    "motor-in-hinge",
+    "offset-slot-drives",
+    "pin-in-two-slots",
+    "roller",
+    "forces-slots",
+)
+Vectors = tuple[str, np.ndarray, np.ndarray]
+
+
+def modelled(mech: Mechanism) -> Model:
+    """Its formulas, set up at the given position."""
+    here = oracle.solve(mech)
+    at = {letter: complex(here.position(At(letter))) for link in mech.links for letter in link.points} | dict(
+        mech.frame
+    )
+    return model(mech, at, {link.name: float(here.angle(link.name)) for link in mech.links})
+
+
+def near(mech: Mechanism) -> np.ndarray:
+    """The given position of the drive and two beside it."""
+    return mech.drive.position + np.array([0.0, 1.0, -1.0]) * (mech.scale / 2000 if mech.drive.slide else 0.002)
+
+
+def vectors(mech: Mechanism, printed: Model) -> Iterator[Vectors]:
+    """(what, by the formulas, by the oracle) of every letter's place and rates, and of every link's, that the formulas
+    tell."""
+    env, exact = printed.values(near(mech)), oracle.solve(mech, near(mech))
+    for letter in {letter for link in mech.links for letter in link.points} - {*mech.frame}:
+        for x, y, there in (
+            (f"x_{{{letter}}}", f"y_{{{letter}}}", exact.position),
+            (f"v_{{{letter}x}}", f"v_{{{letter}y}}", exact.velocity),
+            (f"a_{{{letter}x}}", f"a_{{{letter}y}}", exact.acceleration),
+        ):
+            if x in env:
+                yield x, env[x] + 1j * np.asarray(env[y]), np.asarray(there(At(letter)))
+    for link in mech.links:
+        for stem, told in (("ω", exact.omega), ("α", exact.alpha)):
+            if (symbol := f"{stem}_{{{link.name}}}") in env:
+                yield symbol, np.asarray(env[symbol]), np.asarray(told(link.name))
+
+
+def off(mech: Mechanism, printed: Model) -> dict[str, float]:
+    """What the formulas tell otherwise than the oracle, and what is missing of the conditions."""
+    found = {
+        what: float(np.max(np.abs(one - two))) / max(1.0, mech.drive.rate**2, float(np.abs(two).max()))
+        for what, one, two in vectors(mech, printed)
+    }
+    assert len(found) >= 3
+    gaps = {str(equation.node): float(np.max(gap)) for equation, gap in printed.gaps(near(mech))}
+    return {what: size for what, size in (found | gaps).items() if not size < 1e-7 * max(1.0, mech.drive.rate**2)}
+
+
+@cache
+def held(text: str) -> dict[str, float]:
+    """What is off in the problem of this text."""
+    mech = from_pivots(loads(text).mechanism)
+    return off(mech, modelled(mech))
+
+
+@pytest.mark.parametrize("name", [name for name in IDS if name not in GEARED])
+def test_the_model_of_every_mechanism_moves_as_the_oracle_does(name: str) -> None:
+    mech = from_pivots(load(name).mechanism)
+    assert off(mech, modelled(mech)) == {}
+
+
+@pytest.mark.parametrize("name", sorted(GEARED))
+def test_gears_that_have_no_formulas_are_refused_in_words(name: str) -> None:
+    with pytest.raises(NoMethodError, match=r"no (closed form|mathematical model) on file"):
+        modelled(from_pivots(load(name).mechanism))
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_the_model_of_random_mechanisms_moves_as_the_oracle_does(name: str) -> None:
+    one, told = next(each for each in families() if each.name == name), 0
+    for number in range(12 if name.startswith("linkage") else 4):
+        try:
+            wrong = held(member(one, 0, number))
+        except (AssemblyError, NoMethodError):
+            continue
+        assert not wrong, (number, wrong)
+        told += 1
+    assert told >= (10 if name.startswith("linkage") else 1)
+
+
+CROSSED = """
+id: crossed
+title: crossed
+frame: {A: [0 mm, 0 mm], D: [120 mm, 20 mm]}
+links: {1: {AB: 140 mm}, 2: {block: D}, 3: {slot: E}}
+joints: [2 slides in 3, 3 slides on AB turned %s deg]
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw}
+find: [v_E]
+"""
+HUNG = """
+id: hung
+title: hung
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 40 mm}, 2: {slot: B}, 3: {block: K}}
+joints: [3 slides in 2 turned %s deg, 3 slides on y = 90 mm]
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw, alpha: 3 rad/s^2}
+find: [v_K]
+"""
+
+
+@pytest.mark.parametrize("turned", [-75, -30, 40, 100])
+@pytest.mark.parametrize("text", [CROSSED, HUNG])
+def test_slides_that_keep_an_angle_between_links_keep_it_on_its_own_side(text: str, turned: int) -> None:
+    assert held(text % turned) == {}
+
+
+def test_every_condition_of_a_model_says_something() -> None:
+    """x_C = x_C is no equation: Newton's method would have nothing to go by."""
+    for name in IDS:
+        if name in GEARED:
+            continue
+        for group in modelled(from_pivots(load(name).mechanism)).groups:
+            conditions = [equation for equation in group.equations if not equation.gives]
+            assert all(equation.left != equation.right for equation in conditions), name
+            if group.loops is not None:
+                assert len(group.loops.conditions) == len(group.loops.unknowns) > 0, name

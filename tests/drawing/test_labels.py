@@ -1,0 +1,130 @@
+"""Lettering stands beside what it names and on nothing else."""
+
+from __future__ import annotations
+
+import cmath
+import math
+import random
+from functools import cache
+
+import pytest
+import shapely
+
+from tests.label_faults import astray, faults
+from vecpoly.board.construction import Figure, Scale, View
+from vecpoly.board.paper.marks import Dot, LinkNumber, Point, Role, Segment, Vector
+from vecpoly.drawing.figure import Drawing, drawing
+from vecpoly.drawing.scene import Rect
+from vecpoly.problem.library import library
+from vecpoly.problem.load import load
+from vecpoly.solution import solve
+from vecpoly.words import Words
+
+SCALE = Scale(symbol="μ_v", value=0.006, unit="m/s")
+
+
+def figure(*marks: object) -> Figure:
+    """A velocity polygon of these marks."""
+    return Figure(view=View.VELOCITY, title=Words("速度多边形", "Velocity polygon"), scale=SCALE, marks=tuple(marks))  # type: ignore[arg-type]
+
+
+def polygon(seed: int, vectors: int = 7) -> Figure:
+    """A random polygon: vectors from the pole, closing sides, directions, all lettered."""
+    dice = random.Random(seed)
+    tips = [cmath.rect(dice.uniform(18, 70), dice.uniform(0, 2 * math.pi)) for _ in range(vectors // 2 + 1)]
+    marks: list[object] = [Point(at=0j, label="p", dot=Dot.POLE)]
+    for i, tip in enumerate(tips):
+        letter = "bcdefg"[i]
+        marks += [
+            Vector(a=0j, b=tip, role=Role.RESULT, label=f"v_{letter.upper()}", step=i),
+            Point(at=tip, label=letter, dot=Dot.POINT, step=i),
+        ]
+        if i:
+            u = (tip - tips[i - 1]) / abs(tip - tips[i - 1])
+            marks += [
+                Vector(a=tips[i - 1], b=tip, role=Role.GIVEN, label=f"v_{{{letter.upper()}B}}", step=i),
+                Segment(a=tips[i - 1], b=tip + 6 * u, role=Role.DIRECTION, step=i),
+            ]
+    return figure(*marks)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_no_label_stands_on_a_line_an_arrowhead_or_another_label(seed: int) -> None:
+    assert faults(drawing(polygon(seed))) == []
+
+
+def test_a_label_is_nearer_to_its_own_vector_than_to_half_its_length() -> None:
+    drawn = drawing(figure(Vector(a=0j, b=60 + 20j, role=Role.RESULT, label="v_B")))
+    (box,) = drawn.label_boxes
+    line = shapely.LineString([(0, 0), (60, 20)])
+    assert 0.4 < line.distance(shapely.box(box.x0, box.y0, box.x1, box.y1)) < 2.5
+
+
+def test_letters_of_the_same_point_share_one_label_in_the_order_they_were_drawn() -> None:
+    drawn = drawing(
+        figure(Point(at=0j, label="p", dot=Dot.POLE, step=1), Point(at=0j, label="d", dot=Dot.POINT, step=2))
+    )
+    (label,) = drawn.labels
+    assert [piece.step for piece in label.want.pieces] == [1, 2, 2]
+    assert label.want.pieces[0].dx < label.want.pieces[1].dx < label.want.pieces[2].dx
+
+
+def test_the_same_letter_given_twice_at_one_point_is_set_once() -> None:
+    twice = Point(at=0j, label="B", dot=Dot.JOINT)
+    assert len(drawing(figure(twice, twice)).labels[0].want.pieces) == 1
+
+
+def test_a_very_short_vector_gets_its_label_beside_it_and_not_over_it() -> None:
+    drawn = drawing(
+        figure(
+            Point(at=0j, label="p'", dot=Dot.POLE),
+            Vector(a=0j, b=2 + 0j, role=Role.RESULT, label="a^n_CB"),
+            Point(at=2 + 0j, label="n'", dot=Dot.POINT),
+            Vector(a=0j, b=40j, role=Role.RESULT, label="a_C"),
+        )
+    )
+    assert faults(drawn) == []
+
+
+def test_a_vector_of_no_length_is_lettered_without_complaint() -> None:
+    drawn = drawing(figure(Vector(a=5j, b=5j, role=Role.RESULT, label="a^k"), LinkNumber(a=1j, b=1j, number="2")))
+    assert len(drawn.labels) == 2 and faults(drawn) == []
+
+
+def test_letters_move_before_they_shrink() -> None:
+    star = [Vector(a=0j, b=cmath.rect(40, k * math.pi / 5), role=Role.RESULT, label=f"v_{k}") for k in range(10)]
+    drawn = drawing(figure(Point(at=0j, label="p", dot=Dot.POLE), *star))
+    assert faults(drawn) == [] and all(label.want.scale == 1.0 for label in drawn.labels)
+
+
+def test_letters_stay_within_a_frame_where_one_is_given() -> None:
+    frame = Rect(-75.0, -75.0, 75.0, 75.0)
+    for rect in drawing(polygon(3), frame=frame).label_boxes:
+        assert rect.x0 >= frame.x0 - 1e-6 and rect.y1 <= frame.y1 + 1e-6
+
+
+def test_placing_is_deterministic() -> None:
+    assert drawing(polygon(11)).label_boxes == drawing(polygon(11)).label_boxes
+
+
+@pytest.mark.parametrize("name", [entry.id for entry in library()])
+def test_no_label_of_the_library_stands_on_a_line_an_arrowhead_or_another_label(name: str) -> None:
+    for each in _drawn(name):
+        assert faults(each) == []
+
+
+@pytest.mark.parametrize("name", [entry.id for entry in library()])
+def test_no_label_of_the_library_stands_nearer_to_another_point_link_or_vector_than_to_its_own(name: str) -> None:
+    for each in _drawn(name):
+        assert astray(each) == []
+
+
+@cache
+def _drawn(name: str) -> tuple[Drawing, ...]:
+    return tuple(drawing(each) for each in solve(load(name), repeats=0).construction.figures)
+
+
+def test_a_letter_that_finds_no_place_beside_its_own_point_is_led_to_it() -> None:
+    crowd = [Point(at=0.9 * cmath.rect(1.0, k * math.pi / 3), label=f"n_{k}^′", dot=Dot.POINT) for k in range(6)]
+    drawn = drawing(figure(Point(at=0j, label="p′", dot=Dot.POLE), *crowd))
+    assert astray(drawn) == [] and any(label.foot is not None for label in drawn.labels)

@@ -1,0 +1,124 @@
+"""A sheet can be read: figures as large as it allows, knots drawn apart, angles and letters that say what they mean."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import replace
+
+import pytest
+
+from vecpoly.board.construction import Construction, Figure, Scale, View
+from vecpoly.board.paper.extent import extent
+from vecpoly.board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment, Vector
+from vecpoly.board.paper.scales import finer
+from vecpoly.drawing.detail import detailed, find_knot
+from vecpoly.drawing.sheets.packing import fits_sheet
+from vecpoly.drawing.sheets.sheet import bound, sheets
+from vecpoly.problem.load import load
+from vecpoly.solution import solve
+from vecpoly.words import Words
+
+SCALE = Scale(symbol="μ_a", value=0.006, unit="m/s^2")
+
+
+def polygon(spread: float, far: float = 80.0) -> Figure:
+    """Five letters round the pole at a distance of `spread` mm, and one far away."""
+    near = [cmath.rect(spread, 2 * math.pi * k / 5) for k in range(5)]
+    marks: list[Mark] = [
+        Point(at=0j, label="p′", dot=Dot.POLE),
+        Point(at=far + 0j, label="f^′", dot=Dot.POINT),
+        Vector(a=0j, b=far + 0j, role=Role.RESULT),
+    ]
+    for k, at in enumerate(near):
+        marks += [Point(at=at, label="bcden"[k] + "^′", dot=Dot.POINT), Vector(a=0j, b=at, role=Role.GIVEN)]
+    return Figure(
+        view=View.ACCELERATION, title=Words("加速度多边形", "Acceleration polygon"), scale=SCALE, marks=tuple(marks)
+    )
+
+
+def letters(figure: Figure) -> set[str]:
+    return {m.label for m in figure.marks if isinstance(m, Point) and m.label}
+
+
+def test_a_knot_keeps_no_letters_where_it_is_and_has_them_all_in_the_detail() -> None:
+    figure = polygon(3.0)
+    main, detail = detailed(figure)
+    assert letters(main) == {"f^′", "Ⅰ"}
+    assert letters(detail) == letters(figure) - {"f^′"}
+
+
+def test_a_length_in_the_detail_times_its_own_scale_is_the_same_quantity() -> None:
+    figure = polygon(3.0)
+    _, detail = detailed(figure)
+    places = {m.label: m.at for m in detail.marks if isinstance(m, Point)}
+    assert abs(places["b^′"] - places["p′"]) * detail.scale.value == pytest.approx(3.0 * SCALE.value)
+
+
+def test_an_arrow_that_leaves_the_circle_has_no_head_in_the_detail() -> None:
+    _, detail = detailed(polygon(3.0))
+    cut = [m for m in detail.marks if isinstance(m, Segment)]
+    knot = find_knot(polygon(3.0))
+    assert knot is not None and len(cut) == 1
+    assert abs(cut[0].b) == pytest.approx(knot.radius * knot.factor)
+
+
+@pytest.mark.parametrize(
+    "figure", [polygon(20.0), polygon(3.0, far=20.0)], ids=["letters wide apart", "small altogether"]
+)
+def test_a_polygon_without_a_knot_is_left_as_it_is(figure: Figure) -> None:
+    assert detailed(figure) == (figure,)
+
+
+def test_sheets_bound_together_are_numbered_through_and_named() -> None:
+    loose = [
+        sheet
+        for _ in range(3)
+        for sheet in sheets(Construction(problem="x", hand="exact", figures=(polygon(3.0),), steps=(), readings={}))
+    ]
+    made = bound(loose, [Words(f"图 6-{n}", f"Figure 6-{n}") for n in (1, 2, 3)])
+    assert [(s.strip.number, s.strip.total, s.strip.name.zh) for s in made] == [
+        (1, 3, "图 6-1"),
+        (2, 3, "图 6-2"),
+        (3, 3, "图 6-3"),
+    ]
+    assert [len(s.figures) for s in made] == [2, 2, 2]
+
+
+@pytest.mark.parametrize("phi", [60.0, 200.0, 257.7, 340.0, -30.0])
+def test_the_arc_of_the_driving_angle_runs_as_far_as_the_angle_that_is_stated(phi: float) -> None:
+    problem = load("A-27")
+    mech = problem.mechanism
+    turned = replace(problem, subject=replace(mech, drives=(replace(mech.drive, position=math.radians(phi)),)))
+    figure = solve(turned, repeats=0).construction.figure(View.MECHANISM)
+    assert figure is not None
+    (arc,) = (m for m in figure.marks if isinstance(m, AngleMark))
+    assert math.degrees(arc.sweep) == pytest.approx(phi)
+
+
+def test_two_coriolis_accelerations_of_one_polygon_end_in_letters_of_their_own() -> None:
+    figure = solve(load("A-16"), repeats=0).construction.figure(View.ACCELERATION)
+    assert figure is not None
+    places: dict[str, set[complex]] = {}
+    for mark in figure.marks:
+        if isinstance(mark, Point) and mark.label:
+            places.setdefault(mark.label, set()).add(complex(round(mark.at.real, 3), round(mark.at.imag, 3)))
+    assert {"k_2^′", "k_5^′"} <= set(places)
+    assert all(len(at) == 1 for at in places.values())
+
+
+@pytest.mark.parametrize("name", ["3-6", "3-8", "A-26", "B-26.5"])
+def test_no_figure_of_a_sheet_could_be_drawn_twice_as_large(name: str) -> None:
+    figures = solve(load(name), repeats=0).construction.figures
+    sizes = [extent(f.marks) for f in figures]
+    assert fits_sheet(sizes)
+    for i, (w, h) in enumerate(sizes):
+        if 2 * max(w, h) < 105.0:
+            assert not fits_sheet([(2 * w, 2 * h) if j == i else size for j, size in enumerate(sizes)])
+
+
+def test_finer_scales_go_down_the_series_with_one_and_a_half_before_two() -> None:
+    steps = [0.004]
+    while steps[-1] > 0.0008:
+        steps.append(finer(steps[-1]))
+    assert steps == [0.004, 0.003, 0.0025, 0.002, 0.0015, 0.001, 0.0008]

@@ -1,0 +1,58 @@
+"""Where three forces meet, and the resultant of several known ones, are drawn on the diagram and named in the step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2, pi
+
+import pytest
+
+import vecpoly
+from vecpoly.board.construction import View
+from vecpoly.board.paper.marks import Mark, Point, Role, Segment, TurnArrow
+
+MET = "problems/machines/"
+
+
+def _diagram(name: str) -> tuple[vecpoly.Solution, dict[str, complex], tuple[Mark, ...]]:
+    solution = vecpoly.load(f"{MET}{name}.yaml").solve()
+    figure = solution.construction.figure(View.MECHANISM)
+    assert figure is not None
+    return solution, {mark.label: mark.at for mark in figure.marks if isinstance(mark, Point)}, figure.marks
+
+
+def _lines_through(at: complex, marks: Sequence[Mark]) -> set[int]:
+    """Directions (degrees) of the lines of action that pass through a point."""
+    lines = [m for m in marks if isinstance(m, Segment) and m.role is Role.DIRECTION]
+    through = [m for m in lines if abs(((m.b - m.a).conjugate() * (at - m.a)).imag) / abs(m.b - m.a) < 1e-3]
+    return {round(atan2((m.b - m.a).imag, (m.b - m.a).real) % pi * 180 / pi) for m in through}
+
+
+@pytest.mark.parametrize(("name", "letters"), [("boom-thrust", "K"), ("hand-lever", "KO")])
+def test_three_lines_of_action_pass_through_the_lettered_meeting_point(name: str, letters: str) -> None:
+    solution, points, marks = _diagram(name)
+    told = "".join(step.words.zh for step in solution.construction.steps)
+    for letter in letters:
+        assert f"${letter}$" in told
+        assert len(_lines_through(points[letter], marks)) >= 2
+
+
+def test_two_parallel_forces_are_laid_off_interchanged_and_their_resultant_divides_the_line_between_them() -> None:
+    solution, points, marks = _diagram("boom-thrust")
+    one, two = points["E"], points["S_1"]
+    at = one + (two - one) * 17658 / (17658 + 9000)  # Q EX = G XS
+    assert _lines_through(at, marks) >= {90}
+    assert [step for step in solution.construction.steps if "互换截取" in step.words.zh]
+    assert "P" in points
+
+
+def test_an_inner_couple_stands_on_its_link_and_not_on_the_group() -> None:
+    solution = vecpoly.load(f"{MET}guided-couple.yaml").solve()
+    turning = {
+        figure.title.en: {m.label for m in figure.marks if isinstance(m, TurnArrow)}
+        for figure in solution.construction.figures
+        if figure.view is View.BODY
+    }
+    assert turning["Free body of group 2-3"] == {"M_{2}"}
+    assert turning["Free body of link 2"] == {"M_{2}", "M_{R32}"}
+    assert turning["Free body of link 3"] == {"M_{R23}"}

@@ -1,0 +1,29 @@
+"""Random problems of every family: drawn, exact and differenced values agree, or the program declines in words.
+
+A few members each; `python -m tests.generators` judges thousands.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from tests.generators.family import Family, families, member
+from tests.generators.judge import Kind, judge
+
+FAMILIES = families()
+
+
+@pytest.mark.parametrize("one", FAMILIES, ids=[one.name for one in FAMILIES])
+def test_random_problems_are_right_or_refused(one: Family) -> None:
+    found = [(number, judge(member(one, 1, number), one.also)) for number in range(one.often)]
+    bad = [
+        f"{number}: {verdict.kind} {verdict.why}"
+        for number, verdict in found
+        if verdict.kind in (Kind.WRONG, Kind.BROKEN)
+    ]
+    assert not bad, f"python -m tests.generators --family {one.name} --seed 1 --only N\n" + "\n".join(bad)
+    assert Counter(verdict.kind for _, verdict in found)[Kind.RIGHT] >= one.often // 4, (
+        "hardly any member of this family is solved"
+    )

@@ -1,0 +1,121 @@
+"""Every centre of the library has its step, its letter and its place; the arrows of velocities stand as the links
+turn."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.drawn_library import desk_of, drawn, ids
+from vecpoly import oracle
+from vecpoly.board.construction import Figure, View
+from vecpoly.board.paper.marks import Block, Ground, Point, Segment, Vector
+from vecpoly.mechanism.asked.centres import centre, count, link_pairs, real_links
+from vecpoly.methods.centres.direct import direct_centres
+from vecpoly.methods.centres.state import NAME
+from vecpoly.oracle.centres import Centres
+
+IDS = tuple(
+    name for name in ids() if any(step.section.en == "Instant centres" for step in drawn(name).construction.steps)
+)
+SEEN = 1e-4  # mm
+
+
+def figure(name: str) -> Figure:
+    """The figure of the centres."""
+    return next(f for f in drawn(name).figures(View.MECHANISM) if f.name == NAME)
+
+
+def steps(name: str) -> list[str]:
+    """The sentences under the heading of the centres."""
+    return [step.words.zh for step in drawn(name).construction.steps if step.section.en == "Instant centres"]
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_number_of_centres_is_counted_first(name: str) -> None:
+    k = len(real_links(drawn(name).problem.mechanism))
+    assert f"$K$ = {k} 个构件" in steps(name)[0] and count(drawn(name).problem.mechanism) == k * (k - 1) // 2
+    assert "重画机构图" in steps(name)[1] and steps(name)[2].startswith("直接相连的构件，其瞬心由观察得到：")
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_every_centre_that_is_sought_has_one_step_that_names_the_lines_on_which_it_lies(name: str) -> None:
+    mech = drawn(name).problem.mechanism
+    sought = [words for words in steps(name) if words.startswith("求 $P_")]
+    found = [re.sub("[{}]", "", re.match(r"求 \$(P_\{?\d+\}?)", words)[1]) for words in sought]  # type: ignore[index]
+    direct = {
+        re.sub("[{}]", "", centre(mech, *one.pair).symbol)
+        for one in direct_centres(desk_of(name))
+        if one.centre is not None
+    }
+    assert len(found) == len(set(found)) and not set(found) & direct
+    letters = {letter for letter in shown(name) if letter not in direct}
+    assert letters <= set(found)
+    assert all(re.search("既在.*又在|试作|既在", words) for words in sought)
+
+
+def shown(name: str) -> dict[str, complex]:
+    """Where each centre is lettered on the figure (mm)."""
+    places = {}
+    for mark in figure(name).marks:
+        if isinstance(mark, Point):
+            for letter in re.findall(r"P_\{?\d+\}?", mark.label):
+                places[re.sub("[{}]", "", letter)] = mark.at
+    return places
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_centre_is_lettered_where_the_oracle_has_it(name: str) -> None:
+    mech = drawn(name).problem.mechanism
+    truth, on_paper = Centres(mech), 0
+    by_symbol = {re.sub("[{}]", "", centre(mech, a, b).symbol): (a, b) for a, b in link_pairs(mech)}
+    for letter, at in shown(name).items():
+        exact = truth.place(*by_symbol[letter])
+        if isinstance(exact, complex):
+            assert abs(at - exact / figure(name).scale.value) < SEEN, letter
+            on_paper += 1
+    assert on_paper >= 2
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_lines_on_which_a_centre_lies_are_drawn(name: str) -> None:
+    lines = [mark for mark in figure(name).marks if isinstance(mark, Segment)]
+    sought = [step.number for step in drawn(name).construction.steps if step.words.zh.startswith("求 $P_")]
+    for number in sought:
+        assert sum(mark.step == number for mark in lines) >= 2 or any(
+            mark.step == number for mark in figure(name).marks
+        ), number
+    assert sum(mark.step in sought for mark in lines) >= len(sought)
+
+
+@pytest.mark.parametrize("name", [name for name in IDS if any(isinstance(m, Vector) for m in figure(name).marks)])
+def test_velocities_on_the_figure_stand_square_to_the_rays_from_their_centres(name: str) -> None:
+    mech = drawn(name).problem.mechanism
+    motion = oracle.solve(mech)
+    arrows = {
+        mark.label: mark
+        for mark in figure(name).marks
+        if isinstance(mark, Vector) and re.fullmatch("v_{[A-Z]}", mark.label)
+    }
+    for label, mark in arrows.items():
+        exact = complex(motion.velocity(label[3]))
+        assert ((mark.b - mark.a) / exact).real > 0 and abs(((mark.b - mark.a) / exact).imag) < 1e-6 * abs(
+            (mark.b - mark.a) / exact
+        ), label
+    assert arrows or name == "D-2" or all("标出各速度的方向" not in words for words in steps(name))
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_mechanism_stands_once_more_under_its_centres_drawn_to_their_scale(name: str) -> None:
+    whole = next(f for f in drawn(name).figures(View.MECHANISM) if not f.name)
+    size = whole.scale.value / figure(name).scale.value
+    fixed = {
+        kind: [
+            [m.at * times for m in f.marks if isinstance(m, kind)] for f, times in ((whole, size), (figure(name), 1.0))
+        ]
+        for kind in (Ground, Block)
+    }
+    for there, here in fixed.values():
+        assert len(there) == len(here) and all(min(abs(a - b) for b in here) < SEEN for a in there)
+    assert any(there for there, _ in fixed.values())

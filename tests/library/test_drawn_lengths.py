@@ -1,0 +1,64 @@
+"""Claims about the computed vectors of every acceleration polygon of the library: each is worked out, and laid off as
+long as its step says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+
+from tests.drawn_library import desk_of, drawn, ids
+from vecpoly.algebra.formula import plain
+from vecpoly.board.construction import Step, View
+from vecpoly.names import At, Kind, parse_rel
+
+IDS = ids(view=View.ACCELERATION)
+
+
+def computed(name: str) -> Iterator[tuple[Step, str]]:
+    """(step, symbol) of every normal and Coriolis acceleration that is not zero in a table."""
+    for step in drawn(name).construction.steps:
+        if step.equation is not None and step.view is View.ACCELERATION:
+            for symbol, size in zip(step.equation.symbols, step.equation.magnitudes, strict=True):
+                if re.match(r"a\^[nk]_", symbol) and size not in ("0", "✓", "?"):
+                    yield step, symbol.replace("{", "").replace("}", "")
+
+
+def worked_out(step: Step, symbol: str) -> tuple[list[str], list[str]]:
+    """The formulas of a step that give this vector's size, and those that give its length on paper."""
+    formulas = [plain(node) for node in step.formulas]
+    return [text for text in formulas if text.startswith(f"{symbol} = ")], [
+        text for text in formulas if f"({symbol})/(μ_a)" in text and text.endswith(" mm")
+    ]
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_computed_acceleration_is_worked_out_and_converted_into_a_length_once(name: str) -> None:
+    for step, symbol in computed(name):
+        sizes, lengths = worked_out(step, symbol)
+        assert len(sizes) == len(lengths) == 1, (step.number, symbol, sizes, lengths)
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_computed_acceleration_is_as_long_on_paper_as_its_step_says(name: str) -> None:
+    desk = desk_of(name)
+    drawn_as = {_plain(key): abs(b - a) for key, (view, a, b) in desk.ends.items() if view is View.ACCELERATION}
+    for step, symbol in computed(name):
+        length = float(worked_out(step, symbol)[1][0].rpartition("= ")[2].removesuffix(" mm").replace("−", "-"))
+        if symbol in drawn_as:
+            assert length == pytest.approx(drawn_as[symbol], rel=2e-3), (step.number, symbol)
+
+
+def _plain(key: str) -> str:
+    rel = parse_rel(key)
+    return (
+        rel.symbol.replace("{", "").replace("}", "")
+        if rel.kind in (Kind.AN, Kind.AK) and isinstance(rel.to, At)
+        else ""
+    )
+
+
+def test_computed_accelerations_are_met_in_nearly_every_problem() -> None:
+    assert sum(any(True for _ in computed(name)) for name in IDS) > 0.8 * len(IDS)
+    assert sum(len(list(computed(name))) for name in IDS) > 2 * len(IDS)

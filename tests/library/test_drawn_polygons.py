@@ -1,0 +1,291 @@
+"""What stands in the velocity and acceleration polygons of every problem is what the steps say: tables, arrows,
+letters, images."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.drawn_library import desk_of, drawn, ids
+from vecpoly.board.construction import EquationTable, Step, View
+from vecpoly.board.paper.marks import Dot, ImageOf, Point, RightAngle, Segment, Vector
+from vecpoly.errors import UnknownNameError
+from vecpoly.mechanism.groups.assur import decompose
+from vecpoly.mechanism.model import FRAME, Circle, Prismatic, Rolling
+from vecpoly.methods.desk import POLE, Desk
+from vecpoly.methods.kinematics.terms import symbol
+from vecpoly.names import At, omega, parse_rel
+
+POLYGONS = {"Velocity analysis": View.VELOCITY, "Acceleration analysis": View.ACCELERATION}
+KNOWN: dict[str, list[int]] = json.loads(
+    (Path(__file__).resolve().parents[1] / "data" / "equations.json").read_text(encoding="utf-8")
+)
+IDS = tuple(sorted({*ids(view=View.VELOCITY), *ids(view=View.ACCELERATION)}))
+SEEN = 0.01  # mm: what is shorter is drawn as nothing
+
+
+def tables(name: str, view: View | None = None) -> list[tuple[Step, EquationTable]]:
+    """The steps of a kind of analysis with their vector equations."""
+    return [
+        (step, step.equation)
+        for step in drawn(name).construction.steps
+        if step.equation is not None and (view is None or POLYGONS.get(step.section.en) is view)
+    ]
+
+
+# -- every step that has an equation has its table -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_the_number_of_tables_of_a_problem_is_known(name: str) -> None:
+    velocity, acceleration = len(tables(name, View.VELOCITY)), len(tables(name, View.ACCELERATION))
+    assert [velocity, acceleration, len(tables(name)) - velocity - acceleration] == KNOWN[name]
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_every_group_with_a_polygon_has_its_table(name: str) -> None:
+    dyads = sum(group.dyad is not None for group in decompose(drawn(name).problem.mechanism))
+    for view in (view for view in POLYGONS.values() if drawn(name).figures(view)):
+        assert len(tables(name, view)) >= dyads, view
+
+
+@pytest.mark.parametrize("name", [*IDS, *ids(view=View.FORCE), *ids(mechanisms=False, view=View.FORCE)])
+def test_a_step_that_announces_an_equation_has_its_table(name: str) -> None:
+    announced = [
+        step
+        for step in drawn(name).construction.steps
+        if re.search("列(速度|加速度)?矢量方程|列构件.*力平衡方程", step.words.zh)
+    ]
+    assert all(step.equation is not None for step in announced)
+    assert announced or not KNOWN.get(name, [0])[0]
+    assert all("equation" in step.words.en or "equilibrium" in step.words.en for step in announced)
+
+
+@pytest.mark.parametrize("name", [name for name, counts in KNOWN.items() if sum(counts)])
+def test_a_table_has_as_many_columns_in_each_row_and_two_unknowns(name: str) -> None:
+    for step, table in tables(name):
+        n = len(table.symbols)
+        assert n >= 2 and len(table.signs) == len(table.directions) == len(table.magnitudes) == n
+        assert table.signs[0] == "" and set(table.signs[1:]) <= {"+", "="} and "=" in table.signs
+        unknown = sum((d.zh == "?") + (m == "?") for d, m in zip(table.directions, table.magnitudes, strict=True))
+        assert unknown in (2, 4), step.number  # 4 where the sum itself is written in front
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_one_side_of_every_table_is_the_whole_vector_that_is_sought_and_nothing_is_said_twice(name: str) -> None:
+    told = [table for view in POLYGONS.values() for _, table in tables(name, view)]
+    assert told
+    for table in told:
+        sides = "".join(sign + symbol for sign, symbol in zip(table.signs, table.symbols, strict=True)).split("=")
+        assert any(re.fullmatch(r"[va]_\{?[A-Z]\d*\}?", side) for side in sides) and len(set(table.symbols)) == len(
+            table.symbols
+        ), sides
+
+
+# -- what a table says is what is drawn ------------------------------------------------------------------------------
+
+
+def vectors(desk: Desk) -> dict[str, tuple[View, complex, complex]]:
+    """Tail and head of every drawn vector by its printed symbol."""
+    found = {}
+    for key, (view, a, b) in desk.ends.items():
+        try:
+            found[symbol(desk, parse_rel(key)).replace("{", "").replace("}", "")] = (view, complex(a), complex(b))
+        except UnknownNameError:
+            continue
+    return found
+
+
+def along(told: str, desk: Desk) -> tuple[complex, bool] | None:
+    """The direction that a cell tells as a vector on paper, and whether it tells the sense too."""
+    cell = told.replace("$", "").replace(" ", "")
+    if found := re.fullmatch(r"([A-Z]\d*)→([A-Z]\d*)", cell):
+        return complex(desk.at[found[2]] - desk.at[found[1]]), True
+    if found := re.fullmatch(r"([⊥∥])([A-Z])([A-Z])", cell):
+        line = complex(desk.at[found[3]] - desk.at[found[2]])
+        return (1j * line if found[1] == "⊥" else line), False
+    return None
+
+
+def told_directions(name: str) -> Iterator[tuple[complex, complex, bool]]:
+    """(vector drawn, direction told, sense told) of every column whose direction is a line of the diagram."""
+    desk = desk_of(name)
+    by_symbol = vectors(desk)
+    for _, table in tables(name):
+        for sign, direction in zip(table.symbols, table.directions, strict=True):
+            told, ends = along(direction.zh, desk), by_symbol.get(sign.replace("{", "").replace("}", ""))
+            if told is not None and ends is not None and abs(ends[2] - ends[1]) > SEEN:
+                yield ends[2] - ends[1], *told
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_direction_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> None:
+    told = list(told_directions(name))
+    assert len(told) >= len(tables(name, View.VELOCITY)) or name in {"3-7b", "3-7d", "D-3", "3-14"}
+    for vector, line, sensed in told:
+        turn = vector / line / abs(vector / line)
+        assert abs(turn.imag) < 1e-7 and (turn.real > 0 or not sensed), (vector, line)
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_magnitude_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> None:
+    desk, seen = desk_of(name), 0
+    by_symbol = vectors(desk)
+    for _, table in tables(name):
+        for sign, size in zip(table.symbols, table.magnitudes, strict=True):
+            view, a, b = by_symbol.get(sign.replace("{", "").replace("}", ""), (View.VELOCITY, 0j, 0j))
+            drawn_size = abs(b - a) * desk.board.scale_of(view).value
+            found = re.fullmatch(r"\$?ω_(\w+?)(\^2)? l_\{?([A-Z])([A-Z])\}?\$?", size)
+            seen += bool(re.fullmatch(r"\$ω_\w+\^2 r_\{\w\}\$", size)) and drawn_size == pytest.approx(
+                radial(desk, size), rel=1e-9
+            )
+            if found and abs(b - a) > SEEN:
+                turn = abs(float(desk.turns[omega(found[1])].value))
+                length = abs(complex(desk.at[found[3]] - desk.at[found[4]])) * desk.board.scale_of(View.MECHANISM).value
+                assert drawn_size == pytest.approx((turn**2 if found[2] else turn) * length, rel=1e-9), (sign, size)
+                seen += 1
+            elif size == "0":
+                assert abs(b - a) < SEEN, sign
+    assert seen or drawn(name).problem.mechanism.drive.slide
+
+
+def radial(desk: Desk, told: str) -> float:
+    """ω² r of a gear, as its cell tells it."""
+    found = re.findall(r"_\{?(\w)\}?", told)
+    rolling = [j for j in desk.mech.joints if isinstance(j, Rolling)]
+    radii = {j.gear.link: j.gear.radius for j in rolling} | {
+        j.on.link: j.on.radius for j in rolling if isinstance(j.on, Circle)
+    }
+    return float(desk.turns[omega(found[0])].value) ** 2 * radii[found[1]]
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_coriolis_vector_is_the_sliding_velocity_turned_in_the_sense_of_the_guide(name: str) -> None:
+    desk = desk_of(name)
+    ends = {key: (complex(a), complex(b)) for key, (_, a, b) in desk.ends.items()}
+    turned = [key for key, (a, b) in ends.items() if key.startswith("ak_") and abs(b - a) > SEEN]
+    for key in turned:
+        (a, b), (c, d) = ends[key], ends[key.replace("ak_", "v_")]
+        guides = {
+            str(desk.turns[omega(joint.guide)].value > 0)
+            for joint in desk.mech.joints
+            if isinstance(joint, Prismatic)
+            and joint.guide != FRAME
+            and (joint.pin[0] == key[3] or {joint.guide, joint.block} & set(re.findall(r"\d+", key)))
+        }
+        ways = {str(((b - a) / (d - c) / 1j).real > 0)}
+        assert abs(((b - a) / (d - c)).real) < 1e-7 * abs((b - a) / (d - c)) and ways <= guides, key
+    assert (
+        turned or "ak" not in " ".join(map(str, drawn(name).construction.readings)) or name in {"3-7b", "3-7c", "3-7d"}
+    )
+
+
+# -- arrows, letters, right angles, images ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_every_vector_of_an_equation_is_drawn_once_from_its_tail_to_its_head(name: str) -> None:
+    desk = desk_of(name)
+    shown = {
+        view: [m for figure in drawn(name).figures(view) for m in figure.marks if isinstance(m, Vector)]
+        for view in POLYGONS.values()
+    }
+    assert any(shown.values())
+    for key, (view, a, b) in desk.ends.items():
+        if np.abs(b - a) > SEEN:
+            there = [m for m in shown[view] if np.abs(m.a - a) + np.abs(m.b - b) < 1e-6]
+            back = [m for m in shown[view] if np.abs(m.a - b) + np.abs(m.b - a) < 1e-6]
+            meant = any(where is view and np.abs(c - b) + np.abs(d - a) < 1e-6 for where, c, d in desk.ends.values())
+            meant = meant or bool(
+                np.abs(b) < 1e-6
+                and any(where is view and np.abs(tip - a) < 1e-6 for (where, _), tip in desk.tips.items())
+            )
+            assert there and (meant or not back), key
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_every_tip_has_its_letter_and_the_pole_is_an_open_circle(name: str) -> None:
+    desk = desk_of(name)
+    for view in POLYGONS.values():
+        letters = [
+            m for figure in drawn(name).figures(view) if not figure.name for m in figure.marks if isinstance(m, Point)
+        ]
+        tips = {at: complex(tip) for (where, at), tip in desk.tips.items() if where is view}
+        if letters:
+            assert [m.at for m in letters if m.dot is Dot.POLE and m.label == POLE[view]] == [0j]
+            named = [
+                at
+                for at, tip in tips.items()
+                if any(abs(m.at - tip) < 1e-6 and m.label == desk.tip_label(view, at) for m in letters)
+            ]
+            moved = [
+                at
+                for at, tip in tips.items()
+                if at not in named and any(abs(tip - tips[other]) < 1e-6 for other in named)
+            ]
+            assert {*named, *moved} == set(
+                tips
+            ) and named  # a point of a link that only translates may share another's tip
+        for at, tip in tips.items():
+            same = [m for m in letters if m.label == desk.tip_label(view, at)]
+            assert all(abs(m.at - tip) < 1e-6 for m in same), at
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in IDS if name != "parallelogram-locomotive"]
+)  # its polygons are one vector each
+def test_a_right_angle_stands_between_two_lines_that_are_there(name: str) -> None:
+    for figure in drawn(name).construction.figures:
+        lines = [m for m in figure.marks if isinstance(m, Segment | Vector)]
+        for mark in (m for m in figure.marks if isinstance(m, RightAngle)):
+            assert abs((mark.u.conjugate() * mark.v).real) < 1e-7
+            for way in (mark.u, mark.v):
+                assert any(
+                    abs(((m.b - m.a).conjugate() * way).imag) < 1e-6 * abs(m.b - m.a)
+                    and abs(((mark.at - m.a).conjugate() * way).imag) < 1e-6
+                    for m in lines
+                ), (figure.name, mark)
+
+
+def test_accelerations_carry_their_right_angles() -> None:
+    assert (
+        sum(isinstance(m, RightAngle) for name in IDS for f in drawn(name).figures(View.ACCELERATION) for m in f.marks)
+        >= 30
+    )
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_image_of_a_link_is_similar_to_it_with_its_letters_in_the_same_order(name: str) -> None:
+    desk = desk_of(name)
+    for view in POLYGONS.values():
+        for mark in (m for figure in drawn(name).figures(view) for m in figure.marks if isinstance(m, ImageOf)):
+            assert any(similar(desk, view, link.name, mark.points) for link in desk.mech.links), mark
+
+
+def similar(desk: Desk, view: View, link: str, corners: tuple[complex, ...]) -> bool:
+    """Whether these corners of a polygon are the image of three points of a link."""
+    places = []
+    for corner in corners:
+        here = [
+            desk.where(at)
+            for (where, at), tip in desk.tips.items()
+            if where is view
+            and abs(complex(tip) - corner) < 1e-6
+            and (at.link == link or at.point in desk.letters(link))
+        ]
+        places.append(
+            [complex(p) for p in here]
+            + [complex(desk.at[p]) for p in desk.letters(link) if desk.at_rest(view, At(p)) and abs(corner) < 1e-6]
+        )
+    return any(
+        abs((c - a) / (b - a) - (corners[2] - corners[0]) / (corners[1] - corners[0])) < 1e-6
+        for a in places[0]
+        for b in places[1]
+        for c in places[2]
+        if abs(b - a) > SEEN
+    )

@@ -1,0 +1,60 @@
+"""What a step writes of a length on paper is what lies between these two letters on the polygon."""
+
+from __future__ import annotations
+
+import re
+
+from tests.drawn_library import drawn
+from vecpoly.algebra.formula import plain
+from vecpoly.board.construction import Construction, View
+from vecpoly.board.paper.marks import Point
+from vecpoly.board.place import Place
+from vecpoly.problem.library import library
+
+LENGTH = re.compile(r"([a-z][^=]*) = .*/.*= ([\d.]+) mm$")
+Letter = tuple[str, str, int]  # the letter, its index, its primes
+
+
+def letter(text: str) -> Letter:
+    return text[0], "".join(char for char in text[1:] if char.isdigit()), text.count("′")
+
+
+def lettered(construction: Construction, view: View) -> dict[Letter, list[complex]]:
+    """Where each letter of a polygon stands."""
+    figure = construction.figure(view)
+    found: dict[Letter, list[complex]] = {}
+    for mark in figure.marks if figure else ():
+        if not isinstance(mark, Point):
+            continue
+        for part in mark.label.replace("，", ",").split(","):
+            if part.strip()[:1].islower():
+                found.setdefault(letter(part.strip()), []).append(mark.at)
+    return found
+
+
+def test_every_length_that_is_written_lies_between_its_letters() -> None:
+    written, other = 0, []
+    for entry in library():
+        construction = drawn(entry.id).construction
+        places: dict[Place | None, dict[Letter, list[complex]]] = {
+            view: lettered(construction, view) for view in (View.VELOCITY, View.ACCELERATION)
+        }
+        for step in construction.steps:
+            for line in (plain(node) for node in step.formulas if step.view in places):
+                found = LENGTH.match(line)
+                ends = (
+                    [
+                        letter(part)
+                        for part in re.findall(r"[a-z][^a-z]*", found[1].replace("\u2009", "").replace(" ", ""))
+                    ]
+                    if found
+                    else []
+                )
+                if not found or len(ends) != 2:
+                    continue
+                written += 1
+                one, two = (places[step.view].get(end, []) for end in ends)
+                if not any(abs(abs(p - q) - float(found[2])) < 6e-4 * abs(p - q) + 1e-3 for p in one for q in two):
+                    other.append((entry.id, step.number, line))
+    assert written > 250
+    assert other == []

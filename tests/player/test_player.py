@@ -1,0 +1,397 @@
+"""The step player as a class gets it: one file that loads nothing, says every step in both languages, and works by
+hand, key and ear."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+from vecpoly import oracle
+from vecpoly.board.paper.extent import bounds
+from vecpoly.board.paper.scales import round_up
+from vecpoly.cli.app import app
+from vecpoly.drawing.figure import scale_box
+from vecpoly.drawing.scene import Rect
+from vecpoly.foundation.data import data_dir
+from vecpoly.mechanism.assembly.branch import margin
+from vecpoly.mechanism.model import SideOf
+from vecpoly.player.figures import key_of, shown_figures
+from vecpoly.player.fitting import AMPLE, MOST, SIDE, coarsened
+from vecpoly.player.ink import Ink, path
+from vecpoly.player.motion import moving
+from vecpoly.player.page import LIMIT, PLACES, player_html
+from vecpoly.player.steps import said
+from vecpoly.player.turned import Cycle, cycle, in_order
+from vecpoly.problem.load import load
+from vecpoly.problem.problem import Problem
+from vecpoly.solution import Solution, scales_of, solve
+from vecpoly.typeset.fonts import Face
+
+KINEMATICS, FORCES, DEVICE, LARGE = "3-9", "4-3a", "5-5", "six-bar-dynamic"
+FEW = 24  # places of the pages that need not be large
+EMPTY = {"meta", "link", "br", "input", "path", "rect", "use", "hr", "img"}
+
+
+@cache
+def solved(name: str) -> Solution:
+    return solve(load(name), repeats=0)
+
+
+@cache
+def page_of(name: str) -> str:
+    return player_html(solved(name), places=FEW if name == FORCES else PLACES)
+
+
+class Reader(HTMLParser):
+    """Reads a page: its text by language, its attributes, whether its elements close in order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.steps: set[str] = set()
+        self.unclosed: list[str] = []
+        self.ids: list[str] = []
+        self.wanted: list[str] = []
+        self.unnamed = 0
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        found = dict(attrs)
+        if tag not in EMPTY:
+            self.open.append(tag)
+        self.steps |= {found["data-step"] or ""} if tag == "g" and "data-step" in found else set()
+        self.ids += [found["id"] or ""] if "id" in found else []
+        self.wanted += [
+            value[1:] for name, value in attrs if name in ("href", "xlink:href") and value and value.startswith("#")
+        ]
+        self.unnamed += tag == "input" and not found.get("aria-label")
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in EMPTY:
+            self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in EMPTY:
+            return
+        if not self.open or self.open.pop() != tag:
+            self.unclosed.append(tag)
+
+
+def read(page: str) -> Reader:
+    reader = Reader()
+    reader.feed(page)
+    reader.close()
+    return reader
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, FORCES, DEVICE])
+def test_the_page_loads_nothing_from_anywhere(name: str) -> None:
+    page = page_of(name)
+    assert set(re.findall(r"https?://[^\"' )<]*", page)) <= {"http://www.w3.org/2000/svg"}
+    assert not re.search(r"@import|<link|<img|<iframe|\beval\(|new Function|fetch\(|XMLHttpRequest|\bsrc=", page)
+    assert all(url.startswith(("data:font/woff;base64,", "#")) for url in re.findall(r"url\(\"?([^)\"]*)", page))
+    assert "default-src 'none'" in page  # and the browser is told to allow none
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, FORCES, DEVICE])
+def test_the_page_is_well_formed_and_refers_to_nothing_that_is_not_there(name: str) -> None:
+    reader = read(page_of(name))
+    assert reader.open == [] and reader.unclosed == [] and reader.unnamed == 0
+    assert len(reader.ids) == len(set(reader.ids))
+    assert set(reader.wanted) <= set(reader.ids)
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, LARGE])
+def test_pages_are_under_a_megabyte(name: str) -> None:
+    assert len(page_of(name).encode()) < LIMIT
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, FORCES, DEVICE])
+def test_every_step_is_told_in_both_languages(name: str) -> None:
+    page = page_of(name)
+    steps = solved(name).construction.steps
+    assert len(re.findall(r'<li id="step-\d+"', page)) == len(steps)
+    for step in steps:
+        line = re.search(rf'<li id="step-{step.number}".*?</li>', page, re.S)
+        assert line is not None
+        for attribute, words in (("zh", said(step).zh), ("en", said(step).en)):
+            assert f'data-say-{attribute}="{escaped(words)}"' in line[0]
+        for shown, sentence in zip(
+            re.findall(r'<span class="(?:zh|en)" lang="..">(.*?)</span>(?=<span class="en"|</p>)', line[0], re.S),
+            (step.words.zh, step.words.en),
+            strict=False,
+        ):
+            assert letters(re.sub(r"<[^>]*>", "", shown)) == letters(sentence)
+        assert line[0].count('class="display"') == len(step.formulas)
+        assert ('class="equation"' in line[0]) == (step.equation is not None)
+
+
+def escaped(text: str) -> str:
+    return (
+        text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&#34;").replace("'", "&#39;")
+    )
+
+
+def letters(text: str) -> str:
+    """What is read of a sentence, without the marks of its notation."""
+    plain = (
+        text.replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&amp;", "&")
+        .replace("&quot;", '"')
+        .replace("&#x27;", "'")
+    )
+    return "".join(
+        sorted(
+            plain.translate(
+                str.maketrans({"-": "−", "'": "′", "µ": "μ", "⋅": "·"} | dict.fromkeys("${}_^ \u3000\xa0\n"))
+            )
+        )
+    )
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, FORCES, DEVICE, LARGE])
+def test_each_step_that_draws_has_its_lines_in_a_group(name: str) -> None:
+    drawn = {str(mark.step) for figure in solved(name).construction.figures for mark in figure.marks if mark.step}
+    groups = read(page_of(name)).steps
+    assert groups <= {str(step.number) for step in solved(name).construction.steps}
+    assert groups == drawn
+
+
+def test_the_fonts_inside_have_every_character_that_is_set() -> None:
+    from base64 import b64decode
+    from io import BytesIO
+
+    from fontTools.ttLib import TTFont
+
+    page = page_of(KINEMATICS)
+    fonts = {
+        name: TTFont(BytesIO(b64decode(data))).getBestCmap()
+        for name, data in re.findall(r"font-family:([\w-]+);src:url\(data:font/woff;base64,([^)]*)\)", page)
+    }
+    plain = re.sub(r"<style>.*?</style>|<script>.*?</script>|<[^>]*>", "", page, flags=re.S)
+    han = {char for char in plain if "\u4e00" <= char <= "\u9fff"}
+    assert {ord(char) for char in han} <= set(fonts["vp-vpsong"])
+    assert "".join(sorted({chr(c) for c in fonts["vp-stix-italic"]} & set("ABCDEpvωα"))) == "".join(sorted("ABCDEpvωα"))
+    assert set(fonts) <= {f"vp-{face.value.lower()}" for face in Face}
+
+
+def test_what_differs_between_the_languages_is_there_in_both() -> None:
+    figures = shown_figures(solved(KINEMATICS).construction, Ink())
+    assert all(one.svg.count('<g class="zh">') == one.svg.count('<g class="en">') > 0 for one in figures)
+
+
+def test_circles_become_arcs_and_polygons_do_not() -> None:
+    ring = tuple(3 + 4j + 5 * np.exp(2j * np.pi * k / 48) for k in range(48))
+    assert path(ring, True) == "M800-400a500 500 0 1 0 -1000 0a500 500 0 1 0 1000 0z"
+    assert path(ring[:13], False) == "M800-400A500 500 0 0 0 300-900"
+    assert path(tuple(np.exp(2j * np.pi * k / 6) for k in range(6)), True).startswith("M100 0l")
+    assert path((0j, 1 + 1j, 3 - 2j), False) == "M0 0l100-100 200 300"
+
+
+# -- the crank turned --------------------------------------------------------------------------------------------
+
+
+def test_the_first_place_is_the_given_one() -> None:
+    solution = solved(KINEMATICS)
+    through = cycle(solution, 8)
+    given = through.turns[through.start].solution
+    assert through.whole and through.round and through.start == 0 and len(through.turns) == 8
+    assert given.problem.mechanism.drive == solution.problem.mechanism.drive
+    assert {key: answer.exact for key, answer in given.answers.items()} == {
+        key: answer.exact for key, answer in solution.answers.items()
+    }
+
+
+def test_what_is_read_at_a_place_is_what_a_problem_given_there_would_read() -> None:
+    turn = cycle(solved(KINEMATICS), 9).turns[2]
+    scales = turn.solution.problem.scales
+    text = Path(data_dir("problems") / "ch3" / "3-9.yaml").read_text(encoding="utf-8")
+    there = load_text(re.sub(r"phi: 45 deg", f"phi: {turn.shown.rstrip('°')} deg", text))
+    assert there.mechanism.drive.position != solved(KINEMATICS).problem.mechanism.drive.position
+    own = solve(replace(there, scales=scales), repeats=0)
+    for key, answer in turn.solution.answers.items():
+        assert answer.exact == pytest.approx(own.answers[key].exact, rel=1e-9)
+        assert answer.drawn == pytest.approx(own.answers[key].drawn, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, "3-5", "A-27"])
+def test_drawn_values_follow_the_oracle_round_the_turn(name: str) -> None:
+    solution = solve(load(name), by="exact", repeats=0)
+    for turn in cycle(solution, 12).turns:
+        for answer in turn.solution.answers.values():
+            assert answer.drawn == pytest.approx(answer.exact, rel=1e-6, abs=1e-6 * max(1.0, abs(answer.exact)))
+
+
+@pytest.mark.parametrize("name", ["A-27", "3-4a", "3-4b"])
+def test_the_assembly_is_kept_round_the_turn(name: str) -> None:
+    """The statement 'C above AD' may have to become 'C below AD': the drawing goes on where the oracle does."""
+    solution = solved(name)
+    turns = cycle(solution, PLACES).turns
+    mech = solution.problem.mechanism
+    places = np.array([turn.solution.problem.mechanism.drive.position for turn in turns])
+    motion = oracle.solve(mech, places, order=0)
+    for i, turn in enumerate(turns):
+        moved = turn.solution.problem.mechanism
+        at = {
+            letter: complex(np.broadcast_to(motion.position(letter), places.shape)[i])
+            for s in moved.branches
+            if isinstance(s, SideOf)
+            for letter in (s.point, *s.ref)
+        }
+        assert all(margin(statement, at) >= 0 for statement in moved.branches)
+        own = oracle.solve(moved, order=0)
+        for link in mech.links:
+            assert complex(own.origin(link.name)) == pytest.approx(
+                complex(motion.origin(link.name)[i]), abs=1e-9 * mech.scale
+            )
+
+
+BESIDE_A_DEAD_POINT = "B-24"  # its accelerations grow to twenty times those of the given place
+
+
+@cache
+def turned_and_drawn(name: str) -> tuple[Cycle, list[dict[str, Any]], Ink]:
+    ink, through = Ink(), cycle(solved(name), 36)
+    return through, moving(through, solved(name).construction, ink), ink
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, BESIDE_A_DEAD_POINT])
+def test_nearly_all_places_share_their_scales_and_none_is_finer_than_given(name: str) -> None:
+    given = scales_of(solved(name).construction)
+    scales = [turn.solution.problem.scales for turn in turned_and_drawn(name)[0].turns]
+    assert {one.given["mu_l"] for one in scales} == {given.given["mu_l"]}
+    for field in ("mu_v", "mu_a"):
+        values = [one.given[field] for one in scales]
+        assert min(values) >= given.given[field]
+        assert max(map(values.count, values)) >= MOST * len(values) - 1
+
+
+@pytest.mark.parametrize("name", [KINEMATICS, BESIDE_A_DEAD_POINT])
+def test_no_polygon_leaves_its_pane(name: str) -> None:
+    through, figures, _ = turned_and_drawn(name)
+    assert not any(figure["cut"] for figure in figures)
+    for figure in figures[1:]:
+        x, y, wide, high = (side / 100 for side in figure["clip"])
+        assert max(wide, high) < 2 * SIDE
+        for turn in through.turns:
+            low, up = bounds(next(f.marks for f in turn.solution.construction.figures if key_of(f) == figure["key"]))
+            assert x <= low.real and up.real <= x + wide and y <= -up.imag and -low.imag <= y + high
+
+
+def test_the_scale_under_a_figure_is_that_of_its_drawing_at_every_place() -> None:
+    through, figures, ink = turned_and_drawn(BESIDE_A_DEAD_POINT)
+    given = {key_of(f): f.scale for f in solved(BESIDE_A_DEAD_POINT).construction.figures}
+    assert any(len(figure["captions"]) > 1 for figure in figures)
+    for figure in figures:
+        for number, turn in zip(figure["scale"], through.turns, strict=True):
+            drawn = next(f for f in turn.solution.construction.figures if key_of(f) == figure["key"])
+            caption = figure["captions"][number]
+            assert f'href="#{ink.type(scale_box(drawn.scale))}"' in caption["svg"]
+            assert caption["other"] == (drawn.scale != given[figure["key"]])
+
+
+@given(
+    reaches=st.lists(st.tuples(*[st.floats(-3, 3)] * 2), min_size=1, max_size=12),
+    given=st.sampled_from([0.003, 0.02, 1.0, 25.0]),
+)
+@settings(max_examples=60, deadline=None)
+def test_any_polygons_fit_together_at_round_scales(reaches: list[tuple[float, float]], given: float) -> None:
+    tips = [complex(np.sign(x) * 10 ** abs(x), np.sign(y) * 10 ** abs(y)) for x, y in reaches]
+    boxes = [{"": Rect(min(z.real, 0), min(z.imag, 0), max(z.real, 0), max(z.imag, 0))} for z in tips]
+    values = coarsened(boxes, boxes[0], given)
+    side = max(SIDE, AMPLE * max(boxes[0][""].width, boxes[0][""].height))
+    drawn = [z * given / value for z, value in zip(tips, values, strict=True)]
+    for part in (np.real(drawn), np.imag(drawn)):
+        assert max(*part, 0) - min(*part, 0) <= side * (1 + 1e-9)
+    assert all(value == given or (value > given and round_up(value) == pytest.approx(value)) for value in values)
+
+
+def test_a_drive_that_passes_dead_points_goes_round_from_the_given_place() -> None:
+    assert in_order([0, 1, 2, 4, 5, 6, 7, 9, 10, 11], 12) == ([0, 1, 2, 4, 5, 6, 7, 9, 10, 11], True)
+    assert in_order([0, 1, 2, 7, 8, 9, 10, 11], 12) == ([7, 8, 9, 10, 11, 0, 1, 2], False)
+    assert in_order([0], 12) == ([0], False) and in_order([], 12) == ([], False)
+
+
+def test_a_rocker_that_cannot_turn_round_is_run_through_from_end_to_end() -> None:
+    through = cycle(solved("3-4a"), PLACES)
+    assert not through.whole and not through.round and 2 < len(through.turns) < PLACES
+    angles = np.array([turn.solution.problem.mechanism.drive.position for turn in through.turns])
+    assert np.allclose(np.abs((np.diff(angles) + np.pi) % (2 * np.pi) - np.pi), 2 * np.pi / PLACES)
+
+
+def test_a_sliding_drive_is_moved_over_its_travel() -> None:
+    text = """
+id: pushed
+title: {zh: 滑块, en: Slider}
+frame: {A: [0 mm, 0 mm]}
+links: {1: {block: C}, 2: {BC: 100 mm}, 3: {AB: 40 mm}}
+joints: [1 slides on y = 0 mm]
+input: {link: 1, s: 110 mm, v: 0.5 m/s}
+branch: [B above AC]
+find: [v_B, omega_3]
+"""
+    solution = solve(load_text(text), repeats=0)
+    through = cycle(solution, 12)
+    travel = [turn.solution.problem.mechanism.drive.position for turn in through.turns]
+    assert len(travel) > 8 and travel == sorted(travel) and min(travel) > 0.0599 and max(travel) < 0.1401
+    assert travel[through.start] == pytest.approx(0.11)
+    assert through.turns[through.start].shown == "110 mm"
+
+
+def load_text(text: str) -> Problem:
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "problem.yaml"
+        file.write_text(text, encoding="utf-8")
+        return load(file)
+
+
+def test_a_device_has_no_crank_to_turn() -> None:
+    assert cycle(solved(DEVICE), PLACES).turns == ()
+    assert 'id="mode-turn"' not in page_of(DEVICE) and 'id="mode-turn"' in page_of(KINEMATICS)
+
+
+def test_motion_data_hold_a_drawing_and_all_readings_for_every_place() -> None:
+    found = re.search(r'<script type="application/json" id="motion">(.*?)</script>', page_of(KINEMATICS), re.S)
+    assert found is not None
+    data = json.loads(found[1])
+    assert len(data["shown"]) == len(data["readings"]) == PLACES and data["shown"][0] == "45°"
+    assert all(len(row) == len(solved(KINEMATICS).answers) for row in data["readings"])
+    for figure in data["figures"]:
+        assert len(figure["sets"][0]["moving"]) == PLACES and all(figure["sets"][0]["moving"])
+
+
+# -- the command -------------------------------------------------------------------------------------------------
+
+
+def test_play_writes_the_file_it_names(tmp_path: Path) -> None:
+    out = tmp_path / "new" / "play.html"
+    done = CliRunner().invoke(app, ["play", KINEMATICS, "-o", str(out), "--places", "4", "--lang", "en"])
+    assert done.exit_code == 0, done.output
+    assert out.read_text(encoding="utf-8").startswith("<!DOCTYPE html>") and 'data-lang="en"' in out.read_text(
+        encoding="utf-8"
+    )
+
+
+def test_play_refuses_an_unknown_problem_in_a_sentence() -> None:
+    done = CliRunner().invoke(app, ["play", "no-such-problem"])
+    assert done.exit_code == 2 and "Traceback" not in done.output
+
+
+def test_text_of_a_problem_cannot_break_the_page() -> None:
+    solution = solved(DEVICE)
+    title = replace(solution.problem.title, zh="</title><script>alert(1)</script>", en='"><b>')
+    page = player_html(replace(solution, problem=replace(solution.problem, title=title)))
+    assert "<script>alert" not in page and read(page).unclosed == []

@@ -1,0 +1,181 @@
+"""The claim that every key of the manual does something: changed or left out, the solution differs, or the file is
+refused, or a note is told."""
+
+from __future__ import annotations
+
+import pickle
+
+import pytest
+from pydantic import BaseModel
+
+from vecpoly.check.printed.answers import check_problem
+from vecpoly.drawing.sheets.sheet import sheets
+from vecpoly.errors import VecpolyError
+from vecpoly.problem.load import load, loads
+from vecpoly.problem.schema.models import (
+    DeviceSpec,
+    FindSpec,
+    FrictionSpec,
+    InputSpec,
+    LoadSpec,
+    MassSpec,
+    PrintedSpec,
+    ProblemSpec,
+    RodSpec,
+    ScalesSpec,
+    SheetSpec,
+)
+from vecpoly.solution import solve
+
+BASE = """\
+id: t
+title: test
+source: here
+statement: a four-bar
+frame: {A: [0 mm, 0 mm], D: [120 mm, 0 mm]}
+links:
+  1: {AB: 40 mm}
+  2: {BC: 100 mm, E: {BE: 60 mm, CE: 70 mm, side: left of BC}}
+  3: {CD: 80 mm}
+input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw, alpha: 3 rad/s^2}
+branch: [C above AD]
+loads: {M_1: {on: 1, size: "?"}, F: {on: 3, at: C, size: 100 N, direction: 180 deg}}
+friction: {A: {rho: 2 mm}}
+masses: {2: {mass: 3 kg, inertia: 0.02 kg*m^2, centre: E}, 3: {rod: {diameter: 20 mm, density: 7800 kg/m^3, along: CD}}}
+weight: yes
+inertia: no
+scales: {mu_l: 0.002 m/mm, mu_v: 0.01 (m/s)/mm, mu_F: 10 N/mm}
+find: [v_C, M_1, M_1_0]
+printed: [{symbol: v_C, value: 20 mm, scale: 0.01 (m/s)/mm, direction: 150 deg, kind: graphical, note: read off}]
+errata: [a misprint]
+sheet: {orientation: landscape}
+"""
+SLIDE = (
+    BASE.replace("  3: {CD: 80 mm}", "  3: {block: C}")
+    .replace(", D: [120 mm, 0 mm]", "")
+    .replace("branch: [C above AD]", "joints: [3 slides on y = 0 mm]\nbranch: [C right of B]")
+    .replace("friction: {A: {rho: 2 mm}}", "friction: {A: {rho: 2 mm}, 3-4: {f: 0.1, V: 50 deg}}")
+    .replace("3: {rod: {diameter: 20 mm, density: 7800 kg/m^3, along: CD}}", "3: {mass: 1 kg}")
+)
+CENTRES = BASE.partition("loads:")[0] + "method: centres\nfind: [omega_3, {point: E2, on: 2, slowest: BC}]\n"
+DRIVEN = (
+    SLIDE.replace(
+        "input: {link: 1, phi: 60 deg, omega: 10 rad/s ccw, alpha: 3 rad/s^2}",
+        "input: {link: 3, s: 110 mm, v: 0.5 m/s, a: 1 m/s^2}",
+    )
+    .replace("C right of B", "B above AC")
+    .replace("inertia: no", "inertia: yes")
+)
+CYLINDER = """\
+id: t
+title: test
+frame: {A: [0 mm, 0 mm], D: [450 mm, -350 mm]}
+links: {1: {AC: 1150 mm}, 2: {cylinder: D}, 3: {piston: C}}
+joints: [3 slides in 2]
+input: {cylinder: 2-3, length: 900 mm, v: 0.12 m/s, a: 0 m/s^2}
+branch: [C left of AD]
+loads: {F_c: {cylinder: 2-3, size: "?"}, Q: {on: 1, at: C, size: 100 N, direction: -90 deg}}
+find: [omega_1, F_c]
+"""
+MOTOR = (
+    BASE.partition("loads:")[0]
+    .replace("{link: 1, phi: 60 deg", "{link: 3, on: 2, phi: 100 deg")
+    .replace("[C above AD]", "[B above AD]")
+    + "find: [omega_3]\n"
+)
+
+CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there, what stands there instead
+    "id": (BASE, "id: t\n", "id: u\n"), "title": (BASE, "title: test", "title: other"), "source": (BASE, "source: here", "source: there"),
+    "statement": (BASE, "a four-bar", "another"), "frame": (BASE, "[120 mm, 0 mm]", "[118 mm, 0 mm]"), "links": (BASE, "AB: 40 mm", "AB: 41 mm"),
+    "joints": (SLIDE, "y = 0 mm", "y = 5 mm"), "input": (BASE, "60 deg", "61 deg"), "branch": (BASE, "C above AD", "C below AD"),
+    "loads": (BASE, "size: 100 N", "size: 110 N"), "friction": (BASE, "rho: 2 mm", "rho: 3 mm"), "masses": (BASE, "mass: 3 kg", "mass: 4 kg"),
+    "weight": (BASE, "weight: yes", "weight: no"), "inertia": (BASE, "inertia: no", "inertia: yes"), "scales": (BASE, "0.002 m/mm", "0.0025 m/mm"),
+    "find": (BASE, "[v_C, ", "[v_E, "), "printed": (BASE, "value: 20 mm", "value: 40 mm"), "errata": (BASE, "a misprint", "two misprints"),
+    "sheet": (BASE, "landscape", "portrait"), "method": (CENTRES, "method: centres", "method: polygons"), "guesses": (BASE, "find:", "guesses: {C: [1 mm, 2 mm]}\nfind:"),
+    "pins": (BASE, "find:", "pins: {C: 3}\nfind:"), "tables": (BASE, "find:", "tables: [none.csv]\nfind:"), "extends": (BASE, "id: t\n", "id: t\nextends: none\n"),
+    "input.link": (BASE, "link: 1", "link: 3"), "input.phi": (BASE, "phi: 60 deg", "phi: 61 deg"), "input.omega": (BASE, "10 rad/s", "11 rad/s"),
+    "input.alpha": (BASE, "3 rad/s^2", "4 rad/s^2"), "input.s": (DRIVEN, "110 mm", "111 mm"), "input.v": (DRIVEN, "0.5 m/s", "0.6 m/s"), "input.a": (DRIVEN, "1 m/s^2", "2 m/s^2"),
+    "input.cylinder": (CYLINDER, "input: {cylinder: 2-3", "input: {cylinder: 1-3"), "input.length": (CYLINDER, "900 mm", "910 mm"), "input.on": (MOTOR, "on: 2", "on: 1"),
+    "load.cylinder": (CYLINDER, "F_c: {cylinder: 2-3", "F_c: {cylinder: 1-3"),
+    "load.on": (BASE, "on: 3, at: C", "on: 2, at: C"), "load.at": (BASE, "at: C", "at: D"), "load.size": (BASE, "100 N", "200 N"), "load.direction": (BASE, "180 deg", "170 deg"),
+    "load.role": (BASE, 'size: "?"', 'size: "?", role: resisting'),
+    "friction.rho": (BASE, "rho: 2 mm", "rho: 4 mm"), "friction.f": (SLIDE, "f: 0.1", "f: 0.2"), "friction.f_v": (SLIDE, "f: 0.1", "f_v: 0.2"), "friction.V": (SLIDE, "V: 50 deg", "V: 60 deg"),
+    "friction.r": (BASE, "rho: 2 mm", "f: 0.1, r: 30 mm"), "friction.phi": (SLIDE, "f: 0.1, V: 50 deg", "phi: 8 deg"),
+    "mass.mass": (BASE, "mass: 3 kg", "mass: 5 kg"), "mass.inertia": (BASE.replace("inertia: no", "inertia: yes"), "0.02 kg", "0.05 kg"), "mass.centre": (BASE, "centre: E", "centre: B"),
+    "mass.rod": (BASE, "rod: {diameter: 20 mm, density: 7800 kg/m^3, along: CD}", "mass: 1 kg, centre: C"), "rod.diameter": (BASE, "diameter: 20 mm", "diameter: 30 mm"),
+    "rod.density": (BASE, "7800", "2700"), "rod.along": (BASE, "along: CD", "along: DD"),
+    "scales.mu_l": (BASE, "0.002 m/mm", "0.003 m/mm"), "scales.mu_v": (BASE, "0.01 (m/s)/mm, mu_F", "0.02 (m/s)/mm, mu_F"), "scales.mu_F": (BASE, "10 N/mm", "20 N/mm"),
+    "scales.mu_a": (BASE, "mu_F: 10", "mu_a: 1 (m/s^2)/mm, mu_F: 10"),
+    "find.point": (CENTRES, "point: E2", "point: G2"), "find.on": (CENTRES, "on: 2", "on: 3"), "find.slowest": (CENTRES, "slowest: BC", "slowest: CE"),
+    "find.velocity": (CENTRES, "slowest: BC", "velocity: 0"), "find.acceleration": (CENTRES, "slowest: BC", "acceleration: 0"), "find.coriolis": (BASE, "[v_C, ", "[{coriolis: C3C2}, "),
+    "printed.symbol": (BASE, "symbol: v_C", "symbol: v_E"), "printed.value": (BASE, "20 mm, scale", "30 mm, scale"), "printed.scale": (BASE, "scale: 0.01", "scale: 0.02"),
+    "printed.direction": (BASE, "direction: 150 deg", "direction: 10 deg"), "printed.kind": (BASE, "kind: graphical", "kind: calculated"), "printed.note": (BASE, "note: read off", "note: other"),
+    "sheet.orientation": (BASE, "orientation: landscape", "orientation: portrait"),
+}  # fmt: skip
+SPECS: dict[str, type[BaseModel]] = {
+    "": ProblemSpec,
+    "input": InputSpec,
+    "load": LoadSpec,
+    "friction": FrictionSpec,
+    "mass": MassSpec,
+    "rod": RodSpec,
+    "scales": ScalesSpec,
+    "find": FindSpec,
+    "printed": PrintedSpec,
+    "sheet": SheetSpec,
+}
+
+
+def effect(text: str) -> object:
+    """Everything that a file leads to: answers, drawing, sheets, checks, what a report prints of it; or its refusal."""
+    try:
+        problem = loads(text)
+        solution = solve(problem, by="exact", repeats=0)
+    except VecpolyError as error:
+        return str(error)
+    said = (
+        problem.id,
+        problem.title,
+        problem.source,
+        problem.statement,
+        problem.errata,
+        problem.tables,
+        problem.given,
+        solution.warnings,
+    )
+    return pickle.dumps(
+        (
+            said,
+            solution.as_json(),
+            solution.construction.figures,
+            check_problem(problem).answers,
+            [sheet.landscape for sheet in sheets(solution.construction, way=problem.orientation)],
+        )
+    )
+
+
+@pytest.mark.parametrize("key", CHANGES)
+def test_a_key_that_is_changed_changes_something(key: str) -> None:
+    text, old, new = CHANGES[key]
+    assert text.count(old) >= 1
+    assert effect(text) != effect(text.replace(old, new, 1))
+
+
+def test_every_key_of_the_schema_is_tried() -> None:
+    keys = {f"{name}.{field}".lstrip(".") for name, spec in SPECS.items() for field in spec.model_fields}
+    assert keys == set(CHANGES)
+
+
+@pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CYLINDER, MOTOR])
+def test_the_files_that_are_changed_are_good(text: str) -> None:
+    assert isinstance(effect(text), bytes), effect(text)
+
+
+def test_the_keys_of_a_device_are_those_of_a_problem_and_its_data() -> None:
+    assert set(DeviceSpec.model_fields) - set(ProblemSpec.model_fields) == {"device", "data"}
+    assert load("5-1").device
+
+
+@pytest.mark.parametrize("text", [BASE, CENTRES])
+def test_a_comment_changes_nothing(text: str) -> None:
+    assert effect(text) == effect(text + "# nothing\n")

@@ -1,0 +1,60 @@
+"""Claims about what is read although the manual writes it otherwise, and what is said of what is not."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from vecpoly.errors import ProblemFileError
+from vecpoly.problem.load import loads
+
+FOUR_BAR = """
+id: t
+title: t
+frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 170 mm}, 3: {DC: 130 mm}}
+input: {link: 1, phi: 70 deg, omega: 5 rad/s ccw}
+branch: [C left of BD]
+find: [omega_3]
+"""
+
+
+@pytest.mark.parametrize("pair", ["(0 mm, 0 mm)", "（0 mm，0 mm）", "( 0 mm ,0 mm )", '"(0 mm, 0 mm)"'])
+def test_coordinates_may_stand_in_parentheses(pair: str) -> None:
+    assert loads(FOUR_BAR.replace("[0 mm, 0 mm]", pair)).mechanism == loads(FOUR_BAR).mechanism
+    block = FOUR_BAR.replace(
+        "frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm]}", f"frame:\n  A: {pair}  # origin\n  D: (200 mm, 0 mm)"
+    )
+    assert loads(block).mechanism == loads(FOUR_BAR).mechanism
+
+
+@pytest.mark.parametrize(
+    ("written", "key"), [("aⁿ_CB", "an_CB"), ("aᵗ_CB", "at_CB"), ("aⁿ_C", "an_C"), ("ω_3", "omega_3")]
+)
+def test_parts_of_an_acceleration_may_be_written_as_superscripts(written: str, key: str) -> None:
+    assert [ask.rel.key for ask in loads(FOUR_BAR.replace("[omega_3]", f"[{written}]")).asks] == [key]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "remedy"),
+    [
+        ("branch: [C left of BD]", "branch: {C: left of BD}", "write [C left of BD]"),
+        ("find: [omega_3]", "find: {omega_3: 1}", "e.g. [v_C, a_C]"),
+        ("[0 mm, 0 mm]", "(0 mm, 0 mm", "outside of brackets"),
+        ("find: [omega_3]", "find: [a_CB^n]", "did you mean 'an_CB'"),
+    ],
+)
+def test_what_is_written_in_another_form_is_told_with_what_to_write(old: str, new: str, remedy: str) -> None:
+    with pytest.raises(ProblemFileError, match=re.escape(remedy)):
+        loads(FOUR_BAR.replace(old, new))
+
+
+@pytest.mark.parametrize(("shape", "right"), [("rod", "2 passes through 3"), ("slot", "3 slides in 2")])
+def test_a_block_that_passes_through_its_rod_is_told_the_other_way_round(shape: str, right: str) -> None:
+    text = FOUR_BAR.replace(
+        "links: {1: {AB: 50 mm}, 2: {BC: 170 mm}, 3: {DC: 130 mm}}",
+        f"links: {{1: {{AB: 50 mm}}, 2: {{{shape}: B}}, 3: {{block: D}}}}\njoints: [3 passes through 2]",
+    )
+    with pytest.raises(ProblemFileError, match=right):
+        loads(text.replace("branch: [C left of BD]\n", ""))

@@ -1,0 +1,112 @@
+"""Claims about lines, and what is set on them."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.texts import ZH, equation
+from vecpoly.algebra.formula import Row, Txt, sym
+from vecpoly.report.flow import DataTable, EquationFlow, Para
+from vecpoly.report.flow.cells import NO_END, NO_START, Cell, Kind, cells, gap
+from vecpoly.report.flow.formula import lines as formula_lines
+from vecpoly.report.flow.lines import break_lines, fit
+from vecpoly.typeset.box import MM
+
+EM = 10.5 / MM
+
+
+PIECES = st.sampled_from(
+    [*"构件的速度，。（）、“”《》；", "AB", " $v_B$ ", "$ω_1 = 3$", "word ", "——", "12.5 mm", "(a)"]
+)
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(PIECES, min_size=1, max_size=150), st.floats(30.0, 120.0))
+def test_no_line_starts_or_ends_with_what_may_not(pieces: list[str], width: float) -> None:
+    found = cells("".join(pieces), EM, True)
+    broken = break_lines(found, width, EM)
+    assert [cell for line in broken for cell in line.cells] == found
+    for before, after in pairwise(broken):
+        runs_on = _unbreakable(before.cells) or _unbreakable((*before.cells, after.cells[0]))
+        assert runs_on or after.cells[0].text not in NO_START
+        assert runs_on or before.cells[-1].text not in NO_END
+
+
+def _unbreakable(row: tuple[Cell, ...]) -> bool:
+    """A line of nothing but marks offers no better place."""
+    return not any(gap(a, b, EM).breakable for a, b in pairwise(row))
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.integers(20, 150), st.floats(60.0, 170.0))
+def test_lines_fill_the_measure_and_never_exceed_it(count: int, width: float) -> None:
+    for line in break_lines(cells((ZH * 3)[:count].replace("$", ""), EM, True), width, EM, 2 * EM):
+        setting = fit(line, width, "justify")
+        added = sum(g.stretch * setting.unit for g in line.gaps)
+        removed = sum(g.width * setting.shrink for g in line.gaps if g.stretch > 1.0)
+        total = line.indent + line.width + added - removed
+        assert total <= width + 1e-6
+        loose = setting.unit == 0.0 and sum(g.stretch for g in line.gaps) * 0.5 * EM < width - total
+        assert line.last or loose or total == pytest.approx(width)
+
+
+def test_bold_is_set_in_hei() -> None:
+    (bold,) = [c for c in cells("由**极**点", EM, True) if c.text == "极"]
+    assert bold.box.items[0].font == "VPHeiBold"  # type: ignore[union-attr]
+
+
+def test_neighbouring_punctuation_is_drawn_together() -> None:
+    apart = break_lines(cells("图）图。", EM, True), 100, EM)[0].width
+    close = break_lines(cells("图图）。", EM, True), 100, EM)[0].width
+    assert close < apart - 0.3 * EM
+
+
+def test_a_word_wider_than_the_line_is_cut() -> None:
+    para = Para("x" * 500, None, "en")
+    para.wrap(300, 1000)
+    assert all(line.width <= 300 / MM + 1e-6 for line in para.lines(300)) and len(para.lines(300)) > 5
+
+
+def test_a_long_inline_formula_breaks_after_its_equality_sign() -> None:
+    kinds = [c.kind for c in cells("$v_C = μ_v pc = 3$", EM, True)]
+    assert kinds == [Kind.FORMULA] * 3
+
+
+def test_a_wide_formula_breaks_before_equality_signs() -> None:
+    term = (sym("ω_3"), Txt(" + 12.5"))
+    node = Row((*term, *(Txt(" = "), *term) * 11))
+    broken = formula_lines(node, EM, 100.0)
+    assert len(broken) > 1
+    assert all(x + box.width <= 100.0 for x, box in broken)
+    assert all(box.items[0].text == "=" for _, box in broken[1:])  # type: ignore[union-attr]
+
+
+def test_a_wide_equation_stays_inside_the_column() -> None:
+    for terms in (3, 8, 14):
+        flow = EquationFlow(equation(terms))
+        flow.wrap(160 * MM, 1000)
+        grid = flow._grid
+        assert grid is not None
+        for group in grid.groups:
+            assert grid.margin + sum(c.sign.width + c.width for c in group) <= 160.0
+
+
+def test_a_wide_table_fits_the_column() -> None:
+    table = DataTable(("a", "b"), [("x", "很长的文字" * 60)])
+    table.wrap(400, 1000)
+    assert sum(table._set_widths) <= 400 / MM + 1e-6
+
+
+def test_the_exponent_of_a_unit_is_raised_in_running_text() -> None:
+    (_, unit) = cells("3.5 m/s^2", EM, True)
+    assert [(item.text, item.y > 0) for item in unit.box.items] == [("m/s", False), ("2", True)]  # type: ignore[union-attr]
+
+
+def test_a_long_address_breaks_after_a_stroke() -> None:
+    para = Para("见 https://example.com/a/long/address/that/goes/on/and/on/index.html 一文", None, "zh")
+    first, *_ = para.lines(200)
+    assert len(para.lines(200)) > 1 and first.cells[-1].text.endswith("/")

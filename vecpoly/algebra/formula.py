@@ -1,0 +1,153 @@
+"""Formulas as a small tree: laid out by the report, spoken by the terminal, never parsed from TeX.
+
+A symbol is written in one short notation everywhere (words, tables, code): ``v_CB``, ``a^n_CB``, ``ω_2``, ``μ_v``,
+``v_{B3B2}``; `sym` reads it. Texts may hold such symbols, and rows of them, between dollar signs: ``作 $pb ⊥ AB$``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Sym:
+    """One symbol: italic base, optional subscript and superscript (letters italic, digits upright)."""
+
+    base: str
+    sub: str = ""
+    sup: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Txt:
+    """Upright text: numbers, units, operators, Chinese."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """Nodes side by side."""
+
+    items: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Frac:
+    """A fraction with a bar."""
+
+    num: Node
+    den: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """A node raised to an exponent."""
+
+    body: Node
+    exponent: str
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A square root."""
+
+    body: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Over:
+    """A length on paper, overlined: \\overline{pb}."""
+
+    body: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Vec:
+    """A vector: an arrow over the symbol's base (sub- and superscripts stay outside)."""
+
+    body: Sym
+
+
+Node = Sym | Txt | Row | Frac | Power | Root | Over | Vec
+
+_SYMBOL = re.compile(
+    r"(?P<base>[A-Za-zμωαφρθβγδψΔληπ]['′]*)"
+    r"(?:\^(?P<sup>\{[^}]*\}|[A-Za-z0-9′']))?"
+    r"(?:_(?P<sub>\{[^}]*\}|[A-Za-z0-9′']+))?"
+    r"(?:\^(?P<sup2>\{[^}]*\}|[A-Za-z0-9′']))?"
+)
+
+
+_PIECE = re.compile(rf"(?<![A-Za-z])(?P<function>arctan|sin|cos|tan|cot)(?![A-Za-z])|{_SYMBOL.pattern}")
+
+
+def _bare(group: str | None) -> str:
+    return (group or "").strip("{}")
+
+
+def sym(text: str) -> Sym:
+    """Read one symbol in the short notation; raises ValueError when the text is none."""
+    m = _SYMBOL.fullmatch(text)
+    if m is None:
+        raise ValueError(f"'{text}' is no symbol")
+    return Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"]))
+
+
+def row(text: str) -> Row:
+    """Read a run of symbols, operators, functions and numbers: ``ω_3 = μ_v pb / l_BC``; whatever is no symbol stays
+    upright."""
+    items: list[Node] = []
+    end = 0
+    for m in _PIECE.finditer(text):
+        if m.start() > end:
+            items.append(Txt(text[end : m.start()]))
+        items.append(
+            Txt(m["function"]) if m["function"] else Sym(m["base"], _bare(m["sub"]), _bare(m["sup"] or m["sup2"]))
+        )
+        end = m.end()
+    if end < len(text):
+        items.append(Txt(text[end:]))
+    return Row(tuple(items))
+
+
+def named(text: str) -> Node:
+    """The name of a quantity: one symbol, or a run of them such as ``M_1/Q`` or ``α ≤ φ``."""
+    return sym(text) if _SYMBOL.fullmatch(text) else row(text)
+
+
+def split_words(text: str) -> tuple[tuple[bool, str], ...]:
+    """Cut a text at its dollar signs: (is_formula, piece) pairs."""
+    return tuple((i % 2 == 1, piece) for i, piece in enumerate(text.split("$")) if piece)
+
+
+def signed(nodes: Iterable[Node], signs: Iterable[int]) -> Row:
+    """A sum: each node behind its sign, +1 or −1; a leading plus is not written."""
+    items: list[Node] = []
+    for i, (node, sign) in enumerate(zip(nodes, signs, strict=True)):
+        items += [Txt(" + " if sign > 0 else " − ")] if i else [Txt("−")] if sign < 0 else []
+        items.append(node)
+    return Row(tuple(items))
+
+
+def plain(node: Node) -> str:
+    """The node as one line of plain text, for terminals and alternative texts."""
+    match node:
+        case Sym(base, sub, sup):
+            return base + (f"^{sup}" if sup else "") + (f"_{sub}" if sub else "")
+        case Txt(text):
+            return text
+        case Row(items):
+            return "".join(plain(item) for item in items)
+        case Frac(num, den):
+            return f"({plain(num)})/({plain(den)})"
+        case Power(body, exponent):
+            return f"{plain(body)}^{exponent}"
+        case Root(body):
+            return f"√({plain(body)})"
+        case Over(body):
+            return plain(body)
+        case Vec(body):
+            return plain(body)

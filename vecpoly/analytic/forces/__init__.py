@@ -1,0 +1,1 @@
+"""The equations of equilibrium of a loaded mechanism, as expressions that print and compute."""

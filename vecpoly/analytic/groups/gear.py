@@ -1,0 +1,81 @@
+"""A gear whose centre other links hold: only its turning is unknown, and pure rolling tells it."""
+
+from __future__ import annotations
+
+from ...errors import NoMethodError
+from ...mechanism.groups.assur import Group, hinges
+from ...mechanism.model import FRAME, Circle, Rolling
+from ...words import Words
+from ..equations import Equation, GroupModel, Part, Stage
+from ..expr import Const, Expr, Var
+from ..stages import ACCELERATION, VELOCITY
+from ..variables import Scope
+
+
+def held_gear(scope: Scope, group: Group) -> GroupModel:
+    """ω = ω_H ± (r_p / r)(ω_H − ω_p), H the link that holds both centres, p the partner; α alike."""
+    link = group.links[0]
+    joint = next(out.joint for out in group.outer if isinstance(out.joint, Rolling))
+    mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
+    if (
+        not isinstance(mine, Circle)
+        or not isinstance(other, Circle)
+        or len(scope.mech.link(link).points) > 1
+        or mine.mark
+        or other.mark
+    ):
+        raise NoMethodError(
+            Words(
+                f"没有齿轮 {link} 的解析式：它应在另一齿轮上滚动，且除中心外没有字母点",
+                f"no closed form on file for gear {link}: it must roll on a gear, and carry no letter but its centre",
+            )
+        )
+    holder = _holder(scope, mine, other)
+    name, partner = scope.name(link), other.link
+    ratio = Const(f"r_{{{scope.mech.number(partner)}}}", other.radius) / Const(f"r_{{{name}}}", mine.radius)
+    pairs = (
+        (Var(f"ω_{{{name}}}"), scope.omega(holder), scope.omega(partner)),
+        (Var(f"α_{{{name}}}"), scope.alpha(holder), scope.alpha(partner)),
+    )
+    velocity, acceleration = (
+        Equation(own, _rolled(arm, arm - mate, ratio, joint.internal)) for own, arm, mate in pairs
+    )
+    held = Words("机架" if holder == FRAME else f"构件 {holder}", "the frame" if holder == FRAME else f"link {holder}")
+    return GroupModel(
+        title=Words(f"齿轮 {name}", f"Gear {name}"),
+        links=group.links,
+        opening=Words(
+            f"齿轮 {name} 的中心 ${mine.centre}$ 已知，两轮中心由{held.zh}保持，节点 ${joint.point}$ 处作纯滚动。",
+            f"The centre ${mine.centre}$ of gear {name} is known; {held.en} holds both centres, "
+            f"and the gears roll on each other at ${joint.point}$.",
+        ),
+        stages=(
+            Stage(
+                VELOCITY,
+                (Part(Words("两轮在节点处速度相同，故", "Both have one velocity at the pitch point:"), (velocity,)),),
+            ),
+            Stage(ACCELERATION, (Part(Words("求导得", "Differentiated,"), (acceleration,)),)),
+        ),
+    )
+
+
+def _holder(scope: Scope, mine: Circle, other: Circle) -> str:
+    """The link that is pinned at one centre and carries the other."""
+    pins = hinges(scope.mech)
+    carriers = [
+        name
+        for name in (*(li.name for li in scope.mech.links), FRAME)
+        if {mine.centre, other.centre} <= {*scope.mech.link(name).points} and name in pins.get(mine.centre, ())
+    ]
+    if not carriers:
+        raise NoMethodError(
+            Words(
+                f"没有齿轮 {mine.link} 的解析式：没有构件同时含有 {mine.centre} 和 {other.centre}",
+                f"no closed form on file for gear {mine.link}: no link holds both {mine.centre} and {other.centre}",
+            )
+        )
+    return carriers[0]
+
+
+def _rolled(arm: Expr, relative: Expr, ratio: Expr, internal: bool) -> Expr:
+    return arm - ratio * relative if internal else arm + ratio * relative

@@ -1,0 +1,49 @@
+"""One mistake that somebody makes at the board; all that follows is drawn from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ...words import Words
+
+
+class Mistake(StrEnum):
+    """What is done wrongly."""
+
+    REVERSED = "reversed"  # a vector laid off the wrong way
+    DROPPED = "dropped"  # a vector left out
+    HALVED = "halved"  # the 2 of 2ωv forgotten
+    DOUBLED = "doubled"  # a diameter for a radius
+    TURNED = "turned"  # along the link instead of across it
+    SCALED = "scaled"  # laid off with another figure's scale
+    COINCIDENT = "coincident"  # the vector of the other link's point at this place
+    OTHER_MEETING = "other meeting"  # the links put together the other way
+    OTHER_TANGENT = "other tangent"  # on the wrong side of the friction circle
+
+    @property
+    def words(self) -> Words:
+        """What is done wrongly, in words: 方向画反, reversed."""
+        return Words(_WORDS[self], self.value)
+
+
+_WORDS = {
+    Mistake.REVERSED: "方向画反", Mistake.DROPPED: "漏画", Mistake.HALVED: "大小少了一半", Mistake.DOUBLED: "大小多了一倍", Mistake.TURNED: "方向转过了 90°",
+    Mistake.SCALED: "用错比例尺", Mistake.COINCIDENT: "取错重合点", Mistake.OTHER_MEETING: "取了另一交点", Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """A mistake, and of what: the key of a quantity, with its figure where it stands on several (``force 23:R_32``), or
+    the letter of a point.
+
+    instead: of a coincident point the letter of the one taken for it.
+    """
+
+    mistake: Mistake
+    key: str
+    instead: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.key} {self.mistake.value}" + (f" ({self.instead})" if self.instead else "")

@@ -1,0 +1,37 @@
+"""What a mistake makes of a known vector, and of a size."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+from ...plane import Points
+from ..place import Place, View, view_of, views
+from .slip import Mistake
+
+FACTOR: Mapping[Mistake | None, float] = {Mistake.HALVED: 0.5, Mistake.DOUBLED: 2.0}  # what is computed wrongly
+
+
+def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
+    """The vector as somebody draws it; scale: of this figure over that of the figure before."""
+    match mistake:
+        case Mistake.REVERSED:
+            return -vector
+        case Mistake.TURNED:
+            return 1j * vector
+        case Mistake.DROPPED:
+            return 0.0 * vector
+        case Mistake.HALVED | Mistake.DOUBLED:
+            return vector * FACTOR[mistake]
+        case Mistake.SCALED:
+            return vector * scale
+        case Mistake.COINCIDENT | Mistake.OTHER_MEETING | Mistake.OTHER_TANGENT:
+            return vector
+        case _:
+            assert_never(mistake)
+
+
+def before(place: Place) -> View:
+    """The kind of figure whose scale is taken for this one's."""
+    order = views()
+    return order[max(order.index(view_of(place)) - 1, 0)]

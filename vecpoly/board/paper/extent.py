@@ -1,0 +1,69 @@
+"""How much paper marks take: their bounding box in mm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from .marks import (
+    AngleMark,
+    Arc,
+    Cell,
+    Disc,
+    Dot,
+    FrictionCircle,
+    GearMark,
+    ImageOf,
+    Mark,
+    Outline,
+    Plate,
+    Point,
+    RightAngle,
+    Role,
+    Segment,
+    TurnArrow,
+)
+
+
+def bounds(marks: Iterable[Mark]) -> tuple[complex, complex]:
+    """Lower left and upper right corner (mm) of the box round the marks' points."""
+    points = np.array([p for m in marks for p in corners(m)] or [0j])
+    return complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
+
+
+def extent(marks: Iterable[Mark]) -> tuple[float, float]:
+    """Width and height (mm) of that box."""
+    low, high = bounds(marks)
+    return high.real - low.real, high.imag - low.imag
+
+
+def figured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+    """The marks that grow with the scale: without ruled directions, which run on by so many mm, and letters at their
+    ends."""
+    return tuple(
+        m
+        for m in marks
+        if not (isinstance(m, Segment) and m.role is Role.DIRECTION)
+        and not (isinstance(m, Point) and m.dot is Dot.NONE)
+    )
+
+
+def corners(mark: Mark) -> Iterator[complex]:
+    """Points that span the mark."""
+    match mark:
+        case ImageOf(points=points) | Plate(points=points) | Outline(points=points):
+            yield from points
+        case Arc(centre=c, radius=r, start=start, sweep=sweep):
+            for t in np.linspace(start, start + sweep, 9):
+                yield complex(c + r * np.exp(1j * t))
+        case GearMark(centre=c, radius=r) | Disc(centre=c, radius=r) | FrictionCircle(centre=c, radius=r):
+            yield from (c + r * turn for turn in (1, 1j, -1, -1j))
+        case Cell(at=at, width=w, height=h):
+            yield from (at + complex(x * w, y * h) / 2 for x in (-1, 1) for y in (-1, 1))
+        case TurnArrow(at=at) | AngleMark(at=at) | RightAngle(at=at):
+            yield at
+        case _:
+            for name in ("a", "b", "at"):
+                if hasattr(mark, name):
+                    yield getattr(mark, name)

@@ -1,0 +1,260 @@
+"""What a hand leaves on the paper: a closed list of marks, in mm on the figure (x right, y up, origin where the figure
+has it).
+
+Marks follow from acts (`ink`). Drawing code reads marks and nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ...words import Words
+
+
+class Role(StrEnum):
+    """Why a line is there; the drawing decides width, dash and hue."""
+
+    LINK = "link"  # 0.7 mm
+    RESULT = "result"  # 0.5 mm: vectors asked for
+    GIVEN = "given"  # 0.35 mm: known vectors
+    DIRECTION = "direction"  # 0.18 mm: direction lines of a polygon, run a little past their meeting point
+    CONSTRUCTION = "construction"  # 0.18 mm: arcs, helping lines in the kinematic diagram
+    CENTRE = "centre"  # 0.18 mm dash-dot: centre lines, pitch circles
+    HIDDEN = "hidden"  # 0.18 mm dashed: the expanded link (扩大构件), what is only thought
+
+
+class Dot(StrEnum):
+    """How a point is drawn."""
+
+    POLE = "pole"  # small open circle
+    POINT = "point"  # small filled dot (tip of a vector, point of a link)
+    JOINT = "joint"  # open circle 2.5 mm across
+    NONE = "none"  # only its letter
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ink:
+    """What every mark knows: the step and the act that drew it; what it stands for, where it stands for a quantity;
+    whose it is."""
+
+    step: int = 0
+    act: int = -1
+    key: str = ""
+    owner: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Segment(Ink):
+    """A straight line."""
+
+    a: complex
+    b: complex
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Vector(Ink):
+    """A line with an arrowhead at b, and the symbol of what it stands for (empty: no label)."""
+
+    a: complex
+    b: complex
+    role: Role
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Arc(Ink):
+    """A compass stroke: from angle `start` over `sweep` (rad, 2π: a full circle)."""
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point(Ink):
+    """A lettered point."""
+
+    at: complex
+    label: str
+    dot: Dot
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RightAngle(Ink):
+    """The square in a right angle at `at` between the directions u and v (unit complex numbers)."""
+
+    at: complex
+    u: complex
+    v: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImageOf(Ink):
+    """The image of a link in a polygon, lightly tinted."""
+
+    points: tuple[complex, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plate(Ink):
+    """A rigid link with three or more points, drawn as one body (GB/T 4460)."""
+
+    points: tuple[complex, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ground(Ink):
+    """A fixed pivot: triangle on hatched ground, the hatching on the side `down` (unit complex number)."""
+
+    at: complex
+    down: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FixedGuide(Ink):
+    """A hatched fixed guide line from a to b; the hatching lies to the right of a -> b."""
+
+    a: complex
+    b: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Block(Ink):
+    """A slider block (rectangle) centred at `at`, its long side along `along` (unit complex number).
+
+    `on_rod` True: a sleeve through which a rod passes; False: a block in a slot or on a guide. `length` in mm.
+    """
+
+    at: complex
+    along: complex
+    on_rod: bool = False
+    length: float = 9.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slot(Ink):
+    """A slot in a link: two parallel lines with round ends along a -> b."""
+
+    a: complex
+    b: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GearMark(Ink):
+    """A gear: pitch circle (dash-dot) and its centre."""
+
+    centre: complex
+    radius: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RackMark(Ink):
+    """A rack's pitch line from a to b with its body (hatched where fixed) to the right of a -> b."""
+
+    a: complex
+    b: complex
+    fixed: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TurnArrow(Ink):
+    """A curved arrow about `at` with a symbol: the driving arrow with ω, or the sense found for a link."""
+
+    at: complex
+    radius: float
+    start: float
+    ccw: bool
+    label: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AngleMark(Ink):
+    """An angle at `at` from `start` over `sweep` (rad) with its symbol."""
+
+    at: complex
+    radius: float
+    start: float
+    sweep: float
+    label: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinkNumber(Ink):
+    """The number of a link, set beside the line from a to b (or beside the point a = b)."""
+
+    a: complex
+    b: complex
+    number: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FrictionCircle(Ink):
+    """The friction circle of a pin, dashed, radius ρ/μ_l in mm; `enlarged` > 1 where it is drawn larger to be seen."""
+
+    centre: complex
+    radius: float
+    label: str = ""
+    enlarged: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Disc(Ink):
+    """A round cam, eccentric or tip: its profile, full line, lightly tinted."""
+
+    centre: complex
+    radius: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outline(Ink):
+    """The outline of a solid body (a wedge, a slide, a nut); `fixed` bodies are hatched."""
+
+    points: tuple[complex, ...]
+    fixed: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cell(Ink):
+    """A box of a block diagram (a machine of a train) with words in it."""
+
+    at: complex
+    width: float
+    height: float
+    words: Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Note(Ink):
+    """A short note in small lettering beside a point."""
+
+    at: complex
+    words: Words
+
+
+Mark = (
+    Segment
+    | Vector
+    | Arc
+    | Point
+    | RightAngle
+    | ImageOf
+    | Plate
+    | Ground
+    | FixedGuide
+    | Block
+    | Slot
+    | GearMark
+    | RackMark
+    | TurnArrow
+    | AngleMark
+    | LinkNumber
+    | FrictionCircle
+    | Disc
+    | Outline
+    | Cell
+    | Note
+)

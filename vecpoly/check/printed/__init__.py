@@ -1,0 +1,1 @@
+"""Printed answers checked one by one and together."""

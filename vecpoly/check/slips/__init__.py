@@ -1,0 +1,1 @@
+"""The slips that could have made a printed column wrong, each tried."""

@@ -1,0 +1,1 @@
+"""A printed table against exact values: read, weighed, judged, told."""

@@ -1,0 +1,62 @@
+"""The exact values of a mechanism over the rows of a table, and how sensitive each quantity is to the lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ... import oracle
+from ...errors import VecpolyError
+from ...foundation.frozen import FrozenMap
+from ...mechanism.model import Mechanism
+from ...oracle import Motion
+from ...oracle.run import wrapped
+from ..slips.lengths import Length, lengths
+from .target import Reals, Target
+
+STEP = 1e-6  # relative change of a length, for its derivative
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Truth:
+    """A mechanism solved at the drive's positions (rad or m); `sensitivity` by key of the target, SI per relative
+    change of all lengths."""
+
+    mech: Mechanism
+    positions: Reals
+    motion: Motion
+    lengths: tuple[Length, ...]
+    sensitivity: Mapping[str, Reals]
+
+    def of(self, target: Target) -> Reals:
+        """The exact values of a quantity."""
+        return target.of(self.motion)
+
+
+def solved(mech: Mechanism, positions: Reals) -> Motion | None:
+    """The motion, NaN where it fails; None where it cannot be assembled at all."""
+    try:
+        return oracle.solve(mech, positions, strict=False)
+    except (VecpolyError, ValueError, ArithmeticError):
+        return None
+
+
+def truth_of(mech: Mechanism, positions: Reals, targets: Sequence[Target]) -> Truth | None:
+    """Solve the mechanism once, and once more for each length changed a little."""
+    motion = solved(mech, positions)
+    if motion is None:
+        return None
+    known = lengths(mech)
+    moved = [solved(length.instead(length.value * (1 + STEP)), positions) for length in known]
+    moved.append(solved(mech, positions + STEP * (mech.scale if mech.drive.slide else 1.0)))
+    here = [target.of(motion) for target in targets]
+    sums = {target.key: np.zeros(len(positions)) for target in targets}
+    for other in moved:
+        for target, value in zip(targets, here, strict=True):
+            change = np.zeros_like(value) if other is None else target.of(other) - value
+            if target.is_angle:
+                change = wrapped(change)
+            sums[target.key] += np.nan_to_num(np.abs(change)) / STEP
+    return Truth(mech, positions, motion, known, FrozenMap(sums))

@@ -1,0 +1,155 @@
+"""vecpoly check: printed answers against exact ones, with a verdict on each and on the whole."""
+
+from __future__ import annotations
+
+from math import isfinite
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from ...errors import UnknownNameError
+from ...names import written_unit
+from ...words import Words, bare
+from ..completion import ids
+from ..errors import DISAGREES, Tally, about
+from ..files import STDOUT, spared, write_json
+from ..jobs import problems
+from ..options import JSON, ColumnsOption, JsonOption, Lang, LangOption, OutsideOption, TableOption
+from ..terminal import add, progress, show, table
+from ..wording import beside, number, percent, symbol
+from .check_table import check_table_of, columns_said
+
+if TYPE_CHECKING:
+    from ...check.printed.answers import PrintedCheck
+    from ...check.printed.verdict import Checked
+    from ...problem.problem import Printed, Problem
+
+_COLUMNS = {
+    "zh": ("量", "原书", "精确值", "偏差", "结论", "缘由"),
+    "en": ("quantity", "printed", "exact", "deviation", "verdict", "by which slip"),
+}
+_NOTHING = {"zh": "没有可核对的印刷答案", "en": "no printed answers to check"}
+
+
+Claimed = Annotated[
+    list[str],
+    typer.Argument(
+        metavar="ID_OR_FILE... [SYMBOL=VALUE...]",
+        help="The problems, and printed answers such as v_D=0.49.",
+        show_default=False,
+        autocompletion=ids,
+    ),
+]
+
+
+def check(
+    names: Claimed,
+    table_file: TableOption = None,
+    columns: ColumnsOption = None,
+    json: JsonOption = None,
+    lang: LangOption = "en",
+    allow_outside: OutsideOption = False,
+) -> None:
+    """Check printed answers, or a printed table, against exact values.
+
+    Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and
+    assemblies
+    are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are
+    compared.
+    Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 rad/s".
+
+    Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
+    """
+    said = columns_said(columns)
+    tally = Tally()
+    found = _found(names, tally, allow_outside)
+    spared(json, JSON, found, [table_file] if table_file else [])
+    if table_file is not None:
+        tally.settle()
+        check_table_of(found, table_file, said, json, lang)
+        return
+    from ...check.printed.answers import check_problem
+    from ...check.printed.verdict import Verdict
+
+    checked: list[tuple[Problem, PrintedCheck]] = []
+    for problem in progress(found, Words("核对", "checking")):
+        with tally.job(), about(problem.id):
+            checked.append((problem, check_problem(problem)))
+    if json != STDOUT:
+        for problem, result in checked:
+            _print(problem, result, lang)
+    if json is not None and checked:
+        data = [_as_json(problem, result) for problem, result in checked]
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
+    tally.settle()
+    if any(line.verdict is Verdict.WRONG for _, result in checked for line in result.answers):
+        raise typer.Exit(DISAGREES)
+
+
+def _found(names: list[str], tally: Tally, outside: bool) -> list[Problem]:
+    """The problems named; printed answers beside one of them stand in place of its own."""
+    claims = [name for name in names if "=" in name and not Path(name).exists()]
+    if not claims:
+        return problems(names, tally, outside)
+    from ...problem.asked.claimed import load_claimed
+
+    rest = [name for name in names if name not in claims]
+    if len(rest) != 1:
+        raise UnknownNameError(
+            Words(
+                f"{'、'.join(claims)} 是哪道题的答案？题目与答案同写时只写一道题，这里有 {len(rest)} 道",
+                f"of which problem is {', '.join(claims)} the answer? name one problem beside answers; here are "
+                f"{len(rest)}",
+            )
+        )
+    with tally.job():
+        return [load_claimed(rest[0], claims, allow_outside=outside)]
+    tally.settle()
+    return []
+
+
+def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:
+    title = f"{problem.id}  {bare(problem.title.of(lang))}"
+    if not problem.printed:
+        typer.echo(f"{title}: {_NOTHING[lang]}\n")
+        return
+    right = {2, 3}
+    made = table(title, [(name, "right" if i in right else "left") for i, name in enumerate(_COLUMNS[lang])])
+    for line in result.answers:
+        add(made, _row(line, lang))
+    for printed in result.unchecked:
+        add(made, (symbol(printed.symbol), printed.text, "—", "—", "—", ""))
+    show(made)
+    if result.whole is not None:
+        typer.echo(f"{bare(result.whole.of(lang))}\n")
+
+
+def _row(line: Checked, lang: Lang) -> tuple[str, ...]:
+    printed, name = line.printed, _unit(line.printed)
+    text = printed.text if printed.paper_mm is None else f"{printed.text} = {beside(number(printed.value), name)}"
+    gap = percent(line.deviation) if isfinite(line.deviation) else "—"  # of an exact zero
+    return (
+        symbol(printed.symbol), text, beside(number(line.exact), name), gap, line.verdict.words.of(lang),
+        bare(line.slip.of(lang)) if line.slip else "",
+    )  # fmt: skip
+
+
+def _unit(printed: Printed) -> str:
+    return written_unit(printed.rel.unit if printed.rel is not None else "m")
+
+
+def _as_json(problem: Problem, result: PrintedCheck) -> dict[str, Any]:
+    data: dict[str, Any] = {"id": problem.id, "answers": [_line(line) for line in result.answers]}
+    data["unchecked"] = [printed.symbol for printed in result.unchecked]
+    data["possible"] = result.whole is None
+    data["misfit"] = None if result.fit is None else result.fit.misfit
+    return data
+
+
+def _line(line: Checked) -> dict[str, Any]:
+    return {
+        "symbol": line.printed.symbol, "printed": line.printed.text, "value": line.printed.value, "exact": line.exact,
+        "deviation": line.deviation if isfinite(line.deviation) else None, "verdict": line.verdict.value,
+        "slip": line.slip.en if line.slip else None,
+    }  # fmt: skip

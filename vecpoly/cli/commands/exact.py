@@ -1,0 +1,102 @@
+"""vecpoly exact: the analytic answers alone, for anything the oracle knows, linkages of class III included."""
+
+from __future__ import annotations
+
+import cmath
+from math import degrees, isnan
+from typing import TYPE_CHECKING, Any
+
+from ...names import is_centre, is_place, written_unit
+from ...words import Words, bare
+from ..errors import Tally, about
+from ..files import STDOUT, spared, write_json
+from ..jobs import problems
+from ..options import JSON, JsonOption, Lang, LangOption, OutsideOption, Problems
+from ..terminal import add, progress, say, show, table, warn
+from ..wording import YES_NO, number, scalar, symbol
+
+if TYPE_CHECKING:
+    from ...check.truth import ActsAt
+    from ...names import Key
+    from ...problem.problem import Problem
+
+_COLUMNS = {"zh": ("量", "精确", "单位", "方向"), "en": ("symbol", "exact", "unit", "direction")}
+
+
+def exact(
+    names: Problems, json: JsonOption = None, lang: LangOption = "en", allow_outside: OutsideOption = False
+) -> None:
+    """Print the analytic answers, without a drawing."""
+    tally = Tally()
+    found = problems(names, tally, allow_outside)
+    spared(json, JSON, found)
+    from ...check.precision import noise, sizes
+    from ...check.truth import truth_of
+
+    data: list[dict[str, Any]] = []
+    for problem in progress(found, Words("求解", "solving")):
+        with tally.job(), about(problem.id):
+            warn(problem.id, problem.warnings, lang)
+            truth = truth_of(problem)
+            noise(truth, sizes(problem, truth))  # refuses what has lost its digits
+            values, lines, rels = truth.values, truth.lines, {ask.rel.key: ask.rel for ask in problem.asks}
+            data.append(
+                {
+                    "id": problem.id,
+                    "answers": {key: _plain(rels[key], value) | _line(lines.get(key)) for key, value in values.items()},
+                }
+            )
+            if json != STDOUT:
+                _print(problem, values, lang)
+    if json is not None and data:
+        from ...solution import plain
+
+        data = plain(data)
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
+    tally.settle()
+
+
+def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
+    si = rel.unit
+    if not isinstance(value, complex):
+        endless = is_centre(rel)  # an instant centre at infinity: its direction
+        if isnan(value):
+            return {"unit": si, "exact": None, "undefined": True}
+        return {"unit": "deg" if endless else si, "exact": bool(value) if si == YES_NO else value} | (
+            {"at_infinity": True} if endless else {}
+        )
+    from ...answer import bearing
+
+    if is_place(rel):
+        return {"unit": si, "exact_xy": [value.real, value.imag]}
+    return {"unit": si, "exact": abs(value), "direction_deg": bearing(value) if value else None}
+
+
+def _line(line: ActsAt | None) -> dict[str, Any]:
+    """A point (m) of a reaction's line, the sense of its moment about the pin where it touches a friction circle, a
+    slide's couple (N·m)."""
+    if line is None:
+        return {}
+    couple = {} if line.couple is None else {"couple": line.couple}
+    return {"point": [line.point.real, line.point.imag], "tangent": line.tangent or None} | couple
+
+
+def _print(problem: Problem, values: dict[str, complex | float], lang: Lang) -> None:
+    title = f"{problem.id}  {bare(problem.title.of(lang))}"
+    made = table(title, [(name, "right" if i == 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
+    for ask in problem.asks:
+        value, way = values[ask.rel.key], "—"
+        if not isinstance(value, complex) and is_centre(ask.rel):
+            size, way = "∞", f"{value:.3f}°"
+        elif not isinstance(value, complex):
+            size = scalar(value, ask.rel.unit, lang, 7)
+        elif is_place(ask.rel):
+            size = f"({number(value.real, 7)}, {number(value.imag, 7)})"
+        else:
+            size, way = number(abs(value), 7), f"{degrees(cmath.phase(value)):.3f}°".replace("-", "−") if value else "—"
+        add(made, (symbol(ask.rel.key), size, written_unit(ask.rel.unit), way))
+    show(made)
+    if not problem.asks:
+        from ...problem.asked.hints import nothing_asked
+
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")

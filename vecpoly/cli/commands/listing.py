@@ -1,0 +1,53 @@
+"""vecpoly list: the library of problems, and the methods on file."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import typer
+
+from ...words import bare
+from ..options import Lang, LangOption
+from ..terminal import add, show, table
+
+What = Annotated[Literal["problems", "methods"], typer.Argument(help="What to list.")]
+
+
+def listing(what: What = "problems", lang: LangOption = "en") -> None:
+    """List the library of problems, or the methods."""
+    if what == "problems":
+        _problems(lang)
+    else:
+        _methods(lang)
+
+
+def _problems(lang: Lang) -> None:
+    from ...problem.library import library
+
+    names = {"zh": ("题号", "题目", "所在"), "en": ("id", "title", "in")}[lang]
+    made = table("", [(name, "left") for name in names])
+    for entry in library():
+        add(made, (entry.id, bare(entry.title.of(lang)), entry.path.parent.name))
+    show(made)
+
+
+def _methods(lang: Lang) -> None:
+    from ...methods.devices.registry import device_methods
+    from ...methods.registry import methods
+
+    names = {
+        "zh": ("步骤", "杆组或装置", "方法", "例题", "出处"),
+        "en": ("stage", "group or device", "method", "example", "source"),
+    }[lang]
+    made = table("", [(name, "left") for name in names])
+    for method in methods():
+        add(
+            made,
+            (method.stage.words.of(lang), method.group, bare(method.title.of(lang)), method.example, method.source),
+        )
+    for one in device_methods():
+        add(
+            made,
+            ({"zh": "装置", "en": "device"}[lang], one.device.kind, bare(one.title.of(lang)), one.example, one.source),
+        )
+    show(made)

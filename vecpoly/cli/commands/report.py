@@ -1,0 +1,129 @@
+"""vecpoly report: one PDF for a problem, an assignment, or each of many files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ...errors import NoMethodError, VecpolyError
+from ...foundation.files import is_special
+from ...words import Words
+from ..errors import Tally, about
+from ..files import STDOUT, put, spared
+from ..jobs import Job, jobs
+from ..letters import warn_of_letters
+from ..options import (
+    Documents,
+    Hand,
+    HandOption,
+    Lang,
+    LangOption,
+    OutOption,
+    OutsideOption,
+    SeedOption,
+    Style,
+    StyleOption,
+)
+from ..terminal import progress, warn
+
+if TYPE_CHECKING:
+    from ...problem.problem import Problem
+    from ...solution import Solution
+
+
+PDF = (".pdf",)
+
+
+def report(
+    names: Documents,
+    output: OutOption = None,
+    lang: LangOption = "zh",
+    style: StyleOption = "solution",
+    hand: HandOption = "drafting",
+    seed: SeedOption = 0,
+    allow_outside: OutsideOption = False,
+) -> None:
+    """Write reports as PDF.
+
+    With -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem or assignment gets a file there.
+    Without -o the files are written here.
+    """
+    tally = Tally()
+    plan = _plan(jobs(names, tally, allow_outside), output, lang, style)
+    for job, path in progress(plan, Words("写入", "writing")):
+        with tally.job():
+            inner = progress(job.problems, Words("作图", "drawing")) if len(plan) == 1 else iter(job.problems)
+            solutions = draw(inner, hand, seed, style)
+            put(path, document(job, solutions, lang, style))
+            for solution in solutions:
+                warn(solution.problem.id, solution.warnings, lang)
+                tally.weigh(solution.problem.id, solution.construction.warning, lang)
+    tally.settle()
+
+
+def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "solution") -> list[Solution]:
+    """Solve these problems by one hand; a course report also goes without drawings where no method draws them."""
+    from ...solution import solve
+
+    solutions = []
+    for problem in problems:
+        with about(problem.id):
+            try:
+                solutions.append(solve(problem, by=hand, seed=seed))
+            except NoMethodError as error:
+                if style != "course":
+                    raise
+                from ...report.course.structure.undrawn import undrawn
+
+                solutions.append(undrawn(problem, error, by=hand))
+    return solutions
+
+
+def document(job: Job, solutions: Sequence[Solution], lang: Lang, style: Style) -> bytes:
+    """The document of a job as a PDF."""
+    from ...report.document import report_bytes
+
+    block = labelled(job.fields or {}, lang)
+    warn_of_letters(job.problems, lang, (*block.values(), job.title.of(lang) if job.title else ""))
+    return report_bytes(solutions, lang=lang, style=style, fields=block, title=job.title)
+
+
+def labelled(block: Mapping[str, str], lang: Lang) -> dict[str, str]:
+    """The title block of an assignment under the labels of the report's language."""
+    from ...problem.assignment import FIELDS
+    from ...report.document import FIELDS as LABELS
+
+    label = dict(zip(LABELS["zh"], LABELS[lang], strict=True))
+    return {label[FIELDS[key]]: value for key, value in block.items() if FIELDS[key] in label}
+
+
+def _plan(found: Sequence[Job], output: Path | None, lang: Lang, style: Style) -> list[tuple[Job, Path]]:
+    """Which document goes where: all into one file, or into the standard output, or each into a folder."""
+    files = [file for job in found for file in job.files]
+    if output is not None and (
+        output == STDOUT or is_special(output) or (output.suffix[1:2].isalpha() and not output.is_dir())
+    ):
+        spared(output, PDF, more=files)
+        return [(found[0] if len(found) == 1 else _joined(found), output)]
+    ending = f".{lang}.pdf" if style == "solution" else f".{style}.{lang}.pdf"
+    plan: dict[Path, Job] = {}
+    for job in found:
+        path = (output or Path()) / f"{job.name}{ending}"
+        if path in plan:
+            raise VecpolyError(
+                Words(
+                    f"有两份文档都要写入 {path}；请更改其中一题的 id",
+                    f"two of the documents would be written to {path}; change the id of one of the problems",
+                )
+            )
+        spared(path, PDF, more=files)
+        plan[path] = job
+    return [(job, path) for path, job in plan.items()]
+
+
+def _joined(found: Sequence[Job]) -> Job:
+    """All in one document; title block and title are those of the first assignment among them."""
+    first = next((job for job in found if job.fields is not None), found[0])
+    everything = tuple(problem for job in found for problem in job.problems)
+    return Job(name=first.name, problems=everything, title=first.title, fields=first.fields)

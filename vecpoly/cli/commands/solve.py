@@ -1,0 +1,102 @@
+"""vecpoly solve: the answers in the terminal, or as JSON."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ...names import written_unit
+from ...words import Words, bare
+from ..errors import Tally, about
+from ..files import STDOUT, spared, write_json
+from ..jobs import problems
+from ..options import JSON, HandOption, JsonOption, Lang, LangOption, OutsideOption, Problems, SeedOption
+from ..terminal import add, progress, say, show, table, warn
+from ..wording import drawn, exact, gap, reach, symbol, way
+
+if TYPE_CHECKING:
+    from ...answer import Answer
+    from ...solution import Solution
+
+_COLUMNS = {
+    "zh": ("量", "量得", "精确", "单位", "偏差", "预期误差", "方向", "图上 mm"),
+    "en": ("symbol", "drawn", "exact", "unit", "deviation", "expected", "direction", "mm"),
+}
+_HANDS = {
+    "exact": {"zh": "精确作图", "en": "exact hand"}, "drafting": {"zh": "绘图仪器", "en": "drafting hand"},
+    "pencil": {"zh": "铅笔手绘", "en": "pencil hand"},
+}  # fmt: skip
+
+ActsOption = Annotated[
+    bool, typer.Option("--acts", help="List the steps of the construction too, and what the hand did in each.")
+]
+
+
+def solve(
+    names: Problems,
+    hand: HandOption = "drafting",
+    seed: SeedOption = 0,
+    json: JsonOption = None,
+    lang: LangOption = "en",
+    allow_outside: OutsideOption = False,
+    acts: ActsOption = False,
+) -> None:
+    """Print the answers: as drawn, exact, and how far off."""
+    tally = Tally()
+    found = problems(names, tally, allow_outside)
+    spared(json, JSON, found)
+    from ...board.told import told
+    from ...solution import solve as solved
+
+    solutions: list[Solution] = []
+    for problem in progress(found, Words("求解", "solving")):
+        with tally.job(), about(problem.id):
+            solutions.append(solved(problem, by=hand, seed=seed))
+    for solution in solutions:
+        tally.weigh(solution.problem.id, solution.construction.warning, lang)
+        if json != STDOUT:
+            _print(solution, lang)
+            if acts:
+                typer.echo(told(solution.construction.steps, solution.construction.acts, lang) + "\n")
+        warn(solution.problem.id, solution.warnings, lang)
+    if json is not None and solutions:
+        data = [solution.as_json() for solution in solutions]
+        write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
+    tally.settle()
+
+
+def _print(solution: Solution, lang: Lang) -> None:
+    from ...problem.asked.hints import nothing_asked
+    from ...solution import fewer_digits
+
+    problem = solution.problem
+    title = f"{problem.id}  {bare(problem.title.of(lang))}  ({_HANDS[solution.construction.hand][lang]})"
+    left = {0, 3, 6}
+    made = table(title, [(name, "left" if i in left else "right") for i, name in enumerate(_COLUMNS[lang])])
+    for answer in solution.answers.values():
+        mm = answer.reading.mm
+        add(made, (
+            symbol(answer.key), drawn(answer, lang), exact(answer, lang), written_unit(answer.reading.unit), gap(answer), reach(answer),
+            way(answer, lang), "—" if mm is None else f"{mm:.2f}",
+        ), alarmed=answer.suspect is not None)  # fmt: skip
+    show(made)
+    for answer in solution.answers.values():
+        if answer.reading.acts is not None and answer.reading.acts.couple is not None:
+            typer.echo(bare(_passed_on(answer).of(lang)))
+    if not problem.asks:
+        say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
+    if (few := fewer_digits(solution)) is not None:
+        say(bare(few.of(lang)))
+
+
+def _passed_on(answer: Answer) -> Words:
+    """The couple beside a reaction that is zero, as drawn and exact."""
+    acts, truth = answer.reading.acts, answer.exact_acts
+    couple, exactly = acts.couple if acts else None, truth.couple if truth else None
+    told = f"{couple or 0.0:.5g} N·m" + ("" if exactly is None else f" ({exactly:.5g})")
+    return Words(
+        f"{answer.key} = 0，移动副只传递力偶 {told}，逆时针为正，括号内为精确值",
+        f"{answer.key} = 0: the slide passes on a couple alone, {told}, counter-clockwise positive, the exact "
+        "value in brackets",
+    )

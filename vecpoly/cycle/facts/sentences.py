@@ -1,0 +1,402 @@
+"""The facts of a cycle in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, isfinite
+
+from ...mechanism.rams import driver_words
+from ...words import Words
+from ..cycle import Cycle
+from ..extremes import Extremes, Spot, extremes
+from .changing import figure_words
+from .found import Facts, Peak, Stroke, Transmission
+from .path import Path, Shape
+
+
+def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
+    """Each fact as a sentence: how the links move, limits, quick return, transmission angles, dead points, peaks."""
+    return (
+        *_range(cycle, found),
+        *_turns(cycle, found),
+        *_laps(cycle, found),
+        *_changes(cycle, found),
+        *(_stroke(cycle, s) for s in found.strokes),
+        *_swings(cycle, found),
+        *(_transmission(cycle, t) for t in found.transmissions),
+        *(_arm(cycle, a) for a in found.arms),
+        *(_peak(cycle, p) for p in found.peaks),
+    )
+
+
+def number(value: float, digits: int = 6) -> str:
+    """A number for reading, with a real minus."""
+    if not isfinite(value):
+        return "∞" if value > 0 else "−∞"
+    text = f"{round(value, 9) + 0.0:.{digits}g}"
+    return (f"{float(text):.0f}" if "e+" in text and abs(value) < 1e9 else text).replace("-", "−")
+
+
+def shown(cycle: Cycle, key: str, value: float, digits: int = 6) -> str:
+    """A value of a column with its shown unit."""
+    info = cycle.info(key)
+    unit = info.shown_unit
+    return number(info.factor * value, digits) + (unit if unit == "°" else f" {unit}" if unit else "")
+
+
+def where(cycle: Cycle, spot: Spot) -> str:
+    """$φ_1$ = 37.5°."""
+    return f"${cycle.drive.symbol}$ = {shown(cycle, cycle.drive.key, spot.phi, 5)}"
+
+
+def _driver(cycle: Cycle) -> Words:
+    """原动件 1 / The driving link 1; 油缸 2-3 / The cylinder 2-3."""
+    if not cycle.mech.drive.between:
+        return Words(f"原动件 {cycle.mech.drive.link} ", f"The driving link {cycle.mech.drive.link}")
+    return Words((words := driver_words(cycle.mech)).zh, words.en[0].upper() + words.en[1:])
+
+
+def _range(cycle: Cycle, found: Facts) -> Iterator[Words]:
+    link, symbol = _driver(cycle), cycle.drive.symbol
+    if found.whole:
+        yield Words(
+            f"{link.zh}可整周转动，机构在全部位置均可装配。",
+            f"{link.en} can turn right round; the mechanism can be assembled in every position.",
+        )
+        return
+    bound, ends = (
+        "的行程有限" if cycle.mech.drive.slide else "不能整周运动",
+        [shown(cycle, cycle.drive.key, q, 6) for q in (cycle.low, cycle.high)],
+    )
+    if all(found.unlimited):
+        yield Words(
+            f"{link.zh}的行程不受限制；这里取 ${symbol}$ 由 {ends[0]} 至 {ends[1]}。",
+            f"{link.en} can move on without limit; ${symbol}$ is taken here from {ends[0]} to {ends[1]}.",
+        )
+        return
+    yield Words(
+        f"{link.zh}{bound}：${symbol}$ 只能在 {ends[0]} 至 {ends[1]} 之间。"
+        if not any(found.unlimited)
+        else f"{link.zh}的行程一端受限：这里 ${symbol}$ 在 {ends[0]} 至 {ends[1]} 之间，"
+        f"其中 {ends[found.unlimited.index(True)]} 只是计算所取的界限。",
+        f"{link.en} cannot move on for ever: ${symbol}$ is limited to {ends[0]} … {ends[1]}."
+        + (
+            f" The end {ends[found.unlimited.index(True)]} is no limit, only as far as was looked."
+            if any(found.unlimited)
+            else ""
+        ),
+    )
+    if found.dead:
+        zh = (
+            "在这两个极限位置，原动件为从动杆组所限"
+            if len(found.dead) == 2
+            else f"在极限位置 {where(cycle, found.dead[0])}，原动件为从动杆组所限"
+        )
+        en = (
+            "At these two limits the dyad that it drives"
+            if len(found.dead) == 2
+            else f"At the limit {where(cycle, found.dead[0])} the dyad that it drives"
+        )
+        yield Words(
+            zh + "，速度无定值（死点）。",
+            en + " is stretched or folded, or its guides are parallel, and velocities have no single value (dead "
+            "points).",
+        )
+
+
+def _turns(cycle: Cycle, found: Facts) -> Iterator[Words]:
+    driven = {name: count for name, count in (found.turns or {}).items() if name != cycle.mech.drive.link}
+    rocking = [name for name, count in driven.items() if count == 0]
+    turning = {name: count for name, count in driven.items() if count}
+    if turning:
+        zh = "，".join(f"构件 {name} 转 {number(count)} 周" for name, count in turning.items())
+        en = ", ".join(
+            f"link {name} {number(count)} {'turn' if abs(count) == 1 else 'turns'}" for name, count in turning.items()
+        )
+        yield Words(
+            f"原动件每转一周：{zh}（逆时针为正）。", f"In one turn of the drive: {en} (counter-clockwise positive)."
+        )
+    if rocking:
+        yield Words(
+            f"构件 {'、'.join(rocking)} 不作整周转动。",
+            f"{'Link' if len(rocking) == 1 else 'Links'} {', '.join(rocking)} "
+            f"{'does' if len(rocking) == 1 else 'do'} not turn round.",
+        )
+
+
+def _laps(cycle: Cycle, found: Facts) -> Iterator[Words]:
+    """A mechanism that is elsewhere after one turn: what is told then is the first turn."""
+    if not found.whole or found.laps == 1:
+        return
+    first = f"{shown(cycle, cycle.drive.key, cycle.low)} … {shown(cycle, cycle.drive.key, cycle.high)}"
+    after = (
+        Words(f"，转 {found.laps} 周后才复原", f"; it is so after {found.laps} turns") if found.laps else Words("", "")
+    )
+    yield Words(
+        f"原动件转一周后，机构并未回到原来的位置{after.zh}；以下只是其中一周（${cycle.drive.symbol}$ 由 "
+        f"{first}）的情况。",
+        f"After one turn of the drive the mechanism is not back where it began{after.en}. What "
+        f"follows is told of one turn only (${cycle.drive.symbol}$ = {first}).",
+    )
+
+
+def _changes(cycle: Cycle, found: Facts) -> Iterator[Words]:
+    """Change points: the columns go smoothly through, as a real linkage does that is carried through by its inertia."""
+    for key, spots in found.changes:
+        links, places = key.removeprefix("gamma_"), ", ".join(shown(cycle, cycle.drive.key, s.phi, 5) for s in spots)
+        yield Words(
+            f"${cycle.drive.symbol}$ = {places} 处杆组 {links} 的各杆共线，两种装配在此重合（变点）。"
+            f"以下按机构靠惯性平稳通过变点计算{figure_words(cycle, links).zh}。",
+            f"At ${cycle.drive.symbol}$ = {places} dyad {links} lies in one line and its two "
+            "assemblies meet (change points). What follows goes smoothly through them, as inertia "
+            f"carries a real linkage{figure_words(cycle, links).en}.",
+        )
+
+
+def _stroke(cycle: Cycle, stroke: Stroke) -> Words:
+    info = cycle.info(stroke.key)
+    low, high, swing = (shown(cycle, stroke.key, v) for v in (stroke.lower.value, stroke.upper.value, stroke.swing))
+    at = where(cycle, stroke.lower), where(cycle, stroke.upper)
+    slow, quick = (f"{degrees(a):.4f}°" for a in (max(stroke.forth, stroke.back), min(stroke.forth, stroke.back)))
+    zh = f"${info.symbol}$ 的两极限位置：{low}（{at[0]}）和 {high}（{at[1]}），行程 {swing}；"
+    en = f"Limit positions of ${info.symbol}$: {low} ({at[0]}) and {high} ({at[1]}), stroke {swing}; "
+    if stroke.theta < 1e-6:
+        return Words(zh + "$K$ = 1，无急回特性。", en + "$K$ = 1, no quick return.")
+    ratio = f"$K$ = {slow}/{quick} = {stroke.ratio:.5f}"
+    return Words(
+        zh + f"{ratio}，极位夹角 $θ$ = {degrees(stroke.theta):.4f}°。",
+        en + f"{ratio}, $θ$ = {degrees(stroke.theta):.4f}°.",
+    )
+
+
+def _swings(cycle: Cycle, found: Facts) -> Iterator[Words]:
+    told = {stroke.key for stroke in found.strokes}
+    for swing in (s for s in found.swings if s.key not in told and s.highest and s.lowest):
+        assert swing.highest and swing.lowest
+        info, times = cycle.info(swing.key), len(swing.maxima)
+        span = Words("在一个循环内", "a cycle") if cycle.whole else Words("在这一范围内", "in this range")
+        low, high = shown(cycle, swing.key, swing.lowest.value), shown(cycle, swing.key, swing.highest.value)
+        yield Words(
+            f"${info.symbol}$ {span.zh}往复 {times} 次，介于 {low}（{where(cycle, swing.lowest)}）"
+            f"和 {high}（{where(cycle, swing.highest)}）之间。",
+            f"${info.symbol}$ goes to and fro {times} {'time' if times == 1 else 'times'} "
+            f"{span.en}, between {low} ({where(cycle, swing.lowest)}) and {high} "
+            f"({where(cycle, swing.highest)}).",
+        )
+
+
+def _transmission(cycle: Cycle, t: Transmission) -> Words:
+    info, least, most = cycle.info(t.key), degrees(t.least.value), degrees(t.greatest.value)
+    if most - least < 1e-6:
+        return Words(
+            f"{info.words.zh} ${info.symbol}$ 恒为 {least:.4f}°。",
+            f"The {info.words.en}, ${info.symbol}$, is {least:.4f}° throughout.",
+        )
+    zh, en = (
+        f"{info.words.zh} ${info.symbol}$ 最小 {least:.4f}°（{where(cycle, t.least)}）",
+        f"The {info.words.en}, ${info.symbol}$, is {least:.4f}° at least ({where(cycle, t.least)})",
+    )
+    if t.is_folded:
+        zh, en = (
+            zh + "，杆组接近折叠（拉直）位置，速度和加速度对尺寸误差十分敏感",
+            en + ", where the dyad is nearly folded or stretched and its rates depend strongly on every length",
+        )
+    elif t.is_poor:
+        zh, en = zh + "，小于 40°，传力性能较差", en + ", below 40°, where force is transmitted poorly"
+    top = (
+        Words("；并经过 90°", "; it passes through 90°")
+        if most > 90 - 1e-9
+        else Words(
+            f"；最大 {most:.4f}°（{where(cycle, t.greatest)}）",
+            f"; it is {most:.4f}° at most ({where(cycle, t.greatest)})",
+        )
+    )
+    return Words(f"{zh}{top.zh}。", f"{en}{top.en}.")
+
+
+def _arm(cycle: Cycle, arm: Extremes) -> Words:
+    if arm.lowest is None or arm.highest is None:
+        return Words.same("")
+    info = cycle.info(arm.key)
+    low, high = shown(cycle, arm.key, arm.lowest.value), shown(cycle, arm.key, arm.highest.value)
+    if arm.lowest.value < 1e-6 * cycle.mech.scale:
+        return Words(
+            f"{info.words.zh} ${info.symbol}$ 在 {where(cycle, arm.lowest)} 处为零：两销重合（变点），"
+            "该位置本身不能确定导杆方向；以下按机构靠惯性平稳通过计算。",
+            f"The {info.words.en}, ${info.symbol}$, is zero at {where(cycle, arm.lowest)}: the "
+            "pins meet (a change point), and the position alone does not determine the direction "
+            "of the guide. What follows goes smoothly through, as inertia carries a real linkage.",
+        )
+    return Words(
+        f"{info.words.zh} ${info.symbol}$ 在 {low}（{where(cycle, arm.lowest)}）"
+        f"至 {high}（{where(cycle, arm.highest)}）之间。",
+        f"The {info.words.en}, ${info.symbol}$, is between {low} ({where(cycle, arm.lowest)}) and "
+        f"{high} ({where(cycle, arm.highest)}).",
+    )
+
+
+def _peak(cycle: Cycle, peak: Peak) -> Words:
+    info = cycle.info(peak.key)
+    value, rms = shown(cycle, peak.key, peak.spot.value), shown(cycle, peak.key, peak.rms, 3)
+    zh, en = (
+        f"${info.symbol}$ 在 {where(cycle, peak.spot)} 处出现尖峰 {value}（均方根值 {rms}）",
+        f"${info.symbol}$ has a peak of {value} at {where(cycle, peak.spot)} (its rms is {rms})",
+    )
+    if peak.at is None:
+        return Words(zh + "。", en + ".")
+    beside = cycle.info(peak.beside)
+    least = shown(cycle, peak.beside, peak.at.value, 4)
+    return Words(
+        zh + f"，邻近 ${beside.symbol}$ 的最小值 {least}（{where(cycle, peak.at)}）。",
+        en + f", near the least ${beside.symbol}$, {least} ({where(cycle, peak.at)}).",
+    )
+
+
+def extreme_words(cycle: Cycle, key: str) -> Words:
+    """Greatest and least value of a column, and where."""
+    found, info = extremes(cycle, key), cycle.info(key)
+    if found.highest is None or found.lowest is None:
+        return Words(f"${info.symbol}$ 无值。", f"${info.symbol}$ has no value.")
+    if found.is_constant:
+        value = shown(cycle, key, found.highest.value)
+        return Words(f"${info.symbol}$ = {value}，保持不变。", f"${info.symbol}$ = {value} throughout.")
+    high, low = shown(cycle, key, found.highest.value), shown(cycle, key, found.lowest.value)
+    return Words(
+        f"${info.symbol}$ 最大 {high}（{where(cycle, found.highest)}），最小 {low}（{where(cycle, found.lowest)}）。",
+        f"${info.symbol}$ is {high} at most ({where(cycle, found.highest)}) and {low} at least "
+        f"({where(cycle, found.lowest)}).",
+    )
+
+
+_SHAPES = {
+    Shape.STILL: Words("静止不动", "stands still"),
+    Shape.CIRCLE: Words("为整圆", "moves on a circle"),
+    Shape.LINE: Words("为一段直线（往复）", "moves to and fro on a straight line"),
+    Shape.ARC: Words("为一段圆弧（往复）", "moves to and fro on a circular arc"),
+    Shape.CURVE: Words("为连杆曲线", "traces a coupler curve"),
+}
+
+
+_ENDLESS = Words("，在原动件行程的端部伸向无穷远。", ", and runs off to infinity towards an end of the drive's range.")
+
+
+def path_sentences(cycle: Cycle, found: Path) -> tuple[Words, ...]:
+    """The shape of a path in words."""
+    point, kind = f"${found.point}$", _SHAPES[found.shape]
+    text = [
+        Words(
+            f"点 {point} 的轨迹{kind.zh}" if found.shape is not Shape.STILL else f"点 {point} {kind.zh}",
+            f"Point {point} {kind.en}",
+        )
+        + (
+            _ENDLESS
+            if not isfinite(found.length)
+            else Words(f"，长 {_mm(found.length)} mm。", f", {_mm(found.length)} mm long.")
+            if found.length
+            else Words("。", ".")
+        )
+    ]
+    if found.shape is Shape.CIRCLE:
+        text[0] = _circle(cycle, found)
+    if found.shape is Shape.CURVE and isfinite(found.length):
+        text.append(
+            Words("曲线封闭。", "The curve is closed.") if found.closed else Words("曲线不封闭。", "The curve is open.")
+        )
+        for cross in found.crossings:
+            place = f"({_mm(cross.at.real)}, {_mm(cross.at.imag)}) mm"
+            at = [_place(cycle, q) for q in (cross.first, cross.second)]
+            pivot = next(
+                (
+                    f"${letter}$"
+                    for letter, z in cycle.mech.frame.items()
+                    if abs(z - cross.at) < 1e-9 * cycle.mech.scale
+                ),
+                "",
+            )
+            text.append(
+                Words(
+                    f"它在 {place}{f'（恰为固定铰链 {pivot}）' if pivot else ''} 自交（${cycle.drive.symbol}$ = "
+                    f"{at[0]} 和 {at[1]}）。",
+                    f"It crosses itself at {place}{f', the fixed pivot {pivot}' if pivot else ''} "
+                    f"(${cycle.drive.symbol}$ = {at[0]} and {at[1]}).",
+                )
+            )
+        for place_, q in found.cusps:
+            place = f"({_mm(place_.real)}, {_mm(place_.imag)}) mm"
+            text.append(
+                Words(
+                    f"它在 {place} 有尖点（{where(cycle, Spot(q, 0.0))}）。",
+                    f"It has a cusp at {place} ({where(cycle, Spot(q, 0.0))}).",
+                )
+            )
+        if found.turning is not None:
+            text.append(_turning(found.turning, len(found.crossings)))
+            text += _bends(cycle, found)
+    return tuple(text)
+
+
+def _circle(cycle: Cycle, found: Path) -> Words:
+    """Its centre and radius."""
+    middle, radius = (found.low + found.high) / 2, (found.high - found.low).real / 2
+    pivot = next(
+        (f"${letter}$" for letter, z in cycle.mech.frame.items() if abs(z - middle) < 1e-5 * cycle.mech.scale),
+        f"({_mm(middle.real)}, {_mm(middle.imag)}) mm",
+    )
+    return Words(
+        f"点 ${found.point}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {_mm(found.length)} mm。",
+        f"Point ${found.point}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, "
+        f"{_mm(found.length)} mm long.",
+    )
+
+
+def _place(cycle: Cycle, position: float) -> str:
+    """A position of the drive: degrees to one decimal."""
+    info = cycle.drive
+    return (
+        f"{info.factor * position:.1f}°".replace("-", "−")
+        if info.shown_unit == "°"
+        else shown(cycle, info.key, position, 4)
+    )
+
+
+def _mm(value: float) -> str:
+    return number(round(1e3 * value, 9), 4)
+
+
+def _turning(turning: int, crosses: int) -> Words:
+    """How often the tangent turns round in a cycle, and what that makes of the curve."""
+    if turning == 0:
+        start = Words("沿曲线一周，切线转过的净角度为 0°", "In one round its tangent turns through 0° in all")
+    else:
+        sense = Words("逆时针" if turning > 0 else "顺时针", "counter-clockwise" if turning > 0 else "clockwise")
+        times = {1: "once", 2: "twice"}.get(abs(turning), f"{abs(turning)} times")
+        start = Words(
+            f"沿曲线一周，切线{sense.zh}转过 {360 * abs(turning)}°",
+            f"In one round its tangent turns {times} {sense.en}",
+        )
+    if turning == 0 and crosses == 1:
+        return start + Words("，曲线呈 8 字形。", ": a figure of eight.")
+    if abs(turning) == 2 and crosses == 1:
+        return start + Words("，曲线带一个内环。", ": the curve has an inner loop.")
+    if abs(turning) == 1 and not crosses:
+        return start + Words("，曲线不自交。", ", and it does not cross itself.")
+    return start + Words("。", ".")
+
+
+def _bends(cycle: Cycle, found: Path) -> list[Words]:
+    """Convex everywhere, or bent the other way between points of inflection."""
+    if not found.inflections:
+        return (
+            [Words("曲线处处外凸，呈卵形。", "It is convex all round: an oval.")]
+            if abs(found.turning or 0) == 1 and not found.crossings
+            else []
+        )
+    at = [_place(cycle, q) for q in found.inflections]
+    count = len(at)
+    return [
+        Words(
+            f"曲线有 {count} 个拐点（${cycle.drive.symbol}$ = {'、'.join(at)}），在拐点处凹凸方向改变。",
+            f"It has {count} {'point' if count == 1 else 'points'} of inflection "
+            f"(${cycle.drive.symbol}$ = {', '.join(at)}), where it bends the other way.",
+        )
+    ]

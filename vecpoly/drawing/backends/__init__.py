@@ -1,0 +1,1 @@
+"""A scene on a canvas: SVG, PDF, PNG, matplotlib; one file each."""

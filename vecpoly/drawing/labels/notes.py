@@ -1,0 +1,52 @@
+"""Short texts of several lines: the words of a box, a note, a title too long for its figure."""
+
+from __future__ import annotations
+
+from ...typeset import Box, layout_words
+from ...typeset.box import place, scaled
+from ...typeset.words import is_han
+
+LEADING = 1.3  # baseline to baseline, em
+WORTH = 1.2  # by how much larger type must become for a line to be folded
+
+
+def lines(text: str, em: float) -> Box:
+    """The lines of a text one under the other, centred; the origin on the first baseline."""
+    boxes = [layout_words(line, em) for line in text.split("\n")]
+    width = max(box.width for box in boxes)
+    return place([((width - box.width) / 2, -LEADING * em * i, box) for i, box in enumerate(boxes)], width)
+
+
+def fitted(text: str, em: float, width: float, height: float) -> Box:
+    """The lines of a text, folded and made smaller only as far as their place asks."""
+    boxes = [lines(one, em) for one in (text, folded(text, em, width))]
+    factors = [
+        min(1.0, max(width, 1.0) / box.width, max(height, 1.0) / box.height) if box.items else 1.0 for box in boxes
+    ]
+    box, factor = (boxes[1], factors[1]) if factors[1] > WORTH * factors[0] else (boxes[0], factors[0])
+    return box if factor == 1.0 else scaled(box, factor)
+
+
+def folded(text: str, em: float, width: float) -> str:
+    """The text with each line on two of like length where it would be wider than `width` mm."""
+    return "\n".join(_folded(line, em, width) for line in text.split("\n"))
+
+
+def _folded(line: str, em: float, width: float) -> str:
+    if lines(line, em).width <= width:
+        return line
+    halves = [f"{line[:i].rstrip()}\n{line[i:].lstrip()}" for i in _breaks(line)]
+    return min(halves, key=lambda half: lines(half, em).width, default=line)
+
+
+def _breaks(text: str) -> list[int]:
+    """Where a line may end: at spaces and between Chinese characters, never inside a formula, beside an equals sign,
+    before a number or punctuation."""
+    return [
+        i
+        for i in range(1, len(text))
+        if text[:i].count("$") % 2 == 0
+        and text[i] not in "，。、：；）)】,.:;= 0123456789"
+        and text[:i].rstrip()[-1:] not in "（(="
+        and (text[i - 1] in " \u3000，、：" or (is_han(text[i]) and is_han(text[i - 1])))
+    ]

@@ -1,0 +1,209 @@
+"""What lettering must keep clear of, and what it costs to stand on it: numpy finds the pairs and clips lines, shapely
+knows areas.
+
+The places for one label lie close together: of the pieces of a figure only those about them are looked at.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from ..scene import Fill, Item, Layer, Stroke, TextBox
+from ..style import THIN
+
+Complexes = NDArray[np.complex128]
+Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
+Own = tuple[complex | Complexes, complex | Complexes]
+
+GAP = 0.45  # mm between lettering and a line
+ROOM = 1.1  # mm beyond which a neighbour no longer confuses
+COARSE = 0.08  # mm sagitta that is fine enough for keeping clear
+ON_LINE, PER_MM, NEARBY = 40.0, 6.0, 0.7
+ON_SOLID, ON_TINT = 90.0, 0.8
+CROSSING, CROSSING_SOLID = 7.0, 30.0  # a leader over a line, over an arrowhead or a joint
+
+
+@dataclass(frozen=True, slots=True)
+class Bounds:
+    """The upright rectangles about many things."""
+
+    x0: Floats
+    y0: Floats
+    x1: Floats
+    y1: Floats
+
+    @classmethod
+    def between(cls, a: Complexes, b: Complexes) -> Bounds:
+        """About straight lines a -> b."""
+        return cls(
+            np.minimum(a.real, b.real),
+            np.minimum(a.imag, b.imag),
+            np.maximum(a.real, b.real),
+            np.maximum(a.imag, b.imag),
+        )
+
+    @classmethod
+    def about(cls, centre: Complexes, width: Floats | float, height: Floats | float, by: float) -> Bounds:
+        """About rectangles of one size, and `by` mm further out."""
+        x, y, w, h = centre.real, centre.imag, width / 2 + by, height / 2 + by
+        return cls(x - w, y - h, x + w, y + h)
+
+    def over(self, other: Bounds) -> tuple[Indices, Indices]:
+        """The pairs (ours, theirs) that overlap; first of all those of theirs that lie about all of ours."""
+        if not len(self.x0):
+            return np.zeros(0, dtype=np.intp), np.zeros(0, dtype=np.intp)
+        near = np.flatnonzero(
+            (other.x0 <= self.x1.max())
+            & (other.x1 >= self.x0.min())
+            & (other.y0 <= self.y1.max())
+            & (other.y1 >= self.y0.min())
+        )
+        across = (self.x0[:, None] <= other.x1[near]) & (self.x1[:, None] >= other.x0[near])
+        ours, theirs = np.nonzero(across & (self.y0[:, None] <= other.y1[near]) & (self.y1[:, None] >= other.y0[near]))
+        return ours, near[theirs]
+
+
+@dataclass(frozen=True, slots=True)
+class Obstacles:
+    """Straight pieces a -> b with half their width and a weight, and polygons, solid or tinted."""
+
+    a: Complexes
+    b: Complexes
+    half: Floats
+    weight: Floats
+    polygons: NDArray[np.object_]
+    solid: NDArray[np.bool_]
+    spans: Bounds  # of the pieces
+    areas: Bounds  # of the polygons
+
+    @classmethod
+    def of(cls, items: tuple[Item, ...]) -> Obstacles:
+        """Gathered from the primitives of a figure."""
+        pieces: list[tuple[complex, complex, float, float]] = []
+        polygons: list[Any] = []
+        solid: list[bool] = []
+        for item in items:
+            match item:
+                case Stroke():
+                    pieces.extend(_pieces(item))
+                case Fill(points=points, hue=hue, layer=layer):
+                    polygons.append(shapely.Polygon([(z.real, z.imag) for z in points]))
+                    solid.append(not hue.is_tint or layer > Layer.TINT)
+                case TextBox(rect=r):
+                    polygons.append(shapely.box(r.x0, r.y0, r.x1, r.y1))
+                    solid.append(True)
+        a, b, half, weight = zip(*pieces, strict=True) if pieces else ((), (), (), ())
+        return cls._indexed(
+            np.array(a, dtype=complex),
+            np.array(b, dtype=complex),
+            np.array(half, dtype=float),
+            np.array(weight, dtype=float),
+            polygons,
+            np.array(solid, dtype=bool),
+        )
+
+    @classmethod
+    def _indexed(
+        cls, a: Complexes, b: Complexes, half: Floats, weight: Floats, polygons: list[Any], solid: NDArray[np.bool_]
+    ) -> Obstacles:
+        shapes = np.array(polygons, dtype=object)
+        shapely.prepare(shapes)
+        areas = Bounds(*shapely.bounds(shapes).reshape(-1, 4).T)
+        return cls(a, b, half, weight, shapes, solid, Bounds.between(a, b), areas)
+
+    def cost(self, centre: Complexes, width: Floats | float, height: Floats | float, own: Own) -> Floats:
+        """What each of many places costs, for one label or for one each; `own`: the line it names, which may be as near
+        as it likes."""
+        total = np.zeros(len(centre))
+        wide, high = np.broadcast_to(width, total.shape), np.broadcast_to(height, total.shape)
+        reach = GAP + ROOM + float(self.half.max(initial=0.0))
+        box, piece = Bounds.about(centre, width, height, reach).over(self.spans)
+        if len(box):
+            a, b, half = self.a[piece], self.b[piece], self.half[piece]
+            near, close = clip(a, b, centre[box], wide[box] / 2 + half + GAP + ROOM, high[box] / 2 + half + GAP + ROOM)
+            price = NEARBY * np.where(_along(a, b, own, box), 0.0, near)
+            a, b, half = a[close], b[close], half[close]
+            inside, hit = clip(
+                a, b, centre[box[close]], wide[box[close]] / 2 + half + GAP, high[box[close]] / 2 + half + GAP
+            )
+            price[close] += np.where(hit, self.weight[piece[close]] * (ON_LINE + PER_MM * inside), 0.0)
+            np.add.at(total, box, price)
+        box, polygon = Bounds.about(centre, width, height, 0.3).over(self.areas)
+        if len(box):
+            here, at = np.unique(box, return_inverse=True)
+            met = shapely.intersects(self.polygons[polygon], _boxes(centre[here], wide[here], high[here], 0.3)[at])
+            box, polygon = box[met], polygon[met]
+        np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
+        return total
+
+    def crossings(self, foot: Complexes, end: Complexes, own: Own) -> Floats:
+        """What each of many leader lines costs for the lines and solids it crosses."""
+        total = np.zeros(len(foot))
+        start = foot + 0.05 * (end - foot)
+        spans = Bounds.between(start, end)
+        leader, piece = spans.over(self.spans)
+        met = _cross(start[leader], end[leader], self.a[piece], self.b[piece])
+        leader, piece = leader[met], piece[met]
+        if len(leader):
+            free = _along(self.a[piece], self.b[piece], own, leader)
+            np.add.at(total, leader, np.where(free, 0.0, CROSSING * self.weight[piece]))
+        leader, polygon = spans.over(self.areas)
+        leader, polygon = leader[self.solid[polygon]], polygon[self.solid[polygon]]
+        ends = np.stack([np.stack([start.real, start.imag], -1), np.stack([end.real, end.imag], -1)], axis=1)[leader]
+        met = shapely.intersects(self.polygons[polygon], shapely.linestrings(ends))
+        np.add.at(total, leader[met], CROSSING_SOLID)
+        return total
+
+
+def _pieces(stroke: Stroke) -> list[tuple[complex, complex, float, float]]:
+    points = stroke.points + stroke.points[:1] if stroke.closed else stroke.points
+    if len(points) > 12:
+        line = shapely.simplify(shapely.LineString([(z.real, z.imag) for z in points]), COARSE)
+        points = tuple(complex(x, y) for x, y in line.coords)
+    weight = 1.0 if stroke.width <= THIN else 1.6
+    return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
+
+
+def _cross(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np.bool_]:
+    """Whether lines a -> b and p -> q, which overlap as rectangles, cross."""
+    d, e = (b - a).conjugate(), (q - p).conjugate()
+    apart = ((d * (p - a)).imag * (d * (q - a)).imag > 0) | ((e * (a - p)).imag * (e * (b - p)).imag > 0)
+    result: NDArray[np.bool_] = ~apart
+    return result
+
+
+def _boxes(centre: Complexes, width: Floats | float, height: Floats | float, by: float) -> Any:
+    x, y = centre.real, centre.imag
+    return shapely.box(x - width / 2 - by, y - height / 2 - by, x + width / 2 + by, y + height / 2 + by)
+
+
+def _along(a: Complexes, b: Complexes, own: Own, which: Indices) -> NDArray[np.bool_]:
+    """Which pieces run along the line p -> q that a label names; `which`: of several lines, that of each piece."""
+    p, q = (np.asarray(end) if np.ndim(end) == 0 else np.asarray(end)[which] for end in own)
+    length = np.abs(q - p)
+    u = ((q - p) / np.maximum(length, 1e-6)).conjugate()
+    off_a, off_b = ((a - p) * u).imag, ((b - p) * u).imag
+    result: NDArray[np.bool_] = (length >= 1e-6) & (np.abs(off_a) < 0.05) & (np.abs(off_b) < 0.05)
+    return result
+
+
+def clip(
+    a: Complexes, b: Complexes, centre: Complexes, dx: Floats | float, dy: Floats | float
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """Length of each piece inside its box (centre ± dx, ± dy), and whether it enters at all (Liang and Barsky)."""
+    start, d = a - centre, b - a
+    low, high = np.zeros(start.shape), np.ones(start.shape)
+    for p, s, half in ((d.real, start.real, dx), (d.imag, start.imag, dy)):
+        steep = np.where(np.abs(p) < 1e-12, 1e-12, p)
+        t0, t1 = (-half - s) / steep, (half - s) / steep
+        low = np.maximum(low, np.minimum(t0, t1))
+        high = np.minimum(high, np.maximum(t0, t1))
+    span = np.maximum(high - low, 0.0)
+    return span * np.abs(d), span > 0.0

@@ -1,0 +1,67 @@
+"""A label belongs to what it is nearest to: what it costs to stand nearer to another point, link or vector than to
+one's own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .obstacles import Complexes, Floats, clip
+from .wants import Thing, Want
+
+WRONG = 55.0  # nearer to another than to its own, with no leader to tell
+DOUBTFUL = 0.6  # mm: nearly as near
+REACH = 20.0  # mm from what it names within which a label without a leader stands
+
+
+def rivals(want: Want, others: Sequence[Want]) -> tuple[Complexes, Complexes, Floats]:
+    """The lines a -> b and half the widths of all other things of the same kind for which its label could be taken."""
+    found = [w for w in others if w.thing is want.thing and w.own != want.own] if want.thing is not Thing.OTHER else []
+    a, b = np.array([w.own[0] for w in found], dtype=complex), np.array([w.own[1] for w in found], dtype=complex)
+    radius = np.array([w.radius for w in found])
+    reach = REACH + abs(want.own[1] - want.own[0]) / 2
+    middle = (want.own[0] + want.own[1]) / 2
+    near = np.abs(middle - _on(np.full(len(a), middle), a, b)) < reach
+    return a[near], b[near], radius[near]
+
+
+def misled(want: Want, others: Sequence[Want], centre: Complexes, led: NDArray[np.bool_]) -> Floats:
+    """What each place for the middle of a label costs for the things it could be taken to name; `led`: where a leader
+    tells."""
+    a, b, radius = rivals(want, others)
+    if not len(a):
+        return np.zeros(len(centre))
+    total, centre = np.zeros(len(centre)), centre[~led]
+    half = complex(want.width / 2, want.height / 2)
+    own = distance(centre, half, *(np.array([p]) for p in want.own)).min(axis=1) - want.radius
+    rival = (distance(centre, half, a, b) - radius).min(axis=1)
+    total[~led] = WRONG * np.clip((own + DOUBTFUL - rival) / DOUBTFUL, 0.0, 1.0)
+    return total
+
+
+def distance(centre: Complexes, half: complex, a: Complexes, b: Complexes) -> Floats:
+    """From each rectangle (centre ± half) to each line a -> b, mm; shape (rectangles, lines)."""
+    c = centre[:, None]
+    ends = np.minimum(_outside(a - c, half), _outside(b - c, half))
+    corners = c[:, :, None] + np.array([half, -half, half.conjugate(), -half.conjugate()])
+    touch = np.abs(corners - _on(corners, a[None, :, None], b[None, :, None])).min(axis=2)
+    start, end, middle = np.broadcast_arrays(a, b, c)
+    _, hit = clip(start, end, middle, half.real, half.imag)
+    result: Floats = np.where(hit, 0.0, np.minimum(ends, touch))
+    return result
+
+
+def _outside(d: Complexes, half: complex) -> Floats:
+    """Distance of points, seen from the middle of a rectangle, from it."""
+    result: Floats = np.hypot(np.maximum(np.abs(d.real) - half.real, 0.0), np.maximum(np.abs(d.imag) - half.imag, 0.0))
+    return result
+
+
+def _on(p: Complexes, a: Complexes, b: Complexes) -> Complexes:
+    """The points of lines a -> b nearest to points p."""
+    d = b - a
+    t = ((p - a) * d.conjugate()).real / np.maximum(np.abs(d) ** 2, 1e-12)
+    result: Complexes = a + np.clip(t, 0.0, 1.0) * d
+    return result

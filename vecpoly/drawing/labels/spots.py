@@ -1,0 +1,79 @@
+"""All the places where a letter could stand: round a point, along both sides of a line, or farther off on a leader."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .obstacles import Complexes, Floats
+from .wants import Want
+
+DIRECTIONS = np.exp(2j * np.pi * np.arange(24) / 24)
+GAPS = (0.55, 1.1, 1.9, 3.0, 4.4)
+FAR = (6.5, 9.5, 13.0, 18.0)
+LEADER = 22.0  # what resorting to a leader line costs
+PER_DISTANCE, PER_FRACTION = 1.2, 6.0
+
+
+@dataclass(frozen=True, slots=True)
+class Spots:
+    """Places for the middle of a label: what each costs, and the foot of its leader line (nan: none)."""
+
+    centre: Complexes
+    cost: Floats
+    foot: Complexes
+
+
+def spots(want: Want, middle: complex) -> Spots:
+    """All the places to be tried for a label; `middle`: of the figure, from which letters tend away."""
+    half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
+    feet, number = np.array(want.feet)[:, None], np.arange(len(want.feet))[:, None] / len(want.feet)
+    normals = np.array(want.normals)[:, None]
+    sides = DIRECTIONS[None] if all_round else normals if want.one_sided else np.hstack([normals, -normals])
+    away, reach = feet - middle, np.abs(feet - middle)
+    away = np.where(reach > 1, away / np.maximum(reach, 1.0), 0j)
+    base = PER_FRACTION * number + 1.0 * (1 - (sides * away.conjugate()).real)
+    gap, far = np.array(GAPS)[:, None], np.array(FAR)[:, None]
+    near = feet[..., None] + _offset(sides[:, None], want.radius + gap, half, all_round)
+    led = want.feet[0] + _offset(DIRECTIONS, want.radius + far, half, True)
+    at = np.broadcast_to(want.feet[0] + DIRECTIONS * (want.radius if all_round else 0.0), led.shape)
+    return Spots(
+        np.concatenate([near.ravel(), led.ravel()]),
+        np.concatenate(
+            [
+                (base[:, None] + PER_DISTANCE * gap).ravel(),
+                np.broadcast_to(LEADER + PER_DISTANCE * far, led.shape).ravel(),
+            ]
+        ),
+        np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]),
+    )
+
+
+def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
+    """One of these places alone, by its number: the middle of the label and the foot of its leader; None where there
+    are not so many."""
+    half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
+    sides = len(DIRECTIONS) if all_round else 1 if want.one_sided else 2
+    number, rest = divmod(index, len(GAPS) * sides)
+    if number < len(want.feet):
+        gap, side = divmod(rest, sides)
+        u = complex(DIRECTIONS[side]) if all_round else want.normals[number] * (1 - 2 * side)
+        return want.feet[number] + complex(_offset(u, want.radius + GAPS[gap], half, all_round)), None
+    far, way = divmod(index - len(want.feet) * len(GAPS) * sides, len(DIRECTIONS))
+    if far >= len(FAR):
+        return None
+    u = complex(DIRECTIONS[way])
+    return want.feet[0] + complex(_offset(u, want.radius + FAR[far], half, True)), want.feet[0] + u * (
+        want.radius if all_round else 0.0
+    )
+
+
+def _offset(u: Any, distance: Any, half: complex, round_point: bool) -> Any:
+    """From a point to the middle of a box that stands clear of it by `distance` in direction u."""
+    if round_point:  # the box slides round the point
+        x, y = np.clip(u.real * 1.42, -1, 1), np.clip(u.imag * 1.42, -1, 1)
+        return distance * u + half.real * x + 1j * half.imag * y
+    return u * (distance + half.real * np.abs(u.real) + half.imag * np.abs(u.imag))

@@ -1,0 +1,125 @@
+"""A4 sheets: the figures of a construction placed true to scale, 1 mm of a figure being 1 mm of paper."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ...board.construction import Construction, Figure, View
+from ...errors import VecpolyError
+from ...words import Lang, Words
+from ..detail import detailed
+from ..figure import draw_figure
+from ..scene import Item, Rect, Scene
+from .packing import Layout
+from .paging import Drawn, Way, arranged, paged, reading_order
+from .redbox import red_box
+from .space import A4, FRAME, STRIP, room_inside, usable
+from .titleblock import Strip, furniture
+
+NO_TITLE = Words.same("")
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A figure on a sheet: its view and name, and where on the page its origin and its extents lie, mm from the lower
+    left."""
+
+    view: View
+    origin: complex
+    extents: Rect
+    name: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A page of drawings in mm, its origin at the lower left corner of the paper, and what its title strip says."""
+
+    drawn: tuple[Item, ...]
+    figures: tuple[Placed, ...]
+    landscape: bool
+    strip: Strip
+    lang: Lang
+    warning: Words | None = None
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the paper, mm."""
+        return (A4[1], A4[0]) if self.landscape else A4
+
+    @property
+    def scene(self) -> Scene:
+        """Frame, title strip and figures; a warning in red over all."""
+        page = Rect(0.0, 0.0, *self.size)
+        alarm = () if self.warning is None else red_box(page, self.warning.of(self.lang))
+        return Scene((*furniture(page, self.strip, self.lang), *self.drawn, *alarm), page)
+
+
+def sheets(
+    construction: Construction, *, lang: Lang = "zh", title: Words = NO_TITLE, way: Way = None
+) -> tuple[Sheet, ...]:
+    """The figures of a construction on as few A4 sheets as hold them, the mechanism first, each force polygon beside
+    its free body; `way`: portrait or landscape, where one is wished.
+
+    A knot in a polygon is drawn apart, enlarged, where that asks for no further sheet. Raises VecpolyError where a
+    figure is larger than a sheet.
+    """
+    figures = reading_order(construction.figures)
+    apart = tuple(one for figure in figures for one in detailed(figure))
+    drawn = _drawn(apart, lang)
+    pages = paged(drawn, way)
+    if len(apart) > len(figures) and (pages is None or len(pages) > 1):
+        done = dict(zip(apart, drawn, strict=True))
+        whole = tuple(done.get(f) or _drawn((f,), lang)[0] for f in figures)
+        plain = paged(whole, way)
+        if pages is None or (plain is not None and len(pages) > len(plain)):
+            drawn, pages = whole, plain
+    if pages is None:
+        raise _too_large(next(one for one in drawn if arranged((one,), way) is None))
+    return tuple(
+        _sheet(
+            group,
+            layout,
+            Strip(problem=construction.problem, title=title, hand=construction.hand, number=n, total=len(pages)),
+            lang,
+            construction.warning,
+        )
+        for n, (group, layout) in enumerate(pages, start=1)
+    )
+
+
+def _drawn(figures: Sequence[Figure], lang: Lang) -> tuple[Drawn, ...]:
+    return tuple(Drawn(f.view, f.name, draw_figure(f, lang=lang)) for f in figures)
+
+
+def bound(loose: Sequence[Sheet], names: Sequence[Words]) -> tuple[Sheet, ...]:
+    """Sheets of several drawings as they are bound together: numbered through, each with its name (Figure 6-1)."""
+    return tuple(
+        replace(sheet, strip=replace(sheet.strip, number=n, total=len(loose), name=name))
+        for n, (sheet, name) in enumerate(zip(loose, names, strict=True), start=1)
+    )
+
+
+def _too_large(one: Drawn) -> VecpolyError:
+    size, room = one.scene.extents, usable()
+    name, broad = f"{one.view.name} {one.name}".rstrip(), usable(True)
+    return VecpolyError(
+        Words(
+            f"图 {name} 连同文字为 {size.width:.0f} × {size.height:.0f} mm，而 A4 图纸可用 {room[0]:.0f} × "
+            f"{room[1]:.0f} mm（横放 {broad[0]:.0f} × {broad[1]:.0f} mm）；请加大 μ",
+            f"the {one.view.name} figure{f' {one.name}' if one.name else ''} measures {size.width:.0f} × "
+            f"{size.height:.0f} mm with its lettering; an A4 sheet holds {room[0]:.0f} × {room[1]:.0f} mm (or "
+            f"{broad[0]:.0f} × {broad[1]:.0f} mm across): choose a larger μ",
+        )
+    )
+
+
+def _sheet(drawn: tuple[Drawn, ...], layout: Layout, strip: Strip, lang: Lang, warning: Words | None) -> Sheet:
+    items: list[Item] = []
+    placed: list[Placed] = []
+    for one, corner in zip(drawn, layout.corners, strict=True):
+        by = corner + complex(FRAME, FRAME + STRIP) - complex(one.scene.extents.x0, one.scene.extents.y0)
+        shifted = one.scene.moved(by)
+        items.extend(shifted.items)
+        placed.append(Placed(one.view, by, shifted.extents, one.name))
+    return Sheet(tuple(items), tuple(placed), layout.page == room_inside(True), strip, lang, warning)

@@ -1,0 +1,59 @@
+"""How much room a sheet offers: the board chooses its scales from these sizes, the sheet places figures in them. All in
+mm."""
+
+from __future__ import annotations
+
+from ...board.construction import View
+
+A4 = (210.0, 297.0)
+FRAME = 10.0  # paper edge to frame
+STRIP = 16.0  # title strip at the foot, inside the frame
+CLEAR = 5.0  # white between the frame and the first figure, and between figures
+CAPTION = 15.0  # title and scale under a figure
+LETTERING = 8.0  # what letters may stand out from a figure on each side
+
+
+def usable(landscape: bool = False) -> tuple[float, float]:
+    """Width and height inside frame and strip, with white around."""
+    width, height = room_inside(landscape)
+    return width - 2 * CLEAR, height - 2 * CLEAR
+
+
+def room_inside(landscape: bool = False) -> tuple[float, float]:
+    """Width and height inside the frame, over the strip."""
+    width, height = reversed(A4) if landscape else A4
+    return width - 2 * FRAME, height - 2 * FRAME - STRIP
+
+
+def slots(n_figures: int) -> tuple[tuple[float, float], ...]:
+    """Width and height that the bare lines of each figure should fill, the mechanism first.
+
+    One: the whole of an A4 portrait. Two: one above the other. Three: the mechanism above, two polygons side by side.
+    More: pages of their own beyond the third.
+    """
+    if n_figures < 1:
+        return ()
+    width, height = usable()
+    rows = 1 if n_figures == 1 else 2
+    deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - 2 * LETTERING / 2
+    wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
+    if n_figures < 3:
+        return ((wide, deep),) * n_figures
+    return ((wide, deep), (half, deep), (half, deep), *slots(n_figures - 3))
+
+
+FIGURE_SPACE = slots(3)
+
+
+def room(view: View, count: int = 1) -> tuple[float, float]:
+    """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
+
+    The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon,
+    a page being two columns wide:
+    one or two pairs a page, half a page high; three pairs a page where there are more.
+    """
+    width, height = usable()
+    wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING
+    rows = 2 if count <= 2 or not view.paired else 3
+    deep = (height - (rows - 1) * CLEAR) / rows - CAPTION - LETTERING
+    return (wide if view.wide else half, deep)

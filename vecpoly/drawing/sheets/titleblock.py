@@ -1,0 +1,110 @@
+"""The furniture of a sheet: frame, title strip with blanks for the name, and the bar that proves the print true to
+scale."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...typeset import Box, layout_words
+from ...words import Lang, Words, label
+from ..scene import Item, Layer, Rect, Stroke, TextBox
+from ..style import GIVEN, NOTE, RESULT, THIN
+from .space import FRAME, STRIP
+
+BAR = 50.0
+BAR_CELL = 62.0  # width of the strip's last cell
+UNNAMED = Words.same("")
+LABELS = {
+    "sheet": Words("第 {n} 张　共 {total} 张", "Sheet {n} of {total}"),
+    "hand": Words("作图：", "Drawn "),
+    "name": Words("姓名", "Name"),
+    "number": Words("学号", "No."),
+    "group": Words("班级", "Class"),
+    "date": Words("日期", "Date"),
+    "bar": Words("打印后此线应为 50 mm", "This bar measures 50 mm when printed true to scale"),
+}
+HANDS = {
+    "exact": Words("精确", "exactly"),
+    "drafting": Words("仪器绘图，读至 0.1 mm", "with instruments, read to 0.1 mm"),
+    "pencil": Words("铅笔，读至 0.5 mm", "in pencil, read to 0.5 mm"),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Strip:
+    """What the title strip says."""
+
+    problem: str
+    title: Words
+    hand: str
+    number: int
+    total: int
+    name: Words = UNNAMED  # of the sheet as a figure of a report
+
+
+def furniture(page: Rect, strip: Strip, lang: Lang) -> tuple[Item, ...]:
+    """Frame, strip and check bar of one sheet."""
+    frame = page.grown(-FRAME)
+    y, x1 = frame.y0 + STRIP, frame.x1
+    x_bar, x_name = x1 - BAR_CELL, frame.x0 + 0.44 * (x1 - frame.x0)
+    mid = frame.y0 + STRIP / 2
+    x_half = (x_name + x_bar) / 2
+    lines = [
+        _line(complex(frame.x0, y), complex(x1, y), GIVEN),
+        *(_line(complex(x, frame.y0), complex(x, y), GIVEN) for x in (x_name, x_bar)),
+        _line(complex(x_half, frame.y0), complex(x_half, y), THIN),
+        _line(complex(frame.x0, mid), complex(x_bar, mid), THIN),
+    ]
+    corners = (complex(frame.x0, frame.y0), complex(x1, frame.y0), complex(x1, frame.y1), complex(frame.x0, frame.y1))
+    border = Stroke(points=corners, width=RESULT, closed=True)
+    return (
+        border,
+        *lines,
+        *_titles(frame, x_name, strip, lang),
+        *_blanks(frame, x_name, x_half, lang),
+        *check_bar(complex((x_bar + x1 - BAR) / 2, frame.y0 + 4.2), lang),
+    )
+
+
+def _titles(frame: Rect, x1: float, strip: Strip, lang: Lang) -> tuple[Item, ...]:
+    title, name = strip.title.of(lang), label(strip.problem).of(lang)
+    full = "　".join(filter(None, (strip.name.of(lang), name or ("" if title else strip.problem), title)))
+    hand = HANDS.get(strip.hand, Words(strip.hand, strip.hand)).of(lang)
+    sheet = LABELS["sheet"].of(lang).format(n=strip.number, total=strip.total)
+    room = x1 - frame.x0 - 4
+    right = layout_words(sheet, NOTE)
+    return (
+        _text(_fitted(full, NOTE * 1.2, room), frame.x0 + 2, frame.y0 + 0.75 * STRIP),
+        _text(
+            _fitted(LABELS["hand"].of(lang) + hand, NOTE, room - right.width - 3), frame.x0 + 2, frame.y0 + STRIP / 4
+        ),
+        _text(right, x1 - 2 - right.width, frame.y0 + STRIP / 4),
+    )
+
+
+def _blanks(frame: Rect, x0: float, x1: float, lang: Lang) -> tuple[Item, ...]:
+    cells = (("group", x0, 0.75), ("name", x1, 0.75), ("number", x0, 0.25), ("date", x1, 0.25))
+    return tuple(
+        _text(layout_words(LABELS[key].of(lang), NOTE), x + 1.2, frame.y0 + part * STRIP) for key, x, part in cells
+    )
+
+
+def check_bar(at: complex, lang: Lang) -> tuple[Item, ...]:
+    """A bar of 50 mm from `at` to the right, a tick every 10 mm, and what it is for."""
+    ticks = (_line(at + x, at + x + 1j * (2.6 if x in (0, BAR) else 1.6), THIN) for x in (0, 10, 20, 30, 40, BAR))
+    note = _fitted(LABELS["bar"].of(lang), NOTE, BAR_CELL - 4)
+    return (_line(at, at + BAR, GIVEN), *ticks, _text(note, at.real + (BAR - note.width) / 2, at.imag + 6.6))
+
+
+def _line(a: complex, b: complex, width: float) -> Stroke:
+    return Stroke(points=(a, b), width=width)
+
+
+def _text(box: Box, x: float, middle: float) -> TextBox:
+    return TextBox(box=box, x=x, y=middle - (box.ascent - box.descent) / 2, layer=Layer.TEXT)
+
+
+def _fitted(text: str, em: float, room: float) -> Box:
+    """A line of type, made smaller only where it would not fit its cell."""
+    box = layout_words(text, em)
+    return box if box.width <= room else layout_words(text, em * room / box.width)

@@ -1,0 +1,273 @@
+"""Mark -> primitives: what each mark of a construction looks like on paper."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import assert_never
+
+from ...board.construction import View
+from ...board.paper.marks import (
+    AngleMark,
+    Arc,
+    Block,
+    Cell,
+    Disc,
+    Dot,
+    FixedGuide,
+    FrictionCircle,
+    GearMark,
+    Ground,
+    ImageOf,
+    LinkNumber,
+    Mark,
+    Note,
+    Outline,
+    Plate,
+    Point,
+    RackMark,
+    RightAngle,
+    Role,
+    Segment,
+    Slot,
+    TurnArrow,
+    Vector,
+)
+from ...words import Lang
+from ..scene import Fill, Item, Layer, Stroke
+from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, SYMBOL, THIN, Hue, kind_hue, pen, tint
+from . import bodies, shapes, solids
+
+SQUARE = 2.5  # side of a right-angle square
+TURN = math.radians(105)  # sweep of a curved arrow
+NEAR = 1e-4  # mm: places closer than this are one
+NARROW, TAIL, INNER_HEAD = (
+    4.0,
+    4.6,
+    2.0,
+)  # mm: an arc shorter than NARROW is pointed at from outside, from tails so long
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """What a symbol must know of its figure: the view, the blocks, the tips of its vectors, its friction circles, the
+    language."""
+
+    view: View
+    blocks: tuple[Block, ...] = ()
+    tips: tuple[complex, ...] = ()
+    circles: tuple[FrictionCircle, ...] = ()
+    lang: Lang = "zh"
+
+    @classmethod
+    def of(cls, view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> Surroundings:
+        """Gathered from the figure's marks."""
+        return cls(
+            view=view,
+            blocks=tuple(m for m in marks if isinstance(m, Block)),
+            lang=lang,
+            circles=tuple(m for m in marks if isinstance(m, FrictionCircle)),
+            tips=tuple(m.b for m in marks if isinstance(m, Vector) and abs(m.b - m.a) > 0.5),
+        )
+
+    def pin_radius(self, at: complex) -> float:
+        """Of the joint drawn here: smaller within a friction circle, so that both are seen."""
+        tight = any(abs(c.centre - at) < NEAR and c.radius < JOINT_RADIUS + 0.8 for c in self.circles)
+        return POLE_RADIUS if tight else JOINT_RADIUS
+
+    def link_layer(self, *points: complex) -> Layer:
+        """Where a link through these points lies: over a block whose pin it carries, unless it runs along the block."""
+        pairs = tuple(pairwise(points))
+        return Layer.OVER if any(_carries(a, b, block) for a, b in pairs for block in self.blocks) else Layer.LINE
+
+    def tipped(self, at: complex) -> bool:
+        """Whether an arrowhead already shows the place."""
+        return any(abs(at - tip) < NEAR for tip in self.tips)
+
+
+def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
+    """The primitives of one mark, without lettering."""
+    match mark:
+        case Segment() | Vector() | Arc():
+            return _line(mark, around)
+        case Point():
+            return _point(mark, around)
+        case RightAngle():
+            return _square(mark)
+        case ImageOf(points=points, step=step):
+            return (Fill(points=points, hue=tint(around.view), layer=Layer.TINT, step=step),) if len(points) > 2 else ()
+        case TurnArrow():
+            return _turn(mark, around)
+        case AngleMark():
+            return _angle(mark)
+        case FrictionCircle() | Disc() | Outline() | Cell():
+            return _solid(mark, around)
+        case LinkNumber() | Note():
+            return ()
+        case Plate() | Ground() | FixedGuide() | Block() | Slot() | GearMark() | RackMark():
+            return _body(mark, around)
+    assert_never(mark)
+
+
+def _carries(a: complex, b: complex, block: Block) -> bool:
+    if abs(b - a) < NEAR:
+        return False
+    u = (b - a) / abs(b - a)
+    off = (block.at - a) * u.conjugate()
+    across = abs((u * block.along.conjugate()).imag) > 0.02
+    ends_here = min(abs(block.at - a), abs(block.at - b)) < NEAR
+    return (across or ends_here) and abs(off.imag) < NEAR and -NEAR < off.real < abs(b - a) + NEAR
+
+
+def _body(
+    mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark, around: Surroundings
+) -> tuple[Item, ...]:
+    match mark:
+        case Plate():
+            return bodies.plate(mark, around.link_layer(*mark.points, mark.points[0]))
+        case Ground():
+            return bodies.ground(mark, around.pin_radius(mark.at))
+        case FixedGuide():
+            return bodies.guide(mark)
+        case Block():
+            return bodies.block(mark)
+        case Slot():
+            return bodies.slot(mark)
+        case GearMark():
+            return bodies.gear(mark)
+        case RackMark():
+            return bodies.rack(mark)
+    assert_never(mark)
+
+
+def _solid(mark: FrictionCircle | Disc | Outline | Cell, around: Surroundings) -> tuple[Item, ...]:
+    match mark:
+        case FrictionCircle():
+            return solids.friction_circle(mark)
+        case Disc():
+            return solids.disc(mark)
+        case Outline():
+            return solids.outline(mark)
+        case Cell():
+            return solids.cell(mark, around.lang)
+    assert_never(mark)
+
+
+def _line(mark: Segment | Vector | Arc, around: Surroundings) -> tuple[Item, ...]:
+    match mark:
+        case Segment(a=a, b=b, role=role):
+            p = pen(role, around.view.ink if around.view.images else Hue.BLACK)
+            layer = Layer.THIN if p.width == THIN else around.link_layer(a, b)
+            return (Stroke(points=(a, b), width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
+        case Arc(centre=centre, radius=radius, start=start, sweep=sweep, role=role):
+            p = pen(role, Hue.BLACK)
+            full = abs(abs(sweep) - 2 * math.pi) < 1e-9
+            points = shapes.circle(centre, radius) if full else shapes.arc(centre, radius, start, sweep)
+            layer = Layer.THIN if p.width == THIN else Layer.LINE
+            return (
+                Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step),
+            )
+        case Vector():
+            return _vector(mark, around)
+    assert_never(mark)
+
+
+def _vector(mark: Vector, around: Surroundings) -> tuple[Item, ...]:
+    length = abs(mark.b - mark.a)
+    if length < NEAR:
+        return ()
+    u = (mark.b - mark.a) / length
+    p = pen(mark.role, kind_hue(around.view, mark.label))
+    width = shapes.shaft_width(length, p.width)
+    tip = shapes.head(mark.b, u, shapes.head_length(length), shapes.head_width(length, width))
+    # the shaft ends inside the head, where the head is wider than the shaft, so that the tip stays sharp
+    end = mark.b - u * shapes.head_length(length) * 0.75
+    solid = Layer.OVER if around.view.bodies else Layer.LINE  # a force is seen over the block on which it acts
+    layer = Layer.THIN if mark.role in (Role.DIRECTION, Role.CONSTRUCTION) else solid
+    return (
+        Stroke(points=(mark.a, end), width=width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),
+        Fill(points=tip, hue=p.hue, layer=Layer.HEAD, step=mark.step),
+    )
+
+
+def _point(mark: Point, around: Surroundings) -> tuple[Item, ...]:
+    match mark.dot:
+        case Dot.JOINT:
+            return bodies.joint(mark.at, mark.step, around.pin_radius(mark.at))
+        case Dot.POLE:
+            ring = shapes.circle(mark.at, POLE_RADIUS)
+            return (
+                Fill(points=ring, hue=Hue.WHITE, layer=Layer.JOINT, step=mark.step),
+                Stroke(points=ring, width=0.25, closed=True, layer=Layer.JOINT, step=mark.step),
+            )
+        case Dot.POINT:
+            if around.tipped(mark.at):
+                return ()
+            return (Fill(points=shapes.circle(mark.at, DOT_RADIUS), layer=Layer.HEAD, step=mark.step),)
+        case Dot.NONE:
+            return ()
+    assert_never(mark.dot)
+
+
+def _square(mark: RightAngle) -> tuple[Item, ...]:
+    u, v = SQUARE * mark.u / abs(mark.u), SQUARE * mark.v / abs(mark.v)
+    corner = (mark.at + u, mark.at + u + v, mark.at + v)
+    return (Stroke(points=corner, width=THIN, layer=Layer.THIN, step=mark.step),)
+
+
+def curved_head(
+    centre: complex, radius: float, end: float, turn: float, length: float
+) -> tuple[complex, complex, complex]:
+    """An arrowhead at the end of an arc, along the chord of its own length (turn: +1 counter-clockwise)."""
+    tip = centre + cmath.rect(radius, end)
+    back = tip - (centre + cmath.rect(radius, end - turn * min(1.0, length / radius)))
+    return shapes.head(tip, back / abs(back), length, length / 3)
+
+
+def _turn(mark: TurnArrow, around: Surroundings) -> tuple[Item, ...]:
+    if mark.radius < NEAR:
+        return ()
+    turn = 1.0 if mark.ccw else -1.0
+    hue = kind_hue(around.view, mark.label)
+    length = shapes.head_length(mark.radius * TURN)
+    bow = shapes.arc(mark.at, mark.radius, mark.start, turn * (TURN - 0.6 * length / mark.radius))
+    tip = curved_head(mark.at, mark.radius, mark.start + turn * TURN, turn, length)
+    return (Stroke(points=bow, width=SYMBOL, hue=hue, step=mark.step), Fill(points=tip, hue=hue, step=mark.step))
+
+
+def _angle(mark: AngleMark) -> tuple[Item, ...]:
+    bow = Stroke(
+        points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.THIN, step=mark.step
+    )
+    if narrow(mark):
+        return (bow, *_pointed_at(mark))
+    if mark.radius * abs(mark.sweep) < 8.0:
+        return (bow,)
+    turn = math.copysign(1.0, mark.sweep)
+    tips = (
+        curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, 2.4),
+        curved_head(mark.at, mark.radius, mark.start, -turn, 2.4),
+    )
+    return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))
+
+
+def narrow(mark: AngleMark) -> bool:
+    """Whether the angle is too small to hold its letter, and is pointed at from outside: a friction angle."""
+    return mark.radius > TAIL and NEAR < mark.radius * abs(mark.sweep) < NARROW
+
+
+def _pointed_at(mark: AngleMark) -> tuple[Item, ...]:
+    """The arc carried on beyond both rays, with arrowheads that meet them."""
+    tail = math.copysign(TAIL / mark.radius, mark.sweep)
+    items: list[Item] = []
+    for ray, out in ((mark.start, -tail), (mark.start + mark.sweep, tail)):
+        turn = -math.copysign(1.0, out)
+        items.append(
+            Stroke(points=shapes.arc(mark.at, mark.radius, ray, out), width=THIN, layer=Layer.THIN, step=mark.step)
+        )
+        items.append(
+            Fill(points=curved_head(mark.at, mark.radius, ray, turn, INNER_HEAD), layer=Layer.HEAD, step=mark.step)
+        )
+    return tuple(items)

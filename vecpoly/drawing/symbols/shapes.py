@@ -1,0 +1,63 @@
+"""Small geometry for symbols: circles, arcs, rectangles, hatching and arrowheads as points in mm."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN
+
+SAGITTA = 0.004  # mm: how far a curve may be from its chords
+
+
+def arc(centre: complex, radius: float, start: float, sweep: float) -> tuple[complex, ...]:
+    """Points of an arc, close enough to be called round."""
+    if radius < 1e-9:
+        return (centre, centre)
+    chord = 2 * math.acos(max(0.0, 1 - SAGITTA / radius))
+    n = max(2, math.ceil(abs(sweep) / chord))
+    return tuple(centre + cmath.rect(radius, start + sweep * i / n) for i in range(n + 1))
+
+
+def circle(centre: complex, radius: float) -> tuple[complex, ...]:
+    """Points of a full circle, without the first one again."""
+    return arc(centre, radius, 0.0, 2 * math.pi)[:-1]
+
+
+def rectangle(centre: complex, along: complex, length: float, height: float) -> tuple[complex, ...]:
+    """The corners of a rectangle with its long side along a unit vector."""
+    u, v = along * length / 2, along * 1j * height / 2
+    return (centre - u - v, centre + u - v, centre + u + v, centre - u + v)
+
+
+def hatching(a: complex, b: complex, depth: float = 1.7, pitch: float = 1.3) -> tuple[tuple[complex, complex], ...]:
+    """Short strokes at 45° to the right of a -> b, none beyond its ends."""
+    length = abs(b - a)
+    if length < 1e-9:
+        return ()
+    u = (b - a) / length
+    n = max(1, int((length - depth) / pitch + 1e-9) + 1)
+    first = (length - depth - (n - 1) * pitch) / 2 + depth
+    back = depth * u * (-1 - 1j)
+    return tuple((a + u * (first + i * pitch), a + u * (first + i * pitch) + back) for i in range(n))
+
+
+def head_length(length: float) -> float:
+    """3 mm on a vector of 9 mm and more, a third of a shorter one."""
+    return min(HEAD_LENGTH, length / 3)
+
+
+def head_width(length: float, line: float) -> float:
+    """A third of the head's length, but always wider than its line."""
+    return max(head_length(length) * HEAD_WIDTH / HEAD_LENGTH, 2 * line)
+
+
+def shaft_width(length: float, line: float) -> float:
+    """The line of a very short vector is thinned so that its head still shows."""
+    return min(line, max(THIN, head_length(length) / 4))
+
+
+def head(tip: complex, direction: complex, length: float, width: float) -> tuple[complex, complex, complex]:
+    """A slim filled arrowhead with its point at `tip`."""
+    foot = tip - direction * length
+    return (tip, foot + direction * 1j * width / 2, foot - direction * 1j * width / 2)

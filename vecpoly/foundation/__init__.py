@@ -1,0 +1,1 @@
+"""What every part may use: files written whole, frozen mappings, plug-ins, arguments checked at the door."""

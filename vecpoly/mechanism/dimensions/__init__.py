@@ -1,0 +1,1 @@
+"""The dimensions of a mechanism, each a value, each varied alone."""

@@ -1,0 +1,1 @@
+"""The mechanism taken apart: degrees of freedom, Assur groups and their class."""

@@ -1,0 +1,1 @@
+"""The theorem of three centres (三心定理): the order of search, its lines, and the trial triangle."""

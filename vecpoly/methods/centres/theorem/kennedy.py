@@ -1,0 +1,166 @@
+"""The theorem of three centres (三心定理): the three centres of any three links lie on one line; two such lines give
+the one sought."""
+
+from __future__ import annotations
+
+from ....board.paper.marks import Dot
+from ....mechanism.asked.centres import Pair, real_links
+from ....mechanism.model import Contact
+from ....plane import Line, cross, nominal
+from ....words import Words
+from ...registry import Stage, method
+from ..geometry import Centre
+from ..state import CentreFigure
+from .polygon import join
+from .search import GOOD, Search, Way, found
+
+
+@method(
+    stage=Stage.CENTRES,
+    group="Kennedy",
+    source="机械原理, 三心定理 (Kennedy, Aronhold)",
+    example="3-2",
+    title=Words("三心定理求瞬心", "A centre by the theorem of three centres"),
+)
+def find_centre(fig: CentreFigure, search: Search) -> None:
+    """P_ij lies on P_ik P_kj and on P_il P_lj: where the two lines meet."""
+    ways = tuple(fig.known.way(search.pair, way.via) for way in search.ways)
+    ways = tuple(_ruled(fig, way) for way in ways)
+    fig.board.step(_words(fig, search), fig.pane)
+    fig.board.remark(_passed_over(fig, search))
+    join(fig.desk, fig.polygon, search.pair, sought=True)
+    here = found(Search(pair=search.pair, ways=ways, quality=search.quality, endless=search.endless))
+    fig.known.centres[search.pair] = here
+    for way in ways:
+        if way.line is not None:
+            _draw(fig, search.pair, way, way.line, here)
+    fig.letter(search.pair, Dot.POINT, _middle(fig, ways))
+    _remarks(fig, search, here)
+
+
+def _ruled(fig: CentreFigure, way: Way) -> Way:
+    """The way with its line laid by rule or set square."""
+    if way.line is None or not way.via:
+        return way
+    return Way(via=way.via, line=fig.board.parallel(way.line.at, way.line.along), at=way.at)
+
+
+def _draw(fig: CentreFigure, pair: Pair, way: Way, line: Line, here: Centre) -> None:
+    """The line through its two centres and the new one; towards a centre off the paper as far as the edge."""
+    sides = sides_of(pair, way)
+    fig.rule(line, here, *(fig.known.of(*side) for side in sides))
+    for target in (*sides, pair):
+        if fig.far(*target):
+            fig.rule_out(line, target)
+
+
+def sides_of(pair: Pair, way: Way) -> tuple[Pair, ...]:
+    """The two centres through which the line of a way goes."""
+    return ((pair[0], way.via), (way.via, pair[1])) if way.via else ()
+
+
+def _middle(fig: CentreFigure, ways: tuple[Way, ...]) -> complex:
+    """Where an arrow towards a centre at infinity starts: at the first line."""
+    starts = [complex(nominal(way.line.at)) for way in ways if way.line is not None]
+    low, high = fig.paper.corners
+    return next((start for start in starts if fig.paper.holds(start)), (low + high) / 2)
+
+
+def _words(fig: CentreFigure, search: Search) -> Words:
+    i, j = search.pair
+    p = f"${fig.symbol(i, j)}$"
+    if search.ways[0].at is not None:
+        via = search.ways[0].via
+        a, b = (f"${fig.letters(*side)}$" for side in ((i, via), (via, j)))
+        return Words(
+            f"求 {p}：{a} 与 {b} 重合，三个构件在该处速度相同，{p} 也在该处。",
+            f"{p}: {a} and {b} are one; the three links have one velocity there, so {p} is there too.",
+        )
+    triangles = [
+        f"△{fig.numbers(*sorted((i, way.via, j), key=real_links(fig.mech).index))}" for way in search.ways if way.via
+    ]
+    lines = [_line(fig, search.pair, way) for way in search.ways]
+    shared = Words(
+        f"边 {fig.numbers(i, j)} 为{'、'.join(triangles)} 的公共边，故 " if len(triangles) > 1 else "",
+        f"the side {fig.numbers(i, j)} closes the triangles {' and '.join(triangles)}, so "
+        if len(triangles) > 1
+        else "",
+    )
+    return Words(
+        f"求 {p}：{shared.zh}{p} 既在{lines[0].zh}上，又在{lines[1].zh}上",
+        f"{p}: {shared.en}{p} lies on {lines[0].en} and on {lines[1].en}",
+    ) + _where(fig, search)
+
+
+def _line(fig: CentreFigure, pair: Pair, way: Way) -> Words:
+    """What line it is: through two centres, parallel to a direction, a normal, or the line at infinity."""
+    if not way.via:
+        contact = next((c for c in fig.mech.contacts if set(c.links) == set(pair)), None)
+        at = contact.point if isinstance(contact, Contact) else ""
+        return Words(
+            f"接触点{f' ${at}$ ' if at else ''}的公法线 $nn$ ",
+            f"the common normal $nn$ at the contact{f' ${at}$' if at else ''}",
+        )
+    sides = sides_of(pair, way)
+    ends = [fig.known.of(*side) for side in sides]
+    names = [fig.letters(*side) for side in sides]
+    if all(end.endless for end in ends):
+        return Words(
+            f" ${names[0]}$、${names[1]}$ 所定的无穷远直线", f"the line at infinity of ${names[0]}$ and ${names[1]}$"
+        )
+    if any(end.endless for end in ends):
+        near, away = names if ends[1].endless else names[::-1]
+        return Words(f"过 ${near}$ 且指向 ${away}$ 的直线", f"the line through ${near}$ towards ${away}$")
+    return Words(f"直线 ${names[0]}{names[1]}$ ", f"the line ${names[0]}{names[1]}$")
+
+
+def _where(fig: CentreFigure, search: Search) -> Words:
+    p = f"${fig.symbol(*search.pair)}$"
+    if search.endless:
+        if any(way.line is None for way in search.ways):
+            return Words(
+                f"，故 {p} 在无穷远处，方向沿后一直线。"
+                if search.ways[0].line is None
+                else f"，故 {p} 在无穷远处，方向沿前一直线。",
+                f": {p} is at infinity, in the direction of that other line.",
+            )
+        return Words(f"；两线平行，{p} 在无穷远处。", f"; they are parallel, and {p} is at infinity.")
+    return Words(f"，两线的交点即为 {p}。", "; it is where the two meet.")
+
+
+def _remarks(fig: CentreFigure, search: Search, here: Centre) -> None:
+    """A pair that was passed over because its lines hardly meet; a centre off the paper; an uncertain meeting."""
+    lines = [way.line for way in search.ways if way.line is not None]
+    far = [f"${fig.symbol(*side)}$" for way in search.ways for side in sides_of(search.pair, way) if fig.far(*side)]
+    if far:
+        names = "、".join(dict.fromkeys(far))
+        fig.board.remark(
+            Words(
+                f"（{names} 在图外，通向它的连线用比例线段法作出。）",
+                f" ({names.replace('、', ', ')} is off the paper; the line towards it is drawn by proportional "
+                "segments.)",
+            )
+        )
+    if search.pair in fig.paper.far:
+        p = f"${fig.symbol(*search.pair)}$"
+        fig.board.remark(Words(f"（{p} 落在图外。）", f" ({p} falls off the paper.)"))
+    elif len(lines) == 2 and not here.endless and abs(float(nominal(cross(lines[0].along, lines[1].along)))) < GOOD:
+        fig.board.remark(
+            Words("（两线交角很小，交点不易准确。）", " (The lines meet at a small angle: an uncertain point.)")
+        )
+
+
+def _passed_over(fig: CentreFigure, search: Search) -> Words:
+    """Why not the first triangles: their lines are nearly parallel, or lead off the paper."""
+    ways = tuple(fig.known.ways(search.pair))
+    if (
+        len(ways) < 3
+        or search.ways[0].at is not None
+        or [way.via for way in ways[:2]] == [way.via for way in search.ways]
+    ):
+        return Words.same("")
+    one, two = (_line(fig, search.pair, way) for way in ways[:2])
+    return Words(
+        f"（{one.zh}与{two.zh}近于平行或过短，改用另一对直线。）",
+        f" (The pair of {one.en} and {two.en} is nearly parallel or too short: two other lines are taken.)",
+    )

@@ -1,0 +1,142 @@
+"""Assur groups taken off and drawn apart, one after another, until the drivers are left."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ....board.construction import Reading, View
+from ....devices.structure import Structure, class_, groups
+from ....devices.structure_pairs import Chain
+from ....names import subscripted
+from ....words import Words
+from ..bench import Bench
+from .groups import ROMAN, Group, Taken, take_apart
+from .replacement import Replaced
+from .sketch import draw_apart, pane
+
+
+def draw_groups(bench: Bench, device: Structure, low: Replaced, drivers: tuple[str, ...]) -> None:
+    """Take the groups off for these drivers; class of each, and of the mechanism."""
+    board, told = bench.board, "、".join(drivers)
+    board.section(
+        Words(
+            f"拆分杆组（原动件 {told}）", f"Assur groups (link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving)"
+        )
+    )
+    taken, chain = take_apart(low.chain, drivers), low.chain
+    for index, group in enumerate(taken.groups, start=1):
+        place = pane(
+            board,
+            View.MECHANISM,
+            f"group {'+'.join(drivers)} {index}",
+            _title(group, drivers, len(device.drive_sets) > 1),
+        )
+        board.step(_told(group, index, chain), place)
+        draw_apart(board, place, device, low.chain, group.links)
+        chain = chain.without(group.links)
+    if taken.complete:
+        place = pane(
+            board,
+            View.MECHANISM,
+            f"left {'+'.join(drivers)}",
+            Words(f"原动件 {told} 与机架", f"Driver {', '.join(drivers)} and frame"),
+        )
+        board.step(
+            Words(
+                f"剩下原动件 {told} 与机架，拆分正确。",
+                f"What is left is the driver {', '.join(drivers)} with the frame: all groups are taken off.",
+            ),
+            place,
+        )
+        draw_apart(board, place, device, low.chain, drivers, frame=True)
+    _class(bench, taken, drivers)
+
+
+def no_groups(bench: Bench, drivers: tuple[str, ...]) -> None:
+    """Drivers and freedoms differ in number: nothing can be taken apart, and both answers are 0."""
+    for named in (groups(drivers), class_(drivers)):
+        bench.board.keep(
+            Reading(
+                key=named.key,
+                symbol=named.symbol,
+                unit=named.unit,
+                scalar=0.0,
+                remark=Words(
+                    f"以构件 {'、'.join(drivers)} 为原动件时，原动件数与自由度不等，不能拆分杆组",
+                    f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving, drivers and freedoms differ "
+                    "in number: there are no groups to be taken off",
+                ),
+            ),
+            0.0,
+        )
+
+
+def _title(group: Group, drivers: tuple[str, ...], several: bool) -> Words:
+    """Class, links, letters; the driver where there are several possibilities."""
+    kind = Words(f"（{group.kind}）", f" ({group.kind})") if group.kind else Words.same("")
+    when = Words(f"原动件 {'、'.join(drivers)}：", f"Driver {', '.join(drivers)}: ") if several else Words.same("")
+    return (
+        when
+        + Words(
+            f"{group.roman} 级杆组 {_named(group.links)}",
+            f"{'class' if several else 'Class'} {_latin(group.rank)} group {_named(group.links)}",
+        )
+        + kind
+    )
+
+
+def _named(links: tuple[str, ...]) -> str:
+    return "-".join(links)
+
+
+def _latin(rank: int) -> str:
+    return {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI"}.get(rank, str(rank))
+
+
+def _told(group: Group, index: int, chain: Chain) -> Words:
+    """How it comes off, and why it has its class."""
+    zh, en = "、".join(group.links), ", ".join(group.links)
+    inner, outer = ([f"${subscripted(pair.letter)}$" for pair in pairs] for pairs in (group.inner, group.outer))
+    first = index == 1
+    lead = Words(
+        f"{'从远离原动件处开始：' if first else ''}拆下构件 {zh}，内接副 {'、'.join(inner)}，"
+        f"外接副 {'、'.join(outer)}，",
+        f"{'Begin far from the driver: take' if first else 'Take'} off links {en}, with the inner "
+        f"pair{'s' * (len(inner) > 1)} {', '.join(inner)} and the outer pairs {', '.join(outer)}: ",
+    )
+    if group.rank == 2:
+        return lead + Words(f"为 {group.kind} 型 Ⅱ 级杆组。", f"a class II group {group.kind}.")
+    why = Words(
+        "（拆Ⅱ级杆组不可能，只能取四个构件、六个低副；其中一个构件有三个内接副）"
+        if group.rank == 3 and len(group.links) == 4
+        else "（不能再分为更低级的杆组）",
+        " (no two links come off by themselves; one link of it has three inner pairs)"
+        if group.rank == 3 and len(group.links) == 4
+        else " (nothing smaller comes off)",
+    )
+    return lead + Words(f"为 {group.roman} 级杆组", f"a class {_latin(group.rank)} group") + why + Words("。", ".")
+
+
+def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
+    """The class of the mechanism: the highest of its groups."""
+    board = bench.board
+    board.step(
+        Words(
+            "杆组数和机构的级别（等于所含杆组的最高级别）为：",
+            "The number of groups, and the class of the mechanism, which is that of its highest group:",
+        )
+    )
+    bench.stated(groups(drivers), float(len(taken.groups)))
+    told, rank = "、".join(drivers), taken.rank
+    name = Words(
+        f"以构件 {told} 为原动件时，该机构为 {ROMAN.get(rank, str(rank))} 级机构",
+        f"with link{'s' * (len(drivers) > 1)} {', '.join(drivers)} driving this is a class {_latin(rank)} mechanism",
+    )
+    if not taken.complete:
+        name = Words(
+            f"以构件 {told} 为原动件时，剩下的构件不能组成杆组",
+            f"with {', '.join(drivers)} driving the remaining links form no Assur groups",
+        )
+    key = class_(drivers).key
+    bench.stated(class_(drivers), float(rank))
+    bench.board.readings[key] = replace(bench.board.readings[key], remark=name)

@@ -1,0 +1,293 @@
+"""The structure of a mechanism: kinematic diagram, degree of freedom, replacement of high pairs, Assur groups,
+class."""
+
+from __future__ import annotations
+
+from ....algebra.quantity import Expr, Quantity, Times, magnitude
+from ....board.construction import View
+from ....devices.structure import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, Structure
+from ....devices.structure_pairs import Form, Pair
+from ....names import subscripted
+from ....words import Words
+from ..bench import Bench
+from ..registry import device_method
+from .apart import draw_groups, no_groups
+from .count import Count, count, freedom
+from .remedy import remedies
+from .repeated import Repeated
+from .replacement import Replaced, replaced
+from .sketch import dashed_profiles, draw_chain, pane
+
+_NAMES = {
+    Form.R: Words("转动副", "hinges"),
+    Form.P: Words("移动副", "slides"),
+    Form.H: Words("高副", "high pairs"),
+    Form.G: Words("齿轮高副", "gear pairs"),
+}
+
+
+@device_method(
+    Structure,
+    title=Words("机构的结构分析", "Structure of a mechanism"),
+    source="机械原理, structure of mechanisms: F = 3n − 2p_L − p_H − F′ + p′, Assur groups",
+    example="2-6",
+)
+def draw_structure(bench: Bench, device: Structure) -> None:
+    """F = 3n − 2p_L − p_H − F′ + p′; then the high pairs replaced, and the Assur groups taken off for every driver."""
+    drivers = tuple(dict.fromkeys(link for together in device.drive_sets for link in together))
+    found = count(device.chain, drivers)
+    _diagram(bench, device)
+    _freedom(bench, device, found)
+    if device.drivers:
+        _motion(bench, device, found)
+    low = replaced(found.reduced, device)
+    if device.touching:
+        _replacement(bench, device, low)
+    for together in device.drive_sets:
+        if found.freedom == len(together):
+            draw_groups(bench, device, low, together)
+        else:
+            no_groups(bench, together)
+    if found.freedom < 1:
+        remedies(bench, device, found)
+
+
+def _diagram(bench: Bench, device: Structure) -> None:
+    """All links and pairs, as given."""
+    board = bench.board
+    board.section(Words("机构运动简图", "The kinematic diagram"))
+    place = pane(board, View.MECHANISM, "diagram", Words("机构运动简图", "Kinematic diagram"))
+    kinds = [(form, [pair for pair in device.chain.pairs if pair.form is form]) for form in Form]
+    zh = "，".join(f"{_NAMES[form].zh} {'、'.join(_letters(pairs))}" for form, pairs in kinds if pairs)
+    en = "; ".join(f"{_NAMES[form].en} {', '.join(_letters(pairs))}" for form, pairs in kinds if pairs)
+    links = [device.number(link) for link in device.chain.links]
+    board.step(
+        Words(
+            f"用规定的符号画出机构运动简图，标出构件号和运动副字母：活动构件 {'、'.join(links)}；{zh}。",
+            "Draw the kinematic diagram with the standard symbols, number the links and letter "
+            f"the pairs: moving links {', '.join(links)}; {en}.",
+        ),
+        place,
+    )
+    draw_chain(board, place, device, device.chain, device.drive_sets[0] if device.drivers else ())
+
+
+def _letters(pairs: list[Pair]) -> list[str]:
+    return [f"${subscripted(pair.letter)}$" for pair in pairs]
+
+
+def _freedom(bench: Bench, device: Structure, found: Count) -> None:
+    """n, p_L, p_H; F′ and p′ with their reasons; F, and the same F from the reduced chain."""
+    board, chain = bench.board, found.given
+    board.section(Words("自由度", "Degree of freedom"))
+    for pair in found.compound:
+        told = [device.number(link) for link in pair.links]
+        board.step(
+            Words(
+                f"${subscripted(pair.letter)}$ 处有 {len(told)} 个构件（{'、'.join(told)}）在同一轴线上铰接，"
+                f"是复合铰链，按 {len(told)} − 1 = {pair.count} 个转动副计。",
+                f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned "
+                f"on one axis: a multiple joint, which counts as {len(told)} − 1 = {pair.count} "
+                "hinges.",
+            )
+        )
+    board.step(
+        Words(
+            "活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
+            "The numbers of moving links, of lower pairs (hinges and slides, multiple joints "
+            "counted as above) and of high pairs:",
+        )
+    )
+    n, low, high = (
+        bench.stated(N, float(len(chain.links))),
+        bench.stated(P_L, float(chain.lower)),
+        bench.stated(P_H, float(chain.higher)),
+    )
+    local, redundant = _local(bench, device, found), _redundant(bench, found)
+    board.step(Words("机构的自由度为：", "The degree of freedom:"))
+    bench.worked(F, Times(3, n) - Times(2, low) - high - local + redundant)
+    if found.rollers or found.repeated:
+        rest = found.reduced
+        zh = "并".join(["把滚子焊死"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
+        en = " and ".join(
+            ["the rollers welded"] * bool(found.rollers) + ["the redundant part taken away"] * bool(found.repeated)
+        )
+        board.step(
+            Words(
+                f"校核：{zh}后，剩下 {len(rest.links)} 个活动构件、{rest.lower} 个低副、{rest.higher} 个高副，"
+                "不再有局部自由度和虚约束，自由度为：",
+                f"Check: with {en} there remain {len(rest.links)} moving links, {rest.lower} lower "
+                f"and {rest.higher} high pairs, without passive degrees of freedom and redundant "
+                "constraints:",
+            )
+        )
+        board.compute("F", _gruebler(float(len(rest.links)), float(rest.lower), float(rest.higher)), "")
+
+
+def _gruebler(n: float, low: float, high: float) -> Expr:
+    return Times(3, magnitude("n", n, "")) - Times(2, magnitude("p_L", low, "")) - magnitude("p_H", high, "")
+
+
+def _local(bench: Bench, device: Structure, found: Count) -> Quantity:
+    """F′: the rollers."""
+    if found.rollers:
+        for roller in found.rollers:
+            carrier = device.number(roller.carrier)
+            bench.board.step(
+                Words(
+                    f"构件 {roller.link} 是滚子：它只以转动副 ${subscripted(roller.pin.letter)}$ 与构件 {carrier} "
+                    f"相连，只以高副 ${subscripted(roller.contact.letter)}$ 与别的构件接触，公法线通过其转动中心，"
+                    f"它绕 ${subscripted(roller.pin.letter)}$ 的转动不影响其他构件的运动，是局部自由度。",
+                    f"Link {roller.link} is a roller: it is pinned only at "
+                    f"${subscripted(roller.pin.letter)}$, to link {carrier}, and touches "
+                    f"only at ${subscripted(roller.contact.letter)}$; the common normal "
+                    "passes through its pin. Its turning about "
+                    f"${subscripted(roller.pin.letter)}$ moves nothing else: a passive "
+                    "degree of freedom.",
+                )
+            )
+    else:
+        bench.board.step(
+            Words(
+                "没有公法线通过自身转动中心的滚子，无局部自由度：",
+                "There is no roller whose common normal passes through its own pin, and so no passive degree of "
+                "freedom:",
+            )
+        )
+    return bench.stated(F_LOCAL, float(len(found.rollers)))
+
+
+def _redundant(bench: Bench, found: Count) -> Quantity:
+    """p′: the parts that repeat constraints."""
+    board = bench.board
+    if not found.repeated:
+        board.step(
+            Words(
+                "没有对运动重复起作用的部分，无虚约束：",
+                "No part repeats what others constrain already: no redundant constraints:",
+            )
+        )
+        return bench.stated(P_REDUNDANT, 0.0)
+    for part in found.repeated:
+        board.step(part.why + _brings(part))
+        high = magnitude("p′_H", float(abs(part.higher)), "")
+        terms = (
+            Times(2, magnitude("p′_L", float(part.lower), "")) + high
+            if part.higher >= 0
+            else Times(2, magnitude("p′_L", float(part.lower), "")) - high
+        )
+        if part.links:
+            terms = terms - Times(3, magnitude("n′", float(len(part.links)), ""))
+        if len(found.repeated) == 1:
+            return bench.worked(P_REDUNDANT, terms)
+        board.compute("p′", terms, "")
+    board.step(Words("虚约束总数：", "In all:"))
+    return bench.stated(P_REDUNDANT, float(found.redundant))
+
+
+def _brings(part: Repeated) -> Words:
+    """What the part consists of; a slide that is eased counts as a high pair afterwards."""
+    if part.higher < 0:
+        return Words(
+            "。它只须起一个高副的作用，虚约束数为：",
+            ". It need do no more than a high pair; its redundant constraints number:",
+        )
+    one = Words("，是虚约束。", ": redundant. ")
+    if not part.links:
+        return one + Words("虚约束数为：", "Its redundant constraints number:")
+    return one + Words(
+        f"这部分有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
+        f"It has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower "
+        f"and {part.higher} high pairs; its redundant constraints number:",
+    )
+
+
+def _motion(bench: Bench, device: Structure, found: Count) -> None:
+    """Determined, locked, or free to move in more ways than it is driven."""
+    board, drive = bench.board, device.drive_sets[0]
+    board.section(Words("运动是否确定", "Is the motion determined?"))
+    told, f = f"{'、'.join(drive)}", found.freedom
+    board.step(
+        Words(
+            f"机构具有确定运动的条件：$F$ > 0，且原动件数等于 $F$。此处原动件为构件 {told}，共 {len(drive)} 个；",
+            "The motion is determined if $F$ > 0 and as many links drive. Here "
+            f"link{'s' * (len(drive) > 1)} {', '.join(drive)} drive{'s' * (len(drive) == 1)}; ",
+        )
+    )
+    if f < 1:
+        f_text = f"{f}".replace("-", "−")
+        verdict = Words(
+            f"$F$ = {f_text}，各构件之间没有相对运动，是{'桁架' if f == 0 else '超静定桁架'}，机构不能运动，"
+            "不能实现设计意图",
+            f"$F$ = {f_text}: no link can move against another; this is a truss, and it cannot do its work",
+        )
+    elif f == len(drive):
+        verdict = Words(
+            f"原动件数等于自由度 $F$ = {f}，机构的运动确定",
+            f"as many links drive as there are freedoms, $F$ = {f}: the motion is determined",
+        )
+    elif f > len(drive):
+        verdict = Words(
+            f"原动件数少于自由度 $F$ = {f}，运动不确定，应再增加 {f - len(drive)} 个原动件，或增加约束",
+            f"fewer links drive than there are freedoms, $F$ = {f}: the motion is not determined; drive "
+            f"{f - len(drive)} more, or add constraints",
+        )
+    else:
+        verdict = Words(
+            f"原动件数多于自由度 $F$ = {f}，各原动件的运动互相矛盾，只能有 {f} 个原动件",
+            f"more links drive than there are freedoms, $F$ = {f}: they contradict each other; only {f} may drive",
+        )
+    bench.judged(DETERMINED, float(f > 0 and f == len(drive)), verdict)
+    board.remark(Words("。", "."))
+
+
+def _replacement(bench: Bench, device: Structure, low: Replaced) -> None:
+    """高副低代: every high pair by a link with two lower pairs."""
+    board = bench.board
+    board.section(Words("高副低代", "High pairs replaced by lower pairs"))
+    place = pane(board, View.MECHANISM, "low", Words("高副低代后的机构", "The mechanism with lower pairs only"))
+    for sub in low.substitutes:
+        board.step(_replaced_by(device, sub.of, sub.link, sub.pairs), place)
+        dashed_profiles(board, place, device, sub.of)
+    draw_chain(board, place, device, low.chain, device.drive_sets[0] if device.drivers else ())
+    board.step(
+        Words(
+            "高副低代后，构件数、低副数和自由度为（自由度应不变）：",
+            "Links, lower pairs and degree of freedom after the replacement (F must not change):",
+        )
+    )
+    n, p = bench.stated(N_LOW, float(len(low.chain.links))), bench.stated(P_LOW, float(low.chain.lower))
+    bench.worked(F_LOW, Times(3, n) - Times(2, p))
+    assert freedom(low.chain) == 3 * len(low.chain.links) - 2 * low.chain.lower
+
+
+def _replaced_by(device: Structure, pair: Pair, link: str, pairs: tuple[Pair, Pair]) -> Words:
+    """By which link, pinned or sliding where."""
+    one, two = pairs
+    if pair.form is Form.G:
+        return Words(
+            f"齿轮高副 ${subscripted(pair.letter)}$：过节点 ${subscripted(pair.letter)}$ 作压力角 20° 的啮合线，"
+            f"自两轮中心向它引垂线，以垂足 ${subscripted(one.letter)}$、${subscripted(two.letter)}$ 为铰链、"
+            f"构件 {link} 为连杆代替。",
+            f"Gear pair ${subscripted(pair.letter)}$: through the pitch point draw the line of "
+            f"action at 20°; a link {link}, pinned at the feet ${subscripted(one.letter)}$ and "
+            f"${subscripted(two.letter)}$ of the perpendiculars from the two centres, replaces it.",
+        )
+    flat = next((end for end in pairs if end.form is Form.P), None)
+    if flat is not None:
+        pin = one if flat is two else two
+        return Words(
+            f"高副 ${subscripted(pair.letter)}$ 有一平直轮廓：用构件 {link} 代替，"
+            f"它在曲率中心 ${subscripted(pin.letter)}$ 铰接，并沿平直轮廓移动。",
+            f"High pair ${subscripted(pair.letter)}$ has a flat face: link {link} replaces it, "
+            f"pinned at the centre of curvature ${subscripted(pin.letter)}$ and sliding along the "
+            "face.",
+        )
+    a, b = (device.number(end.links[0]) for end in pairs)
+    return Words(
+        f"高副 ${subscripted(pair.letter)}$：用构件 {link} 代替，它在两轮廓的曲率中心 "
+        f"${subscripted(one.letter)}$、${subscripted(two.letter)}$ 处分别与构件 {a}、{b} 铰接。",
+        f"High pair ${subscripted(pair.letter)}$: link {link} replaces it, pinned to links {a} and "
+        f"{b} at the centres of curvature ${subscripted(one.letter)}$ and "
+        f"${subscripted(two.letter)}$.",
+    )

@@ -1,0 +1,1 @@
+"""The balancing load by power: virtual power, the Zhukovsky lever, efficiency."""

@@ -1,0 +1,239 @@
+"""The Zhukovsky lever (速度多边形杠杆法): all forces on the velocity polygon turned by 90°, their moments about the
+pole sum to zero.
+
+The polygon is turned clockwise, so that the moment of a force about the pole is its power divided by μ_v. A couple M
+becomes two
+opposite forces M / l, square to the line of two points of its link and applied at their tips.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....algebra.formula import sym
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude, worked
+from ....board.board import NO_LENGTH
+from ....board.construction import Pane, View
+from ....board.paper.marks import Dot, Role
+from ....errors import EquilibriumError
+from ....mechanism.asked.forces import load_named, quantities
+from ....mechanism.loads import Force, Load, Moment
+from ....names import At, Named, ascii_key
+from ....plane import Line, Points, Reals, cross, foot, nominal, unit
+from ....words import Words
+from ...desk import POLE
+from ...kinematics.image import found_tip
+from ...registry import Stage, method
+from ..lines.letters import arm_about_pole, pair_symbol
+from ..lines.pairs import Pair, pair_of
+from ..readings import keep_nothing, keep_value
+from ..state import Statics
+
+_SOURCE = "机械原理, Zhukovsky's lever"
+ARROW = 16.0  # mm: forces on the lever show direction only
+Tips = dict[At, Points]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Arm:
+    """A force or a pair of forces on the lever: its arm about the pole (mm) and the sense of its moment by all
+    hands."""
+
+    mm: Quantity
+    sign: Reals
+
+    @property
+    def way(self) -> int:
+        """Sense by the nominal hand, 0 where there is no arm."""
+        return int(nominal(self.sign))
+
+
+@method(
+    stage=Stage.FORCE,
+    group="lever",
+    source=_SOURCE,
+    example="slider-crank-dynamic",
+    title=Words("速度多边形杠杆法求平衡力（矩）", "Balancing load by the Zhukovsky lever"),
+)
+def balancing_by_lever(st: Statics, load: Load | None) -> None:
+    """Σ M_p = 0 about the pole of the turned velocity polygon gives the balancing load (N, or N·m), friction left out.
+
+    Raises EquilibriumError where the balancing load has no arm, NoMethodError where a couple's link has one lettered
+    point only.
+    """
+    load = load or st.unknown
+    pane = st.board.open_pane(
+        View.VELOCITY, "lever", Words("速度多边形杠杆", "The velocity polygon as a lever"), aside=True
+    )
+    st.board.step(
+        Words(
+            "速度多边形杠杆法（不计摩擦）：将速度多边形绕极点 $p$ 顺时针转过 90°，各力平移至其作用点的速度影像点。",
+            "Zhukovsky's lever (without friction): turn the velocity polygon by 90° clockwise "
+            "about $p$; move every force to the velocity tip of its point.",
+        ),
+        pane,
+    )
+    tips: Tips = {}
+    moments = [m for m in _given(st, pane, tips) if nominal(m.value)]
+    _balance(st, pane, tips, load, moments)
+    _draw_polygon(st, pane, tips)
+
+
+def _given(st: Statics, pane: Pane, tips: Tips) -> list[Sum]:
+    """Signed moments about the pole of all that is given."""
+    found: list[Sum] = []
+    for load in st.loads.all:
+        if load.size is not None:
+            found += _term(st, pane, tips, load, abs(load.size), int(np.sign(load.size)))
+    for mass in st.loads.masses:
+        for acting in st.inertia.get(mass.link, []):
+            size = magnitude(acting.named.symbol, np.abs(acting.vector) * st.scale.value, "N")
+            found += _moment(
+                size, _force_arm(st, pane, tips, At(mass.centre, mass.link), unit(acting.vector), acting.named)
+            )
+        couple = st.board.found.get(f"M_I{mass.link}", 0.0)
+        if nominal(couple):
+            inertia = Moment(name=f"M_I{mass.link}", link=mass.link)
+            found += _term(st, pane, tips, inertia, np.abs(couple), int(np.sign(nominal(couple))))
+    return found
+
+
+def _term(st: Statics, pane: Pane, tips: Tips, load: Load, size: Reals, sense: int) -> list[Sum]:
+    """The moment of a force, or of the pair of forces that stands for a couple."""
+    named = load_named(load)
+    if isinstance(load, Force):
+        along = sense * complex(np.exp(1j * load.direction))
+        return _moment(
+            magnitude(named.symbol, size, "N"), _force_arm(st, pane, tips, At(load.point, load.link), along, named)
+        )
+    pair = pair_of(st, load.link)
+    if pair is None:
+        return []
+    _say_pair(st, pair, named)
+    force = st.board.compute(
+        pair_symbol(named.symbol), magnitude(named.symbol, size, "N·m") / st.desk.length(pair.p, pair.q), "N"
+    )
+    return _moment(force, _pair_arm(st, pane, tips, pair, sense, named))
+
+
+def _say_pair(st: Statics, pair: Pair, named: Named) -> None:
+    """A couple has no point of its own: two opposite forces at two points of its link stand for it."""
+    symbol, bar = pair_symbol(named.symbol), st.desk.bar(pair.link, pair.p, pair.q)
+    st.board.remark(
+        Words(
+            f"力偶矩 ${named.symbol}$ 化为作用于 ${pair.p}$、${pair.q}$ 两点、垂直于 ${bar}$ 的一对力 ${symbol}$。",
+            f" The couple ${named.symbol}$ becomes a pair of forces ${symbol}$ at ${pair.p}$ "
+            f"and ${pair.q}$, perpendicular to ${bar}$.",
+        )
+    )
+
+
+def _moment(size: Quantity, arm: Arm) -> list[Sum]:
+    return [Sum((size * arm.mm,), (arm.way,))] if arm.way else []
+
+
+def _force_arm(st: Statics, pane: Pane, tips: Tips, at: At, along: Points, named: Named) -> Arm:
+    """The perpendicular from the pole to the force at the tip of its point, measured."""
+    tip = _tip(st, tips, at)
+    end = foot(Line(tip, along), 0j)
+    side = cross(tip, along)
+    square = abs(nominal(end - tip)) < NO_LENGTH  # then the ray itself is the arm
+    letters = (
+        f"{POLE[View.VELOCITY]} {st.desk.tip_label(View.VELOCITY, st.desk.canonical(at))}"
+        if square
+        else arm_about_pole(named.symbol)
+    )
+    arm = Arm(mm=st.board.measure(0j, end, letters), sign=np.where(np.abs(side) < NO_LENGTH, 0, np.sign(side))[()])
+    _draw_force(st, pane, tip, along, named.symbol)
+    if arm.way and not square:
+        _draw_arm(st, pane, tip, end, letters)
+    return arm
+
+
+def _pair_arm(st: Statics, pane: Pane, tips: Tips, pair: Pair, sense: int, named: Named) -> Arm:
+    """Two opposite forces at the tips of two points of the link; the arm of the pair is the distance of the tips."""
+    one, two = (_tip(st, tips, At(letter, pair.link)) for letter in (pair.p, pair.q))
+    along = 1j * sense * st.desk.towards(pair.p, pair.q)
+    letters = " ".join(
+        st.desk.start_label(View.VELOCITY, st.desk.canonical(At(letter, pair.link))) for letter in (pair.p, pair.q)
+    )
+    side = cross(two - one, along)
+    for at, way in ((two, along), (one, -along)):
+        _draw_force(st, pane, at, way, pair_symbol(named.symbol))
+    return Arm(
+        mm=st.board.measure(one, two, letters), sign=np.where(np.abs(two - one) < NO_LENGTH, 0, np.sign(side))[()]
+    )
+
+
+def _balance(st: Statics, pane: Pane, tips: Tips, load: Load, moments: list[Sum]) -> None:
+    """The balancing force, or the pair of forces of the balancing moment, from Σ M_p = 0."""
+    named, plain = quantities(st.mech, st.loads)[f"{load.name}_lever"], load_named(load)
+    pair = pair_of(st, load.link) if isinstance(load, Moment) else None
+    arm: Arm | None
+    if isinstance(load, Force):
+        arm = _force_arm(st, pane, tips, At(load.point, load.link), complex(np.exp(1j * load.direction)), plain)
+    else:
+        arm = _pair_arm(st, pane, tips, pair, 1, plain) if pair is not None else None
+    if arm is None or not arm.way:
+        raise EquilibriumError(
+            Words(
+                f"平衡载荷 {load.name} 对速度多边形极点的力臂为零，在此位置不作功；请另取原动件位置或另选平衡载荷",
+                f"the balancing load {load.name} has no arm about the pole of the velocity polygon: it does no "
+                "work in this position; choose another input position or another balancing load",
+            )
+        )
+    if pair is not None:
+        _say_pair(st, pair, plain)
+    st.board.remark(
+        Words(
+            "量各力对极点 $p$ 的力臂，由 $Σ M_p$ = 0 得（逆时针为正）：",
+            " Measure the arms about $p$; $Σ M_p$ = 0 gives (counter-clockwise positive):",
+        )
+    )
+    if not moments:
+        keep_nothing(st, named)
+        return
+    total = Sum(tuple(m.terms[0] for m in moments), tuple(-arm.way * m.signs[0] for m in moments))
+    if pair is None:
+        _result(st, named, total / arm.mm)
+        return
+    force = st.board.compute(pair_symbol(plain.symbol), total / arm.mm, "N")
+    _result(st, named, force * st.desk.length(pair.p, pair.q))
+
+
+def _result(st: Statics, named: Named, expr: Expr) -> None:
+    st.board.write(worked(sym(named.symbol), expr, named.unit))
+    keep_value(st, named, expr.value, expr)
+
+
+def _tip(st: Statics, tips: Tips, at: At) -> Points:
+    """A tip of the velocity polygon turned by 90° clockwise, carried over once."""
+    own = st.desk.canonical(at)
+    if own not in tips:
+        there = found_tip(st.desk, View.VELOCITY, at)
+        moved = abs(complex(nominal(there))) > NO_LENGTH
+        tips[own] = st.board.hand.carry_vector(-1j * there) if moved else 0j
+    return tips[own]
+
+
+def _draw_polygon(st: Statics, pane: Pane, tips: Tips) -> None:
+    """The turned polygon: pole, rays, letters."""
+    st.board.plot(pane, 0j, POLE[View.VELOCITY], Dot.POLE)
+    for at, tip in tips.items():
+        if abs(complex(nominal(tip))) > NO_LENGTH:
+            st.board.arrow(pane, 0j, tip, Role.GIVEN)
+            st.board.plot(pane, tip, st.desk.tip_label(View.VELOCITY, at))
+
+
+def _draw_force(st: Statics, pane: Pane, tip: Points, along: Points, symbol: str) -> None:
+    st.board.arrow(pane, tip, tip + ARROW * along, Role.RESULT, key=ascii_key(symbol), label=symbol)
+
+
+def _draw_arm(st: Statics, pane: Pane, tip: Points, end: Points, letter: str) -> None:
+    st.board.join(pane, 0j, end, Role.CONSTRUCTION)
+    st.board.plot(pane, end / 2, letter, Dot.NONE)
+    if abs(nominal(end - tip)) > 1.0:
+        st.board.join(pane, tip, end, Role.CONSTRUCTION)
+        st.board.right_angle(pane, end, -unit(end), unit(tip - end))

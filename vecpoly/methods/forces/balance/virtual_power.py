@@ -1,0 +1,81 @@
+"""The balancing load by virtual power: Σ F·v + Σ M ω = 0, velocities measured on the drawn velocity polygon; no
+reaction appears."""
+
+from __future__ import annotations
+
+from ....algebra.formula import sym
+from ....algebra.quantity import Quantity, Sum, magnitude, worked
+from ....board.construction import View
+from ....errors import EquilibriumError
+from ....mechanism.asked.forces import quantities
+from ....mechanism.loads import Load
+from ....names import Named
+from ....plane import nominal
+from ....words import Words
+from ...registry import Stage, method
+from ..lines.letters import power_symbol
+from ..readings import keep_nothing, keep_value
+from ..state import Statics
+from .power_terms import Work, draw_rate, rate_of, works
+
+_SOURCE = "机械原理, principle of virtual power: the powers of all given forces, inertia included, sum to zero"
+
+
+@method(
+    stage=Stage.FORCE,
+    group="virtual power",
+    source=_SOURCE,
+    example="slider-crank-dynamic",
+    title=Words("用虚功率求平衡力（矩）", "Balancing load by virtual power"),
+)
+def balancing_by_power(st: Statics, load: Load | None) -> None:
+    """M_1 = −Σ P / ω_1 (N·m), or F_b = −Σ P / v_b (N), friction left out; `load` is the balancing one.
+
+    Raises EquilibriumError where the balancing load does no work in this position.
+    """
+    load = load or st.unknown
+    named = quantities(st.mech, st.loads)[f"{load.name}_power"]
+    st.board.step(
+        Words(
+            "用虚功率原理校核：不计摩擦时，全部外力与惯性力的功率之和 $Σ$ $F v$ + $Σ$ $M ω$ = 0；"
+            "各力作用点的速度沿力方向的分量由速度多边形量得：自 $p$ 作力的方向线，量至速度矢端在其上的垂足。"
+            "$M$ 与 $ω$ 同向时功率为正。",
+            "By virtual power: without friction the powers of all loads and inertia forces sum "
+            "to zero, $Σ$ $F v$ + $Σ$ $M ω$ = 0; each velocity is the component along the "
+            "force: measured on the velocity polygon from $p$ to the foot of the tip on the "
+            "force's direction. The power of $M$ is positive where it turns with $ω$.",
+        ),
+        View.VELOCITY,
+    )
+    parts = [_written(st, work) for work in works(st)]
+    rate = rate_of(st, load)
+    if not rate.way:
+        raise EquilibriumError(
+            Words(
+                f"平衡载荷 {load.name} 的作用点不沿其方向运动，在此位置不作功；请另取原动件位置或另选平衡载荷",
+                f"the balancing load {load.name} does no work in this position: its point does not move along "
+                "it; choose another input position or another balancing load",
+            )
+        )
+    draw_rate(st, rate)
+    moving = [part for part in parts if nominal(part.value)]
+    if not moving:
+        keep_nothing(st, named)
+        return
+    expr = Sum(tuple(moving), (-rate.way,) * len(moving)) / rate.expr
+    st.board.write(worked(sym(named.symbol), expr, named.unit))
+    total = sum(part.value for part in parts)
+    keep_value(st, named, -total / (rate.sign * rate.expr.value), expr)
+
+
+def _written(st: Statics, work: Work) -> Quantity:
+    """P = ± F v in the step; zero where its point does not move along it."""
+    named = Named(f"P_{work.named.key}", power_symbol(work.named.symbol), "W")
+    quantity = magnitude(named.symbol, work.value, "W")
+    draw_rate(st, work.rate)
+    way = int(nominal(work.sign))
+    if way:
+        st.board.write(worked(quantity.node, Sum((work.expr,), (way,)), "W"))
+    else:
+        st.board.remark(Words(f" ${work.named.symbol}$ 不作功。", f" ${work.named.symbol}$ does no work."))
+    return quantity

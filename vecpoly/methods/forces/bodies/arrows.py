@@ -1,0 +1,110 @@
+"""Where the arrows of a free body stand: on its line of action each force may end or start at its point; the freest
+place is taken."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from ....names import ascii_key
+from ....plane import nominal
+from ....words import Words
+from ..acting import Acting
+from ..state import Statics
+
+LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
+CLEAR = 6.0  # mm between arrows: more is not better
+PULL = 4.0  # mm of clearness that an arrow must gain to be drawn away from a neighbour that presses
+REACH = 80.0  # mm: a line of action farther from the body is off the paper
+GAP = 1.5  # mm between an arrow's point and the pin
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A force on the sheet."""
+
+    start: complex
+    end: complex
+    symbol: str
+    far: bool = False  # not at its point but farther out on the line
+    pulls: bool = False  # drawn away from the body by a neighbour that can only press on it
+
+    @property
+    def key(self) -> str:
+        """The force's key."""
+        return ascii_key(self.symbol)
+
+
+def place_arrows(forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = ()) -> list[Arrow]:
+    """All arrows of one body, as far from each other and from the body as their lines allow; `pressing`: those that
+    rather end at their point."""
+    shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
+    if not shown:
+        return []
+    largest = max(abs(complex(nominal(f.vector))) for f in shown)
+    options = [_options(f, largest, f.named.symbol in pressing) for f in shown]
+    body = np.array(
+        [points[0]]
+        if len(points) == 1
+        else [a + (b - a) * t for a in points for b in points for t in (0.0, 0.25, 0.5, 0.75, 1.0)]
+    )
+    if len(shown) > 6:
+        options = [pair[:2] for pair in options]
+    return _freest(options, body)
+
+
+def is_far(force: Acting, points: Sequence[complex]) -> bool:
+    """Whether the force acts too far from all points of its body to be drawn there."""
+    return min(abs(complex(nominal(force.at)) - p) for p in points) > REACH
+
+
+def say_far(st: Statics, forces: Sequence[Acting], points: Sequence[complex]) -> None:
+    """Name the forces that are not drawn because their lines are off the paper."""
+    for force in forces:
+        if abs(nominal(force.vector)) > 1e-9 and is_far(force, points):
+            away = min(abs(complex(nominal(force.at)) - p) for p in points)
+            st.board.remark(
+                Words(
+                    f"${force.named.symbol}$ 的作用线远在 {away:.0f} mm 之外，图上不画。",
+                    f" The line of ${force.named.symbol}$ is {away:.0f} mm away and is not drawn.",
+                )
+            )
+
+
+def _options(force: Acting, largest: float, presses: bool) -> tuple[Arrow, ...]:
+    """Pulling away from the point, or pressing towards it; or the same farther out on the line, where another force
+    stands already."""
+    vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
+    u = vector / abs(vector)
+    length = LENGTH * max(0.5, abs(vector) / largest)
+    out, symbol = u * (LENGTH + 4.0), force.named.symbol
+    near = (Arrow(at, at + u * length, symbol, pulls=presses), Arrow(at - u * (length + GAP), at - u * GAP, symbol))
+    return (
+        *near,
+        *(
+            Arrow(a.start + side * out, a.end + side * out, symbol, True, a.pulls)
+            for a, side in zip(near, (1, -1), strict=True)
+        ),
+    )
+
+
+def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]:
+    """One option of each force, so that the middles and far ends of the arrows are as free as can be."""
+    flat = [arrow for pair in options for arrow in pair]
+    middle = np.array([(a.start + a.end) / 2 for a in flat])
+    far = np.array([max(a.start, a.end, key=lambda z: np.abs(z - body).min()) for a in flat])
+    spots = np.stack([middle, far])
+    alone = 0.7 * np.minimum(*(np.abs(z[:, None] - body).min(axis=1) for z in (middle, far)))
+    apart = np.abs(middle[:, None, None] - spots[None]).min(
+        axis=1
+    )  # of each arrow's middle to the middle and far end of another
+    starts = np.cumsum([0, *(len(pair) for pair in options[:-1])])
+    choices = starts + np.array(list(product(*(range(len(pair)) for pair in options))))
+    between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)
+    clear = np.minimum(np.minimum(between.min(axis=2), alone[choices]), CLEAR)
+    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.pulls else 0.0) for arrow in flat])[choices]
+    best = choices[int(np.argmax((clear - cost).sum(axis=1)))]
+    return [flat[i] for i in best]

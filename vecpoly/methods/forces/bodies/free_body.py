@@ -1,0 +1,192 @@
+"""Each link drawn apart (取分离体) at its place and scale: friction circles, forces at their lines of action, normals
+with φ, couples."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ....board.construction import Pane, View
+from ....board.paper.marks import AngleMark, Block, Dot, FrictionCircle, Mark, Note, Point, Role, Segment, TurnArrow
+from ....mechanism.asked.forces import load_symbol
+from ....mechanism.loads import Moment
+from ....mechanism.model import Contact, Prismatic, Revolute
+from ....names import At
+from ....plane import nominal
+from ....problem.problem import Problem
+from ....words import Words
+from ...kinematics.diagram.links import link_alone
+from ..acting import Acting
+from ..closing.thrust import in_cylinders
+from ..couples import couples_on
+from ..inertia import SHORT, draw_arm
+from ..state import Statics
+from .arrows import REACH, Arrow, place_arrows, say_far
+
+SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
+NORMAL = 18.0  # mm, length of a normal beside a reaction
+LONGEST = 20.0  # mm: farther out a reaction is not reached by its block
+RIM = 2.0  # mm of a block past the reaction of its guide
+COUPLE = 8.0  # mm, radius of a couple's arrow
+
+
+def draw_free_bodies(st: Statics, problem: Problem) -> None:
+    """One pane for every link; the last step of the drawing."""
+    bodies = [name for name in st.mech.bodies if name not in st.mech.slot_pins and st.known(name)]
+    if not bodies:
+        return
+    st.board.step(
+        Words(
+            "将各构件取为分离体，画出受力图：标明全部力的作用线和指向。",
+            "Draw the free body of every link, with the line and sense of every force on it.",
+        ),
+        View.BODY,
+    )
+    assert problem.loads is not None
+    inside = in_cylinders(st, problem.loads)
+    thrusts = {
+        key for forces in inside.values() for force in forces for key in (force.named.key, f"{force.named.key}′")
+    }
+    for name in bodies:
+        number = st.mech.number(name)
+        pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
+        st.board.mark(
+            pane,
+            *(_long_enough(st, name, mark) for mark in link_alone(st.desk, name, problem.given.shapes)),
+            owner=f"link {name}",
+        )
+        st.board.mark(pane, *_circles(st, name))
+        pressing = inside.get(name, [])
+        forces = [
+            *(force for force in (*st.known(name), *_balance(st, name)) if force.named.key not in thrusts),
+            *pressing,
+        ]
+        spots = [*_spots(st, name), *(complex(nominal(force.at)) for force in pressing)]
+        arrows = place_arrows(forces, spots, _pressing(st, name) | {force.named.symbol for force in pressing})
+        say_far(st, forces, spots)
+        _displaced(st, pane, name)
+        st.board.mark(pane, *_carried(forces, arrows))
+        for arrow in arrows:
+            st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
+        st.board.mark(pane, *_normals(st, name, {arrow.symbol: arrow for arrow in arrows}))
+        _couple(st, pane, name)
+
+
+def _long_enough(st: Statics, link: str, mark: Mark) -> Mark:
+    """A block reaches past the reaction of its guide, which friction and moments move away from the pin."""
+    if not isinstance(mark, Block):
+        return mark
+    others = [j.guide for j in st.mech.joints if isinstance(j, Prismatic) and j.block == link]
+    forces = [force for other in others if (force := st.push(other, link)) is not None]
+    away = max(
+        (abs(complex(nominal(force.at)) - mark.at) for force in forces if abs(nominal(force.vector)) > 1e-9),
+        default=0.0,
+    )
+    return replace(mark, length=max(mark.length, 2 * (away + RIM))) if away < LONGEST else mark
+
+
+def _displaced(st: Statics, pane: Pane, link: str) -> None:
+    """The arm by which an inertia force stands beside the centre of mass."""
+    mass = st.loads.mass(link)
+    for force in st.inertia.get(link, []) if mass is not None else []:
+        if mass is not None and force.named.key == f"F_I{link}":
+            centre = st.desk.where(At(mass.centre))
+            if SHORT < abs(nominal(force.at - centre)) < REACH:
+                draw_arm(st, pane, f"h_{{{link}}}", centre, force.at, force.line.along)
+
+
+def _pressing(st: Statics, link: str) -> set[str]:
+    """Reactions of guides and of contacts, which press on the link: they end where they act."""
+    pairs = [(j.guide, j.block) for j in st.mech.joints if isinstance(j, Prismatic)] + [
+        c.links for c in st.mech.contacts
+    ]
+    pairs += [(pin.block, pin.carrier) for pin in st.mech.slot_pins.values()]
+    return {st.named(b if a == link else a, link).symbol for a, b in pairs if link in (a, b)}
+
+
+def _carried(forces: Sequence[Acting], arrows: Sequence[Arrow]) -> Iterator[Mark]:
+    """The line of action from its point to an arrow that stands farther out."""
+    places = {force.named.symbol: complex(nominal(force.at)) for force in forces}
+    for arrow in arrows:
+        if arrow.far:
+            at = places[arrow.symbol]
+            yield Segment(a=at, b=min(arrow.start, arrow.end, key=lambda z: abs(z - at)), role=Role.DIRECTION)
+
+
+def _spots(st: Statics, link: str) -> list[complex]:
+    """Points of the body: its lettered ones, and where it is touched."""
+    points = [st.desk.at[p] for p in st.mech.link(link).points if p in st.desk.at]
+    return [
+        complex(nominal(p)) for p in (*points, *(st.desk.contact_of(c) for c in st.mech.contacts if link in c.links))
+    ]
+
+
+def _circles(st: Statics, link: str) -> Iterator[Mark]:
+    """Friction circles of the link's pins; enlarged with a note where they would not be seen."""
+    for point in st.mech.link(link).points:
+        radius = st.rho(point)
+        if radius:
+            times = 1.0 if radius >= SMALL else float(np.ceil(1.5 / radius))
+            yield FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=radius * times, enlarged=times)
+            if times > 1:
+                yield Note(
+                    at=complex(nominal(st.desk.at[point])) + 6 - 6j,
+                    words=Words(f"摩擦圆放大 {times:g} 倍", f"friction circle × {times:g}"),
+                )
+
+
+def _balance(st: Statics, link: str) -> list[Acting]:
+    """The balancing force, where this link carries it."""
+    load = st.unknown
+    if isinstance(load, Moment) or load.link != link or st.balanced or not nominal(st.balance):
+        return []
+    vector = st.mm(np.abs(st.balance)) * complex(np.exp(1j * load.direction)) * np.sign(nominal(st.balance))
+    return [Acting(named=st.unknown_named, vector=vector, at=st.desk.at[load.point])]
+
+
+def _normals(st: Statics, link: str, arrows: Mapping[str, Arrow]) -> Iterator[Mark]:
+    """The normal of every slide and contact of the link, and the friction angle from it to the reaction."""
+    for joint in (*st.mech.joints, *st.mech.contacts):
+        if isinstance(joint, Revolute) or not isinstance(joint, Prismatic | Contact):
+            continue
+        a, b = joint.links if isinstance(joint, Contact) else (joint.guide, joint.block)
+        if b in st.mech.slot_pins and link == st.mech.slot_pins[b].carrier:
+            a = link
+        if link not in (a, b) or not st.phi(joint):
+            continue
+        force = st.push(b if link == a else a, link)
+        if force is not None and abs(nominal(force.vector)) > 1e-9:
+            arrow = arrows.get(force.named.symbol)
+            if arrow is None:
+                continue  # off the paper
+            middle = (arrow.start + arrow.end) / 2 - complex(nominal(force.at))
+            yield from _leaning(st, joint, force, middle)
+
+
+def _leaning(st: Statics, joint: Prismatic | Contact, force: Acting, arrow: complex) -> Iterator[Mark]:
+    """The normal on the side on which the arrow stands, so that φ lies between the two."""
+    along = st.desk.normal_of(joint) if isinstance(joint, Contact) else 1j * st.desk.guide_line(joint).along
+    n, u, at = (complex(nominal(z)) for z in (along, force.line.along, force.at))
+    u = u if (u.conjugate() * arrow).real > 0 else -u
+    n = n if (n.conjugate() * u).real > 0 else -n
+    yield Segment(a=at, b=at + n * NORMAL, role=Role.CENTRE)
+    yield Point(at=at + n * NORMAL, label="n", dot=Dot.NONE)
+    yield AngleMark(at=at, radius=NORMAL * 0.8, start=float(np.angle(n)), sweep=float(np.angle(u / n)), label="φ")
+
+
+def _couple(st: Statics, pane: Pane, link: str) -> None:
+    """All couples and the balancing moment as curved arrows at the link's pin."""
+    pivot = next((p for p in st.mech.link(link).points if p in st.mech.frame), next(iter(st.mech.link(link).points)))
+    at, free = complex(nominal(st.desk.at[pivot])), st.unknown
+    own = (
+        [(load_symbol(free.name), st.balance)]
+        if isinstance(free, Moment) and free.link == link and not st.balanced
+        else []
+    )
+    turning = [(symbol, size) for symbol, size in (*couples_on(st, link), *own) if nominal(size)]
+    for i, (symbol, size) in enumerate(turning):
+        st.board.mark(
+            pane, TurnArrow(at=at, radius=COUPLE + 3 * i, start=2.2, ccw=bool(nominal(size) > 0), label=symbol)
+        )

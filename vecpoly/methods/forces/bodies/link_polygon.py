@@ -1,0 +1,57 @@
+"""The force polygon of one link: its known forces head to tail, the unknown ones closing it, letters a b c ... at the
+corners."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ....board.construction import Pane
+from ....board.paper.marks import Dot
+from ....plane import nominal
+from ....vector.close import close
+from ....vector.equation import Equation, Term
+from ....words import Words
+from ..acting import Drawn
+from ..lines.resultant import Resultant
+from ..state import Statics
+
+LETTERS = "abcdefghklmnqrstuvw"
+
+
+def pane_of(st: Statics, link: str) -> Pane:
+    """The figure of the link's polygon."""
+    number = st.mech.number(link)
+    return st.polygon(number, Words(f"构件 {number} 的力多边形", f"Force polygon of link {number}"))
+
+
+def draw_polygon(
+    st: Statics, link: str, load: Resultant, unknown: Sequence[Term], figure: Pane | None = None
+) -> dict[str, Drawn]:
+    """ΣF = 0 drawn into the step that is open: where every unknown force stands, by its key. figure: another than the
+    link's."""
+    pane, n = figure or pane_of(st, link), len(load.forces)
+    known = [
+        Term(
+            rel=f.named,
+            symbol=f.named.symbol,
+            direction=f.direction,
+            magnitude=f.size,
+            vector=f.vector,
+            tip=LETTERS[i + 1],
+        )
+        for i, f in enumerate(load.forces)
+    ]
+    eq = Equation(left=(*known, *unknown), right=())
+    st.board.equate(eq.table())
+    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
+    ends = close(st.board, pane, 0j, eq).ends
+    found: dict[str, Drawn] = {}
+    for i, term in enumerate(unknown, start=n):
+        start, end = ends[term.rel.key]
+        last = i == n + len(unknown) - 1
+        found[term.rel.key] = Drawn(
+            place=pane, start=start, end=end, letters=f"{LETTERS[i]} {LETTERS[0] if last else LETTERS[i + 1]}"
+        )
+        if not last:
+            st.board.plot(pane, complex(nominal(end)), LETTERS[i + 1], Dot.POINT)
+    return found

@@ -1,0 +1,1 @@
+"""The link that carries the balancing load: the last polygon, or a couple."""

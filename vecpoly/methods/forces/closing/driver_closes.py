@@ -1,0 +1,80 @@
+"""The driving link where the balancing load acts elsewhere and is known already: the frame alone answers what acts on
+it."""
+
+from __future__ import annotations
+
+from ....board.construction import View
+from ....mechanism.model import FRAME, Prismatic, Revolute
+from ....plane import cross
+from ....vector.equation import Term
+from ....words import Words
+from ...registry import Stage, method
+from ..acting import Drawn
+from ..bodies.link_polygon import draw_polygon, pane_of
+from ..groups.reactions import no_force
+from ..lines.links_of_group import Held
+from ..lines.parallel_forces import keep_couple
+from ..lines.resultant import Resultant, resultant
+from ..state import Statics
+from .balancing_force import frame_free
+
+_SOURCE = "机械原理, equilibrium of the driving link; the balancing load by virtual power"
+
+
+@method(
+    stage=Stage.FORCE,
+    group="crank, balanced",
+    source=_SOURCE,
+    example="",
+    title=Words("主动曲柄：机架反力", "Driving crank: the frame's reaction"),
+)
+def crank_closes(st: Statics, held: Held) -> None:
+    """R_frame = −P; P passes through the fixed pin, for no moment drives the crank."""
+    assert isinstance(held.joint, Revolute)
+    load, pin = resultant(st, held.link), st.desk.at[held.joint.point]
+    if load.is_couple:
+        frame_free(st, held)
+        return
+    drawn = _closing_side(st, held, load)
+    st.settle(FRAME, held.link, -load.vector, pin, drawn)
+
+
+@method(
+    stage=Stage.FORCE,
+    group="slide, balanced",
+    source=_SOURCE,
+    example="",
+    title=Words("主动滑块：导路反力", "Driving slide: the reaction of its guide"),
+)
+def slide_closes(st: Statics, held: Held) -> None:
+    """R_frame = −P on the line of P, normal to the guide; a couple is borne by the guide."""
+    assert isinstance(held.joint, Prismatic)
+    load, pin = resultant(st, held.link), st.desk.at[held.joint.pin]
+    if load.is_couple:
+        frame_free(st, held)
+        keep_couple(st, FRAME, held.link, pin, -load.couple)
+        return
+    drawn = _closing_side(st, held, load)
+    if drawn is not None and no_force(st, drawn):
+        keep_couple(st, FRAME, held.link, pin, -st.newton_metres(cross(load.at - pin, load.vector)))
+        return
+    st.settle(FRAME, held.link, -load.vector, load.at, drawn)
+
+
+def _closing_side(st: Statics, held: Held, load: Resultant) -> Drawn | None:
+    """The frame's reaction: the only force turned round, or the side that closes the polygon."""
+    number, named = st.mech.number(held.link), st.named(FRAME, held.link)
+    st.board.step(
+        Words(
+            f"取构件 {number} 为分离体：平衡力（矩）已求出，作用于他处，故 {load.symbols.zh} 只由机架反力 "
+            f"${named.symbol}$ 平衡，二者等值、反向、共线。",
+            f"Isolate link {number}: the balancing load is known and acts elsewhere, so "
+            f"{load.symbols.en} and the frame's reaction ${named.symbol}$ alone balance, equal "
+            "and opposite in one line.",
+        ),
+        View.MECHANISM if len(load.forces) == 1 else pane_of(st, held.link),
+    )
+    if len(load.forces) == 1:
+        return load.forces[0].drawn.reversed() if load.forces[0].drawn else None
+    closing = Term(rel=named, symbol=named.symbol, direction=Words.same("?"), magnitude="?")
+    return draw_polygon(st, held.link, load, (closing,))[named.key]

@@ -1,0 +1,1 @@
+"""Groups loaded on both links: moments first, then one polygon."""

@@ -1,0 +1,97 @@
+"""A group drawn apart, with the forces on it at their lines of action and the arms about the points of its moment
+equations."""
+
+from __future__ import annotations
+
+from ....board.construction import Pane, Place, View
+from ....board.paper.marks import Block, Dot, LinkNumber, Plate, Point, Role, Segment, TurnArrow, Vector
+from ....mechanism.groups.assur import hinges
+from ....mechanism.model import Prismatic
+from ....names import At
+from ....plane import Points, cross, nominal, unit
+from ....words import Words
+from ..acting import Acting
+from ..bodies.arrows import REACH, place_arrows, say_far
+from ..couples import couples_on
+from ..state import Statics
+
+COUPLE = 8.0  # mm, radius of a couple's arrow
+SHORT = 2.0  # mm: shorter arms carry no letter
+
+
+def group_pane(st: Statics, *links: str) -> Pane:
+    """The figure of a group freed from the other links, in the position of the kinematic diagram."""
+    numbers = "-".join(st.mech.number(link) for link in links)
+    name = st.polygon(numbers, polygon_title(st, *links)).name
+    ideal = Words("不计摩擦时", " without friction") if st.preliminary else Words.same("")
+    pane = st.board.open_pane(
+        View.BODY, name, Words(f"{ideal.zh}杆组 {numbers} 受力图", f"Free body of group {numbers}{ideal.en}")
+    )
+    if not st.board.marks(pane):
+        for link in links:
+            _draw_link(st, pane, link)
+    return pane
+
+
+def polygon_title(st: Statics, *links: str) -> Words:
+    """Title of a group's force polygon."""
+    numbers = "-".join(st.mech.number(link) for link in links)
+    return Words(f"杆组 {numbers} 的力多边形", f"Force polygon of group {numbers}")
+
+
+def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting, letter: str) -> None:
+    """The arm from the point to the line of action, with its letter."""
+    board, at = st.board, force.at
+    if max(abs(nominal(end - about)), abs(nominal(end - at))) > REACH:
+        return
+    board.join(pane, about, end, Role.CONSTRUCTION)
+    away = abs(nominal(end - at))
+    if away > 1.0:
+        board.join(pane, at, end, Role.DIRECTION)
+    if abs(nominal(end - about)) > SHORT:
+        board.right_angle(pane, end, unit(about - end), unit(at - end) if away > 1.0 else force.line.along)
+        board.plot(pane, (about + end) / 2, letter, Dot.NONE)
+
+
+def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Acting]) -> None:
+    """All outer forces and couples on the group, as far apart as their lines allow; once, for later rounds only repeat
+    them."""
+    if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
+        return
+    spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]
+    for arrow in place_arrows(forces, spots):
+        st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
+    say_far(st, forces, spots)
+    for link in links:
+        pivot = complex(nominal(st.desk.at[next(iter(st.mech.link(link).points))]))
+        for turn, (symbol, size) in enumerate(
+            (symbol, size) for symbol, size in couples_on(st, link, within=links) if nominal(size)
+        ):
+            st.board.mark(
+                pane,
+                TurnArrow(at=pivot, radius=COUPLE + 3 * turn, start=2.2, ccw=bool(nominal(size) > 0), label=symbol),
+            )
+
+
+def _draw_link(st: Statics, pane: Pane, link: str) -> None:
+    """The link's lines, letters and number; a block where it slides."""
+    desk, board = st.desk, st.board
+    letters = [p for p in desk.mech.link(link).points if p in desk.at]
+    places = [complex(nominal(desk.at[p])) for p in letters]
+    pins = hinges(st.mech)
+    if len(places) > 2 and any(abs(float(cross(places[1] - places[0], q - places[0]))) > 1.0 for q in places[2:]):
+        board.mark(pane, Plate(points=tuple(places)))
+    else:
+        board.mark(pane, *(Segment(a=places[0], b=q, role=Role.LINK) for q in places[1:]))
+    for joint in st.mech.joints:
+        if isinstance(joint, Prismatic) and link == joint.block:
+            board.mark(
+                pane,
+                Block(at=complex(nominal(desk.at[joint.pin])), along=complex(nominal(desk.guide_line(joint).along))),
+            )
+    lettered = {m.label for m in board.marks(pane) if isinstance(m, Point)}
+    for letter, place in zip(letters, places, strict=True):
+        if desk.name(At(letter)) not in lettered:
+            board.plot(pane, place, desk.name(At(letter)), Dot.JOINT if letter in pins else Dot.POINT)
+    if len(places) > 1:
+        board.mark(pane, LinkNumber(a=places[0], b=places[1], number=st.mech.number(link)))

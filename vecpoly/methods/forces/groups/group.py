@@ -1,0 +1,120 @@
+"""One group of a loaded mechanism: by the lines of action where a link passes the force on, else by moments."""
+
+from __future__ import annotations
+
+from ....errors import NoMethodError
+from ....mechanism.groups.assur import Group, joint_letter
+from ....mechanism.model import Joint, Prismatic, Revolute
+from ....plane import Line, cross, nominal, unit
+from ....words import Words
+from ...registry import Stage
+from ..doors import COUPLES, LINES, MOMENTS
+from ..lines.links_of_group import Held, TwoForce, pieces
+from ..lines.parallel_forces import PARALLEL, couple_on_guide
+from ..lines.resultant import Resultant, resultant
+from ..lines.three_forces import balance
+from ..state import Statics
+
+
+def solve_group(st: Statics, group: Group) -> None:
+    """Find the reactions in the joints of a group; raises NoMethodError for groups above class II."""
+    if group.dyad is None:
+        raise NoMethodError(
+            Words(
+                f"没有对 {group.name.zh}作力分析的图解法；仍可用 vecpoly exact 求解析解",
+                f"no graphical method on file finds the forces in a {group.name.en}; 'vecpoly exact' still "
+                "gives the analytic answers",
+            )
+        )
+    found = pieces(st, group.dyad)
+    if found is not None and not st.loaded(found[1].link):
+        _unloaded(st, *found)
+    elif found is not None and _direct(st, *found):
+        return
+    else:
+        st.by_moments.add(group.links)
+        MOMENTS.find(Stage.FORCE, group.dyad.kind).draw(st, group.dyad)
+
+
+def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
+    """Lines of action and one polygon; False where the load's line does not meet the two-force link's."""
+    if "P" in (joint_letter(two.inner), joint_letter(two.outer)) and "R" not in (
+        joint_letter(two.inner),
+        joint_letter(two.outer),
+    ):
+        return False
+    load, slotted = (
+        resultant(st, held.link),
+        two.link in st.mech.slot_pins,
+    )  # where there is no block, nothing can be taken apart from the loaded link
+    rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
+    if (load.is_couple and not slotted and (load.forces or rubbed or not isinstance(held.joint, Revolute))) or (
+        not load.is_couple and _parallel(st, load, two)
+    ):
+        return False
+    line = line_of(st, two)
+    by = two.by if two.contact else two.link
+    if load.is_couple and isinstance(held.joint, Prismatic):
+        couple_on_guide(st, held, load, line, by)
+    elif load.is_couple:
+        COUPLES.find(Stage.FORCE, "link under a couple").draw(st, (held, line, by))
+    else:
+        balance(st, held, load, line, by)
+    if not two.contact:
+        passed = st.push(two.link, two.on)
+        assert passed is not None
+        st.settle(
+            two.link,
+            two.on,
+            passed.vector,
+            st.at_joint(two.inner, line),
+            passed.drawn,
+            _sense(st, two.inner, two.link, two.on),
+            computed=passed.computed,
+        )
+        st.settle(
+            two.by,
+            two.link,
+            passed.vector,
+            st.at_joint(two.outer, line),
+            passed.drawn,
+            _sense(st, two.outer, two.by, two.link),
+            computed=passed.computed,
+        )
+    return True
+
+
+def line_of(st: Statics, two: TwoForce) -> Line:
+    """The line of action of the force that the two-force link passes on, by the method for its two joints."""
+    kind = (
+        "contact"
+        if two.contact
+        else (
+            "two-force link R-R"
+            if isinstance(two.inner, Revolute) and isinstance(two.outer, Revolute)
+            else "two-force block R-P"
+        )
+    )
+    return LINES.find(Stage.FORCE, kind).draw(st, two)
+
+
+def _sense(st: Statics, joint: Joint, by: str, on: str) -> int:
+    """Sense of the moment of R_by,on about the pin of a joint (0: no pin, or no friction)."""
+    return st.moment_sense(joint.point, by, on) if isinstance(joint, Revolute) else 0
+
+
+def _parallel(st: Statics, load: Resultant, two: TwoForce) -> bool:
+    """Whether the load is parallel to the line through the two-force link's pins, or along it."""
+    if not (isinstance(two.inner, Revolute) and isinstance(two.outer, Revolute)) or two.contact:
+        return False
+    along = unit(st.desk.at[two.inner.point] - st.desk.at[two.outer.point])
+    return abs(float(nominal(cross(load.line.along, along)))) < PARALLEL
+
+
+def _unloaded(st: Statics, two: TwoForce, held: Held) -> None:
+    """No load on the whole group: no force in its joints."""
+    where = st.desk.at.get(getattr(two.inner, "point", ""), 0j)
+    for by, on in ((two.by, held.link) if two.contact else (two.link, two.on), (held.parent, held.link)):
+        st.settle(by, on, 0j, where)
+    if not two.contact:
+        st.settle(two.by, two.link, 0j, where)

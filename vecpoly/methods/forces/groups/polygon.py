@@ -1,0 +1,289 @@
+"""One force polygon for a whole class II group: both links' forces in turn, then the reactions; every reaction is a
+side or a diagonal.
+
+Vertices: the polygon starts with R^t of link j's parent, goes on with the forces of link j (to J), the forces of link k
+and R^t of its
+parent (to K), and meets in the corner X. Then R_pj joins X to the end of its R^t, R_kj joins J to X, and R_qk is the
+rest.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ....algebra.formula import sym
+from ....algebra.quantity import worked
+from ....board.construction import Pane
+from ....board.paper.marks import Dot, Role, Vector
+from ....mechanism.groups.assur import Dyad
+from ....names import Named
+from ....plane import Points, nominal
+from ....vector.close import close
+from ....vector.equation import Equation, Term
+from ....words import Words
+from ..acting import Acting, Drawn
+from ..bodies.link_polygon import LETTERS
+from ..lines.arms import Turning, acting_on
+from ..readings import measured
+from ..state import Statics
+from .body import polygon_title
+
+SAME = 1e-6  # mm: shorter vectors are not drawn
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reaction:
+    """A reaction whose tangential part (mm along i·line, from moments) is known, and whose part along `line` is
+    sought."""
+
+    by: str
+    on: str
+    line: Points
+    direction: Words
+    part: str = ""  # "n" where a tangential part stands beside it
+    across: Points | None = None  # the tangential part, mm on the polygon
+    across_direction: Words | None = None
+    pin: str = ""  # letter of the pin at which both parts act
+
+    def sought(self, st: Statics) -> Term:
+        """The part along the line."""
+        named = part_named(st.named(self.by, self.on), self.part)
+        return Term(rel=named, symbol=named.symbol, direction=self.direction, magnitude="?", along=self.line)
+
+    def found(self, st: Statics, tip: str) -> tuple[Term, ...]:
+        """The part from moments, where there is one."""
+        if not self.part or self.across is None or self.across_direction is None:
+            return ()
+        named = part_named(st.named(self.by, self.on), "t")
+        return (
+            Term(
+                rel=named,
+                symbol=named.symbol,
+                direction=self.across_direction,
+                magnitude="✓",
+                vector=self.across,
+                tip=tip,
+            ),
+        )
+
+    def parts(self, st: Statics) -> list[Acting]:
+        """The reaction as found; in its two parts at the pin where it was split."""
+        whole = st.push(self.by, self.on)
+        if whole is None or not self.part or self.across is None:
+            return [whole] if whole is not None else []
+        at = st.desk.at[self.pin]
+        return [
+            Acting(named=part_named(whole.named, "n"), vector=whole.vector - self.across, at=at),
+            Acting(named=part_named(whole.named, "t"), vector=self.across, at=at),
+        ]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Corners:
+    """The polygon's letters and points: start and end of R_pj, end of the forces of j (J), of k (K), and the corner
+    X."""
+
+    pane: Pane
+    p: tuple[tuple[str, Points], tuple[str, Points]]
+    j: tuple[str, Points]
+    k: tuple[str, Points]
+    x: tuple[str, Points]
+
+    def side(self, start: tuple[str, Points], end: tuple[str, Points]) -> Drawn:
+        """The vector from one corner to another."""
+        return Drawn(place=self.pane, start=start[1], end=end[1], letters=f"{start[0]} {end[0]}")
+
+
+def part_named(named: Named, part: str) -> Named:
+    """R^n_12 and R^t_12 beside R_12."""
+    return Named(f"{named.key}_{part}", named.symbol.replace("R_", f"R^{part}_", 1), "N", True) if part else named
+
+
+def tangential(st: Statics, by: str, on: str, arm: tuple[str, str], turning: Turning) -> Points:
+    """R^t = Σ M / l, square to the line from `arm`'s second point to its first, where it acts: mm on the polygon."""
+    p, about = arm
+    outward = st.desk.towards(about, p)
+    named = part_named(st.named(by, on), "t")
+    i, j = st.mech.number(by), st.mech.number(on)
+    if not turning.way:
+        st.board.remark(Words(f"故 $R^t_{{{i}{j}}}$ = 0。", f" so $R^t_{{{i}{j}}}$ = 0."))
+        return 0j
+    length = st.desk.length(p, about)
+    st.board.compute(named.symbol, turning.size / length, "N")
+    return -1j * outward * st.mm(turning.value / length.value)
+
+
+def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners:
+    """ΣF = 0 of the whole group, closed by the two outer reactions; keeps nothing yet."""
+    if _free(st, d, first, last):
+        return _nothing(st, d)
+    pane = _begin(st, d, d.link_j, d.link_k)
+    lead = first.found(st, LETTERS[1])
+    terms = [*lead, *_forces(st, d.link_j, len(lead))]
+    at_j = len(terms)
+    terms += _forces(st, d.link_k, at_j)
+    terms += last.found(st, LETTERS[len(terms) + 1])
+    eq = Equation(left=(*terms, last.sought(st), first.sought(st)))
+    vertices, x = _closed(st, pane, eq, terms)
+    n = len(terms)
+    at_k, corner_x = n - len(last.found(st, "")), (LETTERS[n + 1], x)
+    return Corners(
+        pane=pane,
+        p=(corner_x, (LETTERS[len(lead)], vertices[len(lead)])),
+        j=(LETTERS[at_j], vertices[at_j]),
+        k=(LETTERS[at_k], vertices[at_k]),
+        x=corner_x,
+    )
+
+
+def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corners:
+    """ΣF = 0 of link j alone, closed by R_kj and R_pj; then the forces of link k from J."""
+    if _free(st, d, first):
+        return _nothing(st, d)
+    pane = _begin(st, d, d.link_j)
+    lead = first.found(st, LETTERS[1])
+    terms = [*lead, *_forces(st, d.link_j, len(lead))]
+    vertices, x = _closed(st, pane, Equation(left=(*terms, inner.sought(st), first.sought(st))), terms)
+    n = len(terms)
+    corner_j, corner_x = (LETTERS[n], vertices[n]), (LETTERS[n + 1], x)
+    corner_k = _carry_on(st, pane, d.link_k, corner_j, n + 1)
+    return Corners(
+        pane=pane, p=(corner_x, (LETTERS[len(lead)], vertices[len(lead)])), j=corner_j, k=corner_k, x=corner_x
+    )
+
+
+def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corners:
+    """ΣF = 0 of link k alone, from J over its forces to K, closed by R_qk and R_jk; then the forces of link j, which
+    end in J."""
+    if _free(st, d):
+        return _nothing(st, d)
+    pane = _begin(st, d, d.link_k)
+    terms = _forces(st, d.link_k, 0)
+    vertices, x = _closed(st, pane, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
+    n = len(terms)
+    end = _carry_on(st, pane, d.link_j, (LETTERS[n + 1], x), n + 1)
+    if len(_forces(st, d.link_j, 0)):
+        st.board.remark(
+            Words(
+                f"再由 ${LETTERS[n + 1]}$ 依次作构件 {d.link_j} 的已知力，至 ${end[0]}$。",
+                f" From ${LETTERS[n + 1]}$ lay off the known forces of link {d.link_j}, to ${end[0]}$.",
+            )
+        )
+    return Corners(
+        pane=pane, p=(end, (LETTERS[0], 0j)), j=(LETTERS[0], 0j), k=(LETTERS[n], vertices[n]), x=(LETTERS[n + 1], x)
+    )
+
+
+def _free(st: Statics, d: Dyad, *outer: Reaction) -> bool:
+    """Whether no known force acts on the group, but couples at most."""
+    return not acting_on(st, d.link_j) and not acting_on(st, d.link_k) and not any(one.part for one in outer)
+
+
+def _nothing(st: Statics, d: Dyad) -> Corners:
+    """No polygon: two unknown forces of different directions sum to zero only where both are zero."""
+    numbers = "、".join(map(st.mech.number, (d.link_j, d.link_k)))
+    st.board.step(
+        Words(
+            f"构件 {numbers} 上无已知力作用（至多有力偶）；两个方向不同的未知反力之和为零，故二者皆为零。",
+            f"No known force acts on links {numbers.replace('、', ' and ')}, but couples at "
+            "most; two unknown forces of different directions sum to zero only if both are "
+            "zero.",
+        )
+    )
+    pane, none = (
+        st.polygon(f"{st.mech.number(d.link_j)}-{st.mech.number(d.link_k)}", polygon_title(st, d.link_j, d.link_k)),
+        ("—", 0j),
+    )
+    return Corners(pane=pane, p=(none, none), j=none, k=none, x=none)
+
+
+def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Drawn]:
+    """R_pj, R_kj and R_qk as sides and diagonals of the polygon, named in the step."""
+    names = [
+        st.named(by, on).symbol for by, on in ((d.parent_j, d.link_j), (d.link_k, d.link_j), (d.parent_k, d.link_k))
+    ]
+    found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
+    if corners.x[0] != "—":
+        _say_measured(st, tuple(zip(names, found, strict=True)))
+    for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
+        _name(st, drawn, by, on)
+    return found
+
+
+def _say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
+    """Which reactions are measured, and which are zero since the letters of their ends coincide."""
+    none = [(name, drawn) for name, drawn in sides if abs(complex(nominal(drawn.end - drawn.start))) < SAME]
+    names = [name for name, drawn in sides if (name, drawn) not in none]
+    if names:
+        st.board.remark(Words(f"由图量得 ${'$、$'.join(names)}$。", f" Measure ${'$, $'.join(names)}$."))
+    if none:
+        first, last = none[0][1].letters.split()
+        zeros = "".join(f"${name}$ = " for name, _ in none)
+        why = (
+            Words("", "")
+            if first == last
+            else Words(f"${first}$ 与 ${last}$ 重合，故 ", f" ${first}$ and ${last}$ coincide, so")
+        )
+        st.board.remark(why + Words(f"{zeros}0。", f" {zeros}0."))
+
+
+def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
+    """Draw a reaction on the polygon and write what is measured between its letters."""
+    named = st.named(by, on)
+    start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))
+    if abs(end - start) < SAME:
+        return
+    there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < SAME for m in st.board.marks(drawn.place))
+    if not there:
+        st.board.arrow(drawn.place, drawn.start, drawn.end, Role.RESULT, key=named.key, label=named.symbol)
+    st.board.write(worked(sym(named.symbol), measured(st, drawn), "N"))
+
+
+def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:
+    pane = st.polygon(f"{st.mech.number(d.link_j)}-{st.mech.number(d.link_k)}", polygon_title(st, d.link_j, d.link_k))
+    links, links_en = "、".join(map(st.mech.number, alone)), " and ".join(map(st.mech.number, alone))
+    st.board.step(
+        Words(
+            f"列构件 {links} 的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。",
+            f"Write the equilibrium of link{'s' if len(alone) > 1 else ''} {links_en} and draw the polygon to "
+            "$μ_F$, the forces head to tail.",
+        ),
+        pane,
+    )
+    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
+    return pane
+
+
+def _forces(st: Statics, link: str, after: int) -> list[Term]:
+    return [_term(force, LETTERS[after + i + 1]) for i, force in enumerate(acting_on(st, link))]
+
+
+def _term(force: Acting, tip: str) -> Term:
+    return Term(
+        rel=force.named,
+        symbol=force.named.symbol,
+        direction=force.direction,
+        magnitude=force.size,
+        vector=force.vector,
+        tip=tip,
+    )
+
+
+def _closed(st: Statics, pane: Pane, eq: Equation, terms: list[Term]) -> tuple[list[Points], Points]:
+    """All vertices of the known chain, and the corner."""
+    st.board.equate(eq.table())
+    closed = close(st.board, pane, 0j, eq)
+    corner = closed.ends[eq.left[-1].rel.key][0]
+    st.board.plot(pane, corner, LETTERS[len(terms) + 1])
+    return [0j, *(closed.ends[term.rel.key][1] for term in terms)], corner
+
+
+def _carry_on(st: Statics, pane: Pane, link: str, start: tuple[str, Points], used: int) -> tuple[str, Points]:
+    """Lay the known forces of the other link off, from a corner."""
+    letter, here = start
+    for i, force in enumerate(acting_on(st, link)):
+        tip = here + st.board.hand.carry_vector(force.vector)
+        st.board.arrow(pane, here, tip, Role.GIVEN)
+        letter, here = LETTERS[used + i + 1], tip
+        st.board.plot(pane, here, letter)
+    return letter, here

@@ -1,0 +1,93 @@
+"""Moments about a lettered point: arms measured from the point square to the lines of action, F × μ_l h, and couples as
+they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....algebra.quantity import Expr, Quantity, Sum, magnitude
+from ....board.board import NO_LENGTH
+from ....board.construction import Pane, Place, View
+from ....plane import Line, Points, Reals, cross, foot, nominal
+from ..acting import Acting, summed
+from ..couples import couples_on
+from ..groups.body import draw_arm
+from ..readings import measured
+from ..state import Statics
+from .letters import arm_about_point
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Turning:
+    """The sum of moments about a point: its terms with their senses, and its value (N·m, counter-clockwise
+    positive)."""
+
+    terms: tuple[Expr, ...]
+    signs: tuple[int, ...]
+    value: Reals
+
+    @property
+    def way(self) -> int:
+        """Sense by the nominal hand; 0 where nothing turns."""
+        return int(np.sign(nominal(self.value))) if self.terms else 0
+
+    @property
+    def size(self) -> Sum:
+        """The sum as it is written, positive."""
+        return Sum(self.terms, tuple(self.way * sign for sign in self.signs))
+
+
+def moments_about(st: Statics, pane: Pane, links: Iterable[str], point: str) -> Turning:
+    """Moments of all known forces and couples on these links about a lettered point; the arms are drawn on the pane."""
+    return moments_at(st, pane, links, st.desk.at[point])
+
+
+def moments_at(st: Statics, pane: Place | None, links: Iterable[str], about: Points) -> Turning:
+    """The same about any point; without a figure no arms are drawn."""
+    found = [part for link in links for part in (*_of_forces(st, pane, link, about), *_of_couples(st, link))]
+    return Turning(
+        terms=tuple(expr for expr, _ in found),
+        signs=tuple(int(nominal(sign)) for _, sign in found),
+        value=summed(sign * expr.value for expr, sign in found),
+    )
+
+
+def acting_on(st: Statics, link: str) -> list[Acting]:
+    """The known forces on a link that are not zero."""
+    return [force for force in st.known(link) if abs(nominal(force.vector)) > NO_LENGTH]
+
+
+def size_of(st: Statics, force: Acting) -> Quantity:
+    """A force in N: given or computed, or read off the polygon on which it was found."""
+    if force.drawn is None:
+        return magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
+    return magnitude(force.named.symbol, measured(st, force.drawn).value, "N")
+
+
+def _of_forces(st: Statics, pane: Place | None, link: str, about: Points) -> Iterator[tuple[Expr, Reals]]:
+    """F μ_l h of every force that does not pass through the point."""
+    for force in acting_on(st, link):
+        end = foot(Line(force.at, force.line.along), about)
+        arm = st.board.measure(about, end, arm_about_point(force.named.symbol))
+        if abs(nominal(end - about)) < NO_LENGTH:
+            continue
+        if pane is not None:
+            draw_arm(st, pane, about, end, force, arm_about_point(force.named.symbol))
+        yield size_of(st, force) * st.board.mu(View.MECHANISM) * arm, np.sign(cross(end - about, force.vector))
+
+
+def _of_couples(st: Statics, link: str) -> Iterator[tuple[Expr, Reals]]:
+    """Given couples, inertia couples, friction couples of pins."""
+    for symbol, value in _couples(st, link):
+        if nominal(value):
+            yield magnitude(symbol, np.abs(value), "N·m"), np.sign(value)
+
+
+def _couples(st: Statics, link: str) -> Iterator[tuple[str, Reals]]:
+    yield from couples_on(st, link)
+    for (by, on), couple in st.couples.items():
+        if on == link:
+            yield f"M_{{f{st.mech.number(by)}{st.mech.number(on)}}}", couple

@@ -1,0 +1,75 @@
+"""Two profiles in contact (cam, eccentric disc): the reaction leans by φ from the common normal against the sliding."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....board.construction import View
+from ....board.paper.marks import Dot, Role
+from ....plane import Line, Points, nominal
+from ....words import Words
+from ...registry import Stage, method
+from ..senses import leaning, velocity_of
+from ..state import Statics
+from .links_of_group import TwoForce
+
+_SOURCE = "机械原理, friction in higher pairs"
+
+
+@method(
+    stage=Stage.FORCE,
+    group="contact",
+    source=_SOURCE,
+    example="4-4",
+    title=Words(
+        "高副接触：反力偏离公法线 φ 角", "Contact of two profiles: reaction inclined by φ from the common normal"
+    ),
+)
+def line_of_contact(st: Statics, two: TwoForce) -> Line:
+    """Line of the force of the parent on the loaded link through the contact K, along that force (it presses).
+
+    R = N + F_f: along the common normal, turned by φ against the sliding of the loaded link past its parent.
+    """
+    contact = two.contact
+    assert contact is not None
+    k = st.desk.contact_of(contact)
+    outward = st.desk.normal_of(contact)  # from the disc's centre through K
+    normal = outward if two.by == contact.disc.link else -outward
+    i, j = st.mech.number(two.by), st.mech.number(two.on)
+    slip = velocity_of(st, two.on, k) - velocity_of(st, two.by, k)
+    u = leaning(st, normal, slip, st.phi(contact), Words(f"接触点 {contact.point}", f"contact {contact.point}"))
+    if st.phi(contact):
+        _say(st, i, j, contact.point, slip, normal)
+    else:
+        symbol = st.named(two.by, two.on).symbol
+        st.board.step(
+            Words(
+                f"不计摩擦，接触点 ${contact.point}$ 处的反力 ${symbol}$ 沿公法线 $n–n$。",
+                f"Without friction the reaction ${symbol}$ at the contact ${contact.point}$ acts along the common "
+                "normal $n–n$.",
+            ),
+            View.MECHANISM,
+        )
+    u = st.board.turn(u)
+    if not st.preliminary:
+        st.board.join(View.MECHANISM, k - u * 22.0, k + u * 22.0, Role.DIRECTION)
+        st.board.plot(View.MECHANISM, k + u * 22.0, st.named(two.by, two.on).symbol, Dot.NONE)
+    return Line(k, u)
+
+
+def _say(st: Statics, i: str, j: str, point: str, slip: Points, normal: Points) -> None:
+    right = float(nominal((np.conj(1j * normal) * slip).real)) < 0
+    side, side_en = ("右", "right") if right else ("左", "left")
+    there = f"v_{{{point}{j}{point}{i}}}"
+    st.board.step(
+        Words(
+            f"由 $ω_{i}$、$ω_{j}$ 知两构件在接触点 ${point}$ 的速度之差 ${there}$ 沿公切线；面向 $R_{{{i}{j}}}$ "
+            f"的指向看，构件 {j} 相对构件 {i} 向{side}滑动。摩擦力与之反向，故 $R_{{{i}{j}}}$ 自公法线偏转 $φ$ 角，"
+            f"与 ${there}$ 成 90° + $φ$。",
+            f"By $ω_{i}$ and $ω_{j}$ the velocities of the two links at the contact ${point}$ "
+            f"differ by ${there}$ along the common tangent: looking along $R_{{{i}{j}}}$, link "
+            f"{j} slides to the {side_en} past link {i}. Friction opposes it, so $R_{{{i}{j}}}$ "
+            f"is inclined at $φ$ to the common normal and makes 90° + $φ$ with ${there}$.",
+        ),
+        View.MECHANISM,
+    )

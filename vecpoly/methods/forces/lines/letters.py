@@ -1,0 +1,46 @@
+"""Letters that follow from a load's symbol: its arms, the foot of a velocity on it, the pair of forces that stands for
+a couple, its power."""
+
+from __future__ import annotations
+
+
+def bare(symbol: str) -> str:
+    """The symbol's letters in one row: F_{I2} → FI2."""
+    return "".join(c for c in symbol if c not in "_{},")
+
+
+def subscript(symbol: str) -> str:
+    """What tells a force from the others: F_{I2} → I2, R_{56} → 56, F → F, G_{2} → G2."""
+    base, _, sub = symbol.partition("_")
+    return bare(sub) if sub and base in ("F", "R") else bare(symbol)
+
+
+def arm_about_point(symbol: str) -> str:
+    """h_{I2}: the arm of a force on the diagram."""
+    return f"h_{{{subscript(symbol)}}}"
+
+
+def arm_about_pole(symbol: str) -> str:
+    """d_{I2}: the arm of a force on the lever."""
+    return f"d_{{{subscript(symbol)}}}"
+
+
+def pair_symbol(symbol: str) -> str:
+    """F_{M1}: each of the two forces that stand for the couple M_1."""
+    return f"F_{{{bare(symbol)}}}"
+
+
+def power_symbol(symbol: str) -> str:
+    """P_{FI2}: the power of a load."""
+    return f"P_{{{bare(symbol)}}}"
+
+
+def slide_couple(symbol: str) -> str:
+    """M_{R23}: the couple that a slide passes on, beside a force R_{23} of zero."""
+    return f"M_{{{bare(symbol)}}}"
+
+
+def foot_letter(tip: str, symbol: str) -> str:
+    """The letter of a tip's foot on the direction of a force: b_{F}, s_{2,I2}."""
+    letter, _, digits = tip.partition("_")
+    return f"{letter}_{{{digits + ',' if digits else ''}{subscript(symbol)}}}"

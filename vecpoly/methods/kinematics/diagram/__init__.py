@@ -1,0 +1,1 @@
+"""The kinematic diagram: links, gears, cams and cylinders with the symbols of GB/T 4460."""

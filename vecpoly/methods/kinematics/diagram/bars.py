@@ -1,0 +1,33 @@
+"""The lines of a rigid link: a bar, a plate where its points are not in line, a welded corner (GB/T 4460)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from ....board.paper.marks import Mark, Plate, Role, Segment
+
+WELD = 3.0  # mm, sides of the mark of a rigid corner
+
+
+def bar(spots: Sequence[complex]) -> Iterator[Mark]:
+    """A bar, or a plate where the points are not in line."""
+    base = spots[1] - spots[0]
+    off = [abs((np.conj(base) * (s - spots[0])).imag) / abs(base) for s in spots[2:]]
+    if len(spots) > 2 and max(off) > 0.5:
+        yield Plate(points=around(spots))
+    else:
+        order = sorted(spots, key=lambda s: (np.conj(base) * (s - spots[0])).real)
+        yield Segment(a=order[0], b=order[-1], role=Role.LINK)
+
+
+def around(spots: Sequence[complex]) -> tuple[complex, ...]:
+    """Corners in order round their middle."""
+    middle = sum(spots) / len(spots)
+    return tuple(sorted(spots, key=lambda s: float(np.angle(s - middle))))
+
+
+def weld(corner: complex, u: complex, v: complex) -> Plate:
+    """The small triangle that shows two bars to be one rigid link."""
+    return Plate(points=(corner, corner + WELD * u / abs(u), corner + WELD * v / abs(v)))

@@ -1,0 +1,124 @@
+"""Cams and eccentric discs: the higher pair is replaced by a link and two lower pairs of the same motion (高副低代).
+
+A disc on a disc: a bar between the two centres, as long as R + r; a disc on a flat face: a block pinned at the disc's
+centre, led parallel to the face. With constant radii both are exact, for velocities and for accelerations.
+"""
+
+from __future__ import annotations
+
+from ....board.construction import View
+from ....mechanism.groups.assur import Group
+from ....mechanism.model import Circle, Contact, Mechanism, Prismatic
+from ....words import Words
+from ...desk import Desk
+from ...registry import Stage
+from .follower import pressure_angle
+
+
+def contact_replaced(mech: Mechanism, substitute: str) -> Contact | None:
+    """The contact for which this link stands, if it is such a link."""
+    return next((contact for contact in mech.contacts if contact.substitute == substitute), None)
+
+
+def contacts_of(mech: Mechanism, link: str) -> tuple[Contact, ...]:
+    """The contacts in which a real link takes part."""
+    return tuple(contact for contact in mech.contacts if link in contact.links)
+
+
+def say_replaced(desk: Desk, stage: Stage, group: Group) -> None:
+    """A step for each contact that the group's motion depends on: what stands for it, and that its accelerations are
+    the same."""
+    for name in group.links:
+        contact = contact_replaced(desk.mech, name)
+        if contact is not None and stage is Stage.POSITION:
+            desk.board.step(
+                _bar(contact, group) if isinstance(contact.on, Circle) else _block(contact, group), View.MECHANISM
+            )
+        elif contact is not None and stage is Stage.ACCELERATION:
+            desk.board.step(_same_motion(contact, group), View.ACCELERATION)
+
+
+def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
+    """Find the points of contact, once both links are drawn."""
+    for contact in desk.mech.contacts:
+        if set(links) & {*contact.links, contact.substitute} and set(contact.links) <= set(desk.pose):
+            desk.letter(contact.point, desk.contact_of(contact))
+            desk.board.remark(_found(contact))
+            if not desk.loaded and any(pressure_angle(desk, contact)):
+                desk.board.remark(
+                    Words(
+                        "公法线与从动件受力点运动方向所夹的锐角 $α$ 为压力角。",
+                        " The acute angle $α$ between the common normal and the way in "
+                        "which the follower can go is the pressure angle.",
+                    )
+                )
+
+
+def tangent_words(desk: Desk, joint: Prismatic) -> Words | None:
+    """How a link with a flat face is placed on its disc: by a parallel to the face through the disc's centre."""
+    contact = contact_replaced(desk.mech, joint.block)
+    if contact is None:
+        return None
+    o, link, r = contact.disc.centre, contact.on.link, f"r_{contact.disc.link}"
+    return Words(
+        f"平底与 ${o}$ 始终相距 ${r}$：过 ${o}$ 的虚拟导路与平底平行，由此定出构件 {link} 的位置",
+        f"The face keeps the distance ${r}$ from ${o}$: the guide through ${o}$ is parallel to it, "
+        f"which places link {link}",
+    )
+
+
+def _bar(contact: Contact, group: Group) -> Words:
+    assert isinstance(contact.on, Circle)
+    bar, one, two = contact.substitute, contact.disc.link, contact.on.link
+    length = f"r_{two} − r_{one}" if contact.internal else f"r_{one} + r_{two}"
+    real = _real(group, contact)
+    return Words(
+        f"高副低代：接触点 ${contact.point}$ 处两廓线的曲率中心为 ${contact.disc.centre}$、"
+        f"${contact.on.centre}$，以连心线 ${bar}$ 为杆长（$l_{{{bar}}} = {length}$），用一杆两转动副代替高副 "
+        f"${contact.point}$，与构件 {real} 组成 {group.kind} 杆组。",
+        f"Replace the higher pair: the centres of curvature at the contact ${contact.point}$ are "
+        f"${contact.disc.centre}$ and ${contact.on.centre}$; a bar ${bar}$ along the line of "
+        f"centres ($l_{{{bar}}} = {length}$) stands for the contact, and link {real} becomes part "
+        f"of an {group.kind} group.",
+    )
+
+
+def _block(contact: Contact, group: Group) -> Words:
+    o, real = contact.disc.centre, _real(group, contact)
+    return Words(
+        f"高副低代：构件 {contact.on.link} 为平底，其曲率中心在无穷远处；以铰接于圆心 ${o}$、"
+        f"沿平底方向滑动的滑块代替高副 ${contact.point}$，与构件 {real} 组成 {group.kind} 杆组。",
+        f"Replace the higher pair: the face of link {contact.on.link} has its centre of curvature "
+        f"at infinity; a block pinned at the disc's centre ${o}$ and sliding parallel to the face "
+        f"stands for the contact ${contact.point}$, and with link {real} makes an {group.kind} "
+        "group.",
+    )
+
+
+def _same_motion(contact: Contact, group: Group) -> Words:
+    """Why the substitute serves for accelerations too."""
+    return Words(
+        f"接触处两廓线的曲率半径为常数，高副低代后加速度也不变，仍用该 {group.kind} 杆组求解。",
+        f"The radii of curvature at ${contact.point}$ are constant, so that the {group.kind} group "
+        "has the same accelerations as the higher pair.",
+    )
+
+
+def _real(group: Group, contact: Contact) -> str:
+    """The real links of the group, by their numbers."""
+    return "、".join(name for name in group.links if name != contact.substitute)
+
+
+def _found(contact: Contact) -> Words:
+    k, o = contact.point, contact.disc.centre
+    if isinstance(contact.on, Circle):
+        return Words(
+            f"接触点 ${k}$ 在连心线 ${o}{contact.on.centre}$ 上，公法线 $n$–$n$ 沿该线。",
+            f" The point of contact ${k}$ lies on the line of centres ${o}{contact.on.centre}$, "
+            "which is the common normal $n$–$n$.",
+        )
+    return Words(
+        f"由 ${o}$ 向平底作垂线，垂足为接触点 ${k}$，该垂线即公法线 $n$–$n$。",
+        f" The perpendicular from ${o}$ to the face is the common normal $n$–$n$; its foot is the "
+        f"point of contact ${k}$.",
+    )

@@ -1,0 +1,60 @@
+"""The curved arrow with ω about the driving link's pivot, where it touches nothing."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....board.construction import View
+from ....board.paper.marks import AngleMark, Arc, FixedGuide, Segment, Slot, TurnArrow
+from ....mechanism.model import Drive
+from ....plane import nominal
+from ...desk import Desk
+from ..position.drive import swept
+
+ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
+APART = 4.0  # mm between the arrow and the arc of a reflex angle
+
+
+def draw_drive_arrow(desk: Desk) -> None:
+    """The curved arrow with ω at the pivot of each driving link; none where that link is only thought to drive."""
+    for drive in desk.mech.drives:
+        if not drive.slide and not desk.thought:
+            _draw(desk, drive)
+
+
+def _draw(desk: Desk, drive: Drive) -> None:
+    pivot, _ = desk.crank(drive.link)
+    at = complex(nominal(desk.at[pivot]))
+    radius = _arrow_radius(desk, at)
+    middle = _free_side(desk, at, drive.position, radius)
+    start = middle - 0.9 if drive.rate > 0 else middle + 0.9
+    desk.board.mark(
+        View.MECHANISM, TurnArrow(at=at, radius=radius, start=start, ccw=drive.rate > 0, label=f"ω_{drive.link}")
+    )
+
+
+def _arrow_radius(desk: Desk, pivot: complex) -> float:
+    """Its radius: not that of a base circle or an offset circle, nor near the arc of a reflex angle."""
+    marks = desk.board.marks(View.MECHANISM)
+    circles = [m.radius for m in marks if isinstance(m, Arc) and abs(m.centre - pivot) < 1e-6 and m.sweep > 6]
+    reflex = [m.radius for m in marks if isinstance(m, AngleMark) and abs(m.at - pivot) < 1e-6 and abs(m.sweep) > np.pi]
+    free = (
+        r for r in ARROW_RADII if all(abs(r - c) > 1.5 for c in circles) and all(abs(r - c) > APART for c in reflex)
+    )
+    return next(free, ARROW_RADII[-1])
+
+
+def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
+    """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
+    ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])
+    mark = pivot + radius * np.exp(1j * np.linspace(0.0, swept(phi), 18))
+    lines = [
+        m.a + (m.b - m.a) * np.linspace(0.0, 1.0, 60)
+        for m in desk.board.marks(View.MECHANISM)
+        if isinstance(m, Segment | FixedGuide | Slot)
+    ]
+    taken = np.concatenate([ground, mark, *lines])
+    middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
+    clear = np.abs(arcs[:, :, None] - taken).min(axis=(1, 2))
+    return float(middles[int(np.argmax(clear))])

@@ -1,0 +1,1 @@
+"""Velocity and acceleration of the class II groups, one file each."""

@@ -1,0 +1,1 @@
+"""Gears that roll: pitch points, racks, trains, and groups with a gear as a link."""

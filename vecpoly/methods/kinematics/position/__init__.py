@@ -1,0 +1,1 @@
+"""Groups located with compass and ruler: the kinematic diagram in the given position."""

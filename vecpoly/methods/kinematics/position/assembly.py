@@ -1,0 +1,110 @@
+"""Which of two meeting points is meant: the branch statement of the problem, read on the drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+from ....errors import AssemblyError, DeadPointError
+from ....mechanism.assembly.branch import margin, nearer
+from ....mechanism.model import FRAME, Shaped, Side, SideOf, Statement
+from ....plane import Points, nominal
+from ....words import Words
+from ...desk import Desk
+
+HAIR = 1e-7  # of the mechanism's size: meeting points nearer than this are one point
+_SIDE = {"left": "左侧", "right": "右侧", "above": "上方", "below": "下方"}
+_EN = {"left": "to the left of", "right": "to the right of", "above": "above", "below": "below"}
+
+
+def choose(
+    desk: Desk, point: str, links: tuple[str, ...], pair: tuple[Points, Points]
+) -> tuple[Points, Statement | None]:
+    """The meeting point that fulfils the statements about this group, and the statement that decided.
+
+    Raises AssemblyError when both or neither do: the text says which words would help.
+    """
+    first, second = (complex(nominal(p)) for p in pair)
+    hair = HAIR * desk.mm(desk.mech.scale)
+    if abs(first - second) < hair:
+        raise DeadPointError(
+            Words(
+                f"构件 {'、'.join(links)}：{point} 的两个交点重合，此为死点或转折点位置；请另取原动件位置",
+                f"links {' and '.join(links)}: the two meeting points for {point} coincide; this is a dead "
+                "point or change point, choose another input position",
+            )
+        )
+    drawn = {name: complex(nominal(p)) for name, p in desk.at.items()}
+    trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
+    new = set(trials[0]) - set(drawn)
+    about = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
+    holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
+    fits = [all(held) for held in holds]
+    if all(fits) and (near := nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
+        return pair[near], None
+    if not about or fits[0] == fits[1]:
+        raise AssemblyError(_which(point, links, desk, about))
+    deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
+    return (pair[0] if fits[0] else pair[1]), deciding
+
+
+def in_metres(
+    desk: Desk, trials: list[dict[str, complex]]
+) -> tuple[Mapping[str, complex], dict[str, complex], dict[str, complex]]:
+    """The rough places of the problem, and where all letters lie with either meeting point."""
+    one, two = ({name: at / desk.mm(1.0) for name, at in trial.items()} for trial in trials)
+    return desk.mech.guesses, one, two
+
+
+def said(statement: Statement | None) -> Words:
+    """The deciding statement in words."""
+    match statement:
+        case None:
+            return Words("（取与题给装配形式相符的一点）", " (of the two, the one that fits the assembly given)")
+        case SideOf(point=point, side=side):
+            ref = ("→" if side in (Side.LEFT, Side.RIGHT) else "").join(statement.ref)
+            return Words(
+                f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一点）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)"
+            )
+        case Shaped(form=form):
+            corners = "".join(statement.corners)
+            return Words(
+                f"（取 ${corners}$ 为{form.words.zh}的一点）",
+                f" (of the two, the one that makes ${corners}$ {form.words.en})",
+            )
+        case _:
+            assert_never(statement)
+
+
+def _with_point(
+    desk: Desk, drawn: dict[str, complex], point: str, links: tuple[str, ...], at: complex
+) -> dict[str, complex]:
+    """All points that would be known if the group's point were there."""
+    known = {**drawn, point: at}
+    for name in links:
+        body = desk.mech.link(name).points
+        held = [p for p in body if p in known]
+        if name != FRAME and point in held and len(held) > 1:
+            p, q = held[0], held[1]
+            turn = (known[q] - known[p]) / (body[q] - body[p])
+            known |= {r: known[p] + turn * (local - body[p]) for r, local in body.items() if r not in known}
+    return known
+
+
+def _which(point: str, links: tuple[str, ...], desk: Desk, about: list[Statement]) -> Words:
+    others = [p for name in links for p in desk.mech.link(name).points if p != point and p in desk.at][:2]
+    line = "".join(others) if len(others) == 2 else (others[0] if others else "A")
+    problem = (
+        Words("相互矛盾或未指明一侧", "contradict each other or name no side")
+        if about
+        else Words("没有涉及它", "say nothing of it")
+    )
+    moving = [name for name in links if name in desk.mech.bodies]
+    return Words(
+        f"构件 {'、'.join(moving)} 上的点 {point} 可装配在两侧，而 branch 中的语句{problem.zh}",
+        f"point {point} of links {', '.join(moving)} can be assembled on two sides and the branch "
+        f"statements {problem.en}",
+    ) + Words(
+        f"；请写 branch: [{point} left of {line}] 或 branch: [{point} right of {line}]",
+        f"; write 'branch: [{point} left of {line}]' or 'branch: [{point} right of {line}]'",
+    )

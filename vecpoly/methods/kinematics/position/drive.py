@@ -1,0 +1,136 @@
+"""The driving link in its given position: φ_1 laid off with the protractor, or the travel along the guide."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ....algebra.quantity import number
+from ....board.construction import View
+from ....board.paper.marks import AngleMark, Role, Segment
+from ....mechanism.gearing import pitch_circles
+from ....mechanism.model import FRAME, Drive, Prismatic
+from ....mechanism.travel import counted_from
+from ....plane import nominal
+from ....words import Words
+from ...desk import Desk, Pose
+from ...registry import Stage, method
+
+SEEN = 0.005  # rad: a smaller angle is no arc on paper
+
+
+@method(
+    stage=Stage.POSITION,
+    group="crank",
+    source="机械原理, kinematic diagrams",
+    example="3-9",
+    title=Words("原动件的位置", "Position of the driving link"),
+)
+def position_crank(desk: Desk, drive: Drive) -> None:
+    """Lay off φ from the x axis at the fixed pivot, then l_AB / μ_l along it."""
+    link, board = desk.mech.link(drive.link), desk.board
+    pivot, others = desk.crank(drive.link)
+    board.step(_said(desk, drive, pivot, others), View.MECHANISM)
+    along = board.turn(np.exp(1j * board.given(drive.position, f"phi_{drive.link}")))
+    local = link.points[pivot]
+    desk.pose[drive.link] = Pose(desk.at[pivot] - along * desk.mm(1.0) * local, along)
+    for name in others:
+        base = desk.place(drive.link, link.points[name])
+        desk.letter(name, base + along * board.hand.carry(0.0))
+    desk.settle_rest(drive.link)
+    if others and not desk.thought and abs(swept(drive.position)) > SEEN:
+        _angle(desk, pivot, drive, max((abs(desk.mm(abs(link.points[p] - local))) for p in others), default=40.0))
+
+
+def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
+    """The fixed points, and how the driving link is set out: at its angle, or as a pitch circle where it has no further
+    point."""
+    first = fixed_points(desk) + Words("；", "; ")
+    if desk.thought:
+        return first + _at_angle(drive, pivot, others, "")
+    if not others and (gear := next((c for c in pitch_circles(desk.mech) if c.link == drive.link), None)) is not None:
+        return first + Words(
+            f"以 ${pivot}$ 为圆心、$r_{gear.link}/μ_l$ 为半径作齿轮 {gear.link} 的节圆。",
+            f"about ${pivot}$ draw the pitch circle of gear {gear.link} with the radius $r_{gear.link}/μ_l$.",
+        )
+    return first + _at_angle(drive, pivot, others, f" = {number(math.degrees(drive.position), 6)}°")
+
+
+def _at_angle(drive: Drive, pivot: str, others: list[str], phi: str) -> Words:
+    length = f"，量取 ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$" if others else ""
+    length_en = f" and step off ${pivot}{others[0]} = l_{pivot}{others[0]}/μ_l$ on it" if others else ""
+    found, found_en = ("试得的", "the ") if not phi else ("", "")
+    return Words(
+        f"过固定铰链 ${pivot}$ 作与 $x$ 轴成{found} $φ_{drive.link}${phi} 的直线，为构件 {drive.link}{length}。",
+        f"through the fixed pivot ${pivot}$ draw link {drive.link} at "
+        f"{found_en}$φ_{drive.link}${phi}{' found' if not phi else ''} to the $x$ axis{length_en}.",
+    )
+
+
+@method(
+    stage=Stage.POSITION,
+    group="slide",
+    source="机械原理, kinematic diagrams",
+    example="",
+    title=Words("移动原动件的位置", "Position of the driving slider"),
+)
+def position_slide(desk: Desk, drive: Drive) -> None:
+    """Step off the travel along the fixed guide."""
+    joint = next(j for j in desk.mech.joints if isinstance(j, Prismatic) and j.block == drive.link and j.guide == FRAME)
+    board = desk.board
+    start = counted_from(joint)
+    board.step(
+        Words(
+            f"取 $μ_l$，沿固定导路{start.zh}量取构件 {drive.link} 的位移 $s_{drive.link}/μ_l$，得 ${joint.pin}$。",
+            f"To the scale $μ_l$ step off the travel $s_{drive.link}/μ_l$ of link {drive.link} along its "
+            f"fixed guide {start.en}: ${joint.pin}$.",
+        ),
+        View.MECHANISM,
+    )
+    line = desk.locus(joint, drive.link, joint.pin)
+    desk.letter(joint.pin, board.lay_off(line.at, line.along, desk.mm(board.given(drive.position, f"s_{drive.link}"))))
+    desk.settle_turned(drive.link, joint.pin, line.along * np.exp(1j * joint.turn))
+
+
+def say_fixed_points(desk: Desk) -> None:
+    """The first step where no link is driven against the frame."""
+    desk.board.step(fixed_points(desk) + Words("。", "."), View.MECHANISM)
+
+
+def fixed_points(desk: Desk) -> Words:
+    """Which points are placed by their coordinates."""
+    fixed, fixed_en = "$、$".join(desk.mech.frame), "$, $".join(desk.mech.frame)
+    return Words(
+        f"取 $μ_l$，按坐标定出固定点 ${fixed}$",
+        f"Place the fixed point{'s' if len(desk.mech.frame) > 1 else ''} ${fixed_en}$ to the scale $μ_l$",
+    )
+
+
+def say_welded(desk: Desk) -> None:
+    """Rollers are drawn as parts of the links that carry them."""
+    for roller, host in desk.mech.welded:
+        desk.board.step(
+            Words(
+                f"滚子 {roller} 绕其销轴的转动为局部自由度，将滚子与构件 {host} 视为焊成一体。",
+                f"Roller {roller} turns idly about its pin, a passive degree of freedom, and "
+                f"is taken as welded to link {host}.",
+            ),
+            View.MECHANISM,
+        )
+
+
+def swept(position: float) -> float:
+    """How far the arc of an angle runs round: as far as is stated, less full turns."""
+    return math.fmod(position, 2 * math.pi)
+
+
+def _angle(desk: Desk, pivot: str, drive: Drive, reach: float) -> None:
+    """Mark the angle φ at the pivot: the arc runs in the sense of the stated value."""
+    at = complex(nominal(desk.at[pivot]))
+    radius = min(11.0, 0.45 * reach)
+    desk.board.mark(
+        View.MECHANISM,
+        Segment(a=at, b=at + radius + 3.5, role=Role.CENTRE),
+        AngleMark(at=at, radius=radius, start=0.0, sweep=swept(drive.position), label=f"φ_{drive.link}"),
+    )

@@ -1,0 +1,96 @@
+"""An RPR group located: a guide that swings about Q and passes the pin P of its block, through it or at an offset."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....board.construction import View
+from ....board.paper.marks import Arc, Role
+from ....errors import AssemblyError
+from ....mechanism.groups.assur import Dyad
+from ....mechanism.model import Prismatic, Revolute
+from ....plane import Points, distance, nominal, unit
+from ....words import Words
+from ...desk import Desk
+from ...registry import Stage, method
+from ..diagram.cam import tangent_words
+from .assembly import said
+from .guide_way import choose_way
+
+_SOURCE = "机械原理, kinematic diagrams by Assur groups"
+
+
+@method(
+    stage=Stage.POSITION,
+    group="RPR",
+    source=_SOURCE,
+    example="3-9",
+    title=Words("RPR 杆组的位置", "Position of an RPR group"),
+)
+def position_rpr(desk: Desk, d: Dyad) -> None:
+    """The guide passes its pivot Q and leaves the block's pin P at the offset e: join QP, or draw the tangent from
+    Q."""
+    joint = d.inner
+    assert isinstance(joint, Prismatic) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    pins = {d.link_j: d.outer_j.point, d.link_k: d.outer_k.point}
+    q, p = pins[joint.guide], pins[joint.block]
+    offset = desk.mm(desk.offset(joint, joint.block, p) - desk.offset(joint, joint.guide, q))
+    span = distance(desk.at[q], desk.at[p])
+    if float(nominal(span)) <= abs(offset) + 1e-9:
+        raise AssemblyError(
+            Words(
+                f"构件 {joint.guide} 与 {joint.block}：图上 {q}{p} 长 {nominal(span):.3f} mm，不大于导路的偏距 "
+                f"{abs(offset):.3f} mm，导路方向不定",
+                f"links {joint.guide} and {joint.block}: {q}{p} is {nominal(span):.3f} mm on paper, not longer "
+                f"than the guide's offset of {abs(offset):.3f} mm, so the guide has no direction here",
+            )
+        )
+    if (cam := tangent_words(desk, joint)) is not None:
+        words = cam + _tangent(q, p, offset)
+    elif abs(offset) < 1e-9:
+        words = Words(
+            f"连接 ${q}$、${p}$，得构件 {joint.guide} 的导路方向",
+            f"Join ${q}$ and ${p}$: the guide of link {joint.guide}",
+        )
+    else:
+        words = Words(
+            f"以 ${p}$ 为圆心、偏距 $e/μ_l$ 为半径作圆，过 ${q}$ 作其切线，得构件 {joint.guide} 的导路方向",
+            f"The tangent from ${q}$ to the circle about ${p}$ with the offset $e/μ_l$ as radius "
+            f"is the guide of link {joint.guide}",
+        )
+    desk.board.step(words, View.MECHANISM)
+    direct, why = choose_way(desk, joint, q, p, _directions(desk.at[p] - desk.at[q], offset))
+    desk.board.remark((Words.same("") if why is None else said(why)) + Words("。", "."))
+    along = desk.board.turn(direct)
+    if abs(offset) > 1e-9:
+        _offset_circle(desk, q, p, abs(offset), along)
+    desk.settle_turned(joint.guide, q, along * np.exp(-1j * joint.direction))
+    desk.settle_turned(joint.block, p, along * np.exp(1j * joint.turn))
+
+
+def _directions(ray: Points, offset: float) -> tuple[Points, Points]:
+    """Both directions u of a line through Q that leaves P so far (mm) to its left, ray = QP: u (σ + ie) = QP with σ =
+    ±√(QP² - e²)."""
+    lean = np.exp(1j * np.arcsin(offset / np.abs(ray)))
+    return unit(ray) * np.conj(lean), -unit(ray) * lean
+
+
+def _tangent(q: str, p: str, offset: float) -> Words:
+    """How the guide's direction is found for a flat face: the tangent from its pivot, or the line through it."""
+    if abs(offset) < 1e-9:
+        return Words(f"，即连线 ${q}{p}$", f": the line ${q}{p}$")
+    return Words(
+        f"：以 ${p}$ 为圆心、虚拟导路到 ${q}$ 的距离为半径作圆，过 ${q}$ 作其切线，得平底的方向",
+        f": the tangent from ${q}$ to the circle about ${p}$ whose radius is the distance of that "
+        f"guide from ${q}$ gives the direction of the face",
+    )
+
+
+def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> None:
+    """The circle of the offset about the pin, and the tangent to it from the guide's pivot."""
+    centre, pivot, way = (complex(nominal(z)) for z in (desk.at[p], desk.at[q], along))
+    foot = pivot + way * float((np.conj(way) * (centre - pivot)).real)
+    desk.board.mark(
+        View.MECHANISM, Arc(centre=centre, radius=radius, start=0.0, sweep=2 * np.pi, role=Role.CONSTRUCTION)
+    )
+    desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)

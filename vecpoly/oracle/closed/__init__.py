@@ -1,0 +1,1 @@
+"""Dyads in closed form."""

@@ -1,0 +1,114 @@
+"""Which assembly of a group with a drive inside: of all there are, the one that the statements, or else the guesses,
+describe."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import AssemblyError
+from ...mechanism.assembly.branch import margin
+from ...mechanism.model import Mechanism, Side, SideOf
+from ...words import Words
+from ..run import Run
+from ..state import Bodies
+from .newton import Newton
+
+Places = dict[str, complex]
+
+
+def among(mech: Mechanism, step: Newton, bodies: Bodies, run: Run) -> Newton:
+    """The step that starts from the assembly meant; AssemblyError where none, or more than one, is described."""
+    own = run.track.own if run.track else 0
+    here = {name: body.take(np.array([own])) for name, body in step.known(bodies, run.track, run.q).items()}
+    before = {
+        p: complex(body.point(local)[0])
+        for name, body in here.items()
+        if not name.startswith("drive")
+        for p, local in mech.link(name).points.items()
+    }
+    found = list(step.assemblies(here))
+    fits = [state for state in found if _fulfils(mech, step, before, state)]
+    if len(fits) > 1 and any(p in mech.guesses for name in step.group.links for p in mech.link(name).points):
+        fits = [min(fits, key=lambda state: _off(mech, step, state))]
+    if len(fits) != 1:
+        raise _undecided(mech, step, before, found, len(fits), run.text(float(run.q[own])))
+    chosen = replace(step)  # with no state found yet
+    chosen.walked[0] = fits[0]
+    return chosen
+
+
+def _places(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> Places:
+    return {
+        p: complex(pose[0], pose[1]) + complex(np.exp(1j * pose[2])) * local
+        for name, pose in zip(step.group.links, state, strict=True)
+        for p, local in mech.link(name).points.items()
+    }
+
+
+def _fulfils(mech: Mechanism, step: Newton, before: Places, state: NDArray[np.float64]) -> bool:
+    """Whether every statement about the group's points, and what is known already, holds."""
+    at = before | _places(mech, step, state)
+    told = [s for s in mech.branches if set(s.letters) <= set(at) and not set(s.letters) <= set(before)]
+    return all(margin(s, at) > 1e-9 * mech.scale for s in told)
+
+
+def _off(mech: Mechanism, step: Newton, state: NDArray[np.float64]) -> float:
+    """How far the points lie from those guessed (sum of distances, m)."""
+    return sum(abs(at - mech.guesses[p]) for p, at in _places(mech, step, state).items() if p in mech.guesses)
+
+
+def _undecided(
+    mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]], fits: int, where: str
+) -> AssemblyError:
+    zh, links = step.group.told.zh, step.group.told.en
+    if not found:
+        return AssemblyError(
+            Words(
+                f"驱动位置为 {where} 时构件 {zh} 无法装配；请改变驱动位置或尺寸",
+                f"links {links} cannot be joined where the drive stands at {where}; change its position, or the "
+                "lengths",
+            ),
+            code="no-assembly",
+        )
+    if not fits:
+        return AssemblyError(
+            Words(
+                f"驱动位置为 {where} 时，构件 {zh} 的 {len(found)} 种装配方式都不符合 branch 中的说明",
+                f"links {links}: none of their {len(found)} assemblies fulfils the branch statements where the "
+                f"drive stands at {where}",
+            ),
+            code="no-branch",
+        )
+    told = _telling(mech, step, before, found)
+    return AssemblyError(
+        Words(
+            f"构件 {zh} 有 {len(found)} 种装配方式，其中 {fits} 种符合说明；请在 branch 中写明，例如 {told}，"
+            "或以 guesses 给出各点的大致位置",
+            f"links {links} can be assembled in {len(found)} ways, of which {fits} "
+            f"fulfil what is said; say in 'branch' which, e.g. {told}, or give rough "
+            "places as guesses",
+        ),
+        code="undecided-assembly",
+    )
+
+
+def _telling(mech: Mechanism, step: Newton, before: Places, found: list[NDArray[np.float64]]) -> str:
+    """Sentences that tell the first assembly from most others."""
+    at = [before | _places(mech, step, state) for state in found]
+    pairs = [(a, b) for a in before for b in before if a < b and abs(before[a] - before[b]) > 1e-9 * mech.scale]
+    points = [p for p in at[0] if p not in before]
+    for pair in pairs:
+        for point in points:
+            sides = [_left(point, pair, places) for places in at]
+            if min(map(abs, sides)) > 1e-6 * mech.scale and len({s > 0 for s in sides}) == 2:
+                return f"'{point} {'left' if sides[0] > 0 else 'right'} of {pair[0]}{pair[1]}'"
+    return f"guesses: {{{points[0]}: [x mm, y mm]}}"
+
+
+def _left(point: str, pair: tuple[str, str], at: Mapping[str, complex]) -> float:
+    """How far the point lies to the left of the ray (m)."""
+    return margin(SideOf(point=point, side=Side.LEFT, ref=pair), at)

@@ -1,0 +1,1 @@
+"""What a problem asks for, and what is printed beside it."""

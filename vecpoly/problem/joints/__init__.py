@@ -1,0 +1,1 @@
+"""Joints, contacts, drives and branch statements, as written."""

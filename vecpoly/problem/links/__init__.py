@@ -1,0 +1,1 @@
+"""Links as written: points, guide lines, gears, masses, and where they stand."""

@@ -1,0 +1,77 @@
+"""Faults of a problem file, collected with their YAML path and told together, first line first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+
+from ...errors import Fault, FaultError, Path, Place, ProblemFileError, VecpolyError, dotted
+from ...words import Words
+
+__all__ = ["Faults", "Path", "Place", "dotted", "meant"]
+
+
+@dataclass(slots=True)
+class Faults:
+    """The list of what is wrong with one file."""
+
+    file: str
+    places: Mapping[Path, Place] = field(default_factory=dict)
+    found: list[Fault] = field(default_factory=list)
+
+    @contextmanager
+    def at(self, *path: str | int) -> Iterator[None]:
+        """Note any fault raised inside, as one at this path, and go on."""
+        try:
+            yield
+        except FaultError as fault:
+            self.note(fault.under(*path))
+        except VecpolyError as error:
+            self.note(FaultError(error.words, *path, code=error.code, numbers=error.numbers))
+
+    def note(self, fault: FaultError) -> None:
+        """Keep a fault, with the place of the nearest key that is written."""
+        path = fault.path
+        cut = next((path[:n] for n in range(len(path), 0, -1) if path[:n] in self.places), ())
+        place = self.places.get(cut, Place(self.file, 1, 1) if self.places else Place(self.file))
+        new = Fault(said=fault.words, code=fault.code, place=place, path=path, numbers=fault.numbers)
+        if new not in self.found:
+            self.found.append(new)
+
+    def settle(self) -> None:
+        """Raise one ProblemFileError with all that was found, if anything was."""
+        if self.found:
+            raise ProblemFileError.of(*sorted(self.found, key=_order))
+
+
+def _order(fault: Fault) -> tuple[int, int, str]:
+    place = fault.place or Place("")
+    return place.line, place.column, fault.words.en
+
+
+def meant(word: str, known: Iterable[str]) -> Words:
+    """'; did you mean ...?', or the list of what exists."""
+    names = sorted(set(known))
+    close = get_close_matches(word, names, n=1, cutoff=0.6) or get_close_matches(word.lower(), names, n=1)
+    if close:
+        return Words(f"；是否指“{close[0]}”？", f"; did you mean '{close[0]}'?")
+    there = ", ".join(names)
+    return Words(f"；已有：{there}", f"; known: {there}") if 0 < len(names) <= 30 else Words.same("")
+
+
+def not_on_link(letter: str, link: str, points: Iterable[str]) -> FaultError:
+    """A letter that the link has not."""
+    return FaultError(
+        Words(f"点“{letter}”不在构件 {link} 上", f"point '{letter}' is not on link {link}") + meant(letter, points),
+        code="unknown-name",
+    )
+
+
+def not_on_frame(letter: str, points: Iterable[str]) -> FaultError:
+    """A letter that the frame has not."""
+    return FaultError(
+        Words(f"点“{letter}”不在机架上", f"point '{letter}' is not on the frame") + meant(letter, points),
+        code="unknown-name",
+    )

@@ -1,0 +1,175 @@
+"""What a problem file may hold: the pydantic models behind the checks and behind the JSON Schema for editors.
+
+All scalars arrive as text; quantities are read later, by `units`, at their own place.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, create_model
+
+from ...figures import scales
+from ...words import Words
+from .fields import ID, Centre, Link, Name, Number, Pair, Text, YesNo
+
+
+class Spec(BaseModel):
+    """Base: unknown keys are faults."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)  # only what a file needs is built
+
+
+class InputSpec(Spec):
+    """The input: turning (phi, omega, alpha) or sliding (s, v, a), against the frame or on another moving link; or a
+    cylinder."""
+
+    link: Name | None = None
+    on: Name | None = Field(
+        None, description="the moving link on which the link moves; the frame where nothing is said"
+    )
+    cylinder: Name | None = Field(
+        None, description="2-3: the two links of a driven sliding pair; with length (or s), v, a"
+    )
+    length: Number | None = Field(None, description="of a cylinder: between its two pins")
+    phi: Number | None = Field(None, description="60 deg, or 60 deg from AD")
+    omega: Number | None = Field(None, description="10 rad/s ccw, 40 r/min 顺时针")
+    alpha: Number | None = None
+    s: Number | None = Field(None, description="travel along the guide from its origin")
+    v: Number | None = None
+    a: Number | None = None
+
+
+class LoadSpec(Spec):
+    """A force (with point and direction) or a moment on a link, or the thrust of a cylinder; the size of one load is
+    '?'."""
+
+    on: Name | None = None
+    cylinder: Name | None = Field(
+        None, description="2-3: the thrust of the cylinder between these links, positive where it lengthens it"
+    )
+    at: str | None = Field(None, description="the lettered point of the link at which a force acts")
+    size: Number | None = Field(None, description="1000 N, 20 N*m ccw, or ? for the load that balances")
+    direction: Number | None = Field(None, description="of a force, from the x axis: 180 deg")
+    role: Literal["driving", "resisting"] | None = None
+
+
+class FrictionSpec(Spec):
+    """Friction of a pin (rho, or f and r), of a slide (phi, or f, or f and V) or of a contact (phi or f)."""
+
+    rho: Number | None = Field(None, description="radius of a pin's friction circle, 6 mm")
+    f: Number | None = Field(None, description="coefficient of friction, 0.1")
+    f_v: Number | None = Field(None, description="equivalent coefficient, in the place of f")
+    r: Number | None = Field(None, description="radius of the pin, 20 mm; rho = f r")
+    phi: Number | None = Field(None, description="friction angle, 8 deg")
+    V: Number | None = Field(None, description="half the angle of a V-groove: f_v = f / sin V")
+
+
+class RodSpec(Spec):
+    """A round bar: mass and inertia follow from its section."""
+
+    diameter: Number
+    density: Number
+    along: str | None = Field(None, description="two points of the link, its first two where nothing is said")
+
+
+class MassSpec(Spec):
+    """Mass, moment of inertia about the centre of mass, and that centre; or a round bar."""
+
+    mass: Number | None = None
+    inertia: Number | None = None
+    centre: Centre = None
+    rod: RodSpec | None = None
+
+
+_FIELDS: dict[str, Any] = dict.fromkeys(scales(), (Number, "auto"))
+_GivenScales: Any = create_model("_GivenScales", __base__=Spec, **_FIELDS)
+
+
+class ScalesSpec(_GivenScales):  # type: ignore[misc]
+    """Scales of the drawings: given, or auto; one for every μ of a kind of figure."""
+
+
+class FindSpec(Spec):
+    """A point with a given velocity or acceleration, the slowest point of a line, or the question for a Coriolis
+    term."""
+
+    point: str | None = None
+    on: Name | None = None
+    velocity: Pair | Number | None = None
+    acceleration: Pair | Number | None = None
+    coriolis: str | None = None
+    slowest: str | None = Field(None, description="of a point: the slowest of the link on this line, BC")
+
+
+class PrintedSpec(Spec):
+    """A printed answer."""
+
+    symbol: str
+    value: Number
+    scale: Number | None = Field(None, description="where value is a length on paper: its scale, 0.006 (m/s)/mm")
+    direction: Number | None = None
+    kind: Literal["calculated", "graphical"] = "calculated"
+    note: Text | None = None
+
+
+class SheetSpec(Spec):
+    """The drawing sheet."""
+
+    orientation: Literal["portrait", "landscape"]
+
+
+class ProblemSpec(Spec):
+    """A problem file."""
+
+    id: str = Field(pattern=ID)
+    title: Text
+    extends: str | None = Field(None, description="id or path of a problem whose data are taken over")
+    source: Text | None = None
+    statement: Text = Words.same("")
+    frame: dict[str, Pair]
+    links: dict[str, Link] = Field(min_length=1)
+    joints: list[str] = []
+    input: InputSpec | list[InputSpec]
+    branch: list[str] = []
+    scales: ScalesSpec = ScalesSpec()
+    find: list[str | FindSpec] = Field([], min_length=1)
+    method: Literal["polygons", "centres"] = Field(
+        "polygons", description="velocities by vector polygons, or by instant centres"
+    )
+    printed: list[PrintedSpec] = []
+    errata: list[Text] = []
+    tables: list[str] = Field([], description="printed tables (CSV or XLSX) to be checked, as paths beside this file")
+    sheet: SheetSpec | None = None
+    guesses: dict[str, Pair] = {}
+    pins: dict[str, str] = Field({}, description="which link carries the pin of a compound hinge: {C: 3}")
+    loads: dict[str, LoadSpec] = {}
+    friction: dict[str, FrictionSpec] = {}
+    masses: dict[str, MassSpec] = {}
+    weight: YesNo = False
+    inertia: YesNo = True
+
+
+class DeviceSpec(Spec):
+    """A problem file about a device: wedge, screw, clamp, train of machines."""
+
+    id: str = Field(pattern=ID)
+    title: Text
+    extends: str | None = None
+    source: Text | None = None
+    statement: Text = Words.same("")
+    device: str
+    data: dict[str, Any] = {}
+    scales: ScalesSpec = ScalesSpec()
+    find: list[str] = Field([], min_length=1)
+    printed: list[PrintedSpec] = []
+    errata: list[Text] = []
+    sheet: SheetSpec | None = None
+
+
+class AssignmentSpec(Spec):
+    """An assignment file: title, title block, problems."""
+
+    title: Text
+    title_block: dict[str, str] = {}
+    problems: list[str | dict[str, Any]] = Field(min_length=1)

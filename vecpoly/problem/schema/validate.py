@@ -1,0 +1,154 @@
+"""Pydantic's findings told in our words, with 'did you mean'."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from ...errors import FaultError
+from ...words import Words
+from .faults import Faults, meant
+from .models import FindSpec, FrictionSpec, InputSpec, LoadSpec, MassSpec, PrintedSpec, RodSpec, ScalesSpec, SheetSpec
+
+Model = TypeVar("Model", bound=BaseModel)
+
+_MODELS: dict[str, type[BaseModel]] = {
+    "input": InputSpec,
+    "scales": ScalesSpec,
+    "find": FindSpec,
+    "printed": PrintedSpec,
+    "sheet": SheetSpec,
+    "loads": LoadSpec,
+    "friction": FrictionSpec,
+    "masses": MassSpec,
+}
+_PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
+_MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
+_SAID = {
+    "string_type": Words("此处应为文本", "a text is expected here"),
+    "dict_type": _MAPPING,
+    "model_type": _MAPPING,
+    "tuple_type": _PAIR,
+    "too_short": Words("此处至少要有一项", "at least one entry is needed here"),
+    "too_long": _PAIR,
+}
+_SENTENCES = ("branch", "joints")
+_LISTS = {
+    "find": "[v_C, a_C]",
+    "branch": "[C left of BD]",
+    "joints": "[4 slides in 5]",
+    "printed": "[{symbol: v_C, value: 0.18 m/s}]",
+    "tables": "[table.csv]",
+    "problems": "[3-8, 3-9]",
+    "errata": "['...']",
+}
+_UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "dict[str,any]"}
+
+
+def validate(model: type[Model], data: Any, faults: Faults, *below: str) -> Model:
+    """The data, found below this path of the file, as this model; raises ProblemFileError with every fault."""
+    try:
+        return model.model_validate(data)
+    except ValidationError as error:
+        for item in _best(error):
+            path = tuple(step for step in item["loc"] if step not in _UNION and not str(step).startswith("tuple["))
+            faults.note(_fault(model, path, item).under(*below))
+    faults.settle()
+    raise AssertionError("validation failed without a fault")  # pragma: no cover
+
+
+def _best(error: ValidationError) -> list[Any]:
+    """Of a union's branches keep the one that fits the kind of value written."""
+    items: list[Any] = list(error.errors())
+    wrong_branch = ("string_type", "list_type", "model_type")
+    kept = [item for item in items if item["type"] not in wrong_branch or not _UNION & set(item["loc"])]
+    return _without_echo(kept or items[:1])
+
+
+def _without_echo(items: list[Any]) -> list[Any]:
+    """A misspelt key is one fault: not also the missing key that it was meant to be."""
+    unknown = {item["loc"] for item in items if item["type"] == "extra_forbidden"}
+
+    def echoed(loc: tuple[Any, ...]) -> bool:
+        near = [str(other[-1]) for other in unknown if other[:-1] == loc[:-1]]
+        return bool(get_close_matches(str(loc[-1]), near, cutoff=0.6))
+
+    return [item for item in items if item["type"] != "missing" or not echoed(item["loc"])]
+
+
+def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> FaultError:
+    written, reason = item["input"], (item.get("ctx") or {}).get("error")
+    match item["type"]:
+        case "value_error" if isinstance(reason, FaultError):
+            return reason.under(*path)
+        case "extra_forbidden":
+            known = meant(str(path[-1]), _model_at(model, path[:-1]).model_fields)
+            return FaultError(
+                Words(f"未知的键“{path[-1]}”", f"unknown key '{path[-1]}'") + known, *path, code="unknown-key"
+            )
+        case "missing":
+            text = _PAIR if isinstance(path[-1], int) else Words(f"缺少“{path[-1]}”", f"'{path[-1]}' is missing")
+            return FaultError(text, *path, code="missing")
+        case "string_pattern_mismatch":
+            return FaultError(
+                Words(
+                    f"“{written}”只能含字母（汉字也可）、数字、'-'、'_' 和 '.'",
+                    f"'{written}' may hold only letters, digits, '-', '_' and '.'",
+                ),
+                *path,
+            )
+        case "literal_error":
+            expected = item["ctx"]["expected"]
+            return FaultError(
+                Words(
+                    f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一", f"'{written}' is not one of {expected}"
+                ),
+                *path,
+                code="spelling",
+            )
+        case "list_type" if (
+            isinstance(written, dict)
+            and path[0] in _SENTENCES
+            and all(isinstance(text, str) for text in written.values())
+        ):
+            items = ", ".join(f"{key} {text}" for key, text in written.items())
+            return FaultError(
+                Words(
+                    f"此处应为列表，每项是一句话；请写 [{items}]",
+                    f"a list of sentences is expected here; write [{items}]",
+                ),
+                *path,
+                code="spelling",
+            )
+        case "list_type" if isinstance(written, str):
+            return FaultError(
+                Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]"),
+                *path,
+                code="spelling",
+            )
+        case "list_type":
+            example = _LISTS.get(str(path[-1]) if path else "", "[..., ...]")
+            return FaultError(
+                Words(f"此处应为列表；请写如 {example}", f"a list is expected here; write e.g. {example}"),
+                *path,
+                code="spelling",
+            )
+        case "tuple_type" if len(path) == 2 and path[0] in ("frame", "guesses") and str(path[-1])[:1].isdigit():
+            return FaultError(
+                Words(
+                    f"“{path[-1]}”不在方括号内；坐标请写如 A: [100 mm, 0 mm]",
+                    f"'{path[-1]}' stands outside of brackets; write coordinates as A: [100 mm, 0 mm]",
+                ),
+                *path,
+                code="spelling",
+            )
+        case kind:
+            return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
+
+
+def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:
+    if not path or str(path[0]) not in model.model_fields:
+        return model
+    return RodSpec if path[-1] == "rod" else _MODELS.get(str(path[0]), model)

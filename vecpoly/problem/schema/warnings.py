@@ -1,0 +1,70 @@
+"""What is accepted but hardly meant: `phi: 75 rad`, a coefficient of friction above 1. Told, with its place, and not
+refused."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import pi, tan
+
+from ...errors import FaultError
+from ...limits import ROUGH, UNSURE_ANGLE
+from ...units.reading import Dim, read
+from ...words import Words
+from ..text.source import PROSE, Tree, Value
+from .faults import Path, dotted
+
+_RADIANS = re.compile(r"(?<![\w.])[-+−]?(\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*(?:rad|弧度)(?![\w/*^·²])")
+_COEFFICIENT = re.compile(r"f\d*|f_\w+")
+
+
+def warnings_of(tree: Tree) -> tuple[Words, ...]:
+    """Everything in the file that looks like a slip, in its order."""
+    return tuple(_placed(tree, path, said) for path, text in _scalars(tree.data, ()) for said in _slips(path, text))
+
+
+def _scalars(value: Value, path: Path) -> Iterator[tuple[Path, str]]:
+    """Every value that is not a sentence, with its path."""
+    match value:
+        case dict():
+            for key, item in value.items():
+                if key not in PROSE and key != "title":
+                    yield from _scalars(item, (*path, key))
+        case list():
+            for i, item in enumerate(value):
+                yield from _scalars(item, (*path, i))
+        case str():
+            yield path, value
+
+
+def _slips(path: Path, text: str) -> Iterator[Words]:
+    for m in _RADIANS.finditer(text):
+        if float(m[1]) > UNSURE_ANGLE:
+            turns = float(m[1]) / (2 * pi)
+            yield Words(
+                f"{m[0].strip()} 等于 {turns:.3g} 整圈；若指的是度，请写 {m[1]} deg",
+                f"{m[0].strip()} is {turns:.3g} whole turns; if degrees are meant, write {m[1]} deg",
+            )
+    if path[0] in ("friction", "data") and (f := _friction(str(path[-1]), text)) > ROUGH:
+        yield Words(
+            f"摩擦系数 {f:.3g} 大于 {ROUGH:g}，机械中几乎没有这样的副；请核对",
+            f"a coefficient of friction of {f:.3g} is above {ROUGH:g}, which hardly any joint of a "
+            "machine has; check it",
+        )
+
+
+def _friction(key: str, text: str) -> float:
+    """The coefficient that this value stands for; 0 where it is none."""
+    try:
+        if _COEFFICIENT.fullmatch(key):
+            return float(text)
+        angle = read(text, Dim.ANGLE).si if key == "phi" else 0.0
+    except (ValueError, FaultError):
+        return 0.0
+    return tan(angle) if 0 < angle < pi / 2 else 0.0
+
+
+def _placed(tree: Tree, path: Path, said: Words) -> Words:
+    place = next((tree.places[path[:n]] for n in range(len(path), 0, -1) if path[:n] in tree.places), None)
+    zh, en = (f"第 {place.line} 行，", f"line {place.line}, ") if place and place.line else ("", "")
+    return Words(f"{zh}{dotted(path)}：{said.zh}", f"{en}{dotted(path)}: {said.en}")

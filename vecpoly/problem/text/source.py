@@ -1,0 +1,278 @@
+"""A YAML file as plain text values, each with its place: line numbers for every error."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path as FilePath
+from pathlib import PurePath
+from typing import Any
+
+from ... import limits
+from ...errors import Fault, ProblemFileError, of_system
+from ...words import Words
+from ..reach import Reach
+from ..schema.faults import Path, Place
+from .characters import refuse_unwanted
+from .misread import misread
+from .narrow import Narrowed, narrowed
+
+PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
+_SHORT = 50_000  # signs; a problem file has a few thousand
+
+Value = Any  # str | None | list[Value] | dict[str, Value]; what is in a file is known only after validation
+
+
+@dataclass(slots=True)
+class Tree:
+    """The values of a file (every scalar as its text) and the place of every key and item."""
+
+    name: str
+    data: dict[str, Value]
+    places: dict[Path, Place] = field(default_factory=dict)
+    text: str = ""
+    files: tuple[FilePath, ...] = ()  # from which it was read
+    reach: Reach = field(default_factory=Reach)  # which other files it may name
+
+
+def read_text(path: FilePath) -> str:
+    """The text of a file. Refuses by size before reading; UTF-8 only, with or without a byte order mark."""
+    try:
+        _not_too_large(path.stat().st_size, str(path))
+        return decoded(path.read_bytes(), str(path))
+    except OSError as error:
+        raise ProblemFileError(
+            Words(f"{path}：不能读取：", f"{path}: cannot be read: ") + of_system(error), code="file"
+        ) from None
+
+
+def decoded(data: bytes, name: str) -> str:
+    """The text of these bytes, UTF-8 with or without a byte order mark; raises ProblemFileError for other bytes, or too
+    many."""
+    _not_too_large(len(data), name)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        raise ProblemFileError(
+            Words(
+                f"{name} 第 {line} 行：第 {error.start} 字节（0x{error.object[error.start]:02x}）"
+                "不是 UTF-8 编码；请将文件另存为 UTF-8",
+                f"{name}, line {line}: byte {error.start} (0x{error.object[error.start]:02x}) is not UTF-8; "
+                "save the file with the encoding UTF-8",
+            )
+        ) from None
+
+
+def _not_too_large(size: int, name: str) -> None:
+    if size > limits.FILE:
+        raise ProblemFileError(
+            Words(
+                f"{name}：{size / 1e6:.1f} MB 不会是题目文件；上限为 {limits.FILE / 1e6:.0f} MB",
+                f"{name}: {size / 1e6:.1f} MB is no problem file; the limit is {limits.FILE / 1e6:.0f} MB",
+            )
+        )
+
+
+def read(path: FilePath) -> Tree:
+    """The values of a file."""
+    tree = parse(read_text(path), str(path))
+    tree.files = (path,)
+    return tree
+
+
+def parse(text: str, name: str) -> Tree:
+    """Text to values with places. Raises ProblemFileError for anything that is no plain YAML mapping."""
+    tree = _kept(text, name) if len(text) < _SHORT else _parsed(text, name)
+    return Tree(name, _copied(tree.data), dict(tree.places), text)
+
+
+@lru_cache(maxsize=256)
+def _kept(text: str, name: str) -> Tree:
+    """What a text says does not change: `extends`, assignments and a second look need not read it again."""
+    return _parsed(text, name)
+
+
+def _parsed(text: str, name: str) -> Tree:
+    refuse_unwanted(text, name)
+    plain = narrowed(text, name)
+    node = _compose(plain, name)
+    tree = Tree(name, {}, text=text)
+    data = None if node is None else _Reader(tree, plain).value(node, ())
+    if data is None:
+        raise _refused(
+            Place(name, 1),
+            Words(
+                "文件是空的；用 vecpoly new 可写出一个样板", "the file is empty; 'vecpoly new' writes one to start from"
+            ),
+        )
+    if not isinstance(data, dict):
+        kind = Words("一个列表", "a list") if isinstance(data, list) else Words("单个值", "a single value")
+        raise _refused(
+            Place(name, 1),
+            Words(
+                f"文件应为映射（键: 值），而不是{kind.zh}", f"the file must be a mapping (key: value), not {kind.en}"
+            ),
+        )
+    tree.data = data
+    return tree
+
+
+def _copied(value: Value) -> Value:
+    """The same values in mappings and lists of their own, which may be changed."""
+    match value:
+        case dict():
+            return {key: _copied(item) for key, item in value.items()}
+        case list():
+            return [_copied(item) for item in value]
+        case _:
+            return value
+
+
+def _refused(place: Place, words: Words, code: str = "yaml") -> ProblemFileError:
+    return ProblemFileError.of(Fault(said=words, code=code, place=place))
+
+
+def _compose(plain: Narrowed, name: str) -> Any:
+    from ruamel.yaml import YAML
+    from ruamel.yaml.error import MarkedYAMLError, YAMLError
+
+    try:
+        return YAML(typ="rt", pure=True).compose(plain.text)
+    except MarkedYAMLError as error:
+        found = misread(error, plain.text)
+        place = Place(name, found.line + 1, plain.column(found.line, found.column) + 1)
+        raise _refused(place, found.words) from None
+    except RecursionError:
+        raise _refused(
+            Place(name), Words("嵌套过深；题目文件只有四层", "nested too deeply; a problem file has four levels")
+        ) from None
+    except (YAMLError, ValueError) as error:
+        said = str(error).splitlines()[0]
+        raise _refused(Place(name), Words(f"不是有效的 YAML（{said}）", f"no valid YAML: {said}")) from None
+
+
+class _Reader:
+    """Walks the nodes once; refuses aliases, duplicate keys and depth."""
+
+    def __init__(self, tree: Tree, plain: Narrowed) -> None:
+        self.tree, self.plain, self.seen = tree, plain, set[int]()
+
+    def place(self, mark: Any) -> Place:
+        """The place of a mark in the text as written."""
+        return Place(self.tree.name, mark.line + 1, self.plain.column(mark.line, mark.column) + 1)
+
+    def value(self, node: Any, path: Path) -> Value:
+        place = self.place(node.start_mark)
+        self.tree.places.setdefault(path, place)
+        if id(node) in self.seen or len(path) > limits.DEPTH:
+            raise _refused(
+                place,
+                Words(
+                    "不支持 YAML 别名，也不能嵌套过深；请直接写出值",
+                    "no YAML aliases or deep nesting here; write the value out",
+                ),
+            )
+        self.seen.add(id(node))
+        match node.id:
+            case "mapping":
+                self.counted(node, place)
+                return self.mapping(node, path)
+            case "sequence":
+                self.counted(node, place)
+                return [self.value(item, (*path, i)) for i, item in enumerate(node.value)]
+            case _:
+                empty = node.style is None and node.value in ("", "~", "null")
+                return (
+                    None
+                    if empty
+                    else self.scalar(
+                        str(node.value), place, limits.PROSE if PROSE.intersection(map(str, path)) else limits.SCALAR
+                    )
+                )
+
+    def scalar(self, text: str, place: Place, most: int) -> str:
+        """A text that is not too long, and holds no sign that escapes (`"\\e"`) have brought in."""
+        if len(text) > most:
+            raise _refused(
+                place,
+                Words(
+                    f"此处有 {len(text)} 个字符，最多 {most} 个；请缩短",
+                    f"{len(text)} characters where at most {most} are possible; shorten the text",
+                ),
+                "too-long",
+            )
+        refuse_unwanted(text, place.file, place.line, place.column or 1)
+        return text
+
+    def counted(self, node: Any, place: Place) -> None:
+        """A list or mapping of not too many entries."""
+        if len(node.value) > limits.ENTRIES:
+            raise _refused(
+                place,
+                Words(
+                    f"此处有 {len(node.value)} 项，最多 {limits.ENTRIES} 项",
+                    f"{len(node.value)} entries where at most {limits.ENTRIES} are possible",
+                ),
+                "too-many",
+            )
+
+    def mapping(self, node: Any, path: Path) -> dict[str, Value]:
+        data: dict[str, Value] = {}
+        for key, item in node.value:
+            place = self.place(key.start_mark)
+            self._check_key(key, place, data, path)
+            self.tree.places[(*path, key.value)] = place
+            data[key.value] = self.value(item, (*path, key.value))
+        return data
+
+    def _check_key(self, key: Any, place: Place, data: dict[str, Value], path: Path) -> None:
+        if key.id != "scalar":
+            raise _refused(place, Words("键应为一个词", "a key must be a plain word"))
+        self.scalar(key.value, place, limits.SCALAR)
+        if ":" in key.value:
+            raise _refused(
+                place,
+                Words(f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"),
+            )
+        if key.value in data:
+            first = self.tree.places[(*path, key.value)].line
+            raise _refused(
+                place,
+                Words(
+                    f"键“{key.value}”重复（首次在第 {first} 行）",
+                    f"key '{key.value}' occurs twice (first in line {first})",
+                ),
+                "duplicate-key",
+            )
+
+
+def overlay(base: Tree, over: Tree) -> Tree:
+    """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away. The base's text
+    follows the other's."""
+    places = dict(base.places)
+    text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
+    return Tree(
+        over.name,
+        _merge(base.data, over.data, (), places, over.places),
+        places,
+        text,
+        (*over.files, *base.files),
+        over.reach,
+    )
+
+
+def _merge(
+    base: dict[str, Value], over: dict[str, Value], path: Path, places: dict[Path, Place], new: dict[Path, Place]
+) -> dict[str, Value]:
+    merged = dict(base)
+    for key, value in over.items():
+        here = (*path, key)
+        if value is None:
+            merged.pop(key, None)
+        elif isinstance(value, dict) and isinstance(merged.get(key), dict):
+            merged[key] = _merge(merged[key], value, here, places, new)
+        else:
+            merged[key] = value
+            places.update({p: place for p, place in new.items() if p[: len(here)] == here})
+    return merged

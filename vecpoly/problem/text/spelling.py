@@ -1,0 +1,72 @@
+"""Symbols as people write them, ω3, w_3, vE, a^n_{CB}, and the key that is meant: omega_3, v_E, an_CB."""
+
+from __future__ import annotations
+
+import re
+
+from ...errors import UnknownNameError
+from ...names import parse_rel
+from ...words import Words
+
+RAISED = {"ⁿ": "n", "ᵗ": "t", "ᵏ": "k", "ʳ": "r", "ᶜ": "k"}  # the parts of an acceleration, set as a small letter
+_SMALL = str.maketrans(
+    {
+        **{chr(0x2080 + n): str(n) for n in range(10)},
+        **{sign: f"^{part}" for sign, part in RAISED.items()},
+        "ω": "omega",
+        "Ω": "omega",
+        "α": "alpha",
+        "ε": "alpha",
+        "′": "'",
+    }
+)
+_NOISE = re.compile(r"[\s{}$()|/\\·]")
+_TURN = re.compile(r"(omega|omga|w|alpha|alfa|epsilon|eps)_?(\d+[a-z']?)", re.I)
+_PART = re.compile(r"(?P<kind>[pvars])(?:\^?_?(?P<part>[ntkr]))?_?(?P<at>[A-Z].*)")
+_PART_BEHIND = re.compile(r"(?P<kind>a)_?(?P<at>[A-Z][A-Za-z\d']*?)_?\^(?P<part>[ntkr])")
+_RATE = {"o": "omega", "w": "omega", "a": "alpha", "e": "alpha"}
+
+
+def plain(text: str) -> str:
+    """The key behind a symbol in the letters of a textbook: ω_3 → omega_3, aⁿ_CB → an_CB."""
+    return re.sub(r"^a([ⁿᵗᵏʳᶜ])", lambda m: f"a{RAISED[m[1]]}", text).replace("ω", "omega").replace("α", "alpha")
+
+
+def intended(text: str) -> str | None:
+    """The key that such a spelling stands for; None where there is none."""
+    bare = _NOISE.sub("", text.translate(_SMALL))
+    for guess in _guesses(bare):
+        try:
+            return parse_rel(guess).key
+        except UnknownNameError:
+            continue
+    return None
+
+
+def did_you_mean(text: str) -> Words:
+    """'; did you mean omega_3?', or nothing."""
+    key = intended(text)
+    return Words(f"；是否指“{key}”？", f"; did you mean '{key}'?") if key and key != text else Words.same("")
+
+
+def _guesses(bare: str) -> list[str]:
+    if turn := _TURN.fullmatch(bare):
+        return [f"{_RATE[turn[1][0].lower()]}_{turn[2]}"]
+    if re.fullmatch(r"a_?\d+", bare):
+        return [f"alpha_{bare.lstrip('a_')}"]
+    found = (
+        _PART_BEHIND.fullmatch(bare)
+        or _PART.fullmatch(bare)
+        or _PART.fullmatch(bare[:1].lower() + bare[1:])
+        or _PART.fullmatch(_capital(bare))
+    )
+    if found is None:
+        return []
+    kind = {"r": "p", "s": "p"}.get(found["kind"], found["kind"])
+    return [f"{kind}{found['part'] or ''}_{found['at']}"]
+
+
+def _capital(bare: str) -> str:
+    """v_e → v_E: letters of points are capitals."""
+    stem, line, rest = bare.partition("_")
+    return f"{stem}{line}{rest.upper()}" if line else bare

@@ -1,0 +1,81 @@
+"""What is printed after 已知: every datum as it was written, and how the links look."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from ...foundation.frozen import FrozenMap
+from ...words import Lang, Words
+
+
+class Shape(StrEnum):
+    """How a link is drawn."""
+
+    BAR = "bar"  # two or more pins
+    SLOT = "slot"  # a slotted link: a block or a pin runs in it
+    ROD = "rod"  # a straight rod that passes through a block or sleeve
+    BLOCK = "block"  # a sliding block
+    GEAR = "gear"
+    CYLINDER = "cylinder"  # of a hydraulic drive
+    PISTON = "piston"  # with its rod
+    PIN = "pin"  # the massless block that stands for a pin in a slot; not drawn
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Datum:
+    """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
+
+    Where no symbol is usual, the symbol is empty and `words` say it all. Words with a symbol have a gap `{}` for the
+    value.
+    """
+
+    symbol: str = ""
+    si: float = 0.0
+    text: str = ""
+    words: Words | None = None
+
+    def of(self, lang: Lang) -> str:
+        """As printed after 已知: `$l_AB$ = 30 mm`, or the words."""
+        told = self.words.of(lang) if self.words else f"${self.symbol}$ = {self.text}"
+        return as_printed(told.replace("{}", self.text) if self.symbol else told, lang)
+
+
+_LONG = re.compile(r"\d+\.\d{4,}")  # more digits than a person writes
+_MINUS = re.compile(r"(?<![\w$}])-(?=\d)")
+_SIGNS: dict[Lang, tuple[tuple[str, str], ...]] = {
+    "zh": ((" deg", "°"), (" ccw", "（逆时针）"), (" cw", "（顺时针）"), (" from", " 自")),
+    "en": ((" deg", "°"), (" ccw", " (counter-clockwise)"), (" cw", " (clockwise)")),
+}
+
+
+def as_printed(text: str, lang: Lang) -> str:
+    """A value as a textbook prints it: 45°, 10 rad/s (clockwise)."""
+    for written, printed in _SIGNS[lang]:
+        text = re.sub(f"{written}(?![a-z])", printed, text)  # deg is a unit, degree a word
+    text = _LONG.sub(lambda m: f"{float(m[0]):.6g}", text)
+    return _MINUS.sub("−", text)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Given:
+    """What is printed after 已知: lengths in order, the input's data, what acts (or a device's data), how the links
+    look."""
+
+    lengths: tuple[Datum, ...] = ()
+    motion: tuple[Datum, ...] = ()
+    loads: tuple[Datum, ...] = ()
+    letters: tuple[str, ...] = ()  # frame's letters first, then by link
+    shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
+    bound: frozenset[str] | None = (
+        None  # symbols of which the mechanism is believed (see `current`); None: not yet found
+    )
+    leads: Mapping[str, float] = field(
+        default_factory=dict
+    )  # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)
+
+    def __post_init__(self) -> None:
+        for name in ("shapes", "leads"):
+            object.__setattr__(self, name, FrozenMap(dict(getattr(self, name))))

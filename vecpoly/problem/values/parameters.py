@@ -1,0 +1,187 @@
+"""Where in a problem's values the quantities stand, and the names by which each may be varied: AB, phi, x_D, F ..."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import chain
+
+from ...units.reading import Dim
+from ..links.draft import ONE, PLACED
+from ..schema.faults import Path, dotted
+from ..text.source import Value
+
+_ANGLED = re.compile(r"(.+?)(?:\s+from\s.*)?", re.S)  # 50 deg from BC
+_JOINT = (
+    (re.compile(r"(?P<link>\d+[a-z']?) .*?\b(?P<name>[xy]) = (?P<it>.+?)(?= with | turned | at [A-Z]|$)"), Dim.LENGTH),
+    (re.compile(r"(?P<link>\d+[a-z']?) .*?line through \S+ at (?P<it>.+?)(?= with | turned |$)"), Dim.ANGLE),
+    (re.compile(r"(?P<link>\d+[a-z']?) .*? with \S+ (?P<it>.+?) (?:left|right)\b"), Dim.LENGTH),
+    (re.compile(r"(?P<link>\d+[a-z']?) .*? turned (?P<it>.+)"), Dim.ANGLE),
+    (re.compile(r".*?circle about (?P<link>\S+) of (?P<it>.+?)(?= at [A-Z]|$)"), Dim.LENGTH),
+)
+_NAMED = ("", "direction", "e", "turn", "r")  # of the quantities of a joint; x or y is told by the sentence
+_INPUT = {
+    "phi": Dim.ANGLE,
+    "omega": Dim.OMEGA,
+    "alpha": Dim.ALPHA,
+    "s": Dim.LENGTH,
+    "v": Dim.SPEED,
+    "a": Dim.ACCEL,
+    "length": Dim.LENGTH,
+}
+_RUBBING = {"rho": Dim.LENGTH, "f": None, "f_v": None, "r": Dim.LENGTH, "phi": Dim.ANGLE, "V": Dim.ANGLE}
+_MASS = {"mass": ("m", Dim.MASS), "inertia": ("J", Dim.INERTIA)}
+_ROD = {"diameter": ("d", Dim.LENGTH), "density": ("density", Dim.DENSITY)}
+_SCALES = {"mu_l": Dim.MU_L, "mu_v": Dim.MU_V, "mu_a": Dim.MU_A, "mu_F": Dim.MU_F}
+_OFFSETS = {"at": Dim.LENGTH, "left": Dim.LENGTH, "right": Dim.LENGTH, "angle": Dim.ANGLE}
+_LINK = {"radius": ("r", Dim.LENGTH), "phi": ("phi", Dim.ANGLE), "s": ("s", Dim.LENGTH)}
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """Where one quantity stands: its path, its dimension (None: a pure number, or a device's), its short names.
+
+    span: the part of the text that is the quantity, where it is not the whole. A point is two texts (`pair`).
+    """
+
+    path: Path
+    dim: Dim | None
+    names: tuple[str, ...] = ()
+    span: tuple[int, int] | None = None
+    pair: bool = False
+
+    @property
+    def full(self) -> str:
+        """The name that no other has: links.2.E.angle; of one of several quantities of a joint joints[0].e_3."""
+        return dotted(self.path) + (f".{self.names[0]}" if self.path[0] == "joints" else "")
+
+
+def slots(data: Mapping[str, Value]) -> Iterator[Slot]:
+    """Every quantity that is written in these values."""
+    yield from _points(data, "frame", "x_{}", "y_{}")
+    yield from _points(data, "guesses")
+    for name, link in _entries(data, "links"):
+        yield from _of_link(("links", name), name, link)
+    yield from _of_joints(data.get("joints"))
+    yield from _of_inputs(data.get("input"))
+    for name, load in _entries(data, "loads"):
+        force = "direction" in load or "cylinder" in load
+        yield from _keyed(
+            ("loads", name),
+            load,
+            {"size": (name, Dim.FORCE if force else Dim.MOMENT), "direction": (f"direction_{name}", Dim.ANGLE)},
+        )
+    for name, rubs in _entries(data, "friction"):
+        for key in _there(rubs, _RUBBING):
+            yield Slot(
+                ("friction", name, key),
+                _RUBBING[key],
+                (f"{key}_{name}", *((key,) if key in ("f", "f_v", "rho") else ())),
+            )
+    for name, mass in _entries(data, "masses"):
+        yield from _of_mass(("masses", name), name, mass)
+    yield from _keyed(("scales",), data.get("scales"), {key: (key, dim) for key, dim in _SCALES.items()})
+    yield from _of_device(("data",), data.get("data"))
+
+
+def _entries(data: Mapping[str, Value], key: str) -> Iterator[tuple[str, Mapping[str, Value]]]:
+    entries = data.get(key)
+    for name, item in entries.items() if isinstance(entries, Mapping) else ():
+        if isinstance(item, Mapping):
+            yield name, item
+
+
+def _there(data: Value, keys: Mapping[str, object]) -> list[str]:
+    """Those of these keys under which a single value stands."""
+    return [
+        key
+        for key in keys
+        if isinstance(data, Mapping) and data.get(key) is not None and not isinstance(data[key], Mapping | list)
+    ]
+
+
+def _keyed(path: Path, data: Value, keys: Mapping[str, tuple[str, Dim]]) -> Iterator[Slot]:
+    for key in _there(data, keys):
+        name, dim = keys[key]
+        yield Slot((*path, key), dim, (name,), _angle_span(data[key]) if dim is Dim.ANGLE else None)
+
+
+def _angle_span(text: Value) -> tuple[int, int] | None:
+    """The angle alone of `50 deg from BC`."""
+    m = _ANGLED.fullmatch(text) if isinstance(text, str) else None
+    return m.span(1) if m and m.end(1) < len(text) else None
+
+
+def _points(data: Mapping[str, Value], key: str, *axes: str) -> Iterator[Slot]:
+    """Fixed points: each as a pair, and each coordinate of it."""
+    places = data.get(key)
+    for letter, pair in places.items() if isinstance(places, Mapping) else ():
+        yield Slot((key, letter), Dim.LENGTH, (letter,) if axes else (), pair=True)
+        if isinstance(pair, list) and len(pair) == 2:
+            yield from (Slot((key, letter, i), Dim.LENGTH, (axis.format(letter),)) for i, axis in enumerate(axes))
+
+
+def _of_link(path: Path, name: str, link: Mapping[str, Value]) -> Iterator[Slot]:
+    yield from _keyed(path, link, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _LINK.items()})
+    for key, item in link.items():
+        if isinstance(item, Mapping):
+            yield from _of_place((*path, key), key if ONE.fullmatch(key) else name, item)
+        elif item is not None and PLACED.fullmatch(key):
+            yield Slot((*path, key), Dim.LENGTH, (key,))
+
+
+def _of_place(path: Path, letter: str, place: Mapping[str, Value]) -> Iterator[Slot]:
+    """A point that is set out on its link, or the link's own line."""
+    yield from _keyed(path, place, {key: (f"{key}_{letter}", dim) for key, dim in _OFFSETS.items()})
+    yield from (Slot((*path, key), Dim.LENGTH, (key,)) for key in _there(place, place) if PLACED.fullmatch(key))
+
+
+def _of_joints(joints: Value) -> Iterator[Slot]:
+    for i, text in enumerate(joints if isinstance(joints, list) else ()):
+        for (pattern, dim), stem in zip(_JOINT, _NAMED, strict=True):
+            if isinstance(text, str) and (m := pattern.match(text)):
+                yield Slot(("joints", i), dim, (f"{stem or m['name']}_{m['link']}",), m.span("it"))
+
+
+def _of_inputs(inputs: Value) -> Iterator[Slot]:
+    several = isinstance(inputs, list)
+    for i, one in enumerate(inputs if isinstance(inputs, list) else [inputs]):
+        for key in _there(one, _INPUT):
+            whose = str(one.get("link") or one.get("cylinder") or "")
+            span = _angle_span(one[key]) if key == "phi" else None
+            yield Slot(("input", i, key) if several else ("input", key), _INPUT[key], (key, f"{key}_{whose}"), span)
+
+
+def _of_mass(path: Path, name: str, mass: Mapping[str, Value]) -> Iterator[Slot]:
+    yield from _keyed(path, mass, {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _MASS.items()})
+    if isinstance(mass.get("centre"), Mapping):
+        yield from _of_place((*path, "centre"), f"S{name}", mass["centre"])
+    yield from _keyed(
+        (*path, "rod"), mass.get("rod"), {key: (f"{stem}_{name}", dim) for key, (stem, dim) in _ROD.items()}
+    )
+
+
+def _of_device(path: Path, data: Value) -> Iterator[Slot]:
+    """Every single value of a device's data that holds a number."""
+    items = data.items() if isinstance(data, Mapping) else enumerate(data) if isinstance(data, list) else ()
+    for key, item in items:
+        if isinstance(item, Mapping | list):
+            yield from _of_device((*path, key), item)
+        elif item is not None and re.match(r"\s*[-+−]?[\d.]", str(item)):
+            yield Slot((*path, key), None, (key,) if isinstance(key, str) else ())
+
+
+def named(data: Mapping[str, Value]) -> dict[str, tuple[Slot, ...]]:
+    """Every name, short or full, with the quantities that it means."""
+    found: dict[str, tuple[Slot, ...]] = {}
+    for slot in slots(data):
+        for name in dict.fromkeys(chain(slot.names, (slot.full,))):
+            found[name] = (*found.get(name, ()), slot)
+    return found
+
+
+def other_way(name: str) -> str:
+    """BA of AB; the name itself where it is no length's."""
+    m = PLACED.fullmatch(name)
+    return f"{m[2]}{m[1]}" if m else name

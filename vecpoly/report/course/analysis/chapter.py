@@ -1,0 +1,82 @@
+"""Chapters 8 and 9, the analysis in words and the conclusion: generated from the facts of the cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+from typing import Any
+
+from ....findings.advice import advice, is_square
+from ....findings.conditioning import Conditioning, conditioning
+from ....findings.motion import motion
+from ....findings.study.study import Study
+from ....words import Words
+from ..checks.comparison import Compared
+from ..numbering import Press
+from . import forces as force_analysis
+from . import why_peaks as peaks
+from .conclusion import conclusion
+from .why_peaks import causes
+
+_HEADER = {
+    "zh": ["杆组", "行列式", "最小处", "最小值/最大值", "最大处", "最小传动角", "1/$sin γ$", "判断"],
+    "en": ["Group", "Determinant", "Least at", "Least/largest", "Largest at", "Least γ", "1/$sin γ$", "Verdict"],
+}
+
+
+def chapter(study: Study, press: Press, drawn: Compared, tables: Sequence[dict[str, Any]] = ()) -> dict[str, Any]:
+    """Sentences and tables: how it moves, the peaks with their causes, conditioning of the groups; and the conclusion.
+    tables: the printed tables as checked."""
+    press.chapter = "8"
+    groups = conditioning(study)
+    told = causes(study, groups)
+    mending = [w for one in groups for w in advice(study, one)]
+    return {
+        "motion": [w.of(press.lang) for w in (*motion(study, groups), *(() if told else peaks.flat(study, groups)))],
+        "causes": peaks.table(study, press, told),
+        "remarks": [w.of(press.lang) for w in peaks.remarks(study, told)],
+        "conditioning": _conditioned(study, press, groups),
+        "singular": [w.of(press.lang) for w in mending],
+        "forces": [w.of(press.lang) for w in force_analysis.forces(study)],
+        "conclusion": [
+            w.of(press.lang)
+            for w in conclusion(study, groups, drawn, tables, ("8.3" if told else "8.2") if mending else "")
+        ],
+    }
+
+
+def _conditioned(study: Study, press: Press, groups: list[Conditioning]) -> str:
+    """One line a group."""
+    rows = []
+    for one in groups:
+        steady = one.ratio > 1 - 1e-9
+        low, high = ("—", "—") if steady else (study.where(phi).split(" = ")[1] for phi in (one.phi, one.top))
+        steady_angle = Words("恒为 90°", "always 90°").of(press.lang) if is_square(study, one) else "—"
+        gamma = f"{degrees(one.gamma.least.value):.1f}°" if one.gamma is not None else steady_angle
+        rows.append(
+            (
+                one.group.title.of(press.lang),
+                f"${one.symbol}$",
+                low,
+                f"{one.ratio:.3f}",
+                high,
+                gamma,
+                f"{1 / one.measure:.1f}" if one.gamma is not None else "—",
+                _verdict(study, one).of(press.lang),
+            )
+        )
+    return (
+        press.table(
+            Words("各杆组线性方程组的行列式", "The determinants of the groups' linear equations"),
+            _HEADER[press.lang],
+            rows,
+            "lccccccl",
+        )
+        if rows
+        else ""
+    )
+
+
+def _verdict(study: Study, one: Conditioning) -> Words:
+    """Of a drive that cannot turn right round the ends of the range told lie beside its dead points."""
+    return Words("两端趋近死点", "dead points beyond") if one.is_poor and study.facts.dead else one.verdict

@@ -1,0 +1,118 @@
+"""Chapter 7, the model checked: against an independent solver, and by differences of its own results; and how it
+depends on the dimensions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....algebra.quantity import number
+from ....findings.study.study import Study
+from ....words import Words
+from ..numbering import Press
+from . import tolerances
+
+_NOTHING = 1e-13
+_CHECKED = {
+    "zh": ["量", "与独立求解结果之差", "差商（步长 2 格）", "差商（步长 1 格）", "两者之比"],
+    "en": ["Quantity", "From the independent solution", "Differences, 2 steps", "Differences, 1 step", "Their ratio"],
+}
+Reals = NDArray[np.float64]
+
+
+def chapter(study: Study, press: Press) -> dict[str, Any]:
+    """The tables with what is said of them."""
+    gaps = [float(np.nanmax(gap)) for equation, gap in study.model.gaps(study.turn.phi) if np.isfinite(gap).any()]
+    step = study.turn.drive.factor * float(study.turn.phi[1] - study.turn.phi[0])
+    unit = "°" if study.turn.drive.shown_unit == "°" else f" {study.turn.drive.shown_unit}"
+    return {
+        "table": _checked(study, press),
+        "residual": _power(max(gaps, default=0.0)),
+        "step": f"{number(step, 3)}{unit}",
+        "count": len(study.turn.phi),
+        "differences": not study.mech.drive.accel,
+    } | tolerances.section(study, press)
+
+
+def _power(value: float) -> str:
+    """3 × 10⁻¹⁵, or 0."""
+    if not value:
+        return "0"
+    head, _, tail = f"{value:.0e}".partition("e")
+    raised = str(int(tail)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{head} × 10{raised}"
+
+
+def _checked(study: Study, press: Press) -> str:
+    """Of every rate told: the model less the solver, and the model's rate less the difference quotient of what it is
+    the rate of."""
+    rows = []
+    for symbol, own, exact, base in _rates(study):
+        size = float(np.nanmax(np.abs(exact)))
+        if not size > _NOTHING:
+            continue
+        row = [f"${symbol}$", _percent(float(np.nanmax(np.abs(own - exact))) / size)]
+        if base is None or study.mech.drive.accel:
+            row += ["—", "—", "—"]
+        else:
+            wide, narrow = (_quotient_gap(study, base, own, steps) / size for steps in (2, 1))
+            row += [_percent(wide), _percent(narrow), f"{wide / narrow:.2f}" if narrow > 1e-9 else "—"]
+        rows.append(tuple(row))
+    return (
+        press.table(
+            Words("数学模型的校核（占该量最大值）", "The model checked (shares of each quantity's largest value)"),
+            _CHECKED[press.lang],
+            rows,
+            "lrrrr",
+        )
+        if rows
+        else ""
+    )
+
+
+def _percent(share: float) -> str:
+    return _power(share) if share < 1e-6 else f"{100 * share:.3g} %"
+
+
+def _rates(study: Study) -> Iterator[tuple[str, Reals, Reals, Reals | None]]:
+    """Symbol, model, solver, and the model's own antiderivative, of ω and α of the links and the parts of v and a of
+    the points."""
+    env = study.env
+    for link in study.links[-2:] if study.dense else study.links:
+        name = study.model_name(link)
+        for stem, key, below in (("ω", "omega", f"φ_{{{name}}}"), ("α", "alpha", f"ω_{{{name}}}")):
+            symbol = f"{stem}_{{{name}}}"
+            if symbol in env:
+                base = np.unwrap(np.asarray(env[below])) if below in env and stem == "ω" else env.get(below)
+                yield (
+                    symbol,
+                    np.asarray(env[symbol]),
+                    study.turn.real(f"{key}_{link}"),
+                    None if base is None else np.asarray(base),
+                )
+    for letter in study.points:
+        for stem, below in (("v", "xy"), ("a", "v")):
+            for axis in "xy":
+                symbol = f"{stem}_{{{letter}{axis}}}"
+                base_symbol = f"{axis}_{{{letter}}}" if below == "xy" else f"v_{{{letter}{axis}}}"
+                if symbol in env and np.ndim(env[symbol]):
+                    yield (
+                        symbol,
+                        np.asarray(env[symbol]),
+                        study.turn.real(f"{stem}_{letter}.{axis}"),
+                        np.asarray(env[base_symbol]) if np.ndim(env.get(base_symbol, 0.0)) else None,
+                    )
+
+
+def _quotient_gap(study: Study, base: Reals, rate: Reals, steps: int) -> float:
+    """The largest |central difference quotient − rate| within the range."""
+    phi = study.turn.phi
+    inner = np.arange(2, len(phi) - 2)  # the same positions for both steps
+    found = (
+        (base[inner + steps] - base[inner - steps]) / (phi[inner + steps] - phi[inner - steps]) * study.mech.drive.rate
+    )
+    gap = np.abs(found - rate[inner])
+    return float(np.nanmax(gap)) if np.isfinite(gap).any() else 0.0

@@ -1,0 +1,182 @@
+"""Chapter 7, drawn beside exact over the cycle: the same drawing by the same hand every 15°."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....algebra.quantity import number
+from ....errors import VecpolyError
+from ....findings.study.study import Study
+from ....solution import solve
+from ....words import Words
+from ..analysis.force_words import refusals
+from ..numbering import SMALL, Press
+from ..results.positions import at_position
+
+STATIONS = 24
+_SHOWN, _DENSE = 3, 2  # curves, and of a long report
+_HEADER = {
+    "zh": ["量", "单位", "循环内最大值", "最大偏差", "占最大值", "所在位置", "均方根偏差", "手工作图 3σ（题设位置）"],
+    "en": [
+        "Quantity",
+        "Unit",
+        "Largest in the cycle",
+        "Largest deviation",
+        "of the largest",
+        "At",
+        "rms deviation",
+        "3σ by hand, as given",
+    ],
+}
+
+
+@dataclass(frozen=True)
+class Station:
+    """Drawn and exact values by key at one position."""
+
+    phi: float
+    drawn: dict[str, float]
+    exact: dict[str, float]
+    gap: dict[str, float]  # |drawn − exact|, of vectors as vectors
+
+
+@dataclass(frozen=True)
+class Compared:
+    """All stations, and the positions that cannot be drawn."""
+
+    stations: tuple[Station, ...]
+    refused: tuple[float, ...]
+    keys: tuple[str, ...]
+
+    def worst(self, study: Study) -> float:
+        """The largest deviation of all, as a share of the quantity's largest value."""
+        return max(
+            (gaps.max() / size for key in self.keys if (size := study_size(study, key)) for gaps in [self.gaps(key)]),
+            default=0.0,
+        )
+
+    def gaps(self, key: str) -> NDArray[np.float64]:
+        return np.array([station.gap[key] for station in self.stations])
+
+
+def study_size(study: Study, key: str) -> float:
+    """The largest value of a quantity over the cycle (SI)."""
+    values = np.abs(study.turn.real(key))
+    return float(np.nanmax(values)) if np.isfinite(values).any() else 0.0
+
+
+def compared(study: Study) -> Compared:
+    """Draw at every station; positions at which no drawing exists are told."""
+    stations: list[Station] = []
+    refused: list[float] = []
+    unknown = (study.problem.loads.unknown.name,) if study.problem.loads else ()
+    keys = (*study.outputs, *(key for key in unknown if key in study.solution.answers and key in study.forces))
+    wanted = tuple(ask for ask in study.problem.asks if ask.rel.key in keys)
+    for phi in _phis(study) if study.drawn else ():
+        try:
+            answers = solve(
+                replace(at_position(study, phi), asks=wanted), by=study.solution.construction.hand, repeats=0
+            ).answers
+        except VecpolyError:
+            refused.append(phi)
+            continue
+        told = {key: answers[key] for key in keys if key in answers}
+        gap = {
+            k: abs((a.drawn_vector or 0j) - a.exact_vector) if a.exact_vector is not None else abs(a.deviation)
+            for k, a in told.items()
+        }
+        stations.append(Station(phi, {k: a.drawn for k, a in told.items()}, {k: a.exact for k, a in told.items()}, gap))
+    return Compared(tuple(stations), tuple(refused), keys if stations else ())
+
+
+def _phis(study: Study) -> list[float]:
+    count = STATIONS if study.model.closed else STATIONS // 2
+    if study.whole.whole:
+        return [float(q) for q in study.whole.low + 2 * np.pi * np.arange(count) / count]
+    edge = (study.whole.high - study.whole.low) / (2 * count)
+    return [float(q) for q in np.linspace(study.whole.low + edge, study.whole.high - edge, count)]
+
+
+def chapter(study: Study, press: Press, found: Compared) -> dict[str, Any]:
+    """Table of deviations, chart with the drawn values as dots on the exact lines."""
+    press.chapter = "7"
+    refused = refusals(study, found.refused).of(press.lang)
+    return {
+        "table": _table(study, press, found) if found.keys else "",
+        "figures": _chart(study, press, found) if found.stations and found.keys else [],
+        "count": len(found.stations),
+        "refused": refused,
+        "worst": f"{100 * found.worst(study):.2f} %",
+    }
+
+
+def _table(study: Study, press: Press, found: Compared) -> str:
+    rows: list[tuple[str, ...]] = []
+    for key in found.keys if found.stations else ():
+        info, gaps, size = study.whole.info(key), found.gaps(key), study_size(study, key)
+        k = int(np.argmax(gaps))
+        share = f"{100 * gaps[k] / size:.2f} %" if size else "—"
+        rows.append(
+            (
+                f"${info.symbol}$",
+                info.shown_unit.replace("^2", "²"),
+                _number(info.factor * size),
+                _number(info.factor * gaps[k]),
+                share,
+                study.where(found.stations[k].phi).split(" = ")[1],
+                _number(info.factor * float(np.sqrt(np.mean(gaps**2)))),
+                _by_hand(study, key),
+            )
+        )
+    return press.table(
+        Words("图解值与精确值的偏差", "Deviations of the drawn values from the exact ones"),
+        _HEADER[press.lang],
+        rows,
+        "lcrrrrrr",
+        style=SMALL,
+    )
+
+
+def _by_hand(study: Study, key: str) -> str:
+    """Three standard deviations of the drawings by an unsteady hand at the given position, and their share of the value
+    there."""
+    answer = study.solution.answers.get(key)
+    if answer is None or not answer.expected_error:
+        return "—"
+    share = (
+        f" ({100 * answer.expected_error / abs(answer.exact):.2g} %)"
+        if abs(answer.exact) > answer.expected_error
+        else ""
+    )
+    return _number(study.whole.info(key).factor * answer.expected_error) + share
+
+
+def _number(value: float) -> str:
+    return number(float(value), 3)
+
+
+def _chart(study: Study, press: Press, found: Compared) -> list[str]:
+    """Exact lines with the drawn values as dots."""
+    from ....curves import curves, style
+
+    last: dict[str, str] = {}
+    for key in found.keys:
+        last[study.whole.info(key).shown_unit] = key
+    x = [study.turn.drive.factor * station.phi for station in found.stations]
+    plots = []
+    for key in list(last.values())[-_DENSE if study.dense else -_SHOWN :]:
+        width, panel = (83.0, 57.0) if study.dense else (150.0, 50.0)
+        plot, symbol = (
+            curves(study.turn, (key,), press.lang, width=width, panel=panel, marks=False),
+            f"${study.turn.info(key).symbol}$",
+        )
+        told = np.array([study.turn.info(key).factor * station.drawn[key] for station in found.stations])
+        style.dots(plot.figure.axes[0], x, told, style.PENS[0].hue, 1.5, hollow=True)
+        plots.append(
+            (plot.scene, Words(f"{symbol} 的精确值（线）与图解值（圈）", f"{symbol}: exact (line) and drawn (circles)"))
+        )
+    return press.figures(plots)

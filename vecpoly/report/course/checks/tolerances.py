@@ -1,0 +1,329 @@
+"""Section 7.3, how the output depends on the given dimensions: each a little larger than given, and how far it may
+go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from math import degrees, radians
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....algebra.quantity import number
+from ....cycle.sample import sample
+from ....errors import VecpolyError
+from ....findings.given_lengths import Dimension, given_dimensions
+from ....findings.output_links import ends, motions
+from ....findings.study.from_pivots import from_pivots
+from ....findings.study.study import Study
+from ....mechanism.model import Mechanism
+from ....words import Words
+from ..numbering import SMALL, Press
+
+CHANGE = (1e-4, radians(0.1))  # m, rad: of a length, of an angle
+REACH = 20  # changes within which the mechanism is tried
+_SOUGHT, _COARSE, _HALVINGS, _FINE, _NOTHING = 1440, 180, 8, 40, 1e-9
+_LED = 0.5  # of the greatest influence: what is called great
+_SLIGHT = 0.01  # of the largest value: a change that needs no care
+_NAMED = 3  # dimensions in a sentence
+Reals = NDArray[np.float64]
+Span = tuple[float, float]  # of the drive
+
+
+@dataclass(frozen=True, slots=True)
+class Influence:
+    """What a dimension larger by CHANGE does to each quantity of the output (SI, at most over the cycle), unless
+    positions are lost.
+
+    least, most: changes (m, rad) at which the cycle can no longer be run through, and where on it; None where REACH
+    changes do no harm.
+    """
+
+    dimension: Dimension
+    gaps: tuple[float, ...]
+    lost: Span | None
+    least: tuple[float, float] | None
+    most: tuple[float, float] | None
+
+    @property
+    def matters(self) -> bool:
+        """Whether the output depends on it at all."""
+        return bool(self.lost or self.least or self.most) or max(self.gaps) > _NOTHING
+
+
+def targets(study: Study) -> tuple[str, ...]:
+    """Keys of the output: place, speed and acceleration of the last output link; of a mechanism without one, of its
+    last point."""
+    for link in reversed(ends(study)):
+        if keys := motions(study, link):
+            pair = keys[0].partition("_")[2]
+            return (f"phi_{link}" if keys[0].startswith(("omega", "alpha")) else f"s_{pair}", *keys)
+    letter = study.points[-1]
+    axis = max("xy", key=lambda part: float(np.ptp(np.nan_to_num(study.turn.real(f"p_{letter}.{part}")))))
+    return tuple(f"{stem}_{letter}.{axis}" for stem in "pva")
+
+
+@lru_cache(maxsize=1)
+def influences(study: Study) -> tuple[Influence, ...]:
+    """Every given dimension changed alone, in the order of the problem."""
+    keys = targets(study)
+    written = frozenset(d.symbol for d in study.problem.given.lengths)
+    found = []
+    for one in given_dimensions(study.problem.mechanism, written):
+        unit = CHANGE[one.is_angle]
+        lost = lost_range(study, one, unit)
+        found.append(
+            Influence(
+                one,
+                () if lost else _greatest(study, from_pivots(one.enlarged(unit)), keys),
+                lost,
+                _limit(study, one, -unit),
+                _limit(study, one, unit),
+            )
+        )
+    return tuple(found)
+
+
+def _greatest(study: Study, changed: Mechanism, keys: tuple[str, ...]) -> tuple[float, ...]:
+    """The largest |changed − given| of each quantity over the cycle: the largest on the grid, sought more closely
+    between its neighbours."""
+    phi = study.turn.phi
+    after = sample(changed, None, phi)
+    tops = [int(np.nanargmax(np.abs(_gap(key, study.turn.real(key), np.asarray(after.value(key)))))) for key in keys]
+    near = np.concatenate(
+        [np.linspace(phi[max(top - 1, 0)], phi[min(top + 1, len(phi) - 1)], _FINE + 1) for top in tops]
+    )
+    one, two = sample(study.mech, None, near), sample(changed, None, near)
+    cuts = [slice(i * (_FINE + 1), (i + 1) * (_FINE + 1)) for i in range(len(keys))]
+    return tuple(
+        float(np.nanmax(np.abs(_gap(key, np.asarray(one.value(key)), np.asarray(two.value(key)))[cut])))
+        for key, cut in zip(keys, cuts, strict=True)
+    )
+
+
+def _gap(key: str, before: Reals, after: Reals) -> Reals:
+    return np.asarray(np.angle(np.exp(1j * (after - before))) if key.startswith("phi") else after - before)
+
+
+def lost_range(study: Study, one: Dimension, change: float) -> Span | None:
+    """Where in the cycle the mechanism cannot be assembled with a dimension changed by so much (m, rad): the widest
+    range; None where it can everywhere."""
+    ends = (
+        (study.whole.low, study.whole.high)
+        if study.whole.whole
+        else (float(study.turn.phi[0]), float(study.turn.phi[-1]))
+    )
+    phi = np.linspace(ends[0], ends[1], (_SOUGHT if study.model.closed else _COARSE) + 1)
+    try:
+        changed = one.enlarged(change)
+        good = _stands(changed, phi)
+    except (VecpolyError, ValueError):  # no triangle, no position at all
+        good = np.zeros(phi.shape, bool)
+    if good.all() or not good.any():
+        return None if good.all() else (float(phi[0]), float(phi[-1]))
+    turn = phi[-1] - phi[0] if study.whole.whole else 0.0
+    if turn:  # begin where it stands, so that no range lies across the ends
+        first = int(np.argmax(good))
+        phi, good = (
+            np.concatenate([phi[first:-1], phi[: first + 1] + turn]),
+            np.concatenate([good[first:-1], good[: first + 1]]),
+        )
+    step = np.diff(np.concatenate([[False], ~good, [False]]).astype(int))
+    starts, stops = np.flatnonzero(step == 1), np.flatnonzero(step == -1)
+    k = int(np.argmax(stops - starts))
+    return _edge(changed, phi, starts[k] - 1, starts[k]), _edge(changed, phi, stops[k], stops[k] - 1)
+
+
+def _stands(mech: Mechanism, phi: Reals) -> NDArray[np.bool_]:
+    motion = sample(mech, None, phi).motion
+    return np.asarray(np.logical_and.reduce([np.isfinite(motion.angle(name)) for name in mech.bodies]))
+
+
+def _edge(mech: Mechanism, phi: Reals, inside: int, outside: int) -> float:
+    """The end of a range that can be assembled, between two positions of the grid; the grid's own end where there is
+    none."""
+    if not 0 <= inside < len(phi):
+        return float(phi[outside])
+    low, high = float(phi[inside]), float(phi[outside])
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _stands(mech, np.array([middle]))[0] else (low, middle)
+    return low
+
+
+def _limit(study: Study, one: Dimension, unit: float) -> tuple[float, float] | None:
+    """The least change of this sign at which positions are lost, by halving, and the position first lost; None within
+    REACH changes."""
+    high, low, where = (
+        REACH * unit,
+        0.0,
+        lost_range(study, one, REACH * unit) if study.model.closed else None,
+    )  # loops solved by Newton's method: too slow to try
+    if where is None:
+        return None
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        span = lost_range(study, one, middle)
+        low, high, where = (middle, high, where) if span is None else (low, middle, span)
+    return high, sum(where) / 2
+
+
+def section(study: Study, press: Press) -> dict[str, Any]:
+    """The table and what follows from it."""
+    keys, found = targets(study), influences(study)
+    if not any(one.matters for one in found):
+        return {"sensitivity": "", "judged": []}
+    bounded = any(one.least or one.most for one in found)
+    header = [
+        Words("尺寸", "Dimension"),
+        Words("给定值", "Given"),
+        *(Words.same(f"$Δ{study.turn.info(key).symbol}$") for key in keys),
+        *([Words("不能整周装配的界限", "No full cycle from")] if bounded else []),
+    ]
+    rows = [_row(study, keys, one, press, bounded) for one in found if one.matters]
+    title = Words(
+        "各给定尺寸增大 0.1 mm（角度 0.1°）时输出的最大改变",
+        "The largest change of the output for 0.1 mm more of a length (0.1° of an angle)",
+    )
+    table = press.table(
+        title, [w.of(press.lang) for w in header], rows, "lr" + "r" * len(keys) + "l" * bounded, style=SMALL
+    )
+    return {"sensitivity": table, "judged": [w.of(press.lang) for w in judged(study, keys, found)]}
+
+
+def _row(study: Study, keys: tuple[str, ...], one: Influence, press: Press, bounded: bool) -> tuple[str, ...]:
+    d = one.dimension
+    size = (
+        f"{degrees(d.size):.6g}°".replace("-", "−")
+        if d.is_angle
+        else f"{number(1e3 * d.size if abs(d.size) > _NOTHING else 0.0, 5)} mm"
+    )
+    if one.lost:
+        told = (
+            Words(f"不能装配（{_span(study, one.lost)}）", f"cannot be assembled ({_span(study, one.lost)})").of(
+                press.lang
+            ),
+            *["—"] * (len(keys) - 1),
+        )
+    else:
+        told = tuple(_changed(study, key, gap) for key, gap in zip(keys, one.gaps, strict=True))
+    limits = "；" if press.lang == "zh" else "; "
+    return (
+        d.name.of(press.lang),
+        size,
+        *told,
+        *([limits.join(_signed(d, limit[0]) for limit in (one.least, one.most) if limit) or "—"] if bounded else []),
+    )
+
+
+def _changed(study: Study, key: str, gap: float) -> str:
+    """Angles in degrees, places in mm, rates in per cent of their largest value in the cycle."""
+    if key.startswith("phi"):
+        return f"{degrees(gap):.3f}°"
+    if key[0] in "sp":
+        return f"{1e3 * gap:.3f} mm"
+    share = 100 * gap / largest(study, key)
+    if share < _NOTHING:
+        return "0"
+    return f"{share:.{2 if share >= 1 else 3}f} %"
+
+
+def largest(study: Study, key: str) -> float:
+    """The largest |value| of a column over the cycle, as the table of extremes has it."""
+    found = study.extremes(key)
+    return max(abs(spot.value) for spot in (found.highest, found.lowest) if spot is not None)
+
+
+def _span(study: Study, span: Span) -> str:
+    low, high = (study.where(phi) for phi in span)
+    return f"{low} … {high.split(' = ')[1]}"
+
+
+def _signed(d: Dimension, change: float) -> str:
+    return f"{degrees(change):+.2f}°".replace("-", "−") if d.is_angle else f"{1e3 * change:+.2f} mm".replace("-", "−")
+
+
+def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) -> Iterator[Words]:
+    """Which dimensions matter most and least for the acceleration of the output, and which lose positions when they
+    change by little."""
+    idle = [one.dimension.name for one in found if not one.matters]
+    if idle:
+        yield Words(
+            f"{'、'.join(w.zh for w in idle)} 与表中各量无关，不列入。",
+            f"{', '.join(w.en for w in idle)} have no influence on these and are left out.",
+        )
+    ranked = sorted(
+        (one for one in found if one.gaps and one.gaps[-1] > _NOTHING * largest(study, keys[-1])),
+        key=lambda one: -one.gaps[-1],
+    )
+    if len(ranked) > 1:
+        yield _weighed(study, keys, ranked)
+    span = Words(
+        "全循环内" if study.whole.whole else "工作范围内",
+        "throughout the cycle" if study.whole.whole else "throughout its working range",
+    )
+    limits = sorted(
+        (
+            (abs(limit[0]) / CHANGE[one.dimension.is_angle], one.dimension, limit)
+            for one in found
+            for limit in (one.least, one.most)
+            if limit
+        ),
+        key=lambda item: item[0],
+    )
+    if not limits and study.model.closed:
+        yield Words(
+            f"单独改变任一尺寸，在 ±2 mm（角度 ±2°）以内机构在{span.zh}均能装配。",
+            f"With any one dimension changed by up to ±2 mm (±2°) the mechanism can still be assembled {span.en}.",
+        )
+    if not limits:
+        return
+    told = [
+        Words(
+            f"{d.name.zh} 改变 {_signed(d, at[0])}（失去的位置在 {study.where(at[1])} 附近）",
+            f"{d.name.en} by {_signed(d, at[0])} (positions about {study.where(at[1])} are lost)",
+        )
+        for _, d, at in limits[:_NAMED]
+    ]
+    yield Words(
+        f"单独改变一个尺寸而使机构不再能在{span.zh}装配的界限，最近的是：{'；'.join(w.zh for w in told)}。"
+        "因此这些尺寸的误差首先须远小于此界限。",
+        "The smallest changes of one dimension with which the mechanism can no longer be assembled "
+        f"{span.en}: {'; '.join(w.en for w in told)}. Errors must first of all stay far below these.",
+    )
+
+
+def _weighed(study: Study, keys: tuple[str, ...], ranked: list[Influence]) -> Words:
+    """The dimensions of great and of small influence, or that all are of a size."""
+    symbol, top = study.turn.info(keys[-1]).symbol, ranked[0].gaps[-1]
+    great = [one for one in ranked if one.gaps[-1] >= _LED * top]
+    small = [one for one in reversed(ranked) if one.gaps[-1] < _LED * top]
+    told = [[_named(study, keys, one) for one in some[:_NAMED]] for some in (great, small, ranked[-1:])]
+    zh, en = [["、".join(w.zh for w in some) for some in told], [", ".join(w.en for w in some) for some in told]]
+    if top < _SLIGHT * largest(study, keys[-1]):
+        return Words(
+            f"尺寸误差 0.1 mm（0.1°）对 ${symbol}$ 的影响都不到 1 %，按一般公差制造即可；其中影响最大的是 "
+            f"{zh[0]}，最小的是 {zh[2]}。",
+            f"Errors of 0.1 mm (0.1°) change ${symbol}$ by less than 1 %, so common tolerances do; "
+            f"most matters {en[0]}, least {en[2]}.",
+        )
+    if not small:
+        return Words(
+            f"以 ${symbol}$ 的改变衡量，各尺寸的影响相差不到一倍，最大的是 {zh[0]}，最小的是 {zh[2]}，"
+            "各尺寸的公差应同样严格。",
+            f"Measured by the change of ${symbol}$ all dimensions matter alike, within a factor of "
+            f"two: most {en[0]}, least {en[2]}; all need tolerances of the same grade.",
+        )
+    return Words(
+        f"以 ${symbol}$ 的改变衡量，影响最大的是 {zh[0]}，须从严控制公差；影响最小的是 {zh[1]}，可以放宽。",
+        f"Measured by the change of ${symbol}$ the dimensions that matter most are {en[0]}, whose "
+        f"tolerances must be close; least matter {en[1]}.",
+    )
+
+
+def _named(study: Study, keys: tuple[str, ...], one: Influence) -> Words:
+    share = _changed(study, keys[-1], one.gaps[-1])
+    return one.dimension.name + Words(f"（{share}）", f" ({share})")

@@ -1,0 +1,98 @@
+"""The last section of chapter 4, the model evaluated at the given position: with numbers put in, or as a table where
+there are many formulas."""
+
+from __future__ import annotations
+
+from math import degrees, pi
+from typing import Any
+
+import numpy as np
+
+from ....algebra.quantity import number
+from ....analytic.equations import Equation, GroupModel
+from ....analytic.expr import Var
+from ....analytic.numbers import unit, worked
+from ....findings.study.study import Study
+from ....words import Words
+from ...formulas import beside
+from ..numbering import SMALL, Press
+
+_NOTHING = 1e-14  # SI: what rounding leaves of zero
+_MOST = 3  # formulas in a line
+_PAIRS = 4  # of quantity and value beside each other
+_HEADER = {"zh": ["量", "数值"], "en": ["Quantity", "Value"]}
+
+
+def section(study: Study, press: Press) -> dict[str, Any]:
+    """Groups with their formulas worked out, or one table of all values."""
+    where, envs = study.where(study.mech.drive.position), by_group(study)
+    if study.dense or not study.model.closed:
+        return {"where": where, "groups": [], "table": _table(study, press, envs)}
+    groups = [
+        {
+            "title": group.title.of(press.lang),
+            "formulas": [press.objects.add("f", node) for node in beside([worked(e, env) for e in told(group)], _MOST)],
+        }
+        for group, env in zip(study.model.groups, envs, strict=True)
+    ]
+    return {"where": where, "groups": [group for group in groups if group["formulas"]], "table": ""}
+
+
+def by_group(study: Study) -> list[dict[str, float]]:
+    """All variables at the given position as each group has them: auxiliary names such as A_0 mean something else in
+    another group."""
+    env = {
+        k: float(np.asarray(v).ravel()[0]) for k, v in study.model.values(np.array([study.mech.drive.position])).items()
+    }
+    found = []
+    for group in study.model.groups:
+        own = dict(env)
+        for e in told(group):
+            assert isinstance(e.left, Var)
+            own[e.left.symbol] = float(np.asarray(e.right.value(own)).ravel()[0])
+        found.append({k: 0.0 if abs(v) < _NOTHING else v for k, v in own.items()})
+    return found
+
+
+def told(group: GroupModel) -> list[Equation]:
+    """The equations that give a variable its value."""
+    return [e for e in group.equations if e.gives and isinstance(e.left, Var)]
+
+
+def _table(study: Study, press: Press, envs: list[dict[str, float]]) -> str:
+    """Every variable once a group, four to a line."""
+    values = [
+        (f"${e.left.symbol}$", _valued(e.left.symbol, env[e.left.symbol]))
+        for group, env in zip(study.model.groups, envs, strict=True)
+        for e in told(group)
+        if isinstance(e.left, Var)
+        and e.left.symbol[0] not in "ABCGΔf"
+        and "Δ" not in e.left.symbol
+        and not e.left.symbol.startswith(("b_", "c_"))
+    ]
+    unknowns = [q for group in study.model.groups if group.loops is not None for q in group.loops.unknowns]
+    rates = [
+        rate.symbol
+        for group in study.model.groups
+        if group.loops is not None
+        for q in group.loops.unknowns
+        for rate in group.loops.rates[q]
+        if isinstance(rate, Var)
+    ]
+    values = [(f"${s}$", _valued(s, envs[0][s])) for s in (*unknowns, *rates)] + list(dict.fromkeys(values))
+    count = -(-len(values) // _PAIRS)
+    padded = [*values, *([("", "")] * (count * _PAIRS - len(values)))]
+    rows = [tuple(text for j in range(_PAIRS) for text in padded[i + j * count]) for i in range(count)]
+    return press.table(
+        Words("题设位置各变量的值", "The variables at the given position"),
+        _HEADER[press.lang] * _PAIRS,
+        rows,
+        "lr" * _PAIRS,
+        style=SMALL,
+    )
+
+
+def _valued(symbol: str, value: float) -> str:
+    if symbol[0] in "φψ":
+        return f"{degrees((value + pi) % (2 * pi) - pi):.3f}°".replace("-", "−")
+    return f"{number(value, 5)} {unit(symbol).replace('^2', '²')}".strip()

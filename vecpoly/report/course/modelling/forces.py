@@ -1,0 +1,200 @@
+"""Chapter 4, the forces: the equilibrium of every link, what friction adds, and how the equations are solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, sin, tan
+
+from ....algebra.quantity import number
+from ....analytic.equations import GroupModel, Part, Stage
+from ....analytic.forces.balance import ForceModel, LinkBalance, force_model
+from ....findings.study.study import Study
+from ....mechanism.asked.forces import load_symbol
+from ....mechanism.loads import GRAVITY, Force, Loads
+from ....words import Words
+from ...structure import carried_pins
+
+
+def forces_group(study: Study) -> GroupModel | None:
+    """The model of the forces as a section of the chapter; None without loads, and where gears roll."""
+    loads = study.problem.loads
+    found = force_model(study.mech, loads, study.model, study.turned) if loads else None
+    if loads is None or found is None:
+        return None
+    return GroupModel(
+        title=Words("力分析", "Forces"),
+        opening=_opening(study, loads, found),
+        links=(),
+        stages=tuple(_stages(study, loads, found)),
+    )
+
+
+def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
+    slides = any(touch.unknowns[-1].startswith("T") for touch in found.touches)
+    high = any(touch.before for touch in found.touches)
+    zh = (
+        "取各构件为分离体列平衡方程。$R_{ij}$ 为构件 $i$ 对构件 $j$ 的反力，$R_{ji}$ = −$R_{ij}$，下标 $x$、"
+        "$y$ 表示投影；力矩以逆时针为正。"
+    )
+    en = (
+        "Each link is cut free. $R_{ij}$ is the force of link $i$ on link $j$, $R_{ji}$ = −$R_{ij}$, with "
+        "components $x$ and $y$; moments are positive counter-clockwise. "
+    )
+    if slides:
+        zh += (
+            "移动副的反力简化为垂直于导路的 $N$（导路正向左侧为正）和对滑块铰链中心的力偶矩 $T$，"
+            "沿导路的速度 $v$ 和摩擦力 $F_f$ 以导路正向为正。"
+        )
+        en += (
+            "The reaction of a slide is a force $N$ square to the guide (positive to the left of its "
+            "direction) and a couple $T$ about the block's pin; $v$ and friction $F_f$ along the guide are "
+            "positive in its direction. "
+        )
+    if high:
+        zh += (
+            "高副的反力为沿公法线的 $N$，指向圆盘中心为正，摩擦力 $F_f$ 和滑动速度 $v$ 以公法线逆时针转 90° "
+            "的方向为正。"
+        )
+        en += (
+            "The reaction of a higher pair is $N$ along the common normal, positive towards the disc's centre; "
+            "friction $F_f$ and sliding $v$ are positive along the normal turned by +90°. "
+        )
+    given = [f"${one.symbol}$ = {number(one.size, 6)} {one.unit}" for one in found.loads]
+    given += [
+        f"$m_{{{mass.link}}}$ = {number(mass.mass, 4)} kg"
+        + (f"，$J_{{{mass.centre}}}$ = {number(mass.inertia, 4)} kg·m²" if mass.inertia else "")
+        for mass in loads.masses
+    ]
+    given += [f"$G_{{{mass.link}}}$ = {number(GRAVITY * mass.mass, 4)} N" for mass in loads.masses if loads.weight]
+    free = f"${load_symbol(loads.unknown.name)}$"
+    if tilted := [load for load in loads.all if isinstance(load, Force) and abs(sin(2 * load.direction)) > 1e-9]:
+        angles = "、".join(f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted)
+        zh, en = f"{zh}{angles} 为力的方向角。", f"{en}{angles.replace('、', ', ')}: direction of the force. "
+    known = (
+        ("已知 " + "，".join(given) + "；", "Given are " + ", ".join(given).replace("，", ", ") + "; ")
+        if given
+        else ("", "")
+    )
+    pins = carried_pins(study.mech)
+    zh, en = zh + pins.zh, en + (f"{pins.en.strip()} " if pins.en else "")
+    return Words(
+        f"{zh}{known[0]}{free} 为待求的平衡载荷。", f"{en}{known[1]}{free} is the balancing load that is sought. "
+    )
+
+
+def _stages(study: Study, loads: Loads, found: ForceModel) -> Iterator[Stage]:
+    if found.inertia:
+        said = Words(
+            "由运动分析的质心加速度和角加速度，按达朗贝尔原理加惯性力和惯性力偶矩",
+            "By d'Alembert's principle, from the accelerations of the centres of mass and the angular accelerations,",
+        )
+        yield Stage(Words("惯性力", "Inertia forces"), (Part(said, found.inertia),))
+    if found.normals:
+        yield Stage(
+            Words("接触点和公法线", "Point of contact and common normal"),
+            (
+                Part(
+                    Words(
+                        "接触点的坐标和指向圆盘中心的单位法向量为",
+                        "The unit normal towards the disc's centre and the point of contact are",
+                    ),
+                    found.normals,
+                ),
+            ),
+        )
+    yield Stage(Words("平衡方程", "Equilibrium"), tuple(_balance(one, i == 0) for i, one in enumerate(found.links)))
+    if found.friction:
+        yield Stage(Words("摩擦", "Friction"), (Part(_friction_words(study, loads), found.friction),))
+    yield Stage(
+        Words("求解", "Solution"),
+        (Part(_solution(loads, found)), Part(_efficiency(loads)))
+        if found.friction
+        else (Part(_solution(loads, found)),),
+    )
+
+
+def _balance(one: LinkBalance, first: bool) -> Part:
+    about = f"对 ${one.about}$ 点取矩" if first else f"对 ${one.about}$ 点"
+    return Part(
+        Words(
+            f"构件 {one.link}（$ΣF_x$ = 0，$ΣF_y$ = 0，{about}）：",
+            f"Link {one.link} ($ΣF_x$ = 0, $ΣF_y$ = 0, moments about ${one.about}$):",
+        ),
+        one.equations,
+    )
+
+
+def _friction_words(study: Study, loads: Loads) -> Words:
+    """What the friction circle and the angle of friction mean in the equations."""
+    rules, friction = [], loads.friction
+    if any(friction.pins.values()):
+        rules.append(
+            Words(
+                "转动副的总反力切于半径为 $ρ$ 的摩擦圆，对铰链中心之矩 $M_f$ = $ρ R$，与相对角速度反向",
+                "the reaction of a hinge touches the friction circle of radius $ρ$: its moment "
+                "about the centre is $M_f$ = $ρ R$, against the relative rotation",
+            )
+        )
+    angles = {study.mech.number(a) + study.mech.number(b): angle for (a, b), angle in friction.slides.items()} | dict(
+        friction.contacts
+    )
+    if told := {sub: angle for sub, angle in angles.items() if angle}:
+        values = "，".join(
+            f"$f_{{{sub}}}$ = tan {number(degrees(angle), 4)}° = {number(tan(angle), 4)}" for sub, angle in told.items()
+        )
+        rules.append(
+            Words(
+                f"滑动处的总反力自法线偏转摩擦角 $φ$，即摩擦力 $F_f$ = $f N$（{values}），与相对滑动速度反向",
+                "where there is sliding the reaction leans from the normal by the angle of "
+                "friction, that is $F_f$ = $f N$ (" + values.replace("，", ", ") + ") against the sliding",
+            )
+        )
+    en = "; ".join(w.en for w in rules)
+    return Words(
+        "；".join(w.zh for w in rules) + "。指向由运动分析的相对速度确定：",
+        f"{en[0].upper()}{en[1:]}. The relative velocities of the motion tell the senses:",
+    )
+
+
+def _solution(loads: Loads, found: ForceModel) -> Words:
+    """How the oracle solves it."""
+    count = sum(len(one.equations) for one in found.links)
+    names, links = [f"${symbol}$" for symbol in found.unknowns], len(found.links)
+    zh, en = f"{links} 个构件共 {count} 个平衡方程，", f"The {count} equations of the {links} links hold "
+    if found.friction:
+        zh, en = f"{zh}不计摩擦（$M_f$ = $F_f$ = 0）时", f"{en}without friction ($M_f$ = $F_f$ = 0) "
+    zh += f"恰含 {len(names)} 个未知量 {'、'.join(names)}，为线性方程组，各位置直接消元求解。"
+    en += f"the {len(names)} unknowns {', '.join(names)}: a linear system, solved by elimination at every position. "
+    if not found.friction:
+        return Words(zh, en)
+    return Words(
+        zh + "计摩擦时，各反力是有摩擦各副压力大小 $u_k$ 的线性函数，$u_k = |p_k + Σ g_{kj} u_j|$（$p_k$ 为不计摩擦"
+        "的压力，$g_{kj}$ 为第 $j$ 副单位摩擦引起的压力），用牛顿法迭代，以不计摩擦的解为初值；"
+        "不能断定解唯一或不收敛时，令摩擦由 0 逐渐增至全值，沿解曲线跟踪。若未到全值解已消失，"
+        "或平衡载荷须反向，则机构在该位置自锁。",
+        en + "With friction every reaction is linear in the pressing forces $u_k$ of the rubbing "
+        "pairs, $u_k = |p_k + Σ g_{kj} u_j|$ ($p_k$: without friction; $g_{kj}$: by unit friction "
+        "in pair $j$): Newton's method from the frictionless solution; where the solution is not "
+        "surely the only one, or is not reached, friction is increased from 0 step by step and "
+        "the solution followed. If it is lost on the way, or the balancing load would have to "
+        "turn round, the mechanism is self-locking there. ",
+    )
+
+
+def _efficiency(loads: Loads) -> Words:
+    """The quotient by which η is computed, for two loads and for more."""
+    symbol = load_symbol(loads.unknown.name)
+    stem, _, sub = symbol.partition("_")
+    zero = f"{stem}_{{{sub.strip('{}')}0}}"
+    if len(loads.all) == 2 and not loads.dynamic and not (loads.weight and loads.masses):
+        return Words(
+            f"机械效率：${symbol}$ 为阻力时 $η = {symbol}/{zero}$，为驱动力时 $η = {zero}/{symbol}$，"
+            f"${zero}$ 为不计摩擦的平衡载荷；两式都等于输出功率与输入功率之比。",
+            f"Efficiency: $η = {symbol}/{zero}$ where ${symbol}$ resists, $η = {zero}/{symbol}$ "
+            f"where it drives, ${zero}$ being the load without friction: both are the power put "
+            "out over the power put in. ",
+        )
+    return Words(
+        "机械效率为各载荷中作负功者与作正功者的功率之比，$η = P_{out}/P_{in}$。",
+        "The efficiency is the sum of the powers that resist over the sum of those that drive, $η = P_{out}/P_{in}$. ",
+    )

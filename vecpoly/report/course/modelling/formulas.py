@@ -1,0 +1,96 @@
+"""Chapter 4, the mathematical model: the formulas of each group, numbered, with the dimensions that stand in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+from typing import Any
+
+from ....algebra.formula import Node, Power, Row, Sym, Txt, plain
+from ....algebra.quantity import number
+from ....analytic.equations import GroupModel, Part
+from ....analytic.expr import Const
+from ....findings.study.study import Study
+from ....words import Lang, Words
+from ...formulas import beside
+from ..numbering import Press
+from .forces import forces_group
+from .order import order
+
+_MOST = 3  # equations in a line
+
+
+def chapter(study: Study, press: Press) -> dict[str, Any]:
+    """The groups in order, each with its opening, its stages, its constants and its singular positions."""
+    press.chapter = "4"
+    forces = forces_group(study)
+    return {
+        "order": order(study, press),
+        "groups": [
+            *(_group(group, press, study.dense) for group in study.model.groups),
+            *([_group(forces, press, True)] if forces else []),
+        ],
+    }
+
+
+def _group(group: GroupModel, press: Press, dense: bool) -> dict[str, Any]:
+    stages = [
+        {"title": stage.title.of(press.lang), "parts": [_part(part, press, dense) for part in stage.parts]}
+        for stage in group.stages
+    ]
+    return {
+        "jacobian": _jacobian(group, press),
+        "title": group.title.of(press.lang),
+        "opening": group.opening.of(press.lang),
+        "stages": stages,
+        "constants": ("，" if press.lang == "zh" else ", ").join(_constants(group, press.lang)),
+        "singular": group.singular.of(press.lang) if group.singular else "",
+    }
+
+
+def _jacobian(group: GroupModel, press: Press) -> str:
+    """∂f_i/∂q_j as a table; nothing for a group with a closed form."""
+    if group.loops is None:
+        return ""
+    header = ["$J$", *(f"$∂/∂{q}$" for q in group.loops.unknowns)]
+    rows = [
+        (f"$f_{i}$", *(f"${written(entry.node)}$" for entry in row)) for i, row in enumerate(group.loops.jacobian, 1)
+    ]
+    return press.table(Words("雅可比矩阵 $J$ = $∂f/∂q$", "The Jacobian $J$ = $∂f/∂q$"), header, rows, "c" * len(header))
+
+
+def _part(part: Part, press: Press, dense: bool) -> dict[str, Any]:
+    rows = (
+        beside([equation.node for equation in part.equations], _MOST)
+        if dense
+        else [equation.node for equation in part.equations]
+    )
+    formulas = [{"ref": press.objects.add("f", row), "number": f"({press.number('equation')})"} for row in rows]
+    return {"said": part.said.of(press.lang), "formulas": formulas}
+
+
+def _constants(group: GroupModel, lang: Lang) -> Iterator[str]:
+    """$l_BC$ = 350 mm, $β_BF$ = 51.50°; M is told where it is chosen."""
+    for constant in sorted(group.constants, key=lambda c: "lresxy".find(c.symbol[0]) if c.unit == "m" else 9):
+        if constant.unit == "m":
+            yield f"${constant.symbol}$ = {number(1e3 * constant.size, 6)} mm"
+        elif constant.unit == "rad" and constant.symbol != "π":
+            yield f"${constant.symbol}$ = {_degrees(constant)}"
+
+
+def _degrees(constant: Const) -> str:
+    return f"{degrees(constant.size):.4f}".rstrip("0").rstrip(".").replace("-", "−") + "°"
+
+
+def written(node: Node) -> str:
+    """A formula in the notation of `formula`, for a cell of a table: sums, products, sines."""
+    match node:
+        case Sym(base, sub, sup):
+            return base + (f"^{{{sup}}}" if sup else "") + (f"_{{{sub}}}" if sub else "")
+        case Txt(text):
+            return text
+        case Row(items):
+            return "".join(written(item) for item in items)
+        case Power(body, exponent):
+            return f"{written(body)}^{exponent}"
+    return plain(node)

@@ -1,0 +1,314 @@
+"""Chapter 5, the results: the table, the curves, the paths, the extreme values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import floor, log10
+from typing import Any
+
+import numpy as np
+
+from ....cycle import Column, Spot, table
+from ....cycle.facts.path import Shape
+from ....cycle.facts.sentences import path_sentences
+from ....findings.study.study import Study
+from ....findings.transmission import transmission
+from ....words import Words
+from ...flow.style import Style
+from ..analysis import duties as force_duties
+from ..analysis import force_words
+from ..numbering import SMALL, TINY, Press
+from .plots import LINES, curve, posed, swept, way
+
+_HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
+_AWAY = 50.0  # times what nine tenths of the values stay below
+_SPARED = 2  # of five significant digits, in the smaller columns of a quantity
+_ABREAST = 4  # links in one table
+_FLAT = 5.0  # times as large as another curve: that one has a figure of its own
+_COLUMNS, _TIGHT = 9, 12  # beside the drive's position, in small and in tiny type
+_STEMS = {
+    "phi": Words("构件的转角", "Angles of the links"),
+    "omega": Words("构件的角速度", "Angular velocities of the links"),
+    "alpha": Words("构件的角加速度", "Angular accelerations of the links"),
+}
+_EXTREMES = {
+    "zh": ["量", "单位", "最大值", "位置", "最小值", "位置"],
+    "en": ["Quantity", "Unit", "Greatest", "At", "Least", "At"],
+}
+
+
+def chapter(study: Study, press: Press) -> dict[str, Any]:
+    """Sections with their tables, figures and words in order."""
+    press.chapter = "5"
+    extreme = _extremes(study, press)
+    sections = [
+        _links(study, press),
+        *(_point(study, press, letter) for letter in study.points),
+        _angles(study, press),
+        _forces(study, press),
+    ]
+    return {
+        "sections": [s for s in sections if s["tables"] or s["figures"]],
+        "extremes": extreme,
+        "step": _step(study),
+        "count": len(study.turn.phi),
+        "loaded": bool(study.forces),
+        "range": _range(study, press) + force_words.one_sided(study).of(press.lang),
+    }
+
+
+def _links(study: Study, press: Press) -> dict[str, Any]:
+    """Angles, ω, α of all links that turn."""
+    every = [f"{stem}_{link}" for stem in _STEMS for link in study.links]
+    keys = [key for key in every if study.varies(key)]
+    title = Words("构件的转角、角速度和角加速度", "Angles, angular velocities and accelerations of the links")
+    blocks = (
+        [keys]
+        if len(keys) <= _TIGHT
+        else [
+            [key for key in keys if key.partition("_")[2] in study.links[i : i + _ABREAST]]
+            for i in range(0, len(study.links), _ABREAST)
+        ]
+    )
+    tables = [tabled(study, press, some, title, SMALL if len(some) <= _COLUMNS else TINY) for some in blocks if some]
+    stems = [[key for key in keys if key.startswith(f"{stem}_")] for stem in _STEMS]
+    panels = [alike for some in stems for alike in ([some] if study.dense else _alike(study, some))]
+    plots = [curve(study, press.lang, some[i : i + LINES]) for some in panels for i in range(0, len(some), LINES)]
+    steady = [_steady(study, key) for key in every if key.startswith("omega_") and key not in keys]
+    return {
+        "title": Words("构件的转动", "Rotation of the links").of(press.lang),
+        "words": (
+            Words("各构件的数值列于下表，曲线见其后各图。", "Values in the table, curves in the figures below. ")
+            + Words("".join(w.zh for w in steady), "".join(w.en for w in steady))
+        ).of(press.lang)
+        if tables or steady
+        else "",
+        "before": [],
+        "tables": tables,
+        "figures": press.figures(plots),
+    }
+
+
+def _alike(study: Study, keys: list[str]) -> list[list[str]]:
+    """Those that can share an axis: none so small beside another that its curve would lie flat on zero."""
+    size = {key: float(np.nanmax(np.abs(study.turn.real(key)))) for key in keys}
+    large = [key for key in keys if size[key] * _FLAT >= max(size.values())]
+    small = [key for key in keys if key not in large]
+    return [large, *_alike(study, small)] if small else [large] if large else []
+
+
+def _steady(study: Study, key: str) -> Words:
+    """A link that turns evenly."""
+    info, value = study.whole.info(key), float(np.nanmean(study.turn.real(key)))
+    symbol, size = f"${info.symbol}$", f"{info.factor * value:.5g} {info.shown_unit}".replace("-", "−")
+    return Words(
+        f"构件 {key[6:]} 匀速转动，{symbol} = {size}，角加速度为零。",
+        f"Link {key[6:]} rotates uniformly: {symbol} = {size}, and its angular acceleration is zero. ",
+    )
+
+
+def _point(study: Study, press: Press, letter: str) -> dict[str, Any]:
+    """Position, velocity, acceleration of a point; its path and hodographs where it runs on a curve of its own."""
+    title = Words(f"${letter}$ 点的运动", f"Motion of ${letter}$")
+    table = tabled(
+        study,
+        press,
+        [f"p_{letter}", f"v_{letter}", f"a_{letter}"],
+        Words(f"${letter}$ 点的位置、速度和加速度", f"Position, velocity and acceleration of ${letter}$"),
+        TINY if study.dense else SMALL,
+    )
+    found = study.path(letter)
+    words = (" " if press.lang == "en" else "").join(w.of(press.lang) for w in path_sentences(study.whole, found))
+    own = found.shape is Shape.CURVE
+    if letter == study.points[-1]:
+        words += Words(
+            "下面的机构位置图中，细线为原动件等间隔各位置的机构，粗线为题设位置，虚线为轨迹。",
+            " The next figure shows the mechanism at even steps of its drive in thin lines, the given position "
+            "in thick ones, the path dashed.",
+        ).of(press.lang)
+    before = [posed(study, press.lang, letter)] if letter == study.points[-1] else []
+    if own and study.dense:
+        before.append(way(study, press.lang, letter))
+    first = press.figures(before)
+    plots = [curve(study, press.lang, keys) for stem in "pva" if (keys := _components(study, f"{stem}_{letter}"))]
+    if own:
+        plots += [
+            *([] if study.dense else [way(study, press.lang, letter)]),
+            *(swept(study, press.lang, f"{stem}_{letter}") for stem in "va"),
+        ]
+    return {
+        "title": title.of(press.lang),
+        "words": words,
+        "before": first,
+        "tables": [table],
+        "figures": press.figures(plots),
+    }
+
+
+def _components(study: Study, key: str) -> list[str]:
+    """A vector's parts that change, and its magnitude where both do (of a place never)."""
+    parts = [part for part in study.turn.info(key).parts if study.varies(part)]
+    return [key, *parts] if len(parts) > 1 and not key.startswith("p_") else parts
+
+
+def _angles(study: Study, press: Press) -> dict[str, Any]:
+    """The transmission angles that change: what they are, and their curves."""
+    told = [t for t in study.facts.transmissions if t.greatest.value - t.least.value > 1e-9]
+    plots = [curve(study, press.lang, [t.key for t in told[:LINES]])] if told else []
+    return {
+        "title": Words("传动角", "Transmission angles").of(press.lang),
+        "words": transmission(study, told).of(press.lang),
+        "before": [],
+        "tables": [],
+        "figures": press.figures(plots),
+    }
+
+
+def _forces(study: Study, press: Press) -> dict[str, Any]:
+    """The balancing load, the efficiency and the reactions."""
+    parts = force_duties.table(study, press)
+    rest, tables = [*study.forces], []
+    while rest:
+        part: list[str] = []
+        while rest and sum(len(study.turn.info(key).parts) for key in (*part, rest[0])) <= _COLUMNS + 1:
+            part.append(rest.pop(0))
+        tables.append(tabled(study, press, part, Words("平衡载荷与运动副反力", "The balancing load and the reactions")))
+    plots, told = [], (Words("", " ") + force_words.results(study)).of(press.lang)
+    for unit in dict.fromkeys(study.turn.info(key).shown_unit for key in study.forces):
+        keys = [key for key in study.forces if study.turn.info(key).shown_unit == unit]
+        plots += [curve(study, press.lang, keys[i : i + LINES]) for i in range(0, len(keys), LINES)]
+    return {
+        "title": Words("平衡载荷与反力", "The balancing load and the reactions").of(press.lang),
+        "words": Words(
+            "下表列出平衡载荷和各运动副反力的分量，曲线为其大小。",
+            "The table lists the balancing load and the components of the reactions, the curves their magnitudes.",
+        ).of(press.lang)
+        + told
+        if tables
+        else told,
+        "before": [],
+        "tables": [*([parts] if parts else []), *tables],
+        "figures": press.figures(plots),
+    }
+
+
+def _range(study: Study, press: Press) -> str:
+    """The working range where the drive cannot turn right round."""
+    if study.whole.whole:
+        return ""
+    low, high = (study.where(q).split(" = ")[1] for q in (study.whole.low, study.whole.high))
+    return Words(
+        f"{'原动件的行程有限' if study.mech.drive.slide else '原动件不能整周转动'}，以下只列出其工作范围 {low} "
+        f"至 {high}；两端接近死点，速度和加速度急剧增大，未予列出。",
+        "The drive "
+        f"{'has a limited stroke' if study.mech.drive.slide else 'cannot make full revolutions'}; "
+        f"the tables cover its working range, {low} to {high}. Beyond it lie dead points, towards "
+        "which the rates run away.",
+    ).of(press.lang)
+
+
+def _step(study: Study) -> str:
+    drive = study.turn.drive
+    return f"{drive.factor * study.step:g}{'°' if drive.shown_unit == '°' else ' ' + drive.shown_unit}"
+
+
+def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style: Style = SMALL, every: int = 1) -> str:
+    """A table of these columns at the rows of the table, or at every so many of them."""
+    parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
+    made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
+    header = [_head(column) for column in made.columns]
+    formats = _formats(made.columns, made.values)
+    body = [
+        tuple(_number(value, places) for value, places in zip(row, formats, strict=True))
+        for row in made.values.tolist()
+    ]
+    if len(header) <= (_HALVED if study.dense else _HALVED - 1) and len(body) > _LONG:
+        half = (len(body) + 1) // 2
+        rest = [*body[half:], *([("",) * len(header)] * (2 * half - len(body)))]
+        header, body = [*header, "", *header], [(*one, "", *two) for one, two in zip(body[:half], rest, strict=True)]
+    return press.table(title, header, body, "r" * len(header), style=TINY if len(header) > _TIGHT else style)
+
+
+def _head(column: Column) -> str:
+    unit = column.shown_unit.replace("^2", "²").replace("·", "·")
+    return f"${column.symbol}$" + (f" /({unit})" if "/" in unit or "·" in unit else f" /{unit}" if unit else "")
+
+
+def _formats(columns: Sequence[Column], values: Any) -> list[int]:
+    """Decimals of each column, the same for all of one quantity: of angles two, else as few as leave the smallest
+    column three significant digits."""
+    own = [_decimals(values[:, i]) for i in range(len(columns))]
+    kinds = [(column.key.partition("_")[0], column.unit) for column in columns]
+    found = []
+    for n, kind in zip(own, kinds, strict=True):
+        alike = [m for m, other in zip(own, kinds, strict=True) if other == kind and m] or [n]
+        found.append(min(2, n) if kind[1] == "rad" else max(max(alike) - _SPARED, min(alike)))
+    return found
+
+
+def _decimals(values: Any) -> int:
+    """As many decimals as give the largest number five significant digits."""
+    known = np.abs(values[np.isfinite(values)])
+    top = float(known.max()) if known.size else 0.0
+    if not top or np.allclose(known, np.round(known), atol=1e-9):
+        return 0
+    return int(min(6, max(0, 4 - floor(log10(top)))))
+
+
+def _number(value: float, places: int) -> str:
+    if not np.isfinite(value):
+        return "—"
+    text = f"{value:.{places}f}"
+    return (text.lstrip("-") if float(text) == 0 else text).replace("-", "−")
+
+
+def _extremes(study: Study, press: Press) -> str:
+    """Greatest and least values to full accuracy, and where they occur."""
+    keys = [f"{stem}_{link}" for link in study.links for stem in ("omega", "alpha")]
+    keys += [key for letter in study.points for key in (f"p_{letter}.x", f"p_{letter}.y", f"v_{letter}", f"a_{letter}")]
+    keys += list(study.forces)
+    rows = []
+    for key in keys:
+        found, info = study.extremes(key), study.whole.info(key)
+        if found.highest is None or found.lowest is None or found.is_constant or not study.varies(key):
+            continue
+        top = max(abs(found.highest.value), abs(found.lowest.value))
+        spots = [
+            text
+            for spot in (found.highest, found.lowest)
+            for text in (
+                ("∞" if spot.value > 0 else "−∞")
+                if _unbounded(study, key, spot)
+                else _exact(info.factor * spot.value, info.factor * top),
+                _placed(study, spot.phi) + ("*" if force_words.is_limit(study, key, spot) else ""),
+            )
+        ]
+        symbol = f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$"
+        rows.append((symbol, info.shown_unit.replace("^2", "²") or "—", *spots))
+    if not rows:
+        return ""
+    drive = study.turn.drive
+    header = [text if i not in (3, 5) else f"${drive.symbol}$" for i, text in enumerate(_EXTREMES[press.lang])]
+    return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcrrrr")
+
+
+def _unbounded(study: Study, key: str, spot: Spot) -> bool:
+    """Whether the value runs away at an end of the drive's range."""
+    return spot.end and bool(abs(spot.value) > _AWAY * float(np.nanpercentile(np.abs(study.turn.real(key)), 90)))
+
+
+def _placed(study: Study, phi: float) -> str:
+    """The drive's position with two decimals."""
+    drive = study.turn.drive
+    return (
+        f"{drive.factor * study.reduced(phi):.2f}{'°' if drive.shown_unit == '°' else ' ' + drive.shown_unit}".replace(
+            "-", "−"
+        )
+    )
+
+
+def _exact(value: float, top: float) -> str:
+    """Five significant digits; zero for what rounding leaves beside the largest value."""
+    if abs(value) < 1e-9 * top:
+        return "0"
+    return _number(value, int(min(6, max(0, 4 - floor(log10(abs(value)))))))

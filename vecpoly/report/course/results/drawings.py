@@ -1,0 +1,205 @@
+"""Chapter 6, the drawn polygons: at the given position step by step, at chosen others as sheets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ....drawing.backends.pdf import draw_pdf
+from ....drawing.sheets.sheet import Sheet, bound, sheets
+from ....errors import VecpolyError
+from ....findings.study.study import Study
+from ....solution import Solution, solve
+from ....words import Lang, Words
+from ...content import scales, sections
+from ...flow.blocks import spoken
+from ...flow.doc import SheetPage
+from ...flow.table import DataTable
+from ...tables import readings_table
+from ..analysis.force_words import role_note
+from ..numbering import SMALL, Press
+from .drawn_views import drawn_views
+from .positions import at_position
+
+POSITIONS, LOADED = 4, 3  # with forces, or centres beside polygons, every position fills two sheets
+_APART = np.radians(12.0)
+_NOTHING = 1e-6  # of the greatest value: there is no vector to draw
+_SEP = Words("、", ", ")
+_ALIKE = 0.03  # of the range of a sliding drive
+_CHOSEN = {"zh": ["位置", "选取理由", "比例尺", "图号"], "en": ["Position", "Why it is chosen", "Scales", "Sheet"]}
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """One position with its drawing, and why it was chosen."""
+
+    phi: float
+    why: Words
+    solution: Solution
+    sheets: tuple[Sheet, ...]
+
+
+def chosen(study: Study, lang: Lang) -> list[Drawn]:
+    """The given position, then those of extreme values of what is asked for, as far as they can be drawn; none where
+    there is no method."""
+    if not study.drawn:
+        return []
+    given = study.mech.drive.position
+    found = [
+        Drawn(
+            given, Words("题设位置", "the given position"), study.solution, _sheets(study, given, study.solution, lang)
+        )
+    ]
+    for phi, why in _candidates(study):
+        if len(found) == (POSITIONS if study.problem.loads is None and len(found[0].sheets) == 1 else LOADED):
+            break
+        if all(_far(study, phi, other.phi) for other in found):
+            drawn = _drawn(study, phi, why, lang, True)
+            if drawn is None or (
+                len(drawn.sheets) > 1 and study.problem.loads is None
+            ):  # at a scale of its own it may need one sheet only
+                own = _drawn(study, phi, why, lang, False)
+                drawn = min(
+                    (one for one in (drawn, own) if one is not None), key=lambda one: len(one.sheets), default=None
+                )
+            found += [drawn] if drawn else []
+    return [found[0], *sorted(found[1:], key=lambda one: one.phi)]
+
+
+def _drawn(study: Study, phi: float, why: Words, lang: Lang, same_scale: bool) -> Drawn | None:
+    """The drawing at this position; none at a dead point, or where a figure is larger than a sheet."""
+    try:
+        solution = solve(at_position(study, phi, same_scale=same_scale), by=study.solution.construction.hand, repeats=0)
+        return Drawn(phi, why, solution, _sheets(study, phi, solution, lang))
+    except VecpolyError:
+        return None
+
+
+def _far(study: Study, one: float, other: float) -> bool:
+    gap = abs(one - other)
+    if study.mech.drive.slide:
+        return gap > _ALIKE * (study.whole.high - study.whole.low)
+    return bool(min(gap, abs(2 * np.pi - gap)) > _APART) if study.whole.whole else bool(gap > _APART / 3)
+
+
+def _candidates(study: Study) -> Iterator[tuple[float, Words]]:
+    """Places of extremes: of accelerations first, then of velocities, then of transmission angles."""
+    last = study.outputs[::-1]  # the output link stands last
+    order = sorted(last, key=lambda key: ("alpha", "omega", "a", "v").index(key.partition("_")[0]))
+    for key in (*study.forces[:1], *order):
+        found, symbol = study.extremes(key), study.whole.info(key).symbol
+        size = max((abs(s.value) for s in (found.highest, found.lowest) if s is not None), default=0.0)
+        spots = [
+            s for s in (found.highest, found.lowest) if s is not None and not s.end and abs(s.value) > _NOTHING * size
+        ]
+        for spot in sorted(spots, key=lambda s: -abs(s.value)):
+            most = spot is found.highest
+            magnitude = f"|{symbol}|" if study.whole.info(key).is_vector else symbol
+            yield (
+                spot.phi,
+                Words(
+                    f"${magnitude}$ 取最{'大' if most else '小'}值",
+                    f"${magnitude}$ is {'greatest' if most else 'least'}",
+                ),
+            )
+    for t in study.facts.transmissions:
+        yield (
+            t.least.phi,
+            Words(
+                f"传动角 ${study.whole.info(t.key).symbol}$ 最小",
+                f"the transmission angle ${study.whole.info(t.key).symbol}$ is least",
+            ),
+        )
+
+
+def chapter(study: Study, press: Press, drawn: list[Drawn]) -> dict[str, Any]:
+    """Steps of the given position, its readings, the list of the others, all sheets."""
+    press.chapter = "6"
+    if not drawn:
+        return {"positions": "", "sections": [], "scales": "", "readings": "", "others": [], "sheets": []}
+    loose = [(one, sheet) for one in drawn for sheet in one.sheets]
+    names = [press.sheet() for _ in loose]
+    rows = [
+        (
+            study.where(one.phi),
+            _why(study, one).of(press.lang),
+            scales(one.solution, press.lang),
+            _SEP.of(press.lang).join(
+                name.of(press.lang) for (other, _), name in zip(loose, names, strict=True) if other is one
+            ),
+        )
+        for one in drawn
+    ]
+    return {
+        "positions": press.table(Words("作图的位置", "The positions drawn"), _CHOSEN[press.lang], rows, "llll"),
+        "views": drawn_views(study.solution.construction).of(press.lang),
+        "sections": sections(study.solution, press.lang, press.objects),
+        "scales": scales(study.solution, press.lang),
+        "readings": _given(study, press),
+        "others": _others(study, press, drawn[1:]),
+        "sheets": [
+            press.objects.add("sheet", _page(sheet, _name(study, one, sheet).of(press.lang)))
+            for (one, _), sheet in zip(loose, bound([sheet for _, sheet in loose], names), strict=True)
+        ],
+    }
+
+
+def _given(study: Study, press: Press) -> str:
+    """The readings at the given position beside the exact values."""
+    made = readings_table(study.solution, press.lang)
+    title = Words("题设位置的图解值与精确值", "Drawn and exact values at the given position")
+    return press.table(title, made.header, made.rows, made.align, style=SMALL)
+
+
+def _why(study: Study, one: Drawn) -> Words:
+    """Why the position is chosen, and what drives there where that is not what the problem tells."""
+    note = role_note(study, one.phi)
+    return one.why + Words(f"（{note.zh}）", f" ({note.en})") if note.zh else one.why
+
+
+def _others(study: Study, press: Press, drawn: list[Drawn]) -> list[str]:
+    """The readings at the other positions, in one table where all have the same columns; without the expected errors of
+    the given one."""
+    made = [(study.where(one.phi), _readings(study, one, press)) for one in drawn]
+    rows: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
+    for where, table in made:
+        lines = rows.setdefault(table.header[:-1], [])
+        lines += [(where.split(" = ")[1] if not i else "", *row[:-1]) for i, row in enumerate(table.rows)]
+    title = Words("其余位置的图解值与精确值", "Drawn and exact values at the other positions")
+    return [
+        press.table(
+            title, [f"${study.turn.drive.symbol}$", *header], lines, "ll" + "c" * (len(header) - 3) + "rr", style=SMALL
+        )
+        for header, lines in rows.items()
+    ]
+
+
+def _readings(study: Study, one: Drawn, press: Press) -> DataTable:
+    """The readings of the output link and point, and of the balancing load."""
+    told = {*study.main, *(f"p_{letter}" for letter in study.points)}
+    answers = {key: answer for key, answer in one.solution.answers.items() if key in told} or one.solution.answers
+    return readings_table(replace(one.solution, answers=answers), press.lang)
+
+
+def _sheets(study: Study, phi: float, solution: Solution, lang: Lang) -> tuple[Sheet, ...]:
+    title, where, note = study.problem.title, study.where(phi), role_note(study, phi)
+    where_en = f"{where}; {note.en}" if note.en else where
+    where = f"{where}，{note.zh}" if note.zh else where
+    zh = f"{title.zh[:-1]}，{where}）" if title.zh.endswith("）") else f"{title.zh}（{where}）"
+    en = f"{title.en[:-1]}, {where_en})" if title.en.endswith(")") else f"{title.en} ({where_en})"
+    return sheets(solution.construction, lang=lang, title=Words(zh, en), way=study.problem.orientation)
+
+
+def _name(study: Study, one: Drawn, sheet: Sheet) -> Words:
+    """A sheet's name for the bookmarks."""
+    where = spoken(study.where(one.phi))
+    return sheet.strip.name + Words(f"　{where}", f": {where}")
+
+
+def _page(sheet: Sheet, name: str) -> SheetPage:
+    return SheetPage(
+        lambda canvas, x, y: draw_pdf(sheet.scene, canvas, x, y), wide=sheet.landscape, title=name, alt=name
+    )

@@ -1,0 +1,42 @@
+"""The problem at other positions of its drive, drawn to the given scale, its loads free to drive or to resist."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ....board.construction import View
+from ....cycle.pose import posed
+from ....errors import AssemblyError
+from ....figures.mu import LENGTH
+from ....findings.study.study import Study
+from ....mechanism.loads import Loads
+from ....problem.problem import Problem, Scales
+from ....words import Words
+
+
+def at_position(study: Study, phi: float, *, same_scale: bool = True) -> Problem:
+    """The problem with its drive at phi (rad, or m), the diagram to the given position's scale or to its own. Raises
+    AssemblyError where no statement tells the assembly."""
+    there = next(posed(study.problem, phi))
+    if there is None:
+        raise AssemblyError(
+            Words("没有与给定位置连通的装配方式", "there is no assembly here that hangs together with the given one")
+        )
+    figure = study.solution.construction.figure(View.MECHANISM)
+    return replace(
+        there,
+        loads=_without_roles(there.loads),
+        printed=(),
+        scales=Scales({LENGTH.key: figure.scale.value} if figure and same_scale else {}),
+    )
+
+
+def _without_roles(loads: Loads | None) -> Loads | None:
+    """The loads, none called driving or resisting: over a cycle a load may be both in turn."""
+    if loads is None:
+        return None
+    return replace(
+        loads,
+        forces=tuple(replace(f, role="") for f in loads.forces),
+        moments=tuple(replace(m, role="") for m in loads.moments),
+    )

@@ -1,0 +1,1 @@
+"""Chapter 2 of a course report: links, joints and freedom counted, the groups drawn apart."""

@@ -1,0 +1,192 @@
+"""Chapter 2, the structure: links, joints and freedom counted, the groups in order, each drawn apart."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ....board.construction import Figure
+from ....drawing.figure import draw_figure
+from ....drawing.scene import Scene, TextBox
+from ....findings.study.study import Study
+from ....mechanism.groups.assur import Group, decompose, hinges, joint_letter
+from ....mechanism.groups.mobility import mobility
+from ....mechanism.model import FRAME, Joint, Prismatic, Revolute
+from ....typeset import layout_words
+from ....words import Lang, Words
+from ...flow.style import CAPTION
+from ...structure import kind_of
+from ..numbering import Press
+from .groups_apart import apart
+from .kinds import ROLLING
+from .other_drives import others
+from .special_joints import concluded, special
+
+_SLOT = Words("销在槽中（高副，以滑块低代）", "pin in a slot (higher pair, replaced by a block)")
+_JOINTS = {"zh": ["运动副", "类型", "相连的构件"], "en": ["Joint", "Kind", "Links joined"]}
+_GROUPS = {
+    "zh": ["次序", "组成", "类型", "级别", "外副", "内副"],
+    "en": ["Order", "Links", "Kind", "Class", "Outer joints", "Inner joint"],
+}
+_UNDER = 7.0  # mm from a group to its name
+_GAP = 12.0  # mm between two groups drawn apart
+_ROOM = 165.0  # mm
+
+
+def chapter(study: Study, press: Press) -> dict[str, Any]:
+    """Counts, tables of joints and groups, figure."""
+    press.chapter = "2"
+    count = mobility(study.mech)
+    return {
+        "words": "".join(w.of(press.lang) for w in special(study)),
+        "concluded": concluded(study).of(press.lang),
+        "count": str(count)
+        .replace("·", " × ")
+        .replace("F = 3n - 2p_L - p_H", "$F = 3n − 2p_L − p_H$")
+        .replace(" - ", " − "),
+        "joints": _joints(study, press),
+        "groups": _groups(study, press),
+        "figure": press.figure(
+            _side_by_side(study, press), Words("原动件与各基本杆组", "The driving link and the Assur groups")
+        ),
+        "others": others(study, press),
+        "n": count.links,
+        "lower": count.lower,
+        "higher": count.higher,
+        "freedom": count.freedom,
+    }
+
+
+def _joints(study: Study, press: Press) -> str:
+    rows: list[tuple[str, ...]] = []
+    comma = "、" if press.lang == "zh" else ", "
+    thought, slots = study.mech.substitutes, study.mech.slot_pins
+    for point, names in sorted(hinges(study.mech).items()):
+        real = [name for name in names if name not in {*thought, *slots}]
+        kind = Words(
+            "转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）",
+            "revolute" if len(real) < 3 else f"multiple joint, {len(real) - 1} revolutes",
+        )
+        if len(real) > 1:
+            rows.append(
+                (f"${point}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in real))
+            )
+    for joint in study.mech.joints:
+        if not isinstance(joint, Revolute) and not {getattr(joint, "block", ""), getattr(joint, "guide", "")} & thought:
+            pair = (
+                (slots[joint.block].carrier if joint.block in slots else joint.block, joint.guide)
+                if isinstance(joint, Prismatic)
+                else (joint.gear.link, joint.on.link)
+            )
+            letter = joint.pin if isinstance(joint, Prismatic) else joint.point
+            kind = (
+                _SLOT
+                if isinstance(joint, Prismatic) and joint.block in slots
+                else Words("移动副", "prismatic")
+                if isinstance(joint, Prismatic)
+                else Words("纯滚动副", "pure rolling")
+            )
+            rows.append(
+                (f"${letter}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in pair))
+            )
+    for contact in study.mech.contacts:
+        rows.append(
+            (
+                f"${contact.point}$",
+                Words("高副", "higher pair").of(press.lang),
+                comma.join(_link(study, name).of(press.lang) for name in contact.links),
+            )
+        )
+    return press.table(Words("运动副", "Joints"), _JOINTS[press.lang], rows, "cll")
+
+
+def _link(study: Study, name: str) -> Words:
+    number = study.mech.number(name)
+    return Words(f"机架 {number}", f"frame {number}") if name == FRAME else Words(f"构件 {number}", f"link {number}")
+
+
+def _groups(study: Study, press: Press) -> str:
+    drive = study.mech.drive
+    comma = "、" if press.lang == "zh" else ", "
+    pivot = next((p for p, names in hinges(study.mech).items() if FRAME in names and drive.link in names), "")
+    pair = "P" if drive.slide else f"R (${pivot}$)"
+    first: tuple[str, ...] = (
+        "0",
+        study.name(drive.link),
+        Words("原动件", "driving link").of(press.lang),
+        "I" if press.lang == "en" else "Ⅰ",
+        pair,
+        "—",
+    )
+    if drive.between:
+        first = (
+            "0",
+            f"{study.name(drive.on)}-{study.name(drive.link)}",
+            (Words("油缸", "cylinder") if drive.slide else Words("电机", "motor")).of(press.lang),
+            "—",
+            "—",
+            "P" if drive.slide else "R",
+        )
+    rows = [first]
+    for i, group in enumerate(decompose(study.mech), 1):
+        outer = comma.join(_joint(out.joint) for out in group.outer)
+        inner = comma.join(_joint(joint) for joint in group.inner)
+        kind = (
+            kind_of(group).of(press.lang)
+            if group.dyad or group.ram
+            else ROLLING[group.kind].of(press.lang)
+            if group.kind in ROLLING
+            else "—"
+        )
+        rows.append(
+            (
+                str(i),
+                comma.join(study.name(name) for name in group.links),
+                kind,
+                _class(group, press.lang),
+                outer,
+                inner,
+            )
+        )
+    return press.table(
+        Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc"
+    )
+
+
+def _joint(joint: Joint) -> str:
+    letter = joint_letter(joint)
+    point = joint.pin if isinstance(joint, Prismatic) else joint.point
+    return f"{letter} (${point}$)"
+
+
+def _class(group: Group, lang: str) -> str:
+    if group.dyad is None and group.ram is None and not group.kind.startswith("class"):
+        return "—"
+    told = "II" if group.dyad or group.ram else group.kind.removeprefix("class ")
+    return told if lang == "en" else {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}.get(told, told)
+
+
+def _captioned(figure: Figure, lang: Lang) -> Scene:
+    """A group with its name under it, in the size of a caption."""
+    scene = draw_figure(figure, lang=lang, caption=False)
+    e, box = scene.extents, layout_words(figure.title.of(lang), CAPTION.em)
+    return Scene.of((*scene.items, TextBox(box=box, x=e.centre.real - box.width / 2, y=e.y0 - _UNDER)))
+
+
+def _side_by_side(study: Study, press: Press) -> Scene:
+    """All groups in rows, each with its name."""
+    scenes = [_captioned(figure, press.lang) for figure in apart(study)]
+    lines: list[list[Scene]] = [[]]
+    for scene in scenes:
+        used = sum(s.extents.width + _GAP for s in lines[-1])
+        if lines[-1] and used + scene.extents.width > _ROOM:
+            lines.append([])
+        lines[-1].append(scene)
+    placed, y = Scene((), scenes[0].extents), 0.0
+    for line in lines:
+        x, foot = 0.0, max(s.extents.height for s in line)
+        for scene in line:
+            e = scene.extents
+            placed = Scene((*placed.items, *scene.moved(complex(x - e.x0, y - foot - e.y0)).items), e)
+            x += e.width + _GAP
+        y -= foot + _GAP / 2
+    return Scene.of(placed.items)
