@@ -220,8 +220,16 @@ def test_speed_and_acceleration_of_e_hold_three_slips_of_their_formulas_beside_t
     )
 
 
-VARIANTS = {"B_table_1A": ("$l_{AB}$ = 24 mm is that of variant B, 26.5 mm that of variant A.", "$l_{AB}$ = 24 mm 即方案 B 的尺寸，26.5 mm 即方案 A 的尺寸。"),
-            "B_table_1B": ("$l_{AB}$ = 29.5 mm is that of variant C, 24 mm that of variant B.", "$l_{AB}$ = 29.5 mm 即方案 C 的尺寸，24 mm 即方案 B 的尺寸。")}  # fmt: skip
+VARIANTS = {
+    "B_table_1A": (
+        "$l_{AB}$ = 24 mm is that of variant B, 26.5 mm that of variant A.",
+        "$l_{AB}$ = 24 mm 即方案 B 的尺寸，26.5 mm 即方案 A 的尺寸。",
+    ),
+    "B_table_1B": (
+        "$l_{AB}$ = 29.5 mm is that of variant C, 24 mm that of variant B.",
+        "$l_{AB}$ = 29.5 mm 即方案 C 的尺寸，24 mm 即方案 B 的尺寸。",
+    ),
+}
 
 
 @pytest.mark.parametrize(
@@ -353,8 +361,16 @@ def test_rates_with_another_crank_length_are_found(against: Callable[..., TableC
     assert {check.column(header).verdict for header in SIX_BAR[:3]} == {Level.REPRODUCED}
 
 
-FACTORS = {2 * np.pi: "2π too many", 1 / (2 * np.pi): "2π left out", 60 / (2 * np.pi): "r/min taken for rad/s", 10.0: "ω_{1}$ taken once too often",
-           0.1: "ω_{1}$ left out", 1000.0: "1000 times too large", 1.37: "a constant factor 1.37", -1.0: "opposite sign"}  # fmt: skip
+FACTORS = {
+    2 * np.pi: "2π too many",
+    1 / (2 * np.pi): "2π left out",
+    60 / (2 * np.pi): "r/min taken for rad/s",
+    10.0: "ω_{1}$ taken once too often",
+    0.1: "ω_{1}$ left out",
+    1000.0: "1000 times too large",
+    1.37: "a constant factor 1.37",
+    -1.0: "opposite sign",
+}
 
 
 @FEW

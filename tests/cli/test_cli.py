@@ -194,10 +194,17 @@ def test_schema_is_a_json_schema(run: Run, tmp_path: Path) -> None:
 # -- refusals ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("words", [
-    ("solve", "3-9", "--json", "file/x.json"), ("report", "3-9", "-o", "file/x.pdf"), ("draw", "3-9", "-o", "file/x.svg"),
-    ("new", "file/x.yaml"), ("schema", "-o", "file/x.json"), ("solve", "3-9", "--json", "folder"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("solve", "3-9", "--json", "file/x.json"),
+        ("report", "3-9", "-o", "file/x.pdf"),
+        ("draw", "3-9", "-o", "file/x.svg"),
+        ("new", "file/x.yaml"),
+        ("schema", "-o", "file/x.json"),
+        ("solve", "3-9", "--json", "folder"),
+    ],
+)
 def test_a_place_that_cannot_be_written_is_named_in_one_line(run: Run, tmp_path: Path, words: tuple[str, ...]) -> None:
     (tmp_path / "file").write_text("in the way", encoding="utf-8")
     (tmp_path / "folder").mkdir()

@@ -166,10 +166,16 @@ def test_a_friction_circle_larger_than_its_link_is_refused(run: Run, tmp_path: P
     assert "slider.yaml, line" in line or "slider: " in line
 
 
-@pytest.mark.parametrize(("old", "new", "said"), [
-    ('size: "?"', "size: 3 N*m", "unknown"), ("size: 1000 N", 'size: "?"', "unknown"), ("on: 3, at: C", "on: 7, at: C", "7"),
-    ("rho: 6 mm", "rho: -6 mm", "-6 mm"), ("3-4: {phi: 8 deg}", "3-4: {f: -0.1}", "-0.1"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('size: "?"', "size: 3 N*m", "unknown"),
+        ("size: 1000 N", 'size: "?"', "unknown"),
+        ("on: 3, at: C", "on: 7, at: C", "7"),
+        ("rho: 6 mm", "rho: -6 mm", "-6 mm"),
+        ("3-4: {phi: 8 deg}", "3-4: {f: -0.1}", "-0.1"),
+    ],
+)
 def test_bad_loads_are_refused_with_their_line(run: Run, tmp_path: Path, old: str, new: str, said: str) -> None:
     path = slider(tmp_path)
     path.write_text(path.read_text("utf-8").replace(old, new), encoding="utf-8")

@@ -119,11 +119,20 @@ def test_what_a_killed_run_left_is_cleared_away_and_what_another_is_writing_is_n
     assert names(tmp_path) == {"x", fresh.name, other.name}
 
 
-@pytest.mark.parametrize("words", [
-    ("solve", "in.yaml", "--json", "in.json"), ("exact", "in.yaml", "--json", "in.json"), ("check", "in.yaml", "--json", "in.json"),
-    ("play", "in.yaml", "-o", "in.html"), ("draw", "in.yaml", "-o", "in.svg"), ("cycle", "in.yaml", "-o", "in.csv"),
-    ("cycle", "in.yaml", "--plot", "in.svg"), ("report", "in.yaml", "-o", "in.pdf"), ("check", "3-9", "--table", "in.json", "--json", "in.json"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("solve", "in.yaml", "--json", "in.json"),
+        ("exact", "in.yaml", "--json", "in.json"),
+        ("check", "in.yaml", "--json", "in.json"),
+        ("play", "in.yaml", "-o", "in.html"),
+        ("draw", "in.yaml", "-o", "in.svg"),
+        ("cycle", "in.yaml", "-o", "in.csv"),
+        ("cycle", "in.yaml", "--plot", "in.svg"),
+        ("report", "in.yaml", "-o", "in.pdf"),
+        ("check", "3-9", "--table", "in.json", "--json", "in.json"),
+    ],
+)
 def test_an_output_that_is_read_too_is_refused_before_any_work(
     run: Run, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
@@ -143,10 +152,18 @@ def test_a_file_that_is_only_extended_is_spared_too(run: Run, tmp_path: Path) ->
     assert "is read by this command" in run("solve", "on.yaml", "--json", "base.json").stderr
 
 
-@pytest.mark.parametrize("words", [
-    ("solve", "3-9", "--json", "x.yaml"), ("schema", "-o", "x.yaml"), ("report", "3-9", "-o", "x.docx"), ("play", "3-9", "-o", "x.txt"),
-    ("draw", "3-9", "-o", "x.gif"), ("cycle", "3-9", "-o", "x.txt"), ("cycle", "3-9", "--plot", "x.bmp"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("solve", "3-9", "--json", "x.yaml"),
+        ("schema", "-o", "x.yaml"),
+        ("report", "3-9", "-o", "x.docx"),
+        ("play", "3-9", "-o", "x.txt"),
+        ("draw", "3-9", "-o", "x.gif"),
+        ("cycle", "3-9", "-o", "x.txt"),
+        ("cycle", "3-9", "--plot", "x.bmp"),
+    ],
+)
 def test_an_ending_that_is_not_known_is_refused_and_nothing_is_made(
     run: Run, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
@@ -168,10 +185,17 @@ def test_an_empty_name_is_refused(run: Run, tmp_path: Path, words: tuple[str, ..
     assert result.exit_code == 2 and "is empty" in result.stderr and names(tmp_path) == set()
 
 
-@pytest.mark.parametrize(("words", "begins"), [
-    (("report", "3-9", "-o", "-"), b"%PDF"), (("draw", "3-9", "-o", "-"), b"<svg"), (("play", "3-9", "--places", "0", "-o", "-"), b"<!"),
-    (("cycle", "3-9", "-n", "5", "-o", "-"), b"phi_1"), (("schema", "-o", "-"), b"{"), (("solve", "3-9", "--json", "-"), b"{"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("words", "begins"),
+    [
+        (("report", "3-9", "-o", "-"), b"%PDF"),
+        (("draw", "3-9", "-o", "-"), b"<svg"),
+        (("play", "3-9", "--places", "0", "-o", "-"), b"<!"),
+        (("cycle", "3-9", "-n", "5", "-o", "-"), b"phi_1"),
+        (("schema", "-o", "-"), b"{"),
+        (("solve", "3-9", "--json", "-"), b"{"),
+    ],
+)
 def test_a_dash_is_standard_output(run: Run, tmp_path: Path, words: tuple[str, ...], begins: bytes) -> None:
     result = run(*words)
     assert result.exit_code == 0 and result.stdout_bytes.lstrip()[:20].startswith(begins) and names(tmp_path) == set()

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parents[1]
 RUN = (HERE.parent / ".ci" / "run").read_text(encoding="utf-8") if (HERE.parent / ".ci").exists() else ""
 SAMPLES = {
     "marked": "import pytest\n@pytest.mark.skipif(True, reason='no browser')\ndef test_it(): pass\n",

@@ -81,12 +81,24 @@ def test_an_installed_wheel_solves_and_reports_away_from_the_checkout(wheel: Pat
     env = {**os.environ, "PYTHONPATH": str(home)}
 
     def run(*more: str) -> str:
-        done = subprocess.run([sys.executable, "-m", "vecpoly", *more], cwd=tmp_path.anchor, env=env, capture_output=True,
-                              check=True, timeout=120)  # fmt: skip
+        done = subprocess.run(
+            [sys.executable, "-m", "vecpoly", *more],
+            cwd=tmp_path.anchor,
+            env=env,
+            capture_output=True,
+            check=True,
+            timeout=120,
+        )
         return done.stdout.decode()
 
-    where = subprocess.run([sys.executable, "-c", "import vecpoly; print(vecpoly.__file__)"], cwd=tmp_path.anchor, env=env,
-                           capture_output=True, text=True, check=True)  # fmt: skip
+    where = subprocess.run(
+        [sys.executable, "-c", "import vecpoly; print(vecpoly.__file__)"],
+        cwd=tmp_path.anchor,
+        env=env,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     assert where.stdout.startswith(str(home))
     assert "ω_3" in run("solve", "3-9")
     run("report", "3-9", "-o", str(tmp_path / "x.pdf"))

@@ -138,8 +138,11 @@ def test_revolutions_per_minute_and_an_angle_from_the_frame_line() -> None:
 
 
 def test_the_four_assemblies_of_problem_27_differ_in_pivot_and_branch() -> None:
-    kinds = {(load(name).mechanism.frame["G"].real, side.side)
-             for name in ("A-27", "A-27-b", "A-27-c", "A-27-d") if isinstance(side := load(name).mechanism.branches[0], SideOf)}  # fmt: skip
+    kinds = {
+        (load(name).mechanism.frame["G"].real, side.side)
+        for name in ("A-27", "A-27-b", "A-27-c", "A-27-d")
+        if isinstance(side := load(name).mechanism.branches[0], SideOf)
+    }
     assert len(kinds) == 4
 
 

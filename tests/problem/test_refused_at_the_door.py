@@ -109,11 +109,17 @@ def test_a_branch_that_the_drive_decides_otherwise_is_refused() -> None:
         solve(loads(changed(("C above AD", "C above AD, B left of A"))), repeats=0)
 
 
-@pytest.mark.parametrize(("pair", "said"), [
-    (("C above AD", "C above AD, B right of A"), "'B right of A' decides nothing"), (("find:", "guesses: {C: [1 mm, 1 mm]}\nfind:"), "guesses"),
-    (("60 deg", "75 rad"), "write 75 deg"), (("find:", "scales: {mu_v: 0.1 (m/s)/mm}\nfind:"), "too small to be read"),
-    (("find:", "scales: {mu_v: 0.0001 (m/s)/mm}\nfind:"), "more than an A4 sheet"), (("find:", "scales: {mu_a: 1 (m/s^2)/mm}\nfind:"), "not used"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("pair", "said"),
+    [
+        (("C above AD", "C above AD, B right of A"), "'B right of A' decides nothing"),
+        (("find:", "guesses: {C: [1 mm, 1 mm]}\nfind:"), "guesses"),
+        (("60 deg", "75 rad"), "write 75 deg"),
+        (("find:", "scales: {mu_v: 0.1 (m/s)/mm}\nfind:"), "too small to be read"),
+        (("find:", "scales: {mu_v: 0.0001 (m/s)/mm}\nfind:"), "more than an A4 sheet"),
+        (("find:", "scales: {mu_a: 1 (m/s^2)/mm}\nfind:"), "not used"),
+    ],
+)
 def test_what_is_hardly_meant_is_told_in_both_languages(pair: tuple[str, str], said: str) -> None:
     solution = solve(loads(changed(pair)), repeats=0)
     assert any(said in words.en for words in solution.warnings) and all(
@@ -195,10 +201,17 @@ def test_a_sign_that_nobody_sees_is_refused_with_its_column(sign: str, called: s
         loads(changed(("title: test", new)))
 
 
-@pytest.mark.parametrize("pair", [
-    ("title: test", "title: " + "x" * (limits.SCALAR + 1)), ("40 mm", "40 " + "m*" * limits.SCALAR + "m"), ("title: test", "title: t\nstatement: " + "x" * (limits.PROSE + 1)),
-    ("find: [v_C]", f"find: [{', '.join(['v_C'] * (limits.ENTRIES + 1))}]"), ("find: [v_C]", f"find: {'[' * 60}v_C{']' * 60}"), ("AB: 40", "A" * 300 + ": 40"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "pair",
+    [
+        ("title: test", "title: " + "x" * (limits.SCALAR + 1)),
+        ("40 mm", "40 " + "m*" * limits.SCALAR + "m"),
+        ("title: test", "title: t\nstatement: " + "x" * (limits.PROSE + 1)),
+        ("find: [v_C]", f"find: [{', '.join(['v_C'] * (limits.ENTRIES + 1))}]"),
+        ("find: [v_C]", f"find: {'[' * 60}v_C{']' * 60}"),
+        ("AB: 40", "A" * 300 + ": 40"),
+    ],
+)
 def test_what_is_too_long_is_refused_at_its_line(pair: tuple[str, str]) -> None:
     with pytest.raises(ProblemFileError, match=r"line \d") as caught:
         loads(changed(pair))
@@ -253,11 +266,19 @@ def test_of_a_file_that_is_no_problem_nothing_is_told(tmp_path: Path) -> None:
 # -- templates --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("old", "new", "said"), [
-    ("{% for p in problems %}", "{% for p in problems", "line 8"), ("{{ p.title }}", "{{ p.titel }}", "titel"), ("{{ title }}", "{{ 1 / 0 }}", "division"),
-    ("{{ title }}", "{{ cycler.__init__.__globals__ }}", "unsafe"), ("{{ title }}", "{{ ''.__class__.__mro__ }}", "unsafe"), ("{{ title }}", "{{ 'x' * 10**9 }}", "takes numbers below"),
-    ("{{ title }}", "{{ problems.append(1) }}", "unsafe|callable|not safely"), ("{{ title }}", "{% include '/etc/passwd' %}", "does not exist"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("{% for p in problems %}", "{% for p in problems", "line 8"),
+        ("{{ p.title }}", "{{ p.titel }}", "titel"),
+        ("{{ title }}", "{{ 1 / 0 }}", "division"),
+        ("{{ title }}", "{{ cycler.__init__.__globals__ }}", "unsafe"),
+        ("{{ title }}", "{{ ''.__class__.__mro__ }}", "unsafe"),
+        ("{{ title }}", "{{ 'x' * 10**9 }}", "takes numbers below"),
+        ("{{ title }}", "{{ problems.append(1) }}", "unsafe|callable|not safely"),
+        ("{{ title }}", "{% include '/etc/passwd' %}", "does not exist"),
+    ],
+)
 def test_a_slip_in_a_template_is_told_with_file_and_line_and_reaches_nothing(
     tmp_path: Path, old: str, new: str, said: str
 ) -> None:
@@ -298,10 +319,16 @@ def test_a_damaged_or_malicious_workbook_is_refused(case: str, tmp_path: Path) -
         check_table(load("3-9"), tmp_path / "t.xlsx")
 
 
-@pytest.mark.parametrize(("text", "said"), [
-    (b"phi1,v_B\n" + b"1,2\n" * (limits.TABLE_ROWS + 1), "rows"), (b",".join([b"a"] * 300) + b"\n1\n", "300 columns"), (b"phi1,v_B\n1," + b"2" * 2000 + b"\n", "characters"),
-    (b'phi1,v_B\n1,"' + b"2\n" * 5_000, "characters"), (b"1,2\n" * (limits.TABLE_BYTES // 4 + 1), "20 MB"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (b"phi1,v_B\n" + b"1,2\n" * (limits.TABLE_ROWS + 1), "rows"),
+        (b",".join([b"a"] * 300) + b"\n1\n", "300 columns"),
+        (b"phi1,v_B\n1," + b"2" * 2000 + b"\n", "characters"),
+        (b'phi1,v_B\n1,"' + b"2\n" * 5_000, "characters"),
+        (b"1,2\n" * (limits.TABLE_BYTES // 4 + 1), "20 MB"),
+    ],
+)
 def test_a_table_beyond_the_limits_is_refused(text: bytes, said: str, tmp_path: Path) -> None:
     (tmp_path / "t.csv").write_bytes(text)
     with pytest.raises(TableError, match=said):
@@ -323,12 +350,25 @@ def test_a_table_is_a_regular_file(tmp_path: Path) -> None:
 WRONG: Any = None  # what no type allows
 
 
-@pytest.mark.parametrize("act", [
-    lambda: vecpoly.solve(WRONG), lambda: vecpoly.solve(cast("Any", "3-9")), lambda: vecpoly.loads(WRONG), lambda: vecpoly.load(WRONG), lambda: vecpoly.write_report([], "x.pdf"),
-    lambda: vecpoly.write_report(WRONG, "x.pdf"), lambda: vecpoly.solve(load("3-9"), repeats=-1), lambda: vecpoly.solve(load("3-9"), repeats=10**9),
-    lambda: vecpoly.solve(load("3-9"), seed=-1), lambda: vecpoly.solve(load("3-9"), by="nobody"), lambda: report_bytes([solve(load("3-9"), repeats=0)], lang=WRONG),
-    lambda: vecpoly.check_problem(WRONG), lambda: vecpoly.check_table(WRONG, "x"), lambda: vecpoly.load_assignment(WRONG),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda: vecpoly.solve(WRONG),
+        lambda: vecpoly.solve(cast("Any", "3-9")),
+        lambda: vecpoly.loads(WRONG),
+        lambda: vecpoly.load(WRONG),
+        lambda: vecpoly.write_report([], "x.pdf"),
+        lambda: vecpoly.write_report(WRONG, "x.pdf"),
+        lambda: vecpoly.solve(load("3-9"), repeats=-1),
+        lambda: vecpoly.solve(load("3-9"), repeats=10**9),
+        lambda: vecpoly.solve(load("3-9"), seed=-1),
+        lambda: vecpoly.solve(load("3-9"), by="nobody"),
+        lambda: report_bytes([solve(load("3-9"), repeats=0)], lang=WRONG),
+        lambda: vecpoly.check_problem(WRONG),
+        lambda: vecpoly.check_table(WRONG, "x"),
+        lambda: vecpoly.load_assignment(WRONG),
+    ],
+)
 def test_a_wrong_argument_is_told_by_name(act: Callable[[], object]) -> None:
     with pytest.raises(VecpolyError) as caught:
         act()

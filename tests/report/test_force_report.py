@@ -120,10 +120,19 @@ def test_a_formula_that_misses_the_exact_value_is_not_hidden() -> None:
     assert not replace(answer, drawn=answer.exact * 1.001).computed
 
 
-@pytest.mark.parametrize(("given", "printed"), [
-    ((0.05245, "m", "en"), "52.45 mm"), ((30.0, "deg", "zh"), "30°"), ((1.0, "yes/no", "zh"), "是"), ((0.0, "yes/no", "en"), "no"),
-    ((8.0258, "kW", "en"), "8.026 kW"), ((0.7952, "", "en", "eta"), "0.7952 (79.5 %)"), ((-2.55, "", "en", "eta_r"), "−2.55"), ((0.141, "", "en", "f_V"), "0.141"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("given", "printed"),
+    [
+        ((0.05245, "m", "en"), "52.45 mm"),
+        ((30.0, "deg", "zh"), "30°"),
+        ((1.0, "yes/no", "zh"), "是"),
+        ((0.0, "yes/no", "en"), "no"),
+        ((8.0258, "kW", "en"), "8.026 kW"),
+        ((0.7952, "", "en", "eta"), "0.7952 (79.5 %)"),
+        ((-2.55, "", "en", "eta_r"), "−2.55"),
+        ((0.141, "", "en", "f_V"), "0.141"),
+    ],
+)
 def test_values_are_printed_as_a_textbook_prints_them(given: tuple[float, str, Lang], printed: str) -> None:
     assert value(*given) == printed
 

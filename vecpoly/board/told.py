@@ -111,8 +111,16 @@ def _mm(place: float) -> str:
 
 
 _VERBS: dict[type, Words] = {
-    done.Locate: Words("定点", "point"), done.Image: Words("作影像", "image"), done.LayOff: Words("量取", "lay off"), done.Meet: Words("求交点", "meet"),
-    done.Measure: Words("量得", "measure"), done.Compute: Words("计算", "compute"), done.Answer: Words("结果", "answer"), done.Arrow: Words("画矢量", "vector"),
-    done.Parallel: Words("作方向线", "direction of"), done.Follow: Words("沿已有矢量", "go along"), done.Transfer: Words("移画", "transfer"),
+    done.Locate: Words("定点", "point"),
+    done.Image: Words("作影像", "image"),
+    done.LayOff: Words("量取", "lay off"),
+    done.Meet: Words("求交点", "meet"),
+    done.Measure: Words("量得", "measure"),
+    done.Compute: Words("计算", "compute"),
+    done.Answer: Words("结果", "answer"),
+    done.Arrow: Words("画矢量", "vector"),
+    done.Parallel: Words("作方向线", "direction of"),
+    done.Follow: Words("沿已有矢量", "go along"),
+    done.Transfer: Words("移画", "transfer"),
     done.Touch: Words("作切线", "tangent"),
-}  # fmt: skip
+}

@@ -76,9 +76,19 @@ def vecpoly(
 
 
 COMMANDS: dict[str, Callable[..., None]] = {
-    "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "export": export, "list": listing, "play": play,
-    "new": new, "schema": schema, "demo": demo,
-}  # fmt: skip
+    "solve": solve,
+    "exact": exact,
+    "report": report,
+    "check": check,
+    "cycle": cycle,
+    "draw": draw,
+    "export": export,
+    "list": listing,
+    "play": play,
+    "new": new,
+    "schema": schema,
+    "demo": demo,
+}
 for _name, _command in COMMANDS.items():
     app.command(_name, cls=Command)(_command)
 

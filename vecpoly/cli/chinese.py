@@ -3,10 +3,32 @@
 from __future__ import annotations
 
 LABELS = {  # what stands in place of a value, in the order in which it is looked for
-    "COMMAND [ARGS]...": "命令 [参数]...", "OPTIONS": "选项", "ID_OR_FILE": "题号或文件", "ID_OR_PATH": "题号或文件", "SYMBOL=VALUE": "符号=值",
-    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
-    "what": "内容", "folder": "文件夹", "<int range>": "整数", "<float range>": "数", "<int>": "整数", "<float>": "数", "<str>": "", "<list[str]>": "", "<path>": "", "<place>": "", "<Path>": "文件夹",
-}  # fmt: skip
+    "COMMAND [ARGS]...": "命令 [参数]...",
+    "OPTIONS": "选项",
+    "ID_OR_FILE": "题号或文件",
+    "ID_OR_PATH": "题号或文件",
+    "SYMBOL=VALUE": "符号=值",
+    "HEADER=MEANING": "列名=含义",
+    "FILE": "文件",
+    "PATH": "路径",
+    "FOLDER": "文件夹",
+    "NAME": "名称",
+    "KEYS": "量",
+    "KEY": "量",
+    "LETTERS": "字母",
+    "ID": "题号",
+    "what": "内容",
+    "folder": "文件夹",
+    "<int range>": "整数",
+    "<float range>": "数",
+    "<int>": "整数",
+    "<float>": "数",
+    "<str>": "",
+    "<list[str]>": "",
+    "<path>": "",
+    "<place>": "",
+    "<Path>": "文件夹",
+}
 
 HELP = {
     # commands

@@ -6,7 +6,7 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 from typing import Generic, TypeVar
 
 from ..errors import PluginError
@@ -21,8 +21,8 @@ METHODS, DEVICES = (
 
 @cache
 def load_modules(package: str) -> None:
-    """Import every module of this package, so that what stands in them is registered; subpackages keep their own."""
-    for module in iter_modules(import_module(package).__path__, f"{package}."):
+    """Import every module of this package and of the folders in it, so that what stands in them is registered."""
+    for module in walk_packages(import_module(package).__path__, f"{package}."):
         import_module(module.name)
 
 

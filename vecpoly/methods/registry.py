@@ -42,8 +42,12 @@ class Stage(StrEnum):
 
 
 _STAGES = {
-    Stage.POSITION: "位置", Stage.CENTRES: "瞬心", Stage.VELOCITY: "速度", Stage.ACCELERATION: "加速度", Stage.FORCE: "反力",
-}  # fmt: skip
+    Stage.POSITION: "位置",
+    Stage.CENTRES: "瞬心",
+    Stage.VELOCITY: "速度",
+    Stage.ACCELERATION: "加速度",
+    Stage.FORCE: "反力",
+}
 
 State = TypeVar("State", contravariant=True)
 Piece = TypeVar("Piece", contravariant=True)

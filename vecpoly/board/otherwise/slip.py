@@ -28,9 +28,16 @@ class Mistake(StrEnum):
 
 
 _WORDS = {
-    Mistake.REVERSED: "方向画反", Mistake.DROPPED: "漏画", Mistake.HALVED: "大小少了一半", Mistake.DOUBLED: "大小多了一倍", Mistake.TURNED: "方向转过了 90°",
-    Mistake.SCALED: "用错比例尺", Mistake.COINCIDENT: "取错重合点", Mistake.OTHER_MEETING: "取了另一交点", Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
-}  # fmt: skip
+    Mistake.REVERSED: "方向画反",
+    Mistake.DROPPED: "漏画",
+    Mistake.HALVED: "大小少了一半",
+    Mistake.DOUBLED: "大小多了一倍",
+    Mistake.TURNED: "方向转过了 90°",
+    Mistake.SCALED: "用错比例尺",
+    Mistake.COINCIDENT: "取错重合点",
+    Mistake.OTHER_MEETING: "取了另一交点",
+    Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
+}
 
 
 @dataclass(frozen=True, slots=True)

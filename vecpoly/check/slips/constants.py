@@ -28,14 +28,27 @@ _FACTORS = (
     (2 * pi / 60, Slip.UNIT, Words("多乘 2π/60", "multiplied by 2π/60 once too often")),
     (60 / (2 * pi), Slip.UNIT, Words("把 r/min 当作 rad/s（少乘 2π/60）", "r/min taken for rad/s (2π/60 left out)")),
     ((2 * pi / 60) ** 2, Slip.UNIT, Words("多乘 (2π/60)²", "multiplied by (2π/60)² once too often")),
-    ((60 / (2 * pi)) ** 2, Slip.UNIT, Words("把 r/min 当作 rad/s（少乘 (2π/60)²）", "r/min taken for rad/s ((2π/60)² left out)")),
+    (
+        (60 / (2 * pi)) ** 2,
+        Slip.UNIT,
+        Words("把 r/min 当作 rad/s（少乘 (2π/60)²）", "r/min taken for rad/s ((2π/60)² left out)"),
+    ),
     (180 / pi, Slip.UNIT, Words("以度代替弧度", "degrees for radians")),
     (pi / 180, Slip.UNIT, Words("以弧度代替度", "radians for degrees")),
     (2.0, Slip.FACTOR, Words("多乘 2", "a factor 2 too many")),
     (0.5, Slip.FACTOR, Words("少乘 2", "a factor 2 left out")),
-    *((10.0**n, Slip.UNIT, Words(f"差 {10.0**n:g} 倍（单位）", f"{10.0**n:g} times too large (units)" if n > 0 else f"{10.0**-n:g} times too small (units)"))
-      for n in (-6, -3, -2, -1, 1, 2, 3, 6)),
-)  # fmt: skip
+    *(
+        (
+            10.0**n,
+            Slip.UNIT,
+            Words(
+                f"差 {10.0**n:g} 倍（单位）",
+                f"{10.0**n:g} times too large (units)" if n > 0 else f"{10.0**-n:g} times too small (units)",
+            ),
+        )
+        for n in (-6, -3, -2, -1, 1, 2, 3, 6)
+    ),
+)
 
 _OF_PLACES = (2.0, 0.5, *(10.0**n for n in (-6, -3, -2, -1, 1, 2, 3, 6)))
 

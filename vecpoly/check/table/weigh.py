@@ -50,10 +50,12 @@ class Level(IntEnum):
     def words(self) -> Words:
         """The verdict in words."""
         return {
-            Level.REPRODUCED: Words("正确", "reproduced"), Level.LAST_DIGIT: Words("正确，末位欠准", "reproduced, last digit unsure"),
-            Level.LOW: Words("正确，但精度低", "reproduced with low accuracy"), Level.ROWS: Words("个别行错误", "wrong in certain rows"),
+            Level.REPRODUCED: Words("正确", "reproduced"),
+            Level.LAST_DIGIT: Words("正确，末位欠准", "reproduced, last digit unsure"),
+            Level.LOW: Words("正确，但精度低", "reproduced with low accuracy"),
+            Level.ROWS: Words("个别行错误", "wrong in certain rows"),
             Level.WRONG: Words("错误", "wrong"),
-        }[self]  # fmt: skip
+        }[self]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

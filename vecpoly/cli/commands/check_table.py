@@ -103,9 +103,14 @@ def _row(one: ColumnCheck, lang: Lang) -> tuple[str, ...]:
     slips = "; ".join(bare(slip.words.of(lang)) for slip in one.explanations[:1])
     more = f" (+{len(one.explanations) - 1})" if len(one.explanations) > 1 else ""
     return (
-        column.header, bare(column.target.symbol), given.level.words.of(lang), f"{given.rows_right}/{int(column.there.sum())}",
-        bare(amount(column, given.worst)), slips + more, one.best.level.words.of(lang) if one.explanations else "",
-    )  # fmt: skip
+        column.header,
+        bare(column.target.symbol),
+        given.level.words.of(lang),
+        f"{given.rows_right}/{int(column.there.sum())}",
+        bare(amount(column, given.worst)),
+        slips + more,
+        one.best.level.words.of(lang) if one.explanations else "",
+    )
 
 
 def as_json(checked: TableCheck) -> dict[str, Any]:
@@ -120,10 +125,17 @@ def as_json(checked: TableCheck) -> dict[str, Any]:
 def _column(one: ColumnCheck) -> dict[str, Any]:
     column, given = one.column, one.given
     return {
-        "header": column.header, "symbol": column.target.key, "unit": column.unit, "verdict": given.level.label,
-        "rows": int(column.there.sum()), "rows_right": given.rows_right, "largest": _number(given.worst / column.factor),
-        "wrong_rows": list(one.rows), "explanations": [_explanation(slip, column.factor) for slip in one.explanations], "words": one.words.en,
-    }  # fmt: skip
+        "header": column.header,
+        "symbol": column.target.key,
+        "unit": column.unit,
+        "verdict": given.level.label,
+        "rows": int(column.there.sum()),
+        "rows_right": given.rows_right,
+        "largest": _number(given.worst / column.factor),
+        "wrong_rows": list(one.rows),
+        "explanations": [_explanation(slip, column.factor) for slip in one.explanations],
+        "words": one.words.en,
+    }
 
 
 def _explanation(one: Explanation, factor: float) -> dict[str, Any]:

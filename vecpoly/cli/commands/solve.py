@@ -76,10 +76,20 @@ def _print(solution: Solution, lang: Lang) -> None:
     made = table(title, [(name, "left" if i in left else "right") for i, name in enumerate(_COLUMNS[lang])])
     for answer in solution.answers.values():
         mm = answer.reading.mm
-        add(made, (
-            symbol(answer.key), drawn(answer, lang), exact(answer, lang), written_unit(answer.reading.unit), gap(answer), reach(answer),
-            way(answer, lang), "—" if mm is None else f"{mm:.2f}",
-        ), alarmed=answer.suspect is not None)  # fmt: skip
+        add(
+            made,
+            (
+                symbol(answer.key),
+                drawn(answer, lang),
+                exact(answer, lang),
+                written_unit(answer.reading.unit),
+                gap(answer),
+                reach(answer),
+                way(answer, lang),
+                "—" if mm is None else f"{mm:.2f}",
+            ),
+            alarmed=answer.suspect is not None,
+        )
     show(made)
     for answer in solution.answers.values():
         if answer.reading.acts is not None and answer.reading.acts.couple is not None:

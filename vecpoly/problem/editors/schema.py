@@ -19,16 +19,45 @@ _LENGTH, _ANGLE = quantity(Dim.LENGTH), quantity(Dim.ANGLE)
 _SCALE = "auto|自动"
 _PER_MM = (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F)
 _VALUES = {
-    "InputSpec.phi": patterns.angle_from(), "InputSpec.omega": patterns.omega(), "InputSpec.alpha": quantity(Dim.ALPHA),
-    "InputSpec.s": _LENGTH, "InputSpec.length": _LENGTH, "InputSpec.v": quantity(Dim.SPEED), "InputSpec.a": quantity(Dim.ACCEL),
-    "LoadSpec.size": patterns.size(), "LoadSpec.direction": _ANGLE, "FrictionSpec.rho": _LENGTH, "FrictionSpec.r": _LENGTH,
-    "FrictionSpec.phi": _ANGLE, "FrictionSpec.V": _ANGLE, "FrictionSpec.f": patterns.number(), "FrictionSpec.f_v": patterns.number(),
-    "RodSpec.diameter": _LENGTH, "RodSpec.density": quantity(Dim.DENSITY), "MassSpec.mass": quantity(Dim.MASS), "MassSpec.inertia": quantity(Dim.INERTIA),
-    **{f"ScalesSpec.{key}": quantity(dim, _SCALE) for key, mu in scales().items() for dim in _PER_MM
-       if dim.dimension == PerMm(mu.called, mu.unit, mu.example).dimension},
-    "PrintedSpec.direction": _ANGLE, "Link.radius": _LENGTH, "Link.phi": patterns.angle_from(), "Link.s": _LENGTH, "Link.length": _LENGTH, "Place.at": _LENGTH, "Place.left": _LENGTH, "Place.right": _LENGTH,
-    "Place.length": _LENGTH, "Slot.left": _LENGTH, "Slot.right": _LENGTH, "Problem.joints": patterns.joints(), "Problem.branch": patterns.branch(),
-}  # fmt: skip
+    "InputSpec.phi": patterns.angle_from(),
+    "InputSpec.omega": patterns.omega(),
+    "InputSpec.alpha": quantity(Dim.ALPHA),
+    "InputSpec.s": _LENGTH,
+    "InputSpec.length": _LENGTH,
+    "InputSpec.v": quantity(Dim.SPEED),
+    "InputSpec.a": quantity(Dim.ACCEL),
+    "LoadSpec.size": patterns.size(),
+    "LoadSpec.direction": _ANGLE,
+    "FrictionSpec.rho": _LENGTH,
+    "FrictionSpec.r": _LENGTH,
+    "FrictionSpec.phi": _ANGLE,
+    "FrictionSpec.V": _ANGLE,
+    "FrictionSpec.f": patterns.number(),
+    "FrictionSpec.f_v": patterns.number(),
+    "RodSpec.diameter": _LENGTH,
+    "RodSpec.density": quantity(Dim.DENSITY),
+    "MassSpec.mass": quantity(Dim.MASS),
+    "MassSpec.inertia": quantity(Dim.INERTIA),
+    **{
+        f"ScalesSpec.{key}": quantity(dim, _SCALE)
+        for key, mu in scales().items()
+        for dim in _PER_MM
+        if dim.dimension == PerMm(mu.called, mu.unit, mu.example).dimension
+    },
+    "PrintedSpec.direction": _ANGLE,
+    "Link.radius": _LENGTH,
+    "Link.phi": patterns.angle_from(),
+    "Link.s": _LENGTH,
+    "Link.length": _LENGTH,
+    "Place.at": _LENGTH,
+    "Place.left": _LENGTH,
+    "Place.right": _LENGTH,
+    "Place.length": _LENGTH,
+    "Slot.left": _LENGTH,
+    "Slot.right": _LENGTH,
+    "Problem.joints": patterns.joints(),
+    "Problem.branch": patterns.branch(),
+}
 _SEVERAL = {"links": "Link", "frame": "", "guesses": ""}
 
 

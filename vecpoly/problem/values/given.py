@@ -69,9 +69,7 @@ class Given:
     loads: tuple[Datum, ...] = ()
     letters: tuple[str, ...] = ()  # frame's letters first, then by link
     shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
-    bound: frozenset[str] | None = (
-        None  # symbols of which the mechanism is believed (see `current`); None: not yet found
-    )
+    bound: frozenset[str] | None = None
     leads: Mapping[str, float] = field(
         default_factory=dict
     )  # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)

@@ -1,5 +1,1 @@
 """Class III groups: a central link on three legs, located by trial, drawn over a special point (特殊点法)."""
-
-from ....foundation.plugins import load_modules
-
-load_modules(__name__)
