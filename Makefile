@@ -9,6 +9,7 @@ demo: $(VENV)/installed
 
 test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
+	$(BIN)/ruff format --check --quiet vecpoly tests benchmarks
 	$(BIN)/mypy
 	$(BIN)/pytest -n 2 --dist loadfile  # a file on one worker: what its tests keep is made once
 

@@ -21,11 +21,9 @@ def blocks(page: str, kind: str) -> list[str]:
 
 def absolute(text: str) -> str:
     """A method of the house as a file of another package."""
+    home = "vecpoly.methods.kinematics.gears".split(".")
     return re.sub(
-        r"^from (\.+)",
-        lambda dots: f"from {('vecpoly.methods.kinematics.', 'vecpoly.methods.', 'vecpoly.')[len(dots[1]) - 1]}",
-        text,
-        flags=re.M,
+        r"^from (\.+)", lambda dots: f"from {'.'.join(home[: len(home) + 1 - len(dots[1])])}.", text, flags=re.M
     )
 
 

@@ -36,12 +36,12 @@ HELP = {
     "Print the answers: as drawn, exact, and how far off.": "列出各所求量：图上量得的值、精确值和偏差。",
     "Print the analytic answers, without a drawing.": "只列出解析解，不作图。",
     "Write reports as PDF.\n\nWith -o FILE.pdf everything goes into this one file; with -o FOLDER, every "
-    "problem or assignment gets a file there.\nWithout -o the files are written here.": "写出 PDF 报告。\n\n用 -o 文件.pdf 时全部写入该文件；用 -o 文件夹 时每道题或每份作业各写一个文件；"
+    "problem or assignment gets a file there. Without -o the files are written here.": "写出 PDF 报告。\n\n用 -o 文件.pdf 时全部写入该文件；用 -o 文件夹 时每道题或每份作业各写一个文件；"
     "不写 -o 时写在当前文件夹。",
     "Check printed answers, or a printed table, against exact values.\n\nEach gets a verdict and, if "
-    "wrong, the slip that explains it; where several are wrong, all crank angles and assemblies\n"
+    "wrong, the slip that explains it; where several are wrong, all crank angles and assemblies "
     "are tried, to see whether the numbers are possible at all. With --table, the columns of a table over "
-    'the cycle are compared.\nAnswers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 '
+    'the cycle are compared. Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 '
     'rad/s".\n\nExit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.': "将书中答案或数据表与精确值核对。\n\n每个答案给出结论，错误的给出可解释它的差错；有多个错误时，"
     "试遍各曲柄转角和装配方式，看这些数是否可能出现。用 --table 时逐列比较一个运动循环的数据表。"
     '答案也可写在题号之后：check 3-12 v_D=0.49 "omega_3=2.1 rad/s"。\n\n退出码：0 全部相符，'

@@ -54,8 +54,8 @@ def in_chinese(command: Any, ctx: Any) -> str:
 
 
 def english_of(command: Any) -> str:
-    """A command's English help as it stands in the table."""
-    return inspect.cleandoc(command.help or "")
+    """A command's English help as it stands in the table: a paragraph is one line."""
+    return "\n\n".join(" ".join(part.split()) for part in inspect.cleandoc(command.help or "").split("\n\n"))
 
 
 def _labelled(text: str) -> str:
