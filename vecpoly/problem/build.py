@@ -24,6 +24,7 @@ from .devices import about_device, build_device
 from .draft import LETTER, refuse_frame
 from .faults import Faults, Place, meant
 from .friction import read_friction
+from .gate import read_gate
 from .joints import read_joint, revolutes
 from .links import read_link
 from .loads import acts, data_of_loads, read_loads
@@ -31,6 +32,7 @@ from .masses import read_masses
 from .motion import numbered, read_input
 from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
+from .ranges import read_ranges
 from .rollers import weld_rollers
 from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
@@ -60,6 +62,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
     tables = read_tables(spec, tree, faults)
+    ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
     check_starts(mechanism, faults)
@@ -82,6 +85,8 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         path=path,
         text=tree.text,
         read=tree.files,
+        ranges=ranges,
+        gate=gate,
         warnings=warnings_of(tree),
         written=written_of(tree),
     )

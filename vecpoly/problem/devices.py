@@ -10,7 +10,9 @@ from ..names import Named
 from ..words import Words
 from .asks import AskNamed
 from .faults import Faults, meant
+from .gate import read_gate
 from .problem import Datum, Given, Printed, Problem, Scales
+from .ranges import read_ranges
 from .schema import DeviceSpec, ProblemSpec
 from .source import Tree
 from .validate import validate
@@ -39,6 +41,7 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
     device = _device(spec, faults)
     named = {one.key: one for one in device.quantities()}
     asks, printed, scales = _wanted(spec, named, faults)
+    ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     faults.settle()
     return Problem(
         id=spec.id,
@@ -55,6 +58,8 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
         path=path,
         text=tree.text,
         read=tree.files,
+        ranges=ranges,
+        gate=gate,
         warnings=warnings_of(tree),
         written=written_of(tree),
     )
