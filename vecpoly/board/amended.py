@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -12,7 +12,7 @@ from ..frozen import FrozenMap
 from ..plane import Points, Reals
 from ..plane.traced import acts_of, bare, traced
 from .place import Place, named
-from .slip import Mistake, Slip
+from .slip import Slip
 
 T = TypeVar("T")
 V = TypeVar("V", Points, Reals)
@@ -22,12 +22,14 @@ V = TypeVar("V", Points, Reals)
 class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its place in mm.
 
-    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake.
+    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
+    by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes none.
     """
 
     readings: Mapping[str, float] = FrozenMap({})
     points: Mapping[str, complex] = FrozenMap({})
     slip: Slip | None = None
+    each: tuple[Slip, ...] = ()
 
     def reading(self, place: Place | None, letters: str, read: Reals) -> Reals:
         """The length to go on with."""
@@ -39,10 +41,25 @@ class Amended:
         own = _of(self.points, place, plain_letters(letter))
         return at if own is None else _moved(at, own)
 
-    def mistake(self, place: Place | None, key: str) -> Mistake | None:
-        """What is done wrongly with this quantity, or at this letter."""
+    def wrong(self, place: Place | None, key: str) -> tuple[tuple[int | None, Slip], ...]:
+        """Who makes a mistake with this quantity, and which: the number of the hand, None for all of them."""
         slip = self.slip
-        return slip.mistake if slip is not None and key and slip.key in named(place, key) else None
+        if (slip is None and not self.each) or not key:
+            return ()
+        names = named(place, key)
+        all_of_them = ((None, slip),) if slip is not None and slip.key in names else ()
+        return (*all_of_them, *((i, one) for i, one in enumerate(self.each, 1) if one.key in names))
+
+    def altered(self, value: V, others: Iterable[tuple[int | None, V]]) -> V:
+        """The value where these hands have another one instead."""
+        for hand, other in others:
+            if hand is None:
+                value = other
+                continue
+            every = np.array(np.broadcast_to(bare(value), (len(self.each) + 1,)))
+            every[hand] = bare(other)[hand] if np.ndim(bare(other)) else bare(other)
+            value = traced(every, acts_of(value, other))
+        return value
 
 
 AS_DRAWN = Amended()

@@ -97,13 +97,13 @@ class Board(Instruments):
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is 0/0."""
         key = ascii_key(symbol)
-        factor = FACTOR.get(self.amended.mistake(self.here, key))
-        value = expr.value if factor is None else factor * expr.value
+        wrong = [(hand, FACTOR[slip.mistake]) for hand, slip in self.amended.wrong(self.here, key) if slip.mistake in FACTOR]
+        value = self.amended.altered(expr.value, [(hand, factor * expr.value) for hand, factor in wrong])
         if np.isnan(nominal(value)):
             raise NotAskedError(Words(
                 f"{symbol} 无从量取：图上相应的线段没有长度；请检查各长度是否相差过大，或用 vecpoly exact",
                 f"{symbol} cannot be read: its lines on paper have no length; check whether the given lengths are too unlike, or use 'vecpoly exact'"), code="unreadable")
-        if factor is not None:
+        if wrong:
             self._slipped.add(key)
         result = magnitude(symbol, self.conclude(key, value, unit_text), unit_text)
         self.write(worked(result.node, expr, unit_text))

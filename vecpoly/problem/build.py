@@ -32,7 +32,7 @@ from .masses import read_masses
 from .motion import numbered, read_input
 from .pins import read_pins
 from .problem import Datum, Given, Printed, Problem, Scales
-from .ranges import read_ranges
+from .read_ranges import read_ranges
 from .rollers import weld_rollers
 from .rolling import is_rolling, read_rolling
 from .schema import FindSpec, ProblemSpec
@@ -61,8 +61,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
-    tables = read_tables(spec, tree, faults)
-    ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
+    ranges, gate, tables = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults), read_tables(spec, tree, faults)
     faults.settle()
     _check_mobility(mechanism, tree)
     check_starts(mechanism, faults)

@@ -12,7 +12,7 @@ from .asks import AskNamed
 from .faults import Faults, meant
 from .gate import read_gate
 from .problem import Datum, Given, Printed, Problem, Scales
-from .ranges import read_ranges
+from .read_ranges import read_ranges
 from .schema import DeviceSpec, ProblemSpec
 from .source import Tree
 from .validate import validate

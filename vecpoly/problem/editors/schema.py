@@ -7,7 +7,8 @@ from typing import Any
 from ...devices.base import kinds
 from ...figures import scales
 from ...units import Dim, PerMm
-from ..ranges import SPAN, STEP
+from ...written import NUMBER
+from ..read_ranges import SPAN, STEP
 from ..schema import AssignmentSpec, ProblemSpec
 from . import patterns
 from .device_words import DATA
@@ -28,7 +29,7 @@ _VALUES = {
        if dim.dimension == PerMm(mu.called, mu.unit, mu.example).dimension},
     "PrintedSpec.direction": _ANGLE, "Link.radius": _LENGTH, "Link.phi": patterns.angle_from(), "Link.s": _LENGTH, "Link.length": _LENGTH, "Place.at": _LENGTH, "Place.left": _LENGTH, "Place.right": _LENGTH,
     **{f"GateSpec.{key}": _LENGTH if key == "vectors" else _ANGLE for key in ("vectors", "meetings", "dead_point")},
-    **{f"GateSpec.{key}": patterns.number(rf"{patterns.NUMBER} *[%％]") for key in ("deviation", "slips", "apart")},
+    **{f"GateSpec.{key}": patterns.number(rf"{NUMBER} *[%％]") for key in ("deviation", "slips", "apart")},
     "Place.length": _LENGTH, "Slot.left": _LENGTH, "Slot.right": _LENGTH, "Problem.joints": patterns.joints(), "Problem.branch": patterns.branch(),
 }  # fmt: skip
 _SEVERAL = {"links": "Link", "frame": "", "guesses": ""}
