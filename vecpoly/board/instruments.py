@@ -43,7 +43,7 @@ class Instruments(Strokes):
         if self.amended.mistake(view, key) is Mistake.OTHER_MEETING:
             at = next((self._others[n] for n in acts_of(at) if n in self._others), at)
         at = self.amended.point(view, letter, at)
-        self.spots[view, key] = traced(at, self.log(done.Locate(head=self.head(at, on=view, key=key), at=spot(at))))
+        self.spots[view, key] = self.gave(at, done.Locate(head=self.head(at, on=view, key=key), at=spot(at)))
         return self.spots[view, key]
 
     def turn(self, along: Points) -> Points:
