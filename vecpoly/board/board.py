@@ -64,7 +64,8 @@ class Board(Instruments):
         place = next((act.head.place for act in reversed(known) if act.head.place is not None), None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
-        return traced(mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))))
+        act = done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))
+        return self.gave(mm, act)
 
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either end."""
@@ -92,7 +93,7 @@ class Board(Instruments):
 
     def conclude(self, key: str, value: Reals, unit: str) -> Reals:
         """A value follows from others (SI): ω of a link, with its sense."""
-        return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit)))
+        return self.gave(value, done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is 0/0."""

@@ -44,7 +44,7 @@ class Instruments(Strokes):
         swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.OTHER_MEETING)
         at = self.amended.altered(at, ((hand, other) for hand in swapped))
         at = self.amended.point(view, letter, at)
-        self.spots[view, key] = traced(at, self.log(done.Locate(head=self.head(at, on=view, key=key), at=spot(at))))
+        self.spots[view, key] = self.gave(at, done.Locate(head=self.head(at, on=view, key=key), at=spot(at)))
         return self.spots[view, key]
 
     def turn(self, along: Points) -> Points:

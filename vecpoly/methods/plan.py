@@ -52,7 +52,7 @@ def construct(problem: Problem, by: Hand, slots: Mapping[View, tuple[float, floa
         readings, repeats = _answers(desk, problem)
         plain = last or sketch or _sketch(problem, scales)
         ideal, _ = _answers(plain, problem)
-    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain))
+    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain), desk.board.hands)
 
 
 def drawn_alone(problem: Problem, by: Hand) -> Construction:

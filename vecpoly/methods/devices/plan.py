@@ -32,7 +32,7 @@ def construct_device(problem: Problem, by: Hand, slots: Mapping[View, tuple[floa
     keys = [ask.rel.key for ask in problem.asks]
     construction = Construction(problem=problem.id, hand=by.name, figures=bench.board.figures(TITLES),
                                 steps=tuple(bench.board.steps), acts=tuple(bench.board.acts), readings={key: bench.board.readings[key] for key in keys})
-    return Drawn(construction, {key: np.asarray(bench.board.found[key], dtype=float) for key in keys}, {key: sketch.board.readings[key] for key in keys})
+    return Drawn(construction, {key: np.asarray(bench.board.found[key], dtype=float) for key in keys}, {key: sketch.board.readings[key] for key in keys}, hands=bench.board.hands)
 
 
 def _draw(device: Device, by: Hand, scales: Mapping[View, Scale], amended: Amended = AS_DRAWN) -> Bench:
