@@ -22,12 +22,14 @@ V = TypeVar("V", Points, Reals)
 class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its place in mm.
 
+    values: key of what is computed on the way → somebody's own result (SI, with its sign), with which all that follows is computed.
     A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
     by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes none.
     """
 
     readings: Mapping[str, float] = FrozenMap({})
     points: Mapping[str, complex] = FrozenMap({})
+    values: Mapping[str, float] = FrozenMap({})
     slip: Slip | None = None
     each: tuple[Slip, ...] = ()
 
@@ -40,6 +42,11 @@ class Amended:
         """The point to go on with."""
         own = _of(self.points, place, plain_letters(letter))
         return at if own is None else _moved(at, own)
+
+    def value(self, place: Place | None, key: str, found: Reals) -> Reals:
+        """The result to go on with."""
+        own = _of(self.values, place, key)
+        return found if own is None else _moved(found, own)
 
     def wrong(self, place: Place | None, key: str) -> tuple[tuple[int | None, Slip], ...]:
         """Who makes a mistake with this quantity, and which: the number of the hand, None for all of them."""

@@ -92,7 +92,8 @@ class Board(Instruments):
         self.log(done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
     def conclude(self, key: str, value: Reals, unit: str) -> Reals:
-        """A value follows from others (SI): ω of a link, with its sense."""
+        """A value follows from others (SI): ω of a link, with its sense; goes on with somebody's own where there is one."""
+        value = self.amended.value(self.here, key, value)
         return self.gave(value, done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
