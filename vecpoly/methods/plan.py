@@ -61,7 +61,7 @@ def construct(
         readings, repeats = _answers(desk, problem)
         plain = last or sketch or _sketch(problem, scales)
         ideal, _ = _answers(plain, problem)
-    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain))
+    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain), desk.board.hands)
 
 
 def drawn_alone(problem: Problem, by: Hand) -> Construction:

@@ -3,7 +3,7 @@ goes on."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -13,7 +13,7 @@ from ...foundation.frozen import FrozenMap
 from ...plane import Points, Reals
 from ...plane.traced import acts_of, bare, traced
 from ..place import Place, named
-from .slip import Mistake, Slip
+from .slip import Slip
 
 T = TypeVar("T")
 V = TypeVar("V", Points, Reals)
@@ -24,12 +24,18 @@ class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its
     place in mm.
 
-    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake.
+    values: key of what is computed on the way → somebody's own result (SI, with its sign), with which all that follows
+    is computed.
+    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
+    by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes
+    none.
     """
 
     readings: Mapping[str, float] = FrozenMap({})
     points: Mapping[str, complex] = FrozenMap({})
+    values: Mapping[str, float] = FrozenMap({})
     slip: Slip | None = None
+    each: tuple[Slip, ...] = ()
 
     def reading(self, place: Place | None, letters: str, read: Reals) -> Reals:
         """The length to go on with."""
@@ -41,10 +47,30 @@ class Amended:
         own = _of(self.points, place, plain_letters(letter))
         return at if own is None else _moved(at, own)
 
-    def mistake(self, place: Place | None, key: str) -> Mistake | None:
-        """What is done wrongly with this quantity, or at this letter."""
+    def value(self, place: Place | None, key: str, found: Reals) -> Reals:
+        """The result to go on with."""
+        own = _of(self.values, place, key)
+        return found if own is None else _moved(found, own)
+
+    def wrong(self, place: Place | None, key: str) -> tuple[tuple[int | None, Slip], ...]:
+        """Who makes a mistake with this quantity, and which: the number of the hand, None for all of them."""
         slip = self.slip
-        return slip.mistake if slip is not None and key and slip.key in named(place, key) else None
+        if (slip is None and not self.each) or not key:
+            return ()
+        names = named(place, key)
+        all_of_them = ((None, slip),) if slip is not None and slip.key in names else ()
+        return (*all_of_them, *((i, one) for i, one in enumerate(self.each, 1) if one.key in names))
+
+    def altered(self, value: V, others: Iterable[tuple[int | None, V]]) -> V:
+        """The value where these hands have another one instead."""
+        for hand, other in others:
+            if hand is None:
+                value = other
+                continue
+            every = np.array(np.broadcast_to(bare(value), (len(self.each) + 1,)))
+            every[hand] = bare(other)[hand] if np.ndim(bare(other)) else bare(other)
+            value = traced(every, acts_of(value, other))
+        return value
 
 
 AS_DRAWN = Amended()

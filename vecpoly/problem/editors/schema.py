@@ -7,7 +7,9 @@ from typing import Any
 
 from ...devices.base import kinds
 from ...figures import scales
+from ...units.patterns import NUMBER
 from ...units.reading import Dim, PerMm
+from ..read_ranges import SPAN, STEP
 from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
 from .device_words import DATA
@@ -44,6 +46,8 @@ _VALUES = {
         for dim in _PER_MM
         if dim.dimension == PerMm(mu.called, mu.unit, mu.example).dimension
     },
+    **{f"GateSpec.{key}": _LENGTH if key == "vectors" else _ANGLE for key in ("vectors", "meetings", "dead_point")},
+    **{f"GateSpec.{key}": patterns.number(rf"{NUMBER} *[%％]") for key in ("deviation", "slips", "apart")},
     "PrintedSpec.direction": _ANGLE,
     "Link.radius": _LENGTH,
     "Link.phi": patterns.angle_from(),
@@ -81,6 +85,10 @@ def json_schema() -> Schema:
             "minItems": 2,
             "maxItems": 2,
         }
+    schema["properties"]["vary"]["additionalProperties"] = {
+        "type": ["string", "null"],
+        "pattern": rf" *{SPAN} .* *{STEP} *",
+    }
     head = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": ID,

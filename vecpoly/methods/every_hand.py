@@ -1,0 +1,60 @@
+"""One drawing by many hands at once, each of which may do one thing otherwise: what every one of them reads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ..board.board import Board
+from ..board.construction import Construction, Scale
+from ..board.hand import Hand
+from ..board.otherwise.amended import Amended
+from ..board.place import View
+from ..names import Key, Kind, Rel
+from ..plane import Points, Reals, nominal
+from ..plane.traced import bare
+from ..problem.problem import Problem
+from .answers import answer, named_answer
+from .desk import Desk
+from .draw import draw
+from .exchange import exchanged
+from .passes import stages
+from .plan import scale_symbols
+from .standing import computed, standing
+
+FAR = 1e6  # times the nominal length
+
+
+def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amended) -> Mapping[str, Points | Reals]:
+    """Asked quantity -> its value by every hand (SI; of a velocity or acceleration the vector), at the scales of a
+    drawing.
+
+    A hand whose polygon does not close has NaN. Raises what drawing the nominal sheet raises.
+    """
+    scales: dict[View, Scale] = scale_symbols() | {
+        figure.view: figure.scale for figure in like.figures if not figure.aside
+    }
+    exchange = exchanged(problem.mechanism, stages(problem))
+    drawn = replace(problem, subject=exchange.mech)
+    with np.errstate(all="ignore"):
+        desk = draw(drawn, Board(by, scales, amended), exchange.said)
+        return {ask.rel.key: np.asarray(bare(_value(desk, ask.rel))) for ask in problem.asks}
+
+
+def _value(desk: Desk, key: Key) -> Points | Reals:
+    if not isinstance(key, Rel) or key.key in desk.board.readings:
+        return named_answer(desk, key)[1]
+    if not key.is_vector or key.kind is Kind.P:
+        return answer(desk, key)[1]
+    view, start, end, _ = standing(desk, key)
+    vector, known = (end - start) * desk.board.scale_of(view).value, computed(desk, key)
+    if known is None:
+        return _drawn(vector)
+    return _drawn(np.where(vector == 0, 0.0, known.value * np.exp(1j * np.angle(vector))))
+
+
+def _drawn(vector: Points) -> Points:
+    """NaN where parallel lines met very far away: on paper they do not."""
+    return np.where(np.abs(vector) < np.abs(nominal(vector)) * FAR, vector, np.nan) if nominal(vector) else vector
