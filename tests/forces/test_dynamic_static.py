@@ -276,8 +276,8 @@ def close_to(construction: Construction, key: str, truth: complex, size: float) 
 @CHECKED
 @given(angles, rates, sizes, forces_n, forces_n, st.floats(-20.0, 20.0))
 def test_polygon_lever_and_virtual_power_agree_with_a_linear_solve(
-    kind, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
-) -> None:  # type: ignore[no-untyped-def]
+    kind: Any, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
+) -> None:
     mech = kind(phi, rate, k)
     loads = both_loaded(mech, f2, f3, couple)
     try:
@@ -294,7 +294,7 @@ def test_polygon_lever_and_virtual_power_agree_with_a_linear_solve(
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_powers_of_all_loads_sum_to_zero(kind) -> None:  # type: ignore[no-untyped-def]
+def test_the_powers_of_all_loads_sum_to_zero(kind) -> None:
     mech = kind(0.9, 10.0, 1.1)
     loads = both_loaded(mech, 120.0, -90.0, 8.0)
     motion, balance = oracle.solve(mech), drawn(mech, loads).readings["M_1"].scalar
@@ -315,7 +315,7 @@ def test_the_powers_of_all_loads_sum_to_zero(kind) -> None:  # type: ignore[no-u
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_drawn_reactions_hold_every_link_in_equilibrium(kind) -> None:  # type: ignore[no-untyped-def]
+def test_the_drawn_reactions_hold_every_link_in_equilibrium(kind) -> None:
     """Summed from the exported vectors and points of the lines of action, moments included."""
     mech = kind(0.9, 10.0, 1.1)
     loads = both_loaded(mech, 120.0, -90.0, 8.0)
@@ -434,8 +434,8 @@ RUBBING = {
 @RUBBED
 @given(angles, rates, sizes, forces_n, forces_n, st.floats(-20.0, 20.0))
 def test_with_friction_the_drawing_agrees_with_the_oracle_or_both_refuse(
-    kind, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
-) -> None:  # type: ignore[no-untyped-def]
+    kind: Any, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
+) -> None:
     mech = kind(phi, rate, k)
     loads = both_loaded(mech, f2, f3, couple, friction=RUBBING[kind])
     try:
