@@ -214,7 +214,7 @@ def test_the_two_places_of_a_least_angle_are_both_told() -> None:
 
 
 def test_a_transmission_angle_is_acute_in_table_facts_and_terminal() -> None:
-    from vecpoly.cli.commands.cycle import _row
+    from vecpoly.cli.whole_turn import _row
     from vecpoly.cycle import table
 
     turn = cycle(load("A-26"))

@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ..check.table.told.amounts import amount, rows_at, which
 from ..check.table.weigh import Level
 from ..check.table.whole import ColumnCheck, TableCheck, check_table
-from ..check.table.words import amount, rows_at, which
 from ..problem.problem import Problem
 from ..words import Lang, Words
 

@@ -9,8 +9,10 @@ from typing import Any
 from ....cycle import Extremes, Shape, Spot
 from ....cycle.facts.found import Stroke
 from ....findings.conditioning import Conditioning
-from ....findings.motion import evenness, is_repeated, places, shown
+from ....findings.motion import evenness
 from ....findings.output_links import ends, motions
+from ....findings.shown import places, shown
+from ....findings.strokes import is_repeated
 from ....findings.study.study import Study
 from ....mechanism.groups.mobility import mobility
 from ....words import Words

@@ -15,8 +15,8 @@ from ....algebra.quantity import number
 from ....analytic.expr import Var
 from ....cycle import Extremes, Spot
 from ....findings.conditioning import Conditioning, determinant
-from ....findings.motion import shown
 from ....findings.output_links import ends, motions
+from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....words import Words
 from ..numbering import SMALL, Press

@@ -10,7 +10,7 @@ import numpy as np
 
 from ....cycle import Column, Spot, table
 from ....cycle.facts.path import Shape
-from ....cycle.facts.sentences import path_sentences
+from ....cycle.facts.path_words import path_sentences
 from ....findings.study.study import Study
 from ....findings.transmission import transmission
 from ....words import Words
