@@ -23,7 +23,8 @@ from vecpoly.findings.study.study import Study, study
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
-from vecpoly.report.course.analysis.why_peaks import causes, remarks
+from vecpoly.report.course.analysis.peak_remarks import remarks
+from vecpoly.report.course.analysis.why_peaks import causes
 from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.solution import solve
 
