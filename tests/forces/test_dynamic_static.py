@@ -4,6 +4,7 @@ and with the oracle."""
 from __future__ import annotations
 
 import cmath
+from collections.abc import Callable
 from dataclasses import replace
 from math import pi
 
@@ -156,7 +157,8 @@ def prp(phi: float, rate: float, k: float) -> Mechanism:
     )
 
 
-KINDS = [rrr, rrp, rpr_rocker, rpr_block, rpp, prp]
+Kind = Callable[[float, float, float], Mechanism]
+KINDS: list[Kind] = [rrr, rrp, rpr_rocker, rpr_block, rpp, prp]
 
 
 def both_loaded(
@@ -276,8 +278,8 @@ def close_to(construction: Construction, key: str, truth: complex, size: float) 
 @CHECKED
 @given(angles, rates, sizes, forces_n, forces_n, st.floats(-20.0, 20.0))
 def test_polygon_lever_and_virtual_power_agree_with_a_linear_solve(
-    kind, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
-) -> None:  # type: ignore[no-untyped-def]
+    kind: Kind, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
+) -> None:
     mech = kind(phi, rate, k)
     loads = both_loaded(mech, f2, f3, couple)
     try:
@@ -294,7 +296,7 @@ def test_polygon_lever_and_virtual_power_agree_with_a_linear_solve(
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_powers_of_all_loads_sum_to_zero(kind) -> None:  # type: ignore[no-untyped-def]
+def test_the_powers_of_all_loads_sum_to_zero(kind: Kind) -> None:
     mech = kind(0.9, 10.0, 1.1)
     loads = both_loaded(mech, 120.0, -90.0, 8.0)
     motion, balance = oracle.solve(mech), drawn(mech, loads).readings["M_1"].scalar
@@ -420,7 +422,7 @@ def test_a_balancing_load_that_does_no_work_is_refused_by_name() -> None:
 RUBBED = settings(
     CHECKED, max_examples=4, phases=(Phase.explicit, Phase.reuse, Phase.generate)
 )  # each example costs a dozen passes
-RUBBING = {
+RUBBING: dict[Kind, Friction] = {
     rrr: Friction(pins={"A": 0.004, "B": 0.003, "C": 0.003, "D": 0.005}),
     rrp: Friction(pins={"A": 0.004, "B": 0.003, "C": 0.003}, slides={("3", "0"): 0.1}),
     rpr_rocker: Friction(pins={"A": 0.004, "B": 0.003, "C": 0.004}, slides={("2", "3"): 0.12}),
@@ -434,8 +436,8 @@ RUBBING = {
 @RUBBED
 @given(angles, rates, sizes, forces_n, forces_n, st.floats(-20.0, 20.0))
 def test_with_friction_the_drawing_agrees_with_the_oracle_or_both_refuse(
-    kind, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
-) -> None:  # type: ignore[no-untyped-def]
+    kind: Kind, phi: float, rate: float, k: float, f2: float, f3: float, couple: float
+) -> None:
     mech = kind(phi, rate, k)
     loads = both_loaded(mech, f2, f3, couple, friction=RUBBING[kind])
     try:
