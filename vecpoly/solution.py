@@ -192,9 +192,8 @@ def _expected(scalars: Any) -> float:
     """3σ of the repeated hands; of none 0."""
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
-    return (
-        3.0 * float(np.std(found)) if found.size else inf
-    )  # no repeated hand closes the polygon: nothing can be promised
+    # no repeated hand closes the polygon: nothing can be promised
+    return 3.0 * float(np.std(found)) if found.size else inf
 
 
 def _answer(

@@ -12,9 +12,8 @@ from ..check.table.whole import ColumnCheck, TableCheck, check_table
 from ..problem.problem import Problem
 from ..words import Lang, Words
 
-Put = Callable[
-    [Words, Sequence[str], Sequence[tuple[str, ...]], str], str
-]  # title, header, rows, alignment → name for the template
+# title, header, rows, alignment → name for the template
+Put = Callable[[Words, Sequence[str], Sequence[tuple[str, ...]], str], str]
 _HEADER = {
     "zh": ("列", "结论", "相符行数", "最大偏差", "原因"),
     "en": ("Column", "Verdict", "Rows right", "Deviation", "By which slip"),

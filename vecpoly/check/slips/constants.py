@@ -115,9 +115,8 @@ def _ratio(column: Column, exact: Reals) -> tuple[float, float] | None:
     power = float((true[kept] ** 2).sum())
     scatter = float(np.sqrt(np.mean(np.maximum(np.abs(printed - factor * true)[kept], half[kept] / 2) ** 2)))
     largest = float(np.abs(true[kept]).max())
-    alike = (
-        float(np.median(half[kept])) / largest if np.ptp(np.abs(true[kept])) < 1e-6 * largest else 0.0
-    )  # equal numbers are all rounded one way
+    # equal numbers are all rounded one way
+    alike = float(np.median(half[kept])) / largest if np.ptp(np.abs(true[kept])) < 1e-6 * largest else 0.0
     return (factor, max(scatter / np.sqrt(power), alike)) if factor and power else None
 
 

@@ -22,11 +22,11 @@ from .motions import at_other_motions, differences, divisors, loops_without, oth
 
 SURE = 2e-4  # the largest doubt at which a guess still counts as found
 MOST = 6  # explanations of one column that are told
-LOOSE = (
-    6.0  # half units of the last digit in which a column may scatter where no other column tells how exact the table is
-)
+# half units of the last digit in which a column may scatter where no other column tells how exact the table is
+LOOSE = 6.0
 CLEARLY = 0.15  # share of the deviation that an explanation may leave unexplained
 DIGITS = 10.0  # half units of the last digit that a column must reach for anything to be told by it
+# told in this order, where several fit equally
 SIMPLE = (
     Slip.SIGN,
     Slip.OMEGA,
@@ -44,7 +44,7 @@ SIMPLE = (
     Slip.TERM,
     Slip.DIFFERENCE,
     Slip.FORMULA,
-)  # told in this order, where several fit equally
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -129,9 +129,8 @@ def accepted(after: Weighing, before: Weighing, noise: float) -> bool:
         return False
     if before.level is Level.WRONG:
         return after.spread <= max(CLEARLY * before.spread, min(1.2, before.spread / 3))
-    rows = (
-        before.level is Level.ROWS and int(before.outliers.sum()) > 1
-    )  # wrong rows that one slip makes right, all of them
+    # wrong rows that one slip makes right, all of them
+    rows = before.level is Level.ROWS and int(before.outliers.sum()) > 1
     return after.level <= Level.LAST_DIGIT and (rows or after.typical < before.typical / 3)
 
 

@@ -79,9 +79,8 @@ def _within(positions: Reals, half: Reals, mech: Mechanism) -> Reals:
     ends = np.concatenate([spans.ravel() + k * turn for k in (0, 1, -1)])
     end = ends[np.abs(ends - at).argmin(axis=1)]
     near = np.abs(end + full - positions) <= np.maximum(half, 1e-12 * (1 + np.abs(positions)))
-    return np.where(
-        near & ~inside, end + full, positions
-    )  # not moved by the difference: an end is exact to the last bit
+    # not moved by the difference: an end is exact to the last bit
+    return np.where(near & ~inside, end + full, positions)
 
 
 def _lead(problem: Problem) -> float:

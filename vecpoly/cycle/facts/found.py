@@ -84,9 +84,8 @@ class Facts:
     transmissions: tuple[Transmission, ...]
     arms: tuple[Extremes, ...]
     dead: tuple[Spot, ...]  # of the drive itself: the ends of its range
-    changes: tuple[
-        tuple[str, tuple[Spot, ...]], ...
-    ]  # change points of a drive that turns right round: key of γ, where a dyad lies in one line
+    # change points of a drive that turns right round: key of γ, where a dyad lies in one line
+    changes: tuple[tuple[str, tuple[Spot, ...]], ...]
     peaks: tuple[Peak, ...]
 
 

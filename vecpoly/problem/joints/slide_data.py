@@ -11,10 +11,8 @@ from ..links.draft import LETTER, Draft
 from ..links.guides import LINK
 from ..problem import Shape
 
-_OWN = {
-    Shape.SLOT: Words("的槽", "the slot of "),
-    Shape.ROD: Words("的杆", "the rod of "),
-}  # what makes an angle with the guide
+# what makes an angle with the guide
+_OWN = {Shape.SLOT: Words("的槽", "the slot of "), Shape.ROD: Words("的杆", "the rod of ")}
 
 
 def note_aside(m: re.Match[str], draft: Draft) -> None:

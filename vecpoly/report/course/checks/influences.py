@@ -148,11 +148,8 @@ def _edge(mech: Mechanism, phi: Reals, inside: int, outside: int) -> float:
 def _limit(study: Study, one: Dimension, unit: float) -> tuple[float, float] | None:
     """The least change of this sign at which positions are lost, by halving, and the position first lost; None within
     REACH changes."""
-    high, low, where = (
-        REACH * unit,
-        0.0,
-        lost_range(study, one, REACH * unit) if study.model.closed else None,
-    )  # loops solved by Newton's method: too slow to try
+    # loops solved by Newton's method: too slow to try
+    high, low, where = (REACH * unit, 0.0, lost_range(study, one, REACH * unit) if study.model.closed else None)
     if where is None:
         return None
     for _ in range(_HALVINGS):
