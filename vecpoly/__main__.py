@@ -5,9 +5,8 @@ from __future__ import annotations
 import gc
 import sys
 
-_OBJECTS = (
-    50_000  # new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
-)
+# new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
+_OBJECTS = 50_000
 
 
 def main() -> None:

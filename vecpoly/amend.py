@@ -14,9 +14,8 @@ from .units.reading import Dim, read
 from .words import Words
 
 Length = float | str  # mm on paper, or with its unit: "38 mm"
-Spot = (
-    complex | tuple[Length, Length]
-)  # mm on paper, right and up from where the figure has its origin: the pole of a polygon
+# mm on paper, right and up from where the figure has its origin: the pole of a polygon
+Spot = complex | tuple[Length, Length]
 
 
 def amend(

@@ -26,6 +26,7 @@ from .foundation.frozen import FrozenMap
 from .words import Words
 
 T = TypeVar("T")
+# what they define may stand in a record, and nothing else
 _MODULES = (
     "words",
     "names",
@@ -50,7 +51,7 @@ _MODULES = (
     "check.alarm",
     "answer",
     "solution",
-)  # what they define may stand in a record, and nothing else
+)
 _SPECIAL = ("point", "map", "dict", "set", "path", "bytes", "number", "model", "figure")
 
 
@@ -102,9 +103,8 @@ def _names() -> Mapping[type, str]:
 
 
 def _name(thing: Any) -> str:
-    name = next(
-        (_names()[kind] for kind in type(thing).__mro__ if kind in _names()), None
-    )  # those at the door are ours too
+    # those at the door are ours too
+    name = next((_names()[kind] for kind in type(thing).__mro__ if kind in _names()), None)
     if name is None:
         kind = type(thing).__name__
         raise ArgumentError(

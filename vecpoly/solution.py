@@ -27,7 +27,7 @@ from .methods.desk import Desk
 from .methods.drawn import Drawn
 from .names import Key
 from .problem.problem import Problem, Scales
-from .task import task_of
+from .task import Task, task_of
 from .words import Words, language
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
@@ -106,59 +106,61 @@ def solve(
     """Draw the solution of a problem with this hand and set the oracle's answers beside it.
 
     readings, points: lengths read (``{"bc": "38 mm"}``) and points found (``{"c": (12.0, 31.5)}``, mm on the figure) by
-    somebody else: the
-    construction goes on with them, and all that follows is drawn anew. slip: the solution of somebody who makes this
-    mistake.
-    sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is one already.
-
-    precise: also find how many digits the exact values keep, and which statements decide nothing; else the former is
-    done only where something is suspect.
+    somebody else: the construction goes on with them, and all that follows is drawn anew. slip: the solution of
+    somebody who makes this mistake. sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is
+    one already. precise: also find how many digits the exact values keep, and which statements decide nothing; else the
+    former is done only where something is suspect.
     Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is
     read or found.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     task = task_of(problem)
-    truth, asked = task.truth, task.asked
-    values = truth.values  # first: its refusals know the range of the input that does assemble
-    size = sizes(problem, truth)
-    off = noise(truth, size) if precise else dict.fromkeys(values, 0.0)
+    values = task.truth.values  # first: its refusals know the range of the input that does assemble
+    size = sizes(problem, task.truth)
+    off = noise(task.truth, size) if precise else dict.fromkeys(values, 0.0)
     amended = amend(readings, points, slip)
     drawn = task.draw(hand(by, seed=seed, repeats=repeats), amended, sketch)
     found_all(amended, drawn.construction.acts)
-    read, exact, spread = comparable(drawn.construction.readings, values, drawn.repeats)
-    ideal, true, _ = comparable(drawn.ideal, values, {})
-    reached = {key: _expected(spread[key]) for key in read}
-    scatters = by == "pencil"
-    limit = {key: alarm_at(reached[key], spread[key], scatters=scatters) for key in read}
-    answers = {
-        key: _answer(
-            asked[key],
-            reading,
-            exact[key],
-            reached[key],
-            truth.lines.get(key),
-            reading.unit in task.turning,
-            _weighed(
-                reading,
-                exact[key],
-                ideal[key],
-                true[key],
-                reach=limit[key] if repeats else nan,
-                noise=off[key],
-                size=size[key],
-                steady=not scatters,
-            ),
-        )
-        for key, reading in read.items()
-    }
+    answers = _answers(task, drawn, off, size, scatters=by == "pencil", judged=bool(repeats))
     if not precise and any(answer.suspect for answer in answers.values()):
         return solve(
             problem, by=by, seed=seed, repeats=repeats, readings=readings, points=points, slip=slip, sketch=sketch
         )
-    wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
-    wrong += [(rel.symbol, Cause.APART) for rel in contradicted(truth, drawn.motion) if rel.key not in answers]
     told = (*problem.warnings, *(idle(problem) if precise else ()), *unfit(drawn.construction.figures, task.given))
-    return Solution(problem, replace(drawn.construction, readings=read, warning=warning(wrong)), answers, told)
+    return Solution(problem, _warned(task, drawn, answers), answers, told)
+
+
+def _answers(
+    task: Task, drawn: Drawn, off: Mapping[str, float], size: Mapping[str, float], *, scatters: bool, judged: bool
+) -> dict[str, Answer]:
+    """What was read beside what is exact; `judged`: by the scatter of repeated hands too."""
+    read, exact, spread = comparable(drawn.construction.readings, task.truth.values, drawn.repeats)
+    ideal, true, _ = comparable(drawn.ideal, task.truth.values, {})
+    asked, answers = task.asked, {}
+    for key, reading in read.items():
+        reached = _expected(spread[key])
+        limit = alarm_at(reached, spread[key], scatters=scatters)
+        weighed = _weighed(
+            reading,
+            exact[key],
+            ideal[key],
+            true[key],
+            reach=limit if judged else nan,
+            noise=off[key],
+            size=size[key],
+            steady=not scatters,
+        )
+        line, turns = task.truth.lines.get(key), reading.unit in task.turning
+        answers[key] = _answer(asked[key], reading, exact[key], reached, line, turns, weighed)
+    return answers
+
+
+def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construction:
+    """The construction with its readings, and the alarm where something must not be taken for right."""
+    wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
+    wrong += [(rel.symbol, Cause.APART) for rel in contradicted(task.truth, drawn.motion) if rel.key not in answers]
+    readings = {key: answer.reading for key, answer in answers.items()}
+    return replace(drawn.construction, readings=readings, warning=warning(wrong))
 
 
 def fewer_digits(solution: Solution) -> Words | None:
@@ -190,9 +192,8 @@ def _expected(scalars: Any) -> float:
     """3σ of the repeated hands; of none 0."""
     repeated = np.asarray(scalars)
     found = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else repeated[None]
-    return (
-        3.0 * float(np.std(found)) if found.size else inf
-    )  # no repeated hand closes the polygon: nothing can be promised
+    # no repeated hand closes the polygon: nothing can be promised
+    return 3.0 * float(np.std(found)) if found.size else inf
 
 
 def _answer(

@@ -19,8 +19,8 @@ from vecpoly.check.slips.guess import Slip
 from vecpoly.check.slips.lengths import lengths, other_assemblies
 from vecpoly.check.slips.rates import Loops, mixed
 from vecpoly.check.table.header import split
+from vecpoly.check.table.quantity_names import read_target
 from vecpoly.check.table.sheet import digits, last_unit
-from vecpoly.check.table.target import read_target
 from vecpoly.check.table.weigh import Level
 from vecpoly.check.table.whole import ColumnCheck, TableCheck, check_table
 from vecpoly.cli import app

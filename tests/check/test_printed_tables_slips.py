@@ -20,7 +20,7 @@ from vecpoly.check.slips.guess import Slip
 from vecpoly.check.slips.lengths import lengths
 from vecpoly.check.slips.rates import mixed
 from vecpoly.check.table.header import split
-from vecpoly.check.table.target import read_target
+from vecpoly.check.table.quantity_names import read_target
 from vecpoly.check.table.weigh import Level
 from vecpoly.check.table.whole import TableCheck, check_table
 from vecpoly.cycle import csv_bytes, cycle

@@ -12,11 +12,13 @@ import pytest
 from vecpoly.check.slips.explain import Explanation
 from vecpoly.check.slips.guess import Slip
 from vecpoly.check.table.columns import Table, shown_position
+from vecpoly.check.table.quantity_names import read_target
 from vecpoly.check.table.sheet import last_unit
-from vecpoly.check.table.target import Reals, read_target
-from vecpoly.check.table.verdict import in_short, of_whole
+from vecpoly.check.table.target import Reals
+from vecpoly.check.table.told.amounts import amount, rows_at
+from vecpoly.check.table.told.column import causes, of_column
+from vecpoly.check.table.told.whole import in_short, of_whole
 from vecpoly.check.table.weigh import Column, Level, Weighing, scale_of, weigh
-from vecpoly.check.table.words import amount, causes, of_column, rows_at
 from vecpoly.words import Words
 
 DEG = np.arange(0.0, 360.0, 30.0)

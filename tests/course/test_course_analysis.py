@@ -23,7 +23,8 @@ from vecpoly.findings.study.study import Study, study
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
-from vecpoly.report.course.analysis.why_peaks import causes, remarks
+from vecpoly.report.course.analysis.peak_remarks import remarks
+from vecpoly.report.course.analysis.why_peaks import causes
 from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.solution import solve
 
@@ -214,7 +215,7 @@ def test_the_two_places_of_a_least_angle_are_both_told() -> None:
 
 
 def test_a_transmission_angle_is_acute_in_table_facts_and_terminal() -> None:
-    from vecpoly.cli.commands.cycle import _row
+    from vecpoly.cli.whole_turn import _row
     from vecpoly.cycle import table
 
     turn = cycle(load("A-26"))

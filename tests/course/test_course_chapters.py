@@ -29,7 +29,7 @@ from vecpoly.findings.study.from_pivots import from_pivots
 from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.modelling.dimensions import rounded
-from vecpoly.report.course.results.chapter import _formats
+from vecpoly.report.course.results.tabled import _formats
 from vecpoly.report.course.statement import assumed
 from vecpoly.report.course.structure.undrawn import undrawn
 from vecpoly.report.document import write_report

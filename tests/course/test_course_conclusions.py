@@ -17,7 +17,8 @@ from vecpoly.findings.motion import motion
 from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
-from vecpoly.report.course.analysis.why_peaks import causes, flat, remarks
+from vecpoly.report.course.analysis.peak_remarks import remarks
+from vecpoly.report.course.analysis.why_peaks import causes, flat
 from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.solution import solve
 
@@ -108,7 +109,8 @@ def test_lengths_that_are_advised_run(name: str) -> None:
     assert found.highest and found.lowest
     top = max(abs(found.highest.value), abs(found.lowest.value))
     said_ = re.search(
-        r"\$\|[αa]_\{56?\}\|\$ 最大值由 [\d.]+ rad/s² 变为 ([\d.]+)|\$\|a_\{56\}\|\$ 最大值由 [\d.]+ m/s² 变为 ([\d.]+)",
+        r"\$\|[αa]_\{56?\}\|\$ 最大值由 [\d.]+ rad/s² 变为 ([\d.]+)"
+        r"|\$\|a_\{56\}\|\$ 最大值由 [\d.]+ m/s² 变为 ([\d.]+)",
         text,
     )
     assert said_ and float(said_[1] or said_[2]) == pytest.approx(top, rel=1e-3)
@@ -118,7 +120,12 @@ CHANGED = """
 id: changed
 title: {{zh: 改, en: changed}}
 frame: {{A: [0 mm, 0 mm], D: [87.5 mm, 0 mm], G: [153.5 mm, 41.7 mm]}}
-links: {{1: {{AB: 24 mm}}, 2: {{BC: 64.16 mm, E: {{{placed}}}}}, 3: {{DC: 64.16 mm}}, 4: {{EF: 34.4 mm}}, 5: {{GF: 25 mm}}}}
+links:
+  1: {{AB: 24 mm}}
+  2: {{BC: 64.16 mm, E: {{{placed}}}}}
+  3: {{DC: 64.16 mm}}
+  4: {{EF: 34.4 mm}}
+  5: {{GF: 25 mm}}
 input: {{link: 1, phi: 60 deg, omega: 1 rad/s ccw}}
 branch: [C left of BD, F right of EG]
 find: [omega_5]

@@ -23,7 +23,8 @@ from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load
 from vecpoly.report.content import Objects
 from vecpoly.report.course.checks import book, comparison
-from vecpoly.report.course.checks.tolerances import CHANGE, influences, judged, largest, lost_range, section, targets
+from vecpoly.report.course.checks.influences import CHANGE, influences, lost_range, targets
+from vecpoly.report.course.checks.tolerances import judged, largest, section
 from vecpoly.report.course.modelling import order
 from vecpoly.report.course.modelling.example import by_group, told
 from vecpoly.report.course.numbering import Press

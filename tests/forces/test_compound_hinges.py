@@ -24,7 +24,12 @@ TWO_ROCKERS = """
 id: two-rockers
 title: two rockers on one fixed pin
 frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm]}
-links: {1: {AB: 50 mm, G: {along: AB, at: 40 mm, left: 20 mm}}, 2: {BC: 170 mm}, 3: {DC: 130 mm}, 4: {GE: 160 mm}, 5: {DE: 150 mm}}
+links:
+  1: {AB: 50 mm, G: {along: AB, at: 40 mm, left: 20 mm}}
+  2: {BC: 170 mm}
+  3: {DC: 130 mm}
+  4: {GE: 160 mm}
+  5: {DE: 150 mm}
 input: {link: 1, phi: 70 deg, omega: 5 rad/s ccw}
 branch: [C left of BD, E left of GD]
 loads: {M_3: {on: 3, size: 10 N*m}, F: {on: 5, at: E, size: 100 N, direction: 20 deg}, M_1: {on: 1, size: "?"}}

@@ -158,7 +158,7 @@ def prp(phi: float, rate: float, k: float) -> Mechanism:
 
 
 Kind = Callable[[float, float, float], Mechanism]
-KINDS = [rrr, rrp, rpr_rocker, rpr_block, rpp, prp]
+KINDS: list[Kind] = [rrr, rrp, rpr_rocker, rpr_block, rpp, prp]
 
 
 def both_loaded(
@@ -317,7 +317,7 @@ def test_the_powers_of_all_loads_sum_to_zero(kind: Kind) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_drawn_reactions_hold_every_link_in_equilibrium(kind: Kind) -> None:
+def test_the_drawn_reactions_hold_every_link_in_equilibrium(kind) -> None:  # type: ignore[no-untyped-def]
     """Summed from the exported vectors and points of the lines of action, moments included."""
     mech = kind(0.9, 10.0, 1.1)
     loads = both_loaded(mech, 120.0, -90.0, 8.0)

@@ -188,7 +188,12 @@ links:
   1: {{AB: {ab} mm}}
   2: {{BC: {bc} mm}}
   3: {{DC: {_number(abs(c - d))} mm}}
-input: {{link: {link}, on: {on}, phi: {_number(angle)} deg, omega: {rng.choice([2, -1, 5])} rad/s, alpha: {rng.choice([0, 3, -10])} rad/s^2}}
+input:
+  link: {link}
+  on: {on}
+  phi: {_number(angle)} deg
+  omega: {rng.choice([2, -1, 5])} rad/s
+  alpha: {rng.choice([0, 3, -10])} rad/s^2
 branch: [{side}]
 guesses: {{B: [{b.real:.2f} mm, {b.imag:.2f} mm], C: [{c.real:.2f} mm, {c.imag:.2f} mm]}}
 find: [v_B, v_C, a_C, omega_1, omega_2, omega_3, alpha_1, alpha_2, alpha_3]
@@ -215,7 +220,11 @@ links:
   2: {slots[0]}
   3: {slots[1]}
 joints: [B runs in 2, B runs in 3]
-input: {{link: 1, phi: {rng.uniform(0, 360):.3f} deg, omega: {rng.choice([-8, 3, 10])} rad/s, alpha: {rng.choice([0, 5, -20])} rad/s^2}}
+input:
+  link: 1
+  phi: {rng.uniform(0, 360):.3f} deg
+  omega: {rng.choice([-8, 3, 10])} rad/s
+  alpha: {rng.choice([0, 5, -20])} rad/s^2
 find: [v_B, v_B2, v_B3, omega_2, omega_3, alpha_2, alpha_3, ak_B2B1, ak_B3B1]
 """
 
@@ -267,7 +276,11 @@ links:
   1: {{slot: {{through: A, {side}: {abs(left)} mm}}, E: {{AE: 50 mm, angle: 30 deg from line}}}}
   2: {{DB: {_number(abs(b - d))} mm, G: {{along: DB, at: 30 mm, left: 20 mm}}}}
 {more}joints: [{joint}]
-input: {{link: 1, phi: {_number(np.degrees(phi))} deg, omega: {rng.choice([-8, 3])} rad/s, alpha: {rng.choice([0, 20])} rad/s^2}}
+input:
+  link: 1
+  phi: {_number(np.degrees(phi))} deg
+  omega: {rng.choice([-8, 3])} rad/s
+  alpha: {rng.choice([0, 20])} rad/s^2
 guesses: {{B: [{b.real:.1f} mm, {b.imag:.1f} mm]}}
 find: [p_B, v_B, a_B, omega_2, alpha_2, v_E, v_G, a_G]
 """

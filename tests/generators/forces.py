@@ -34,7 +34,11 @@ links:
 @links
 joints: [{", ".join(c.joints)}]
 branch: [{", ".join(c.branches)}]
-input: {{link: @L0, phi: {phi(c):.4f} deg, omega: {c.rng.choice([-12, 4, 9])} rad/s, alpha: {c.rng.choice([0, 30])} rad/s^2}}
+input:
+  link: @L0
+  phi: {phi(c):.4f} deg
+  omega: {c.rng.choice([-12, 4, 9])} rad/s
+  alpha: {c.rng.choice([0, 30])} rad/s^2
 loads:
 {loads}{further}"""
 

@@ -18,7 +18,8 @@ from .family import family
 
 Data = dict[str, Any]  # every scalar as its text
 _QUANTITY = re.compile(
-    r"(?<![\w.])(-?\d+(?:\.\d+)?) (mm|cm|m|deg|rad/s\^2|rad/s|r/min|m/s\^2|m/s|N\*m|N\*mm|N|kN|kg|kg\*m\^2|kW)(?![\w/*^])"
+    r"(?<![\w.])(-?\d+(?:\.\d+)?) "
+    r"(mm|cm|m|deg|rad/s\^2|rad/s|r/min|m/s\^2|m/s|N\*m|N\*mm|N|kN|kg|kg\*m\^2|kW)(?![\w/*^])"
 )
 _SIZED = ("frame", "links", "joints", "input", "loads", "friction", "masses", "data")
 

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+PLACE = ("vecpoly", "methods", "kinematics", "gears")  # where the page's example lies
 
 
 def blocks(page: str, kind: str) -> list[str]:
@@ -21,9 +22,8 @@ def blocks(page: str, kind: str) -> list[str]:
 
 def absolute(text: str) -> str:
     """A method of the house as a file of another package."""
-    home = "vecpoly.methods.kinematics.gears".split(".")
     return re.sub(
-        r"^from (\.+)", lambda dots: f"from {'.'.join(home[: len(home) + 1 - len(dots[1])])}.", text, flags=re.M
+        r"^from (\.+)", lambda dots: f"from {'.'.join(PLACE[: len(PLACE) - len(dots[1]) + 1])}.", text, flags=re.M
     )
 
 

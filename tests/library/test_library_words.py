@@ -9,9 +9,9 @@ from functools import cache
 import pytest
 
 from tests.drawn_library import IDS, drawn, sentences
-from vecpoly.cycle.cycle import cycle
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told
+from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.problem.load import load
 from vecpoly.report.content import Objects
 from vecpoly.report.document import markup

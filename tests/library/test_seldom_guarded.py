@@ -17,9 +17,9 @@ from vecpoly.board.construction import Figure, Scale, View
 from vecpoly.board.paper.marks import Arc, Dot, ImageOf, Point, Role, Segment, Vector
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
-from vecpoly.cycle.cycle import cycle
 from vecpoly.cycle.facts.path import Path, Shape, path
-from vecpoly.cycle.facts.sentences import path_sentences
+from vecpoly.cycle.facts.path_words import path_sentences
+from vecpoly.cycle.whole_cycle import cycle
 from vecpoly.drawing.detail import Knot, detailed, find_knot
 from vecpoly.errors import NoMethodError, NotAskedError
 from vecpoly.problem.load import loads

@@ -208,11 +208,22 @@ def test_a_figure_that_is_shown_fits_the_window(files: Path, page: Page) -> None
 def test_text_stands_out_from_its_ground(files: Path, page: Page) -> None:
     """WCAG: 4.5 to 1 for text, by day and by night."""
     script = """(() => {
-      const light = (c) => { const [r, g, b] = c.match(/[\\d.]+/g).map((v) => { v /= 255; return v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
-        return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-      const ground = (n) => { for (; n; n = n.parentElement) { const c = getComputedStyle(n).backgroundColor; if (!/, 0\\)|transparent/.test(c)) return c; } return "rgb(255,255,255)"; };
-      return all("h1, h2, .words, li, button, summary, .note, td, th, output").filter((n) => n.offsetParent).map((n) => {
-        const a = light(getComputedStyle(n).color), b = light(ground(n)); return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), n.outerHTML.slice(0, 60)];
+      const straight = (v) => v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+      const light = (c) => {
+        const [r, g, b] = c.match(/[\\d.]+/g).map((v) => straight(v / 255));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const ground = (n) => {
+        for (; n; n = n.parentElement) {
+          const c = getComputedStyle(n).backgroundColor;
+          if (!/, 0\\)|transparent/.test(c)) return c;
+        }
+        return "rgb(255,255,255)";
+      };
+      const seen = all("h1, h2, .words, li, button, summary, .note, td, th, output").filter((n) => n.offsetParent);
+      return seen.map((n) => {
+        const a = light(getComputedStyle(n).color), b = light(ground(n));
+        return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), n.outerHTML.slice(0, 60)];
       }).filter(([ratio]) => ratio < 4.5); })()"""
     for scheme in ("light", "dark"):
         page.open(f"{(files / KINEMATICS).as_uri()}.html")

@@ -32,36 +32,54 @@ LABELS = {  # what stands in place of a value, in the order in which it is looke
 
 HELP = {
     # commands
-    "Velocity, acceleration and force polygons, drawn to scale, from a problem file to a printed report.": "按比例尺作速度多边形、加速度多边形和力多边形：由题目文件到可打印的报告。",
+    "Velocity, acceleration and force polygons, drawn to scale, from a problem file to a printed report.": (
+        "按比例尺作速度多边形、加速度多边形和力多边形：由题目文件到可打印的报告。"
+    ),
     "Print the answers: as drawn, exact, and how far off.": "列出各所求量：图上量得的值、精确值和偏差。",
     "Print the analytic answers, without a drawing.": "只列出解析解，不作图。",
-    "Write reports as PDF.\n\nWith -o FILE.pdf everything goes into this one file; with -o FOLDER, every "
-    "problem or assignment gets a file there. Without -o the files are written here.": "写出 PDF 报告。\n\n用 -o 文件.pdf 时全部写入该文件；用 -o 文件夹 时每道题或每份作业各写一个文件；"
-    "不写 -o 时写在当前文件夹。",
-    "Check printed answers, or a printed table, against exact values.\n\nEach gets a verdict and, if "
-    "wrong, the slip that explains it; where several are wrong, all crank angles and assemblies "
-    "are tried, to see whether the numbers are possible at all. With --table, the columns of a table over "
-    'the cycle are compared. Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 '
-    'rad/s".\n\nExit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.': "将书中答案或数据表与精确值核对。\n\n每个答案给出结论，错误的给出可解释它的差错；有多个错误时，"
-    "试遍各曲柄转角和装配方式，看这些数是否可能出现。用 --table 时逐列比较一个运动循环的数据表。"
-    '答案也可写在题号之后：check 3-12 v_D=0.49 "omega_3=2.1 rad/s"。\n\n退出码：0 全部相符，'
-    "1 有错误，2 无法核对。",
-    "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。",
-    "Draw a figure or the sheet as SVG, PNG, PDF or DXF.\n\n1 mm drawn is 1 mm on paper. A second page of "
-    "a sheet goes to x-2.svg (a PDF has them all). A DXF has layers by what a line is for.": "将一个图形或整张图纸绘成 SVG、PNG、PDF 或 DXF。\n\n图上 1 mm 即纸上 1 mm。图纸的第二页写入 x-2.svg（"
-    "PDF 含所有页）。DXF 按线的用途分图层。",
+    "Write reports as PDF.\n\nWith -o FILE.pdf everything goes into this one file; with -o FOLDER, every problem "
+    "or assignment gets a file there. Without -o the files are written here.": (
+        "写出 PDF 报告。\n\n用 -o 文件.pdf 时全部写入该文件；用 -o 文件夹 时每道题或每份作业各写一个文件；不写 -o "
+        "时写在当前文件夹。"
+    ),
+    "Check printed answers, or a printed table, against exact values.\n\nEach gets a verdict and, if wrong, the "
+    "slip that explains it; where several are wrong, all crank angles and assemblies are tried, to see whether the "
+    "numbers are possible at all. With --table, the columns of a table over the cycle are compared. Answers may "
+    'stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 rad/s".\n\nExit code: 0 all agrees, 1 something '
+    "printed is wrong, 2 it cannot be checked.": (
+        "将书中答案或数据表与精确值核对。\n\n每个答案给出结论，错误的给出可解释它的差错；有多个错误时，"
+        "试遍各曲柄转角和装配方式，看这些数是否可能出现。用 --table 时逐列比较一个运动循环的数据表。"
+        '答案也可写在题号之后：check 3-12 v_D=0.49 "omega_3=2.1 rad/s"。\n\n退出码：0 全部相符，1 有错误，2 '
+        "无法核对。"
+    ),
+    "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": (
+        "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。"
+    ),
+    "Draw a figure or the sheet as SVG, PNG, PDF or DXF.\n\n1 mm drawn is 1 mm on paper. A second page of a sheet "
+    "goes to x-2.svg (a PDF has them all). A DXF has layers by what a line is for.": (
+        "将一个图形或整张图纸绘成 SVG、PNG、PDF 或 DXF。\n\n图上 1 mm 即纸上 1 mm。图纸的第二页写入 x-2.svg（PDF "
+        "含所有页）。DXF 按线的用途分图层。"
+    ),
     "Write a GeoGebra file: turn the crank with a slider, and diagram, velocity and acceleration polygon "
-    "follow.\n\nPoints are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; "
-    "loads are left away.": "写出 GeoGebra 文件：用滑动条转动曲柄，机构图、速度多边形和加速度多边形随之变动。\n\n"
-    "各点都由先前的点作出，与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。",
+    "follow.\n\nPoints are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; loads are "
+    "left away.": (
+        "写出 GeoGebra 文件：用滑动条转动曲柄，机构图、速度多边形和加速度多边形随之变动。\n\n各点都由先前的点作出，"
+        "与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。"
+    ),
     "List the library of problems, or the methods.": "列出题库中的题目，或已有的图解法。",
-    "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\n"
-    "It shows the construction line by line with the sentence of each step beside it, and the finished "
-    "figures for every place of the crank.": "写出分步演示：一个 HTML 文件，供课堂、手机或电脑使用，中英文兼备。\n\n逐线演示作图过程，"
-    "旁附各步的说明，并可看曲柄在各位置时的全部图形。",
-    "Write a problem file to start from: a commented one, or a copy of one of the library.": "写出一个可供修改的题目文件：带注释的样板，或题库中某题的副本。",
+    "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\nIt shows the "
+    "construction line by line with the sentence of each step beside it, and the finished figures for every place "
+    "of the crank.": (
+        "写出分步演示：一个 HTML 文件，供课堂、手机或电脑使用，中英文兼备。\n\n逐线演示作图过程，旁附各步的说明，"
+        "并可看曲柄在各位置时的全部图形。"
+    ),
+    "Write a problem file to start from: a commented one, or a copy of one of the library.": (
+        "写出一个可供修改的题目文件：带注释的样板，或题库中某题的副本。"
+    ),
     "Print the JSON Schema of a problem file.": "输出题目文件的 JSON Schema。",
-    "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.": "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。",
+    "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.": (
+        "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。"
+    ),
     # arguments
     "Problems or assignments: ids such as 3-9, or files.": "题目或作业：3-9 之类的题号，或文件。",
     "A problem or an assignment: an id such as A-27, or a file.": "题目或作业：A-27 之类的题号，或文件。",
@@ -71,33 +89,56 @@ HELP = {
     "The file to write; .yaml is added where it has no ending.": "要写的文件；没有扩展名时加 .yaml。",
     # options
     "Chinese or English.": "中文或英文。",
-    "How what is refused is told: as text, or as JSON, a line each, for programs.": "错误信息的形式：文本，或供程序读取的 JSON（每行一条）。",
-    "How accurately is drawn: exact; drafting (0.1 mm); pencil (0.5 mm, with scatter).": "作图精度：exact 精确；drafting 绘图仪器（0.1 mm）；pencil 铅笔手绘（0.5 mm，有随机误差）。",
+    "How what is refused is told: as text, or as JSON, a line each, for programs.": (
+        "错误信息的形式：文本，或供程序读取的 JSON（每行一条）。"
+    ),
+    "How accurately is drawn: exact; drafting (0.1 mm); pencil (0.5 mm, with scatter).": (
+        "作图精度：exact 精确；drafting 绘图仪器（0.1 mm）；pencil 铅笔手绘（0.5 mm，有随机误差）。"
+    ),
     "Seed of the hand's scatter.": "作图随机误差的种子。",
     "A printed table over the cycle, CSV or XLSX.": "一个运动循环的数据表，CSV 或 XLSX。",
-    "What columns of the table hold: phi_5=rad, w3=omega_4, V=v_E[mm/s], remarks=- (left out).": "各列的含义：phi_5=rad、w3=omega_4、V=v_E[mm/s]、备注=-（略去）。",
+    "What columns of the table hold: phi_5=rad, w3=omega_4, V=v_E[mm/s], remarks=- (left out).": (
+        "各列的含义：phi_5=rad、w3=omega_4、V=v_E[mm/s]、备注=-（略去）。"
+    ),
     "Write JSON to this file, or to stdout with -.": "将结果以 JSON 写入此文件；- 为标准输出。",
-    "The solution; the question with blank frames to draw in; or the course report over the whole cycle.": "解答；留有作图空框的题目；或整个运动循环的课程报告。",
-    "File or folder to write, or - for standard output; missing folders are made.": "要写的文件或文件夹，- 为标准输出；没有的文件夹会自动建立。",
-    "Read files that the problem file names outside its folder and the library, too.": "也读取题目文件所引用的、其文件夹和题库以外的文件。",
+    "The solution; the question with blank frames to draw in; or the course report over the whole cycle.": (
+        "解答；留有作图空框的题目；或整个运动循环的课程报告。"
+    ),
+    "File or folder to write, or - for standard output; missing folders are made.": (
+        "要写的文件或文件夹，- 为标准输出；没有的文件夹会自动建立。"
+    ),
+    "Read files that the problem file names outside its folder and the library, too.": (
+        "也读取题目文件所引用的、其文件夹和题库以外的文件。"
+    ),
     "Number of positions, both ends included.": "位置数，含两端。",
-    "Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a "
-    "sliding input).": "代替 -n：原动件位置取此步长的整数倍，单位为度（移动原动件为 mm）。",
-    "Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.": "写数据表：.csv 或 .xlsx，- 为将 CSV 写到标准输出；没有的文件夹会自动建立。",
+    "Instead of -n: positions at the whole multiples of this step of the drive, in degrees (mm of a sliding input).": (
+        "代替 -n：原动件位置取此步长的整数倍，单位为度（移动原动件为 mm）。"
+    ),
+    "Write a table: .csv or .xlsx, or - for CSV to standard output; missing folders are made.": (
+        "写数据表：.csv 或 .xlsx，- 为将 CSV 写到标准输出；没有的文件夹会自动建立。"
+    ),
     "Draw curves: .svg, .pdf or .png.": "绘曲线：.svg、.pdf 或 .png。",
-    "Quantities, such as omega_5,alpha_5,a_F,M_1; phi_5, s_45, gamma_23, v_F.x too.": "量，如 omega_5,alpha_5,a_F,M_1；也可用 phi_5、s_45、gamma_23、v_F.x。",
+    "Quantities, such as omega_5,alpha_5,a_F,M_1; phi_5, s_45, gamma_23, v_F.x too.": (
+        "量，如 omega_5,alpha_5,a_F,M_1；也可用 phi_5、s_45、gamma_23、v_F.x。"
+    ),
     "With --plot: the paths of these points, F or E,F.": "与 --plot 同用：绘这些点的轨迹，如 F 或 E,F。",
     "With --plot: the hodograph of a vector, a_F.": "与 --plot 同用：绘矢量的矢端图，如 a_F。",
-    "mechanism, velocity, acceleration, body, force; one of several by its name: force:3; sheet is the "
-    "whole A4 page.": "mechanism、velocity、acceleration、body、force；同类有几个时用名称，如 force:3；sheet 为整张 A4 图纸。",
+    "mechanism, velocity, acceleration, body, force; one of several by its name: force:3; sheet is the whole A4 "
+    "page.": "mechanism、velocity、acceleration、body、force；同类有几个时用名称，如 force:3；sheet 为整张 A4 图纸。",
     "The paper as it stands after step N.": "只画到第 N 步为止。",
-    "List the steps of the construction too, and what the hand did in each.": "同时列出作图各步，以及每步中的作图动作。",
+    "List the steps of the construction too, and what the hand did in each.": (
+        "同时列出作图各步，以及每步中的作图动作。"
+    ),
     "Resolution of a PNG.": "PNG 的分辨率（dpi）。",
     "Places of the crank over its turn; 0 leaves its slider away.": "曲柄一周的位置数；0 则不显示转动滑条。",
-    "Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.": "以题库中的题目为样板：5-5 为螺旋千斤顶，4-3a 为力分析。",
+    "Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.": (
+        "以题库中的题目为样板：5-5 为螺旋千斤顶，4-3a 为力分析。"
+    ),
     "The folder to write to.": "写入的文件夹。",
     "Print the version and leave.": "输出版本号。",
     "Show this message and exit.": "显示本说明。",
     "Install completion for the current shell.": "为当前 shell 安装自动补全。",
-    "Show completion for the current shell, to copy it or customize the installation.": "显示当前 shell 的自动补全脚本，供复制或自行安装。",
+    "Show completion for the current shell, to copy it or customize the installation.": (
+        "显示当前 shell 的自动补全脚本，供复制或自行安装。"
+    ),
 }

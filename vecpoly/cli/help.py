@@ -54,8 +54,9 @@ def in_chinese(command: Any, ctx: Any) -> str:
 
 
 def english_of(command: Any) -> str:
-    """A command's English help as it stands in the table: a paragraph is one line."""
-    return "\n\n".join(" ".join(part.split()) for part in inspect.cleandoc(command.help or "").split("\n\n"))
+    """A command's English help as it stands in the table: its paragraphs, in which a line may end anywhere."""
+    paragraphs = inspect.cleandoc(command.help or "").split("\n\n")
+    return "\n\n".join(" ".join(paragraph.split()) for paragraph in paragraphs)
 
 
 def _labelled(text: str) -> str:

@@ -102,10 +102,8 @@ def _limits(cycle: Cycle, group: list[Column]) -> tuple[float, float]:
         return 0.0, 1.0
     low, high = _clipped(values)
     if "/s" in group[0].unit or group[0].unit in ("N", "N·m"):
-        low, high = (
-            (0.0 if 0 < low < 0.6 * high else low),
-            (0.0 if 0.6 * low < high < 0 else high),
-        )  # a rate of one sign is seen against nothing
+        # a rate of one sign is seen against nothing
+        low, high = ((0.0 if 0 < low < 0.6 * high else low), (0.0 if 0.6 * low < high < 0 else high))
     elif group[0].key.startswith("gamma_"):
         low, high = min(low, LEAST_GAMMA), high
     margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0

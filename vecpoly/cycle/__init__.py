@@ -7,14 +7,16 @@ extremes(turn, "alpha_5").highest                 # to full accuracy, not on the
 
 from __future__ import annotations
 
-from .columns import Column
-from .cycle import Cycle, cycle
+from .column import Column
+from .cycle import Cycle
 from .extremes import Extremes, Spot, extremes
 from .facts.force_words import force_sentences
 from .facts.found import Facts, facts
 from .facts.path import Path, Shape, path
-from .facts.sentences import path_sentences, sentences
+from .facts.path_words import path_sentences
+from .facts.sentences import sentences
 from .table import Table, csv_bytes, table, xlsx_bytes
+from .whole_cycle import cycle
 
 __all__ = [
     "Column",

@@ -11,7 +11,7 @@ and 3; ``d_45`` distance of the outer pins of an RPR dyad. A vector's parts: ``v
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain
 
 from ..errors import EquilibriumError, UnknownNameError
@@ -19,41 +19,13 @@ from ..mechanism.asked.forces import pairs, press_named, quantities, slide_named
 from ..mechanism.groups.assur import Dyad, decompose, ends
 from ..mechanism.loads import Loads
 from ..mechanism.model import FRAME, Mechanism, Prismatic
+from ..mechanism.rams import driver_words
 from ..names import Kind, Named, Rel, parse_rel, subscripted
 from ..problem.text.spelling import did_you_mean
 from ..words import Words
+from .column import Column
 
 PARTS = ("x", "y", "abs", "arg")
-_SHOWN = {"rad": ("°", 57.29577951308232), "m": ("mm", 1000.0)}
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Column:
-    """One quantity over the cycle: key, symbol in the notation of `formula`, SI unit, what it is, key of its time
-    derivative."""
-
-    key: str
-    symbol: str
-    unit: str
-    words: Words
-    is_vector: bool = False
-    rate: str = ""
-    turns: bool = False  # an angle that is followed without jumps
-
-    @property
-    def shown_unit(self) -> str:
-        """The unit in tables and on axes: ° for rad, mm for m, else the SI unit."""
-        return _SHOWN.get(self.unit, (self.unit, 1.0))[0]
-
-    @property
-    def factor(self) -> float:
-        """Shown value / SI value."""
-        return _SHOWN.get(self.unit, (self.unit, 1.0))[1]
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Keys of the real columns in which a vector is tabled: its x and y, or itself."""
-        return (f"{self.key}.x", f"{self.key}.y") if self.is_vector else (self.key,)
 
 
 def slides(mech: Mechanism) -> dict[str, Prismatic]:
@@ -127,6 +99,20 @@ def column_of(mech: Mechanism, loads: Loads | None, key: str) -> Column:
             )
         )
     return _kinematic(mech, key)
+
+
+def drive_column(mech: Mechanism) -> Column:
+    """The drive's position: φ_1, or s_1 of a sliding input; between two links φ_23 of a motor, s_23 of a cylinder."""
+    drive = mech.drive
+    if drive.between:
+        which, words = f"{drive.link}{drive.on}", driver_words(mech)
+        travel, angle = Words("的长度", "length of "), Words("的转角", "angle of ")
+    else:
+        which, words = drive.link, Words(f"原动件 {drive.link} ", f"the driving link {drive.link}")
+        travel, angle = Words("的位移", "travel of "), Words("的转角", "angle of ")
+    (stem, letter, unit), what = (("s", "s", "m"), travel) if drive.slide else (("phi", "φ", "rad"), angle)
+    told = Words(words.zh + what.zh, what.en + words.en)
+    return Column(key=f"{stem}_{which}", symbol=f"{letter}_{{{which}}}", unit=unit, words=told)
 
 
 def _part(whole: Column, part: str) -> Column:
@@ -231,36 +217,31 @@ def _kinematic(mech: Mechanism, key: str) -> Column:
                 f"there is no link {rel.to.link}; known: {', '.join(mech.numbered)}",
             )
         )
+    if rel.is_vector:
+        _refuse_unknown_points(mech, rel)
+    rate = f"{_RATES[rel.kind]}_{key.partition('_')[2]}" if rel.kind in _RATES and rel.ref is None else ""
+    return Column(key=key, symbol=rel.symbol, unit=rel.unit, words=_told(rel), is_vector=rel.is_vector, rate=rate)
+
+
+def _refuse_unknown_points(mech: Mechanism, rel: Rel) -> None:
     letters = {*mech.frame, *(p for link in mech.links for p in link.points), *(c.point for c in mech.contacts)}
+    known = {*letters, *(getattr(joint, "point", "") for joint in mech.joints)}
     for at in (rel.to, rel.ref):
-        bare = at.point.rstrip("0123456789") if at else ""
-        if (
-            rel.is_vector
-            and at
-            and not {at.point, bare, str(at)} & {*letters, *(getattr(j, "point", "") for j in mech.joints)}
-        ):
+        if at and not {at.point, at.point.rstrip("0123456789"), str(at)} & known:
             raise UnknownNameError(
                 Words(
                     f"没有点 {at}；已有：{', '.join(sorted(letters))}",
                     f"there is no point {at}; known: {', '.join(sorted(letters))}",
                 )
             )
+
+
+def _told(rel: Rel) -> Words:
+    """构件 2 的角速度 / angular velocity of link 2; 点 C 相对 B 的速度 / velocity of C relative to B."""
     what = _WORDS[rel.kind]
     if not rel.is_vector:
-        words = Words(f"构件 {rel.to.link} 的{what.zh}", f"{what.en} of link {rel.to.link}")
-    else:
-        name = subscripted(str(rel.to))
-        of = Words(f"点 ${name}$ 的{what.zh}", f"{what.en} of point ${name}$")
-        ref = subscripted(str(rel.ref)) if rel.ref else ""
-        words = (
-            of
-            if not ref
-            else Words(f"点 ${name}$ 相对 ${ref}$ 的{what.zh}", f"{what.en} of ${name}$ relative to ${ref}$")
-        )
-    rate = (
-        f"{_RATES[rel.kind]}_{key.partition('_')[2]}"
-        if rel.kind in _RATES and (rel.ref is None or rel.kind is Kind.P)
-        else ""
-    )
-    rate = rate if rel.ref is None else ""
-    return Column(key=key, symbol=rel.symbol, unit=rel.unit, words=words, is_vector=rel.is_vector, rate=rate)
+        return Words(f"构件 {rel.to.link} 的{what.zh}", f"{what.en} of link {rel.to.link}")
+    name = subscripted(str(rel.to))
+    if rel.ref and (ref := subscripted(str(rel.ref))):
+        return Words(f"点 ${name}$ 相对 ${ref}$ 的{what.zh}", f"{what.en} of ${name}$ relative to ${ref}$")
+    return Words(f"点 ${name}$ 的{what.zh}", f"{what.en} of point ${name}$")

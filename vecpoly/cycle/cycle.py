@@ -11,17 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import oracle
-from ..errors import AssemblyError, MobilityError
-from ..foundation.arguments import of_kind
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
-from ..mechanism.rams import driver_words
-from ..problem.problem import Problem
-from ..words import Words
-from .columns import Column, catalogue, column_of
+from .column import Column
+from .columns import catalogue, column_of, drive_column
 from .follow import follow
 from .frame import frame
-from .grid import places, range_of
+from .grid import places
 from .sample import Sample, reader, sample
 
 Points = NDArray[np.complex128]
@@ -36,8 +32,8 @@ class Cycle:
     """A mechanism at n positions of its drive.
 
     phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a
-    rocking input can
-    move; m for a sliding input. whole: whether the drive can turn right round. low, high: the ends of its range.
+    rocking input can move; m for a sliding input. whole: whether the drive can turn right round. low, high: the ends
+    of its range.
     """
 
     name: str
@@ -93,41 +89,8 @@ class Cycle:
 
     @property
     def drive(self) -> Column:
-        """The drive's position: φ_1, or s_1 of a sliding input."""
-        link = self.mech.drive.link
-        if self.mech.drive.between:
-            return self._between()
-        if self.mech.drive.slide:
-            return Column(
-                key=f"s_{link}",
-                symbol=f"s_{{{link}}}",
-                unit="m",
-                words=Words(f"原动件 {link} 的位移", f"travel of the driving link {link}"),
-            )
-        return Column(
-            key=f"phi_{link}",
-            symbol=f"φ_{{{link}}}",
-            unit="rad",
-            words=Words(f"原动件 {link} 的转角", f"angle of the driving link {link}"),
-        )
-
-    def _between(self) -> Column:
-        """The position of a cylinder, or of a motor in a hinge."""
-        drive = self.mech.drive
-        pair, words = f"{drive.link}{drive.on}", driver_words(self.mech)
-        if drive.slide:
-            return Column(
-                key=f"s_{pair}",
-                symbol=f"s_{{{pair}}}",
-                unit="m",
-                words=Words(f"{words.zh}的长度", f"length of {words.en}"),
-            )
-        return Column(
-            key=f"phi_{pair}",
-            symbol=f"φ_{{{pair}}}",
-            unit="rad",
-            words=Words(f"{words.zh}的转角", f"angle of {words.en}"),
-        )
+        """The drive's position: φ_1, s_1 of a sliding input, s_23 of a cylinder."""
+        return drive_column(self.mech)
 
     @property
     def assembled(self) -> NDArray[np.bool_]:
@@ -247,44 +210,3 @@ class Cycle:
         if trace not in self._kept:
             self._kept[trace] = follow(np.asarray(sample(self.mech, self.loads, between).value(key), np.float64))
         return between, np.asarray(self._kept[trace], np.float64)
-
-
-def cycle(
-    subject: Problem | Mechanism,
-    n: int = 361,
-    loads: Loads | None = None,
-    points: tuple[str, ...] | None = None,
-    *,
-    over: ArrayLike | None = None,
-) -> Cycle:
-    """The whole cycle of a problem, or of a mechanism.
-
-    n: number of positions, both ends included. loads: instead of the problem's own. points: the letters to be listed in
-    `columns`
-    (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a whole
-    cycle.
-    Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
-    """
-    of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
-    mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
-    if not mech.drives:
-        raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))
-    if n < 2:
-        raise AssemblyError(
-            Words(f"{n} 个位置不成一周；至少取 2 个", f"{n} positions make no cycle; ask for at least 2")
-        )
-    low, high, whole = range_of(mech)
-    phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
-    acting = own if loads is None else loads
-    return Cycle(name, mech, acting, phi, low, high, whole, points)
-
-
-def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
-    if not isinstance(problem.subject, Mechanism):
-        raise MobilityError(
-            Words(
-                "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
-                "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input",
-            )
-        )
-    return problem.subject, problem.loads, problem.id

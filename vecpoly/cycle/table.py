@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..errors import AssemblyError
 from ..words import Lang, Words, bare
-from .columns import Column
+from .column import Column
 from .cycle import Cycle
 from .facts.transmission import folded
 

@@ -16,9 +16,8 @@ Reals = NDArray[np.float64]
 HALVINGS = 30  # of a step of the grid
 SLIVER, EDGE = 1e-7, 1e-4
 NEAR = 2.0**-10  # of a turn, or of the range: how near its end a piece is watched
-GROWTH = (
-    1.4  # from one to the next of four places, each at a quarter of the distance from the end: a value that runs away
-)
+# from one to the next of four places, each at a quarter of the distance from the end: a value that runs away
+GROWTH = 1.4
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,59 +71,60 @@ def is_square(study: Study, one: Conditioning) -> bool:
 def _bars(study: Study, one: Conditioning, d: Dyad) -> Words:
     """An RRR group: the distance of its outer pins at the least γ, the range it has and may have, and the best equal
     lengths."""
-    assert (
-        one.gamma is not None
-        and isinstance(d.outer_j, Revolute)
-        and isinstance(d.outer_k, Revolute)
-        and isinstance(d.inner, Revolute)
-    )
-    p, c, q, mech = d.outer_j.point, d.inner.point, d.outer_k.point, study.mech
-    l1, l2 = (
-        abs(mech.link(d.link_j).points[p] - mech.link(d.link_j).points[c]),
-        abs(mech.link(d.link_k).points[q] - mech.link(d.link_k).points[c]),
-    )
+    assert one.gamma is not None and isinstance(d.inner, Revolute)
+    assert isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    p, c, q = d.outer_j.point, d.inner.point, d.outer_k.point
+    first, second = study.mech.link(d.link_j).points, study.mech.link(d.link_k).points
+    l1, l2 = abs(first[p] - first[c]), abs(second[q] - second[c])
     found = study.extremes(one.gamma.key)
     assert found.highest is not None and found.lowest is not None
     low, high = (sqrt(l1 * l1 + l2 * l2 - 2 * l1 * l2 * cos(spot.value)) for spot in (found.lowest, found.highest))
     least, most = (sqrt(l1 * l1 + l2 * l2 + sign * 2 * l1 * l2 * cos(_LEAST)) for sign in (-1, 1))
-    folded = one.gamma.least.phi == found.lowest.phi
-    what = Words("最短" if folded else "最长", "shortest" if folded else "longest")
-    how = Words("接近重叠" if folded else "接近拉直", "nearly folded" if folded else "nearly stretched")
-    gamma, at = degrees(one.gamma.least.value), least_places(study, one.gamma)
-    symbol, lines = study.whole.info(one.gamma.key).symbol, _in_line(study, d, one.gamma.least)
     best, equal = degrees(2 * atan(low / high)), hypot(low, high) / 2
     la, lb = (f"$l_{{{''.join(sorted(pair))}}}$" for pair in ((p, c), (q, c)))
     square = "$" + f"{la}^2 + {lb}^2 − 2 {la} {lb} cos γ".replace("$", "") + "$"
-    zh = (
-        f"{one.group.title.zh}：${symbol}$ 在 {at.zh} 处最小，为 {gamma:.1f}°，此时 ${p}{q}$ {what.zh}（"
-        f"{_mm(low if folded else high)} mm{lines.zh}），${p}{c}$ 与 ${c}{q}$ {how.zh}，"
-        f"尺寸和读数的误差对位置的影响放大到 1/$sin γ$ = {1 / one.measure:.1f} 倍，对速度、加速度的影响更大。"
+    told = _worst(study, one, d, (low, high)) + Words(
         f"由 ${p}{q}^2$ = {square}，要使 $γ$ ≥ 40°，${p}{q}$ 须在 {_mm(least)} 至 {_mm(most)} mm 之间，"
-        f"而现为 {_mm(low)} 至 {_mm(high)} mm。"
+        f"而现为 {_mm(low)} 至 {_mm(high)} mm。",
+        f"By ${p}{q}^2$ = {square}, for $γ$ ≥ 40° ${p}{q}$ has to stay "
+        f"between {_mm(least)} and {_mm(most)} mm; now it varies from {_mm(low)} to {_mm(high)} mm. ",
     )
-    en = (
-        f"{one.group.title.en}: ${symbol}$ is least, {gamma:.1f}°, at {at.en}. There ${p}{q}$ is {what.en} "
-        f"({_mm(low if folded else high)} mm{lines.en}), ${p}{c}$ and ${c}{q}$ are {how.en}, and errors of "
-        f"lengths and readings are magnified 1/$sin γ$ = {1 / one.measure:.1f} times in the position, and more "
-        f"in the velocities and accelerations. By ${p}{q}^2$ = {square}, for $γ$ ≥ 40° ${p}{q}$ has to stay "
-        f"between {_mm(least)} and {_mm(most)} mm; now it varies from {_mm(low)} to {_mm(high)} mm. "
-    )
+    sizes = f"{la} = {lb} = {_mm(equal)} mm"
     if best < degrees(_LEAST):
-        return Words(
-            zh + f"只改这两杆长，即使取 {la} = {lb} = {_mm(equal)} mm，最小传动角也只有 2 "
-            f"arctan({_mm(low)}/{_mm(high)}) = {best:.1f}°，仍小于 40°，还须改变其他尺寸以缩小 ${p}{q}$ 的变化范"
-            "围。",
-            en + f"Changing these two lengths alone gives 2 arctan({_mm(low)}/{_mm(high)}) = "
-            f"{best:.1f}° at best (with {la} = {lb} = {_mm(equal)} mm), still below 40°: other "
-            f"dimensions must change too, so that ${p}{q}$ varies less.",
+        return told + Words(
+            f"只改这两杆长，即使取 {sizes}，最小传动角也只有 2 arctan({_mm(low)}/{_mm(high)}) = {best:.1f}°，"
+            f"仍小于 40°，还须改变其他尺寸以缩小 ${p}{q}$ 的变化范围。",
+            f"Changing these two lengths alone gives 2 arctan({_mm(low)}/{_mm(high)}) = {best:.1f}° at best (with "
+            f"{sizes}), still below 40°: other dimensions must change too, so that ${p}{q}$ varies less.",
         )
     size = float(_mm(equal)) / 1e3
     ways = tuple(
         (Side(d.link_j, *pair, size), Side(d.link_k, *other, size))
         for pair, other in (((c, p), (c, q)), ((p, c), (q, c)))
     )
-    return Words(zh, en) + trial(
-        study, ways, one.gamma.key, Words(f"取 {la} = {lb} = {_mm(equal)} mm", f"{la} = {lb} = {_mm(equal)} mm"), best
+    return told + trial(study, ways, one.gamma.key, Words(f"取 {sizes}", sizes), best)
+
+
+def _worst(study: Study, one: Conditioning, d: Dyad, between: tuple[float, float]) -> Words:
+    """How an RRR group stands at its least γ; between: least and greatest distance (m) of its outer pins."""
+    assert one.gamma is not None and isinstance(d.inner, Revolute)
+    assert isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
+    p, c, q = d.outer_j.point, d.inner.point, d.outer_k.point
+    low, high = between
+    lowest = study.extremes(one.gamma.key).lowest
+    folded = lowest is not None and one.gamma.least.phi == lowest.phi
+    what = Words("最短" if folded else "最长", "shortest" if folded else "longest")
+    how = Words("接近重叠" if folded else "接近拉直", "nearly folded" if folded else "nearly stretched")
+    gamma, at = degrees(one.gamma.least.value), least_places(study, one.gamma)
+    symbol, lines = study.whole.info(one.gamma.key).symbol, _in_line(study, d, one.gamma.least)
+    return Words(
+        f"{one.group.title.zh}：${symbol}$ 在 {at.zh} 处最小，为 {gamma:.1f}°，此时 ${p}{q}$ {what.zh}（"
+        f"{_mm(low if folded else high)} mm{lines.zh}），${p}{c}$ 与 ${c}{q}$ {how.zh}，"
+        f"尺寸和读数的误差对位置的影响放大到 1/$sin γ$ = {1 / one.measure:.1f} 倍，对速度、加速度的影响更大。",
+        f"{one.group.title.en}: ${symbol}$ is least, {gamma:.1f}°, at {at.en}. There ${p}{q}$ is {what.en} "
+        f"({_mm(low if folded else high)} mm{lines.en}), ${p}{c}$ and ${c}{q}$ are {how.en}, and errors of "
+        f"lengths and readings are magnified 1/$sin γ$ = {1 / one.measure:.1f} times in the position, and more "
+        "in the velocities and accelerations. ",
     )
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..analytic.equations import GroupModel
 from ..analytic.expr import Var
-from ..cycle.facts.found import Transmission
+from ..cycle.facts.transmission_range import Transmission
 from ..words import Words
 from .study.study import Study
 

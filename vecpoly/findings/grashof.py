@@ -76,27 +76,34 @@ def _grashof(study: Study, bars: tuple[Bar, ...]) -> Words:
     a, b, ab, c, d, cd = sums
     loop = f"{bars[0].letters}{bars[2].letters}"
     told = Words(
-        f"四杆回路 ${loop}$ 的杆长为 " + "、".join(bar.told for bar in bars) + "。",
-        f"The four-bar loop ${loop}$ has {', '.join(bar.told for bar in bars)}. ",
+        f"四杆回路 ${loop}$ 的杆长为 " + "、".join(bar.told for bar in bars) + f"。最短杆与最长杆之和 {a} + {b} = "
+        f"{ab} mm",
+        f"The four-bar loop ${loop}$ has {', '.join(bar.told for bar in bars)}. Shortest and longest, {a} + {b} = "
+        f"{ab} mm, ",
     )
     if abs(extreme - rest) <= _EQUAL * rest:
         return told + Words(
-            f"最短杆与最长杆之和 {a} + {b} = {ab} mm 等于其余两杆之和 {c} + {d} = {cd} mm，"
-            "有各杆共线的变点位置，该处运动不确定。",
-            f"Shortest and longest, {a} + {b} = {ab} mm, equal the other two, {c} + {d} = "
-            f"{cd} mm: there are change points at which all links are in one line, and the "
-            "motion is not determined there.",
+            f" 等于其余两杆之和 {c} + {d} = {cd} mm，有各杆共线的变点位置，该处运动不确定。",
+            f"equal the other two, {c} + {d} = {cd} mm: there are change points at which all links are in one line, "
+            "and the motion is not determined there.",
         )
     if extreme > rest:
         return told + Words(
-            f"最短杆与最长杆之和 {a} + {b} = {ab} mm > 其余两杆之和 {c} + {d} = {cd} mm，不满足杆长条件，"
+            f" > 其余两杆之和 {c} + {d} = {cd} mm，不满足杆长条件，"
             "无论以哪一杆为机架都没有整周转动的杆，为双摇杆机构。",
-            f"Shortest and longest, {a} + {b} = {ab} mm, exceed the sum of the other two, "
-            f"{c} + {d} = {cd} mm: Grashof's condition fails, no link can make full "
+            f"exceed the sum of the other two, {c} + {d} = {cd} mm: Grashof's condition fails, no link can make full "
             "revolutions, and the loop is a double rocker.",
         )
-    one, two = bars[0].link, bars[2].link
-    kind = {
+    kind = _kind(short.part, bars[0].link, bars[2].link)
+    return told + Words(
+        f" < 其余两杆之和 {c} + {d} = {cd} mm，满足杆长条件；{kind.zh}。",
+        f"are less than the sum of the other two, {c} + {d} = {cd} mm: Grashof's condition holds; {kind.en}.",
+    )
+
+
+def _kind(shortest: str, one: str, two: str) -> Words:
+    """The kind of a loop that fulfils Grashof's condition, by the part that its shortest bar plays."""
+    return {
         "crank": Words(
             f"最短杆为连架杆 {one}，故为曲柄摇杆机构，构件 {one} 为曲柄，能整周转动，构件 {two} 为摇杆",
             f"the shortest bar, link {one}, is beside the frame: a crank-rocker. Link {one}, the crank, can make "
@@ -116,12 +123,7 @@ def _grashof(study: Study, bars: tuple[Bar, ...]) -> Words:
             f"the coupler is the shortest: a double rocker, neither link {one} nor link {two} can make full "
             "revolutions",
         ),
-    }[short.part]
-    return told + Words(
-        f"最短杆与最长杆之和 {a} + {b} = {ab} mm < 其余两杆之和 {c} + {d} = {cd} mm，满足杆长条件；{kind.zh}。",
-        f"Shortest and longest, {a} + {b} = {ab} mm, are less than the sum of the other "
-        f"two, {c} + {d} = {cd} mm: Grashof's condition holds; {kind.en}.",
-    )
+    }[shortest]
 
 
 def _slider_crank(study: Study, d: Dyad) -> Words | None:
@@ -141,16 +143,24 @@ def _slider_crank(study: Study, d: Dyad) -> Words | None:
     e, total, bc = (number(round(1e3 * value, 9), 6) for value in (gap, crank.length + gap, rod.length))
     holds = crank.length + gap <= rod.length
     sign, ab = "≤" if holds else ">", "".join(sorted(near + b))
-    kind = Words(
-        "偏置曲柄滑块机构" if gap > 1e-9 else "对心曲柄滑块机构",
-        "an offset slider-crank" if gap > 1e-9 else "an in-line slider-crank",
-    )
+    verdict = _crank_exists(d.parent_j, gap > 1e-9) if holds else _no_crank(d.parent_j)
     rod_letters = "".join(sorted(b + c))
     return Words(
         f"曲柄滑块回路 ${near}{b}{c}$：{crank.told}，{rod.told}，偏距 $e$ = {e} mm。$l_{{{ab}}} + e$ = "
-        f"{total} mm {sign} $l_{{{rod_letters}}}$ = {bc} mm，"
-        f"{f'满足曲柄存在条件，构件 {d.parent_j} 可整周转动，为{kind.zh}' if holds else f'不满足曲柄存在条件，构件 {d.parent_j} 不能整周转动'}。",
+        f"{total} mm {sign} $l_{{{rod_letters}}}$ = {bc} mm，{verdict.zh}。",
         f"The slider-crank ${near}{b}{c}$ has {crank.told}, {rod.told} and the offset $e$ = {e} mm. "
-        f"$l_{{{ab}}} + e$ = {total} mm {sign} $l_{{{rod_letters}}}$ = {bc} mm: "
-        f"{f'link {d.parent_j} can make full revolutions, {kind.en}' if holds else f'link {d.parent_j} cannot make full revolutions'}.",
+        f"$l_{{{ab}}} + e$ = {total} mm {sign} $l_{{{rod_letters}}}$ = {bc} mm: {verdict.en}.",
     )
+
+
+def _crank_exists(link: str, offset: bool) -> Words:
+    kind = Words("偏置曲柄滑块机构", "an offset slider-crank")
+    if not offset:
+        kind = Words("对心曲柄滑块机构", "an in-line slider-crank")
+    return Words(
+        f"满足曲柄存在条件，构件 {link} 可整周转动，为{kind.zh}", f"link {link} can make full revolutions, {kind.en}"
+    )
+
+
+def _no_crank(link: str) -> Words:
+    return Words(f"不满足曲柄存在条件，构件 {link} 不能整周转动", f"link {link} cannot make full revolutions")

@@ -9,20 +9,23 @@ from math import degrees
 
 import numpy as np
 
-from ..cycle import Cycle, cycle, extremes, facts
+from ..cycle import Cycle, Extremes, cycle, extremes, facts
 from ..cycle.facts.found import Facts
 from ..cycle.sample import sample
 from ..errors import VecpolyError
 from ..mechanism.dimensions.set_out import stretched
 from ..mechanism.model import Link, Mechanism, Prismatic
 from ..words import Words
-from .motion import shown
 from .output_links import ends, motions
+from .shown import shown
 from .study.study import Study
 
 _STATIONS = 720  # positions at which a mechanism is tried that does not run
 _UNCHANGED = 1e-6  # of a value
 _TENTH = 1e-3  # rad: a change of an angle worth a word
+
+
+Ends = tuple[float, float]  # lowest and highest value
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,47 +95,36 @@ def output_changes(study: Study, other: Tried) -> Iterator[Words]:
     """What becomes of the output links: swing or stroke, and the greatest rates, before and after."""
     assert other.turn is not None and other.facts is not None
     for link in ends(study):
-        swings = [
-            key
-            for key in (
-                f"phi_{link}",
-                *(f"s_{key.partition('_')[2]}" for key in motions(study, link) if key.startswith("v_")),
-            )
-            if any(s.key == key for s in study.facts.swings)
-        ]
+        strokes = [f"s_{key.partition('_')[2]}" for key in motions(study, link) if key.startswith("v_")]
+        told = {swing.key for swing in study.facts.swings}
+        swings = [key for key in (f"phi_{link}", *strokes) if key in told]
         for key in (*swings, *motions(study, link)):
-            before, after = study.extremes(key), extremes(other.turn, key)
-            if before.highest is None or before.lowest is None or after.highest is None or after.lowest is None:
-                continue
-            if all(
-                abs(a.value - b.value) < _UNCHANGED * abs(b.value)
-                for a, b in ((after.highest, before.highest), (after.lowest, before.lowest))
-            ):
-                continue
-            symbol = study.whole.info(key).symbol
-            if key in swings:
-                what = Words(
-                    "总摆角" if key.startswith("phi") else "行程", "swing" if key.startswith("phi") else "stroke"
-                )
-                sizes = [
-                    shown(study, key, e.highest.value - e.lowest.value)
-                    for e in (before, after)
-                    if e.highest is not None and e.lowest is not None
-                ]
-                yield Words(
-                    f"${symbol}$ 的{what.zh}由 {sizes[0]} 变为 {sizes[1]}",
-                    f"the {what.en} of ${symbol}$ becomes {sizes[1]} instead of {sizes[0]}",
-                )
-            else:
-                sizes = [
-                    shown(study, key, max(abs(e.highest.value), abs(e.lowest.value)))
-                    for e in (before, after)
-                    if e.highest is not None and e.lowest is not None
-                ]
-                yield Words(
-                    f"$|{symbol}|$ 最大值由 {sizes[0]} 变为 {sizes[1]}",
-                    f"the greatest $|{symbol}|$ {sizes[1]} instead of {sizes[0]}",
-                )
+            before, after = _ends(study.extremes(key)), _ends(extremes(other.turn, key))
+            if before and after and not _alike(before, after):
+                yield (_swing if key in swings else _greatest)(study, key, before, after)
+
+
+def _alike(before: Ends, after: Ends) -> bool:
+    return all(abs(a - b) < _UNCHANGED * abs(b) for a, b in zip(after, before, strict=True))
+
+
+def _ends(found: Extremes) -> Ends | None:
+    return None if found.highest is None or found.lowest is None else (found.lowest.value, found.highest.value)
+
+
+def _swing(study: Study, key: str, before: Ends, after: Ends) -> Words:
+    symbol, angle = study.whole.info(key).symbol, key.startswith("phi")
+    what = Words("总摆角" if angle else "行程", "swing" if angle else "stroke")
+    old, new = (shown(study, key, high - low) for low, high in (before, after))
+    return Words(
+        f"${symbol}$ 的{what.zh}由 {old} 变为 {new}", f"the {what.en} of ${symbol}$ becomes {new} instead of {old}"
+    )
+
+
+def _greatest(study: Study, key: str, before: Ends, after: Ends) -> Words:
+    symbol = study.whole.info(key).symbol
+    old, new = (shown(study, key, max(abs(high), abs(low))) for low, high in (before, after))
+    return Words(f"$|{symbol}|$ 最大值由 {old} 变为 {new}", f"the greatest $|{symbol}|$ {new} instead of {old}")
 
 
 def trial(study: Study, ways: tuple[tuple[Side, ...], ...], own: str, change: Words, promised: float) -> Words:
@@ -146,51 +138,59 @@ def trial(study: Study, ways: tuple[tuple[Side, ...], ...], own: str, change: Wo
         f"{change.zh}，这一杆组的最小传动角可提高到 {promised:.1f}°",
         f"{change.en[0].upper()}{change.en[1:]} would raise the least angle of this group to {promised:.1f}°",
     )
+    return told + (_lost_told(known) or _worse_told(study, known[0], own) or _well_told(study, known[0], own))
+
+
+def _lost_told(known: list[Tried]) -> Words | None:
+    """In how many positions it cannot be assembled; None where it can in all of them."""
     lost = sorted({f"{100 * one.lost:.0f} %" for one in known if one.lost}, key=lambda text: float(text.split()[0]))
-    if lost:
-        span, every = (
-            (f"{lost[0]}" if len(lost) == 1 else f"{lost[0]}～{lost[-1]}"),
-            "" if all(one.lost for one in known) else "可能",
-        )
-        which = Words(
-            "" if len(lost) == 1 and not every else "（视杆上其余各点怎样取定而异）",
-            "" if len(lost) == 1 and not every else " (as the other points of the links are laid down)",
-        )
-        return told + Words(
-            f"；但试算表明，其余尺寸不变时{every}有 {span} 的位置不能装配{which.zh}，须同时改变后续杆组的尺寸。",
-            "; but on trial, all else unchanged, the mechanism "
-            f"{'cannot' if not every else 'may fail to'} be assembled in "
-            f"{span.replace('～', ' to ')} of all positions{which.en}: the groups that "
-            "follow must be changed too.",
-        )
+    if not lost:
+        return None
+    surely = all(one.lost for one in known)
+    cannot = Words("有", "cannot") if surely else Words("可能有", "may fail to")
+    span = Words.same(lost[0]) if len(lost) == 1 else Words(f"{lost[0]}～{lost[-1]}", f"{lost[0]} to {lost[-1]}")
+    which = Words("（视杆上其余各点怎样取定而异）", " (as the other points of the links are laid down)")
+    if len(lost) == 1 and surely:
+        which = Words.same("")
+    return Words(
+        f"；但试算表明，其余尺寸不变时{cannot.zh} {span.zh} 的位置不能装配{which.zh}，须同时改变后续杆组的尺寸。",
+        f"; but on trial, all else unchanged, the mechanism {cannot.en} be assembled in {span.en} of all "
+        f"positions{which.en}: the groups that follow must be changed too.",
+    )
+
+
+def _worse_told(study: Study, one: Tried, own: str) -> Words | None:
+    """The other groups whose γ falls; None where none does."""
     worse = [
         (study.whole.info(t.key).symbol, degrees(t.least.value), degrees(least))
-        for one in known[:1]
         for t in study.facts.transmissions
         if t.key != own and (least := one.least.get(t.key, 0.0)) < min(np.radians(40.0), t.least.value) - _TENTH
     ]
+    if not worse:
+        return None
+    zh = "、".join(f"${s}$ 的最小值由 {a:.1f}° 降为 {b:.1f}°" for s, a, b in worse)
+    en = ", ".join(f"the least ${s}$ falls from {a:.1f}° to {b:.1f}°" for s, a, b in worse)
+    return Words(
+        f"；但试算表明，其余尺寸不变时 {zh}，须同时改变后续杆组的尺寸。",
+        f"; but on trial, all else unchanged, {en}: the groups that follow must be changed too.",
+    )
+
+
+def _well_told(study: Study, one: Tried, own: str) -> Words:
+    """The γ of the other groups, and what becomes of the output."""
     others = [
         (study.whole.info(key).symbol, degrees(value))
-        for key, value in known[0].least.items()
+        for key, value in one.least.items()
         if key != own and value < np.pi / 2 - 1e-6
     ]
-    if worse:
-        zh, en = (
-            "、".join(f"${s}$ 的最小值由 {a:.1f}° 降为 {b:.1f}°" for s, a, b in worse),
-            ", ".join(f"the least ${s}$ falls from {a:.1f}° to {b:.1f}°" for s, a, b in worse),
-        )
-        return told + Words(
-            f"；但试算表明，其余尺寸不变时 {zh}，须同时改变后续杆组的尺寸。",
-            f"; but on trial, all else unchanged, {en}: the groups that follow must be changed too.",
-        )
     rest = Words(
         "".join(f"，${s}$ 最小 {size:.1f}°" for s, size in others),
         "".join(f", ${s}$ is at least {size:.1f}°" for s, size in others),
     )
-    results = list(output_changes(study, known[0])) or [
+    results = list(output_changes(study, one)) or [
         Words("输出构件的运动不变", "the motion of the output links is unchanged")
     ]
-    return told + Words(
+    return Words(
         f"。试算（其余尺寸不变）：机构在全部位置均可装配{rest.zh}；" + "，".join(w.zh for w in results) + "。",
         ". On trial, all else unchanged, the mechanism can be assembled in all "
         f"positions{rest.en}; " + ", ".join(w.en for w in results) + ".",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees, radians
 
-from ..cycle.facts.found import Transmission
+from ..cycle.facts.transmission_range import Transmission
 from ..mechanism.groups.assur import Dyad, decompose
 from ..mechanism.model import Revolute
 from ..words import Words

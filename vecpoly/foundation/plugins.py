@@ -13,10 +13,8 @@ from ..errors import PluginError
 from ..words import Words
 
 T = TypeVar("T")
-METHODS, DEVICES = (
-    "vecpoly.methods",
-    "vecpoly.devices",
-)  # the groups of entry points: each names a module that registers something
+# the groups of entry points: each names a module that registers something
+METHODS, DEVICES = ("vecpoly.methods", "vecpoly.devices")
 
 
 @cache

@@ -21,7 +21,10 @@ def formula(node: Node) -> str:
     """A formula on the line of the text."""
     box = layout(node, EM)
     width, height = box.width + 2 * PAD, box.height + 2 * PAD
-    size = f"height:{height / EM:.3f}em;width:{width / EM:.3f}em;vertical-align:{-(box.descent + PAD) / EM:.3f}em;max-width:none"
+    size = (
+        f"height:{height / EM:.3f}em;width:{width / EM:.3f}em;"
+        f"vertical-align:{-(box.descent + PAD) / EM:.3f}em;max-width:none"
+    )
     name = f'role="img" aria-label="{escape(plain(node))}"'
     return (
         f'<svg {name} viewBox="0 0 {width:.3f} {height:.3f}" '

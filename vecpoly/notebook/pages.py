@@ -53,19 +53,22 @@ def solution_html(solution: Solution, lang: Lang) -> str:
     warning = solution.construction.warning
     red = f'<p style="color:#b00020"><b>{sentence(warning.of(lang))}</b></p>' if warning else ""
     said = "".join(paragraph(text) for text in cautions(solution, lang))
-    return f"{_title(solution.problem, lang)}{red}{table(read.header, read.rows, read.align)}{said}{''.join(map(_paper, _sheets(solution, lang)))}"
+    papers = "".join(map(_paper, _sheets(solution, lang)))
+    return f"{_title(solution.problem, lang)}{red}{table(read.header, read.rows, read.align)}{said}{papers}"
 
 
 def construction_html(construction: Construction, lang: Lang) -> str:
     """The steps, each with its equation and formulas, the acts folded away, and the figures."""
     drawn = "".join(_paper(_svg(draw_figure(one, lang=lang), one.title, lang)) for one in construction.figures)
-    acts = f"<details><summary>{_ACTS.of(lang)}</summary><pre>{escape(told(construction.steps, construction.acts, lang))}</pre></details>"
+    listed = escape(told(construction.steps, construction.acts, lang))
+    acts = f"<details><summary>{_ACTS.of(lang)}</summary><pre>{listed}</pre></details>"
     return f"<ol>{''.join(_step(step, lang) for step in construction.steps)}</ol>{acts}{drawn}"
 
 
 def _step(step: Step, lang: Lang) -> str:
     written = equation(step.equation, lang) if step.equation else ""
-    return f"<li>{sentence(step.words.of(lang))}{written}{''.join(f'<div>{formula(one)}</div>' for one in step.formulas)}</li>"
+    formulas = "".join(f"<div>{formula(one)}</div>" for one in step.formulas)
+    return f"<li>{sentence(step.words.of(lang))}{written}{formulas}</li>"
 
 
 def _sketch(problem: Problem, drawn: Construction, lang: Lang) -> str:

@@ -21,7 +21,8 @@ HEAVY = {Face.BOLD, Face.BOLD_ITALIC, Face.HEI_BOLD}
 def font_css(used: Mapping[Face, set[str]]) -> str:
     """An @font-face rule for each face in use, the font in it as a data URL; and the class that sets type in it."""
     return "\n".join(
-        f'@font-face{{font-family:{family(face)};src:url(data:font/woff;base64,{_woff(face, "".join(sorted(chars)))}) format("woff")}}\n'
+        f"@font-face{{font-family:{family(face)};"
+        f'src:url(data:font/woff;base64,{_woff(face, "".join(sorted(chars)))}) format("woff")}}\n'
         f".{short(face)}{{font-family:{family(face)}}}"
         for face, chars in sorted(used.items())
     )

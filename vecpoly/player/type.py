@@ -90,7 +90,10 @@ def _svg(box: Box, faces: Faces) -> str:
         f"{round(-units * pad)} {round(-units * (box.ascent + pad))} {round(units * (box.width + 2 * pad))} "
         f"{round(units * (box.height + 2 * pad))}"
     )
-    size = f"height:{(box.height + 2 * pad) / EM:.3f}em;width:{(box.width + 2 * pad) / EM:.3f}em;vertical-align:{-(box.descent + pad) / EM:.3f}em"
+    size = (
+        f"height:{(box.height + 2 * pad) / EM:.3f}em;width:{(box.width + 2 * pad) / EM:.3f}em;"
+        f"vertical-align:{-(box.descent + pad) / EM:.3f}em"
+    )
     return f'<svg aria-hidden="true" viewBox="{view}" style="{size}">{set_box(box, faces, units)}</svg>'
 
 
@@ -117,10 +120,8 @@ def _inline(node: Node, faces: Faces) -> str:
     match node:
         case Sym(base, sub, sup):
             if sup and not sup.strip("′'"):
-                return (
-                    f'<span class="nb">{_sloped(base, faces)}<span '
-                    f'class="prime">{_sloped(sup, faces)}</span>{f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""}</span>'
-                )
+                letter, prime = _sloped(base, faces), f'<span class="prime">{_sloped(sup, faces)}</span>'
+                return f'<span class="nb">{letter}{prime}{f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""}</span>'
             below = f"<sub>{_sloped(sub, faces)}</sub>" if sub else ""
             above = f"<sup>{_sloped(sup, faces)}</sup>" if sup else ""
             scripts = f'<span class="ss">{above}{below}</span>' if above and below else above + below

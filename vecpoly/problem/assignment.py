@@ -18,7 +18,8 @@ from .reach import Reach, Resolver
 from .schema.faults import Faults, meant
 from .schema.models import AssignmentSpec
 from .schema.validate import validate
-from .text.source import Tree, decoded, overlay, parse, read
+from .text.overlay import overlay
+from .text.source import Tree, decoded, parse, read
 
 FIELDS = {
     "course": "课程",

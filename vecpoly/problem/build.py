@@ -7,25 +7,20 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..errors import FaultError, VecpolyError
-from ..mechanism.asked.centres import centre_quantities
-from ..mechanism.asked.forces import quantities
 from ..mechanism.groups import mobility
 from ..mechanism.loads import Loads
 from ..mechanism.model import Drive, Joint, Mechanism
 from ..mechanism.seats import seated
-from ..names import At, Named, is_centre
 from ..units.reading import Dim, read
 from ..words import Words
-from .asked.asks import Ask, AskNamed
+from .asked.sought import read_wanted
 from .asked.tables import read_tables
-from .asked.unasked import default_asks
-from .asked.wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
 from .devices import about_device, build_device
 from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
-from .joints.motion import numbered, read_input
+from .joints.motion import read_input
 from .joints.pins import read_pins
 from .joints.rolling import is_rolling, read_rolling
 from .links.bodies import Bodies
@@ -36,17 +31,16 @@ from .links.rollers import weld_rollers
 from .links.standing import check_starts, geared
 from .links.starts import say_travels
 from .loads.friction import read_friction
-from .loads.loads import acts, data_of_loads, read_loads
-from .problem import Datum, Given, Printed, Problem, Scales
+from .loads.load_data import data_of_loads
+from .loads.loads import acts, read_loads
+from .problem import Datum, Given, Problem
 from .read_ranges import read_ranges
 from .schema.faults import Faults, Place, meant
-from .schema.models import FindSpec, ProblemSpec
+from .schema.models import ProblemSpec
 from .schema.validate import validate
 from .schema.warnings import warnings_of
 from .text.source import Tree
 from .values.written import written_of
-
-ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
 
 def build(tree: Tree, path: Path | None = None) -> Problem:
@@ -60,7 +54,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     mechanism, motion = _mechanism(spec, bodies, faults)
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
-    asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
+    asks, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
     ranges, gate, tables = (
         read_ranges(spec.vary, tree.data, faults),
         read_gate(spec.gate, faults),
@@ -221,43 +215,6 @@ def _acting(
     friction, rubbing = read_friction(spec.friction, mechanism, faults)
     faults.settle()
     return replace(loads, friction=friction), (*data_of_loads(spec, loads), *rubbing, *weights)
-
-
-def _wanted(
-    spec: ProblemSpec, bodies: Bodies, mechanism: Mechanism, loads: Loads | None, faults: Faults
-) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
-    forces = _by_centres(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
-    named: list[At] = []
-    asks: list[Ask] = []
-    printed: list[Printed] = []
-    for i, item in enumerate(spec.find):
-        if isinstance(item, FindSpec) and item.point:
-            with faults.at("find", i):
-                named.append(read_point(item, bodies).at)
-    clean = not faults.found
-    for i, item in enumerate(spec.find):
-        if item == ALL_CENTRES:
-            asks += [AskNamed(rel=named) for named in forces.values() if is_centre(named)]
-        elif clean:
-            with faults.at("find", i):
-                asks.append(numbered(read_find(item, bodies, named, forces), spec))
-    for i, entry in enumerate(spec.printed):
-        with faults.at("printed", i):
-            printed.append(read_printed(entry, bodies, named, forces))
-    if loads and not spec.find:
-        asks.extend(default_asks(mechanism, loads, forces))
-    scales = Scales()
-    with faults.at("scales"):
-        scales = read_scales(spec.scales)
-        plottable(scales, mechanism)
-    return tuple(asks), tuple(printed), scales
-
-
-def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
-    """What the instant centres give, where one of these is asked for or printed."""
-    keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
-    wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
-    return centre_quantities(mechanism) if wanted and not faults.found else {}
 
 
 def _given(bodies: Bodies, motion: tuple[Datum, ...], acting: tuple[Datum, ...]) -> Given:

@@ -9,7 +9,8 @@ from ..errors import FaultError, UnknownNameError
 from ..names import Named
 from ..words import Words
 from .asked.asks import AskNamed
-from .asked.wanted import as_given, read_scales
+from .asked.drawn_to import read_scales
+from .asked.printed import as_given
 from .gate import read_gate
 from .problem import Datum, Given, Printed, Problem, Scales
 from .read_ranges import read_ranges

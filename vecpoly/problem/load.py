@@ -12,7 +12,8 @@ from .library import entries, find
 from .problem import Problem
 from .reach import Reach, Resolver, refuse_foreign
 from .schema.faults import Place, meant
-from .text.source import Tree, decoded, overlay, parse, read, read_text
+from .text.overlay import overlay
+from .text.source import Tree, decoded, parse, read, read_text
 
 Seen = tuple[Path | str, ...]  # files, and names that a resolver has
 

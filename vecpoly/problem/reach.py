@@ -15,9 +15,8 @@ from ..words import Words
 _PROBLEM = re.compile(r"""^[\s{"']*(?:id|title|extends|device|problems|frame|links|find)["']?\s*[:：]""", re.M)
 
 
-Resolver = Callable[
-    [str], "str | bytes | None"
-]  # a name as written in a problem -> what stands there; None: look for a file
+# a name as written in a problem -> what stands there; None: look for a file
+Resolver = Callable[[str], "str | bytes | None"]
 
 
 @dataclass(frozen=True, slots=True)

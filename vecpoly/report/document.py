@@ -9,6 +9,7 @@ from typing import Any
 
 from jinja2 import TemplateNotFound
 
+from ..board.construction import Construction
 from ..check.printed.answers import check_problem
 from ..drawing.backends.pdf import draw_pdf
 from ..drawing.figure import draw_figure
@@ -157,21 +158,19 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else "",
     }
     if style == "question":
-        blank = frames(solution.construction)
         return common | {
             "blanks": blank_equations(solution, objects),
             "empty": objects.add("tab", empty_table(solution, lang)),
-            "frames": [
-                objects.add("sheet", _page(s, solution, lang))
-                for s in sheets(blank, lang=lang, title=solution.problem.title, way=solution.problem.orientation)
-            ],
+            "frames": _pages(frames(solution.construction), solution, lang, objects),
         }
-    checked, lines, blocks = (
-        check_problem(solution.problem),
-        lines_table(solution, lang),
-        diagram(solution.construction),
-    )
-    return common | {
+    return common | _solved(solution, lang, objects)
+
+
+def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
+    """What a template may say of a problem's solution."""
+    checked, lines = check_problem(solution.problem), lines_table(solution, lang)
+    blocks = diagram(solution.construction)
+    return {
         "lines": objects.add("tab", lines) if lines else "",
         "tables": printed_tables(
             solution.problem,
@@ -188,15 +187,15 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "conclusions": conclusions(solution, lang),
         "cautions": cautions(solution, lang),
         "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
-        "sheets": []
-        if blocks
-        else [
-            objects.add("sheet", _page(s, solution, lang))
-            for s in sheets(
-                solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation
-            )
-        ],
+        "sheets": [] if blocks else _pages(solution.construction, solution, lang, objects),
     }
+
+
+def _pages(construction: Construction, solution: Solution, lang: Lang, objects: Objects) -> list[Any]:
+    """The sheets of a construction, each put among the objects of the report."""
+    problem = solution.problem
+    made = sheets(construction, lang=lang, title=problem.title, way=problem.orientation)
+    return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
 
 
 def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:

@@ -6,15 +6,14 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ..check.table.told.amounts import amount, rows_at, which
 from ..check.table.weigh import Level
 from ..check.table.whole import ColumnCheck, TableCheck, check_table
-from ..check.table.words import amount, rows_at, which
 from ..problem.problem import Problem
 from ..words import Lang, Words
 
-Put = Callable[
-    [Words, Sequence[str], Sequence[tuple[str, ...]], str], str
-]  # title, header, rows, alignment → name for the template
+# title, header, rows, alignment → name for the template
+Put = Callable[[Words, Sequence[str], Sequence[tuple[str, ...]], str], str]
 _HEADER = {
     "zh": ("列", "结论", "相符行数", "最大偏差", "原因"),
     "en": ("Column", "Verdict", "Rows right", "Deviation", "By which slip"),

@@ -98,20 +98,12 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
     sum_up = f"$F$ = 3×{count.links} − 2×{count.lower}{higher} = {count.freedom}"
     driver = driver_words(mech)
     if any("G" in g.kind or g.kind in ("gear", "rack", "gear train") for g in groups):
-        rolls = Words(
-            "（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)"
-        )
-        if counted.higher > len(mech.contacts):
-            rolls = Words(
-                "（轮心距由构件保持的齿轮副，按高副计）",
-                " (gears whose centres links hold apart count as a higher pair)",
-            )
         return (
             Words(
                 f"机构有 {count.links} 个活动构件，自由度 {sum_up}",
                 f"The mechanism has {count.links} moving links; its degree of freedom is {sum_up}",
             )
-            + rolls
+            + _rolling(counted.higher > len(mech.contacts))
             + Words(f"；{driver.zh}为原动件。", f"; {driver.en} drives.")
         )
     zh = "、".join(
@@ -130,20 +122,25 @@ def _made_of(mech: Mechanism, counted: Mobility, groups: tuple[Group, ...]) -> W
     )
     if any(g.kind == "driven" for g in groups):
         return opening + _inside(groups)
-    if slots.zh and not mech.contacts:
-        return opening + Words(
-            f"在销处各加一滑块作高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
-            f"; with a block put in place of each pin in its slot, the rest is {kind} "
-            f"{en}: a {_class(groups).en} mechanism.",
-        )
+    replaced = Words("", ",")
     if mech.contacts:
-        return opening + Words(
-            f"高副低代后，其余为 {zh}，属{_class(groups).zh}机构。",
-            "; with the higher pair replaced by a link and lower pairs, the rest is "
-            f"{kind} {en}: a {_class(groups).en} mechanism.",
+        replaced = Words("高副低代后，", "; with the higher pair replaced by a link and lower pairs,")
+    elif slots.zh:
+        replaced = Words("在销处各加一滑块作高副低代后，", "; with a block put in place of each pin in its slot,")
+    rest = Words(
+        f"其余为 {zh}，属{_class(groups).zh}机构。", f" the rest is {kind} {en}: a {_class(groups).en} mechanism."
+    )
+    return opening + replaced + rest
+
+
+def _rolling(higher: bool) -> Words:
+    """How pure rolling is counted; higher: as gears whose centres a link holds apart."""
+    if higher:
+        return Words(
+            "（轮心距由构件保持的齿轮副，按高副计）", " (gears whose centres links hold apart count as a higher pair)"
         )
-    return opening + Words(
-        f"其余为 {zh}，属{_class(groups).zh}机构。", f", the rest is {kind} {en}: a {_class(groups).en} mechanism."
+    return Words(
+        "（纯滚动副限制两个自由度，按低副计）", " (pure rolling takes two freedoms and counts as a lower pair)"
     )
 
 

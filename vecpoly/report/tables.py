@@ -57,31 +57,10 @@ def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
     r = answer.reading
     mm = "—" if r.mm is None else f"{r.mm:.1f}"
     if answer.is_place and answer.drawn_vector is not None and answer.exact_vector is not None:
-        drawn, exact = (f"({_fixed(v.real)}, {_fixed(v.imag)})" for v in (answer.drawn_vector, answer.exact_vector))
-        off = abs(answer.drawn_vector - answer.exact_vector)
-        gap = f"{number(1e3 * off if off > _NOTHING else 0.0, 2)} mm"
-        return (
-            f"${r.symbol}$",
-            mm,
-            f"${r.scale}$",
-            f"{drawn} mm",
-            "—",
-            exact,
-            gap,
-            number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE,
-        )
+        return _place(answer, mm, answer.drawn_vector, answer.exact_vector)
     if answer.is_place:  # at infinity
-        gap = number(answer.deviation, 2) + "°"
-        return (
-            f"${r.symbol}$",
-            mm,
-            "—",
-            "∞",
-            _angle(answer.drawn),
-            _angle(answer.exact),
-            gap,
-            _NONE if answer.computed else rough(answer.expected_error) + "°",
-        )
+        gap, reach = number(answer.deviation, 2) + "°", _NONE if answer.computed else rough(answer.expected_error) + "°"
+        return (f"${r.symbol}$", mm, "—", "∞", _angle(answer.drawn), _angle(answer.exact), gap, reach)
     factor = printed_unit(r.unit)[0]
     clean = _clean(answer.exact, answer.expected_error)
     exact = value(clean, YES_NO, lang) if r.unit == YES_NO or answer.undefined else number(factor * clean, 5)
@@ -95,6 +74,15 @@ def _row(answer: Answer, problem: Problem, lang: Lang) -> tuple[str, ...]:
         _deviation(answer, factor),
         _NONE if answer.computed else rough(factor * answer.expected_error),
     )
+
+
+def _place(answer: Answer, mm: str, drawn: complex, exact: complex) -> tuple[str, ...]:
+    """The row of a point (m)."""
+    here, there = (f"({_fixed(v.real)}, {_fixed(v.imag)})" for v in (drawn, exact))
+    off = abs(drawn - exact)
+    gap = f"{number(1e3 * off if off > _NOTHING else 0.0, 2)} mm"
+    reach = number(1e3 * answer.expected_error, 2) if answer.expected_error > _NOTHING else _NONE
+    return (f"${answer.reading.symbol}$", mm, f"${answer.reading.scale}$", f"{here} mm", "—", there, gap, reach)
 
 
 def _fixed(place: float) -> str:

@@ -34,6 +34,7 @@ _DEFINITIONS = (
     "kilowatt = 1e3 * watt = kW = 千瓦",
 )
 
+# spelling: SI factor and dimension
 _COMMON = {
     "mm": (1e-3, "length 1"),
     "m": (1.0, "length 1"),
@@ -55,7 +56,7 @@ _COMMON = {
     "kg": (1.0, "mass 1"),
     "kg*m**2": (1.0, "length 2 mass 1"),
     "kg/m**3": (1.0, "length -3 mass 1"),
-}  # spelling: SI factor and dimension
+}
 _USUAL = "mm cm m s min rad deg r rad/s r/min m/s m/s^2 m/mm"
 
 

@@ -52,7 +52,11 @@ links:
   2: {{{near}: D}}
   3: {{{far}: C}}
 joints: [{more}{slides}]
-input: {{cylinder: 2-3, length: {abs(c - d):.9g} mm, v: {rng.choice([0.1, -0.05])} m/s, a: {rng.choice([0, 0.2])} m/s^2}}
+input:
+  cylinder: 2-3
+  length: {abs(c - d):.9g} mm
+  v: {rng.choice([0.1, -0.05])} m/s
+  a: {rng.choice([0, 0.2])} m/s^2
 {told}
 loads:
 {load}  F_c: {{cylinder: 2-3, size: "?"}}

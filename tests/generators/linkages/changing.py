@@ -65,5 +65,6 @@ links:
   5: {{FG: 330 mm}}
 input: {{link: 1, phi: {phi} deg, omega: {rng.choice([10, -5])} rad/s}}
 branch: [{branch}, G left of FE]
-find: [v_C, v_CB, a_C, an_C, at_C, an_CB, at_CB, v_G, a_G, omega_2, omega_3, omega_4, omega_5, alpha_2, alpha_3, alpha_4, alpha_5]
+find: [v_C, v_CB, a_C, an_C, at_C, an_CB, at_CB, v_G, a_G,
+       omega_2, omega_3, omega_4, omega_5, alpha_2, alpha_3, alpha_4, alpha_5]
 """

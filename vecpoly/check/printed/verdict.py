@@ -96,11 +96,8 @@ UNITS: tuple[tuple[float, Words], ...] = (  # one number alone may bear these ou
     (1 / (2 * pi), Words("少乘 2π（把 r/s 当作 rad/s）", "2π left out (rev/s taken for rad/s)")),
     (1 / (4 * pi * pi), Words("少乘 (2π)²（把 r/s 当作 rad/s）", "(2π)² left out (rev/s taken for rad/s)")),
 )
-FACTORS = (
-    *UNITS,
-    (2.0, Words("多乘 2", "a factor 2 too many")),
-    (0.5, Words("少乘 2", "a factor 2 left out")),
-)  # 2: only many numbers together
+# 2: only many numbers together
+FACTORS = (*UNITS, (2.0, Words("多乘 2", "a factor 2 too many")), (0.5, Words("少乘 2", "a factor 2 left out")))
 
 
 def _slip(printed: Printed, value: float, truth: float) -> Words | None:

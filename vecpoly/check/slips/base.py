@@ -18,20 +18,8 @@ from ...words import Words
 from ..table.target import Reals
 from ..table.truth import solved
 from ..table.weigh import Column, Level, Weighing, weigh
-from .explain import (
-    LOOSE,
-    SURE,
-    Explanation,
-    Suspect,
-    accepted,
-    explain,
-    explained_by,
-    lengths_found,
-    noise_of,
-    plausible,
-    rates_found,
-    suspect,
-)
+from .by_fit import explained_by, lengths_found, rates_found
+from .explain import LOOSE, SURE, Explanation, Suspect, accepted, explain, noise_of, plausible, suspect
 from .fit import Fit, polished
 from .formula_search import in_formulas
 from .guess import Slip

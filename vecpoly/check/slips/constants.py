@@ -65,22 +65,13 @@ def constants(column: Column, truth: Truth) -> Iterator[Guess]:
     if found is None:
         return
     factor, sigma = found
-    named = [
-        one
-        for one in (*_drive_factors(truth), *_FACTORS)
-        if not column.target.is_place or (one[1] is not Slip.OMEGA and one[0] in _OF_PLACES)
-    ]
-    hits = [
-        (value, slip, words)
-        for value, slip, words in named
-        if abs(abs(factor) - value) < max(CLOSE * sigma, NEAR * value)
-    ]
-    sign = Words("，且符号相反", ", and the sign reversed") if factor < 0 else Words.same("")
     if abs(factor + 1) < CLOSE * sigma:
         yield Guess(
             slip=Slip.SIGN, words=Words("符号（转向）相反", "opposite sign (sense)"), expected=-exact, parameter=-1.0
         )
         return
+    hits = [one for one in _named(column, truth) if abs(abs(factor) - one[0]) < max(CLOSE * sigma, NEAR * one[0])]
+    sign = Words("，且符号相反", ", and the sign reversed") if factor < 0 else Words.same("")
     for value, slip, words in hits:
         yield Guess(
             slip=slip,
@@ -89,17 +80,25 @@ def constants(column: Column, truth: Truth) -> Iterator[Guess]:
             parameter=float(np.copysign(value, factor)),
         )
     if all(abs(abs(factor) - value) > CLOSE * sigma for value, _, _ in hits) and abs(factor - 1) > CLOSE * sigma:
-        factor = _round_number(factor, 2 * sigma)
-        factor, ratio = _lengths_ratio(column, truth, factor)
-        words = Words(f"差常数倍 {factor:.6g}", f"a constant factor {factor:.6g}") + ratio
-        written = len(f"{abs(factor):.6g}".lstrip("0.").replace(".", ""))
-        yield Guess(
-            slip=Slip.FACTOR,
-            words=words,
-            expected=factor * exact,
-            parameter=factor,
-            odd=0 if ratio.en else max(written - 2, 0),
-        )
+        yield _unnamed(column, truth, _round_number(factor, 2 * sigma))
+
+
+def _named(column: Column, truth: Truth) -> list[tuple[float, Slip, Words]]:
+    """The factors that have a name, and may lie on such a column: places know no ω, and of units the lengths' alone."""
+    factors = (*_drive_factors(truth), *_FACTORS)
+    if not column.target.is_place:
+        return list(factors)
+    return [one for one in factors if one[1] is not Slip.OMEGA and one[0] in _OF_PLACES]
+
+
+def _unnamed(column: Column, truth: Truth, factor: float) -> Guess:
+    """A factor that is none of the usual ones."""
+    factor, ratio = _lengths_ratio(column, truth, factor)
+    words = Words(f"差常数倍 {factor:.6g}", f"a constant factor {factor:.6g}") + ratio
+    written = len(f"{abs(factor):.6g}".lstrip("0.").replace(".", ""))
+    odd = 0 if ratio.en else max(written - 2, 0)
+    expected = factor * truth.of(column.target)
+    return Guess(slip=Slip.FACTOR, words=words, expected=expected, parameter=factor, odd=odd)
 
 
 def _ratio(column: Column, exact: Reals) -> tuple[float, float] | None:
@@ -116,9 +115,8 @@ def _ratio(column: Column, exact: Reals) -> tuple[float, float] | None:
     power = float((true[kept] ** 2).sum())
     scatter = float(np.sqrt(np.mean(np.maximum(np.abs(printed - factor * true)[kept], half[kept] / 2) ** 2)))
     largest = float(np.abs(true[kept]).max())
-    alike = (
-        float(np.median(half[kept])) / largest if np.ptp(np.abs(true[kept])) < 1e-6 * largest else 0.0
-    )  # equal numbers are all rounded one way
+    # equal numbers are all rounded one way
+    alike = float(np.median(half[kept])) / largest if np.ptp(np.abs(true[kept])) < 1e-6 * largest else 0.0
     return (factor, max(scatter / np.sqrt(power), alike)) if factor and power else None
 
 

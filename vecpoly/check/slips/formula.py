@@ -1,10 +1,8 @@
 """Several slips at once in the formula of a point's velocity or acceleration, which is a sum of terms along the links.
 
-v_E = l_AB ω_1 (−sin φ_1, cos φ_1) + l_BC ω_2 (−sin φ_2, cos φ_2) + …; an acceleration has l α (−sin φ, cos φ) and l ω²
-(−cos φ, −sin φ) of
-each bar. In a term, or in one component of it, ω (α, ω²) may be missing, ω stand for ω², the angle be another link's,
-sine stand for cosine,
-or + for −. All choices of one, two and three such slips are tried.
+v_E = l_AB ω_1 (−sin φ_1, cos φ_1) + l_BC ω_2 (−sin φ_2, cos φ_2) + …; an acceleration has l α (−sin φ, cos φ) and
+l ω² (−cos φ, −sin φ) of each bar. In a term, or in one component of it, ω (α, ω²) may be missing, ω stand for ω²,
+the angle be another link's, sine stand for cosine, or + for −. All choices of one, two and three such slips are tried.
 """
 
 from __future__ import annotations

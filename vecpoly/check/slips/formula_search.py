@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from ...oracle import Motion
 from ...words import Words
 from ..table.weigh import Column, Weighing, weigh
-from .explain import Explanation, Suspect, accepted, equals, mixed_or_none
+from .by_fit import mixed_or_none
+from .explain import Explanation, Suspect, accepted, equals
 from .formula import MOST_SLIPS, beyond_chance, formulas, ways_to
 from .formula_words import told as told_of
 from .guess import Slip

@@ -39,9 +39,8 @@ def shifts_found(columns: Sequence[Column], thin: Truth, truth: Truth) -> list[T
                 continue
             name = sign, round(degrees(angle), 4)
             positions = sign * truth.positions + angle
-            row = (
-                sign > 0 and abs(abs(angle) - abs(float(np.median(np.diff(truth.positions))))) < 1e-6
-            )  # told as a column shifted by one row
+            # told as a column shifted by one row
+            row = sign > 0 and abs(abs(angle) - abs(float(np.median(np.diff(truth.positions))))) < 1e-6
             if (
                 name not in found
                 and not row

@@ -17,19 +17,13 @@ from ...oracle import Motion
 from ...oracle.run import wrapped
 from ...problem.problem import Problem
 from ...words import Words
-from .header import Heading, Headings, Unit, known, read_header
+from .header import Heading, Headings, known, read_header
 from .numbering import NEAR, renumbered
 from .sheet import Sheet, last_unit
 from .target import Reals, Target
+from .unwritten import DEG, MM, RAD, M, fitting, guessed, unit_by_size
 from .weigh import Column
 
-_DEG, _RAD = Unit(name="deg", factor=pi / 180), Unit(name="rad", factor=1.0)
-_MM, _M = Unit(name="mm", factor=1e-3), Unit(name="m", factor=1.0)
-_CHOICES = {
-    "rad": (_RAD, _DEG), "m": (_MM, _M), "m/s": (Unit(name="m/s", factor=1.0), Unit(name="mm/s", factor=1e-3)),
-    "m/s^2": (Unit(name="m/s^2", factor=1.0), Unit(name="mm/s^2", factor=1e-3)),
-    "rad/s": (Unit(name="rad/s", factor=1.0),), "rad/s^2": (Unit(name="rad/s^2", factor=1.0),),
-}  # fmt: skip
 _STEPS = (15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1)  # deg
 
 
@@ -55,7 +49,7 @@ def read_table(sheet: Sheet, problem: Problem, said: Mapping[str, str]) -> Table
     drive = _drive(sheet, head.drive, mech.drive, mech.scale, notes)
     shown = drive * 1e3 if mech.drive.slide else np.degrees(drive)
     positions = drive if mech.drive.slide else drive + _lead(problem)
-    positions = _within(positions, _halves(sheet, head.drive) * (head.drive.unit or _DEG).factor, mech)
+    positions = _within(positions, _halves(sheet, head.drive) * (head.drive.unit or DEG).factor, mech)
     motion = oracle.solve(mech, positions, strict=False)
     head = _numbered(sheet, head, mech, motion, notes)
     columns = []
@@ -85,9 +79,8 @@ def _within(positions: Reals, half: Reals, mech: Mechanism) -> Reals:
     ends = np.concatenate([spans.ravel() + k * turn for k in (0, 1, -1)])
     end = ends[np.abs(ends - at).argmin(axis=1)]
     near = np.abs(end + full - positions) <= np.maximum(half, 1e-12 * (1 + np.abs(positions)))
-    return np.where(
-        near & ~inside, end + full, positions
-    )  # not moved by the difference: an end is exact to the last bit
+    # not moved by the difference: an end is exact to the last bit
+    return np.where(near & ~inside, end + full, positions)
 
 
 def _lead(problem: Problem) -> float:
@@ -118,8 +111,8 @@ def _drive(sheet: Sheet, heading: Heading, drive: Drive, scale: float, notes: li
     unit = heading.unit
     if unit is None:
         large = float(np.abs(values).max()) > (20 * scale if drive.slide else 2 * pi + 0.02)
-        unit = (_MM if large else _M) if drive.slide else (_DEG if large else _RAD)
-        notes.append(_guessed(heading.text, unit))
+        unit = (MM if large else M) if drive.slide else (DEG if large else RAD)
+        notes.append(guessed(heading.text, unit))
     values = values * unit.factor
     return (
         values if drive.slide or unit.name == "deg" else _whole_degrees(values, _halves(sheet, heading) * unit.factor)
@@ -151,7 +144,7 @@ def _numbered(sheet: Sheet, head: Headings, mech: Mechanism, motion: Motion, not
         assert heading.target is not None
         if not heading.said:
             values = _values(sheet, heading)
-            raw.append((heading.target, values * (heading.unit or _unit_by_size(heading.target, values)).factor))
+            raw.append((heading.target, values * (heading.unit or unit_by_size(heading.target, values)).factor))
     way = renumbered(raw, mech, motion)
     if not way:
         return head
@@ -172,13 +165,6 @@ def _numbered(sheet: Sheet, head: Headings, mech: Mechanism, motion: Motion, not
     return replace(head, columns=columns)
 
 
-def _unit_by_size(target: Target, values: Reals) -> Unit:
-    """Degrees where a number is larger than a full turn in radians; SI else."""
-    if target.is_angle and np.nanmax(np.abs(values)) > 2 * pi + 0.02:
-        return _DEG
-    return _CHOICES.get(target.unit, (Unit(name=target.unit, factor=1.0),))[-1 if target.unit == "m" else 0]
-
-
 def _column(sheet: Sheet, heading: Heading, motion: Motion, notes: list[Words]) -> Column:
     target = heading.target
     assert target is not None
@@ -190,9 +176,9 @@ def _column(sheet: Sheet, heading: Heading, motion: Motion, notes: list[Words]) 
                 f"{sheet.name}: column '{heading.text}' has {np.isfinite(values).sum()} numbers; at least 3 are needed",
             )
         )
-    unit = heading.unit or _fitting(target, values, exact)
+    unit = heading.unit or fitting(target, values, exact)
     if heading.unit is None:
-        notes.append(_guessed(heading.text, unit))
+        notes.append(guessed(heading.text, unit))
     values, half = values * unit.factor, half * unit.factor
     if target.other is not None and target.other.is_transmission:  # some tell the obtuse one
         values = folded(values)
@@ -223,23 +209,6 @@ def _floor(target: Target, mech: Mechanism) -> float:
     }.get(target.unit, 100.0)
 
 
-def _fitting(target: Target, values: Reals, exact: Reals) -> Unit:
-    """The unit in which the column fits best."""
-    if target.is_angle and np.nanmax(np.abs(values)) > 2 * pi + 0.02:
-        return _DEG
-
-    def off(unit: Unit) -> float:
-        if target.is_angle:
-            return float(np.nanmedian(np.abs(wrapped(values * unit.factor - exact))))
-        return abs(
-            float(
-                np.log((np.nanmedian(np.abs(values)) * unit.factor + 1e-300) / (np.nanmedian(np.abs(exact)) + 1e-300))
-            )
-        )
-
-    return min(_CHOICES.get(target.unit, (Unit(name=target.unit, factor=1.0),)), key=off)
-
-
 def _directed(column: Column, exact: Reals, notes: list[Words]) -> Column:
     """An angle may be counted along the link from its other end: that is no mistake."""
     if not column.target.is_angle:
@@ -255,10 +224,6 @@ def _directed(column: Column, exact: Reals, notes: list[Words]) -> Column:
         )
     )
     return replace(column, values=column.values - pi, turned=pi)
-
-
-def _guessed(header: str, unit: Unit) -> Words:
-    return Words(f"{header}：未注单位，按 {unit.name} 处理", f"{header}: no unit is written; taken as {unit.name}")
 
 
 def shown_position(value: float, slide: bool) -> str:

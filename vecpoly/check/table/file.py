@@ -15,6 +15,7 @@ from ...problem.text.held import Held
 from ...words import Words
 
 Lines = Iterator[tuple[int, list[Any]]]
+# what openpyxl, zipfile and the XML parser raise for damaged workbooks
 _DAMAGED = (
     OSError,
     ValueError,
@@ -30,7 +31,7 @@ _DAMAGED = (
     NotImplementedError,
     BadZipFile,
     zlib.error,
-)  # what openpyxl, zipfile and the XML parser raise for damaged workbooks
+)
 
 
 def read_table(path: Path | Held) -> bytes:

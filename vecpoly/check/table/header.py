@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
@@ -14,8 +14,9 @@ from ...oracle import Motion
 from ...problem.schema.faults import meant
 from ...units.names import unit_of
 from ...words import Words
+from .quantity_names import STEMS, is_drive, read_other, read_target
 from .sheet import Sheet
-from .target import STEMS, Target, is_drive, read_other, read_target
+from .target import Target
 
 LEFT_OUT = "-"
 _BRACKETS = re.compile(r"(.*?)\s*[\[(（]\s*([^\[（]+?)\s*[\])）]")
@@ -59,8 +60,7 @@ def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: L
     it out.
 
     Raises TableError for a column that does not exist, for a misspelt quantity, for a unit of another kind, and where
-    no
-    column tells the drive's position or nothing is left to compare.
+    no column tells the drive's position or nothing is left to compare.
     """
     for header in said:
         if header not in sheet.header:
@@ -75,8 +75,23 @@ def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: L
             left_out.append(text or f"{i + 1}")
         else:
             found.append(heading)
-    drive = [h for h in found if h.target is None]
+    drive = _of_drive(sheet, found, mech)
     columns = tuple(h for h in found if h.target is not None)
+    if not columns:
+        raise TableError(
+            Words(
+                f"{sheet.name}：没有可比较的量；请将列命名为 phi5、omega5、alpha5、xE、vE、aE，"
+                "或用 --columns 列名=omega_5 指明",
+                f"{sheet.name}: no column holds a quantity to compare; name them phi5, omega5, alpha5, xE, vE, "
+                "aE, or say --columns NAME=omega_5",
+            )
+        )
+    return Headings(drive=drive, columns=columns, left_out=tuple(left_out))
+
+
+def _of_drive(sheet: Sheet, found: Sequence[Heading], mech: Mechanism) -> Heading:
+    """The one column that tells the drive's position."""
+    drive = [h for h in found if h.target is None]
     if not drive:
         raise TableError(
             Words(
@@ -95,16 +110,7 @@ def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: L
                 f"leave one out with --columns {drive[1].text}=-",
             )
         )
-    if not columns:
-        raise TableError(
-            Words(
-                f"{sheet.name}：没有可比较的量；请将列命名为 phi5、omega5、alpha5、xE、vE、aE，"
-                "或用 --columns 列名=omega_5 指明",
-                f"{sheet.name}: no column holds a quantity to compare; name them phi5, omega5, alpha5, xE, vE, "
-                "aE, or say --columns NAME=omega_5",
-            )
-        )
-    return Headings(drive=drive[0], columns=columns, left_out=tuple(left_out))
+    return drive[0]
 
 
 def split(text: str) -> tuple[str, str]:
@@ -128,41 +134,41 @@ def _heading(sheet: Sheet, i: int, said: str, mech: Mechanism, loads: Loads | No
             name, unit = told, told_unit or unit
         else:
             unit = said
-    between = (
-        mech.drive.between
-        and name.replace("_", "") == f"{'s' if mech.drive.slide else 'phi'}{mech.drive.link}{mech.drive.on}"
-    )
-    if (
-        between
-        or is_drive(name)
-        or (
-            not mech.drive.between
-            and not mech.drive.slide
-            and (one := read_target(name))
-            and one.is_angle
-            and one.link == mech.drive.link
-        )
-        or (mech.drive.slide and name.replace("_", "") == f"s{mech.drive.link}")
-    ):
+    if _means_drive(name, mech):
         return Heading(index=i, text=text, target=None, unit=_drive_unit(unit, mech, where))
     target = read_target(name)
     if target is None or (target.of_link and target.of_link not in mech.numbered):
         target = read_other(name, mech, loads) or target
     if target is None:
-        if said or get_close_matches(
-            re.sub(r"[_\d]", "", name).lower(), [s for s in STEMS if len(s) > 2], n=1, cutoff=0.75
-        ):
-            raise TableError(
-                where
-                + Words(
-                    f"：“{name}”不是可识别的量；请写 phi5、omega5、alpha5、xE、vE、vxE、aE，"
-                    f"或用 --columns {text}=- 略去此列",
-                    f": '{name}' is no quantity; write phi5, omega5, alpha5, xE, vE, vxE, aE, or leave the "
-                    f"column out with --columns {text}=-",
-                )
-            )
+        if said or _nearly_a_stem(name):
+            raise TableError(where + _no_quantity(name, text))
         return None
     return Heading(index=i, text=text, target=target, unit=_unit(unit, target.unit, where), said=bool(said))
+
+
+def _means_drive(name: str, mech: Mechanism) -> bool:
+    """Whether the position of this drive is meant: phi, 曲柄转角, phi1; s1 of a slider, s23 of a cylinder."""
+    drive, short = mech.drive, name.replace("_", "")
+    if is_drive(name) or (drive.slide and short == f"s{drive.link}"):
+        return True
+    if drive.between:
+        return short == f"{'s' if drive.slide else 'phi'}{drive.link}{drive.on}"
+    one = None if drive.slide else read_target(name)
+    return one is not None and one.is_angle and one.link == drive.link
+
+
+def _nearly_a_stem(name: str) -> bool:
+    """Whether it looks like a misspelt quantity."""
+    stems = [stem for stem in STEMS if len(stem) > 2]
+    return bool(get_close_matches(re.sub(r"[_\d]", "", name).lower(), stems, n=1, cutoff=0.75))
+
+
+def _no_quantity(name: str, text: str) -> Words:
+    return Words(
+        f"：“{name}”不是可识别的量；请写 phi5、omega5、alpha5、xE、vE、vxE、aE，或用 --columns {text}=- 略去此列",
+        f": '{name}' is no quantity; write phi5, omega5, alpha5, xE, vE, vxE, aE, or leave the "
+        f"column out with --columns {text}=-",
+    )
 
 
 def known(sheet: Sheet, heading: Heading, mech: Mechanism, motion: Motion) -> None:

@@ -80,13 +80,7 @@ def read_sheet(path: Path | Held) -> Sheet:
 
     Raises TableError where the file cannot be read, is ragged, has no header or too few rows.
     """
-    lines = [(n, cells) for n, cells in counted(_lines(path), path) if any(cells)]
-    while len(lines) > 1 and sum(map(bool, lines[0][1])) == 1 < sum(map(bool, lines[1][1])):
-        lines.pop(0)  # a title
-    if not lines:
-        raise TableError(Words(f"{path.name}：表是空的", f"{path.name}: the table is empty"))
-    if _is_in_words(lines):
-        lines.pop(0)
+    lines = _below_titles(path)
     (head_line, header), body = lines[0], _pointed(lines[1:])
     if all(is_number(cell) for cell in header if cell):
         raise TableError(
@@ -97,14 +91,7 @@ def read_sheet(path: Path | Held) -> Sheet:
         )
     while header and not header[-1]:
         header.pop()
-    for line, cells in body:
-        if (len(cells) != len(header) and any(cells[len(header) :])) or len(cells) < len(header):
-            raise TableError(
-                Words(
-                    f"{path.name} 第 {line} 行：有 {len(cells)} 格，而表头有 {len(header)} 列",
-                    f"{path.name}, line {line}: {len(cells)} cells where the header has {len(header)}",
-                )
-            )
+    _refuse_ragged(path.name, body, len(header))
     units = [""] * len(header)
     if body and not any(is_number(cell) for cell in body[0][1]):
         units = [cell.strip("[]()（） ") for cell in body.pop(0)[1]]
@@ -124,6 +111,30 @@ def read_sheet(path: Path | Held) -> Sheet:
         rows=tuple(tuple(cells[: len(header)]) for _, cells in body),
         lines=tuple(line for line, _ in body),
     )
+
+
+def _below_titles(path: Path | Held) -> list[tuple[int, list[str]]]:
+    """The lines that are not blank, from the header on."""
+    lines = [(n, cells) for n, cells in counted(_lines(path), path) if any(cells)]
+    while len(lines) > 1 and sum(map(bool, lines[0][1])) == 1 < sum(map(bool, lines[1][1])):
+        lines.pop(0)  # a title
+    if not lines:
+        raise TableError(Words(f"{path.name}：表是空的", f"{path.name}: the table is empty"))
+    if _is_in_words(lines):
+        lines.pop(0)
+    return lines
+
+
+def _refuse_ragged(name: str, body: list[tuple[int, list[str]]], width: int) -> None:
+    """TableError where a row has not as many cells as the header, blank ones behind its end not counted."""
+    for line, cells in body:
+        if len(cells) < width or any(cells[width:]):
+            raise TableError(
+                Words(
+                    f"{name} 第 {line} 行：有 {len(cells)} 格，而表头有 {width} 列",
+                    f"{name}, line {line}: {len(cells)} cells where the header has {width}",
+                )
+            )
 
 
 def _is_in_words(lines: list[tuple[int, list[str]]]) -> bool:

@@ -21,10 +21,10 @@ from ..slips.base import explained, weighed_by
 from ..slips.explain import Explanation, suspect
 from .columns import Table, read_table
 from .sheet import read_sheet
+from .told.column import of_column
+from .told.whole import of_whole
 from .variants import whose_lengths
-from .verdict import of_whole
 from .weigh import Column, Level, Weighing
-from .words import of_column
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

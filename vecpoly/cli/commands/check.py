@@ -54,10 +54,8 @@ def check(
     """Check printed answers, or a printed table, against exact values.
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and
-    assemblies
-    are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are
-    compared.
-    Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 rad/s".
+    assemblies are tried, to see whether the numbers are possible at all. With --table, the columns of a table over
+    the cycle are compared. Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 rad/s".
 
     Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """

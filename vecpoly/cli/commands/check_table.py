@@ -97,7 +97,7 @@ def _print(problem: Problem, checked: TableCheck, lang: Lang) -> None:
 
 
 def _row(one: ColumnCheck, lang: Lang) -> tuple[str, ...]:
-    from ...check.table.words import amount
+    from ...check.table.told.amounts import amount
 
     column, given = one.column, one.given
     slips = "; ".join(bare(slip.words.of(lang)) for slip in one.explanations[:1])

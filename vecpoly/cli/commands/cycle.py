@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from contextlib import suppress
-from math import ceil, degrees, floor, isfinite
+from math import ceil, floor
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,27 +11,22 @@ import typer
 
 from ...errors import NotAskedError, VecpolyError
 from ...limits import POSITIONS
-from ...names import written_unit
-from ...words import Words, bare
+from ...words import Words
 from ..completion import ids
 from ..errors import Tally, about
 from ..files import STDOUT, put, spared
 from ..jobs import each, problems
 from ..options import Lang, LangOption, OutsideOption, place
-from ..terminal import add, show, table, warn
-from ..wording import number
+from ..terminal import warn
 
 if TYPE_CHECKING:
     from ...curves import Plot
     from ...cycle import Cycle
     from ...problem.problem import Problem
-    from ...words import Words
+
+from ..whole_turn import print_turn
 
 TABLES, PLOTS = (".csv", ".xlsx"), (".svg", ".pdf", ".png")
-_COLUMNS = {
-    "zh": ("量", "单位", "最大", "位置", "最小", "位置"),
-    "en": ("symbol", "unit", "greatest", "at", "least", "at"),
-}
 
 Id = Annotated[
     str,
@@ -104,20 +98,7 @@ def cycle(
     allow_outside: OutsideOption = False,
 ) -> None:
     """Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves."""
-    if path and hodograph:
-        raise NotAskedError(
-            Words(
-                "--path 与 --hodograph 是两种图；请只取其一",
-                "--path and --hodograph are two drawings: ask for one of them",
-            )
-        )
-    if (path or hodograph) and plot is None:
-        raise NotAskedError(
-            Words(
-                "--path 与 --hodograph 用于绘图；请用 --plot 文件 指明输出",
-                "--path and --hodograph are drawings: say where to with --plot FILE",
-            )
-        )
+    _one_drawing(path, hodograph, plot)
     tally = Tally()
     found = problems([name], tally, allow_outside)
     spared(output, TABLES, found)
@@ -136,9 +117,27 @@ def cycle(
             if plot is not None:
                 _plot(_drawn(turn, problem, keys, path, hodograph, lang), each(plot, problem.id, len(found)))
             if output is None and plot is None:
-                _print(turn, problem, keys, lang)
+                print_turn(turn, problem, keys, lang)
             _weigh(problem, lang, tally)
     tally.settle()
+
+
+def _one_drawing(path: str, hodograph: str, plot: Path | None) -> None:
+    """NotAskedError where two drawings are asked for, or one without a place for it."""
+    if path and hodograph:
+        raise NotAskedError(
+            Words(
+                "--path 与 --hodograph 是两种图；请只取其一",
+                "--path and --hodograph are two drawings: ask for one of them",
+            )
+        )
+    if (path or hodograph) and plot is None:
+        raise NotAskedError(
+            Words(
+                "--path 与 --hodograph 用于绘图；请用 --plot 文件 指明输出",
+                "--path and --hodograph are drawings: say where to with --plot FILE",
+            )
+        )
 
 
 def _plot(drawn: Plot, path: Path) -> None:
@@ -208,70 +207,3 @@ def _asked(turn: Cycle, problem: Problem) -> tuple[str, ...]:
     asked = [ask.rel.key for ask in problem.asks if ask.rel.key in known]
     turning = [key for key in asked if key.startswith(("omega", "alpha", "M_"))]
     return tuple(turning or asked or [f"omega_{name}" for name in turn.mech.numbered if name != turn.mech.drive.link])
-
-
-def _print(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang) -> None:
-    """Facts in sentences, extremes in a table, the paths of the points."""
-    from ...cycle import Shape, facts, force_sentences, path, path_sentences, sentences
-
-    typer.echo(f"{problem.id}  {bare(problem.title.of(lang))}\n")
-    for words in _zero(turn, problem):
-        typer.echo(f"  {_plain(words.of(lang))}")
-    for words in (*sentences(turn, facts(turn)), *force_sentences(turn)):
-        typer.echo(f"  {_plain(words.of(lang))}")
-    made = table("", [(name, "right" if i > 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
-    for key in keys or tuple(column.key for column in turn.columns):
-        add(made, _row(turn, key))
-    typer.echo("")
-    show(made)
-    for letter in [column.key[2:] for column in turn.columns if column.key.startswith("p_") and not keys]:
-        found = path(turn, letter)
-        if found.shape is Shape.CURVE:
-            typer.echo(
-                "  "
-                + ("" if lang == "zh" else " ").join(_plain(words.of(lang)) for words in path_sentences(turn, found))
-            )
-
-
-def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
-    """That the drive's angle counts from the x axis, where the problem counts it from elsewhere, or to another point of
-    the link."""
-    from ...words import Words
-
-    drive, symbol = turn.mech.drive, turn.drive.symbol
-    given = next((datum for datum in problem.given.motion if datum.symbol == f"φ_{drive.link}"), None)
-    if given is None or drive.slide:
-        return
-    lead = degrees(drive.position - given.si)
-    if abs(lead - 360 * round(lead / 360)) > 1e-9:
-        here = f"{number(degrees(drive.position), 6)}°"
-        yield Words(
-            f"各角由 $x$ 轴量起：题目所给的 ${symbol}$ = {given.text} 在此为 {here}。",
-            f"Angles count from the $x$ axis: the position given as ${symbol}$ = {given.text} is {here} here.",
-        )
-
-
-def _row(turn: Cycle, key: str) -> tuple[str, ...]:
-    from ...cycle import extremes
-    from ...cycle.facts.found import transmission
-
-    found, info = extremes(turn, key), turn.info(key)
-    acute = transmission(turn, key) if key.startswith("gamma_") else None
-    cells: list[str] = []
-    for spot in (acute.greatest, acute.least) if acute else (found.highest, found.lowest):
-        here = (
-            "—"
-            if spot is None or found.is_constant
-            else number(turn.drive.factor * spot.phi, 7) + written_unit("deg" if turn.drive.unit == "rad" else " mm")
-        )
-        cells += ["—" if spot is None else _value(info.factor * spot.value), here]
-    size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
-    return size, written_unit(info.shown_unit), *cells
-
-
-def _value(value: float) -> str:
-    return number(value, 7) if isfinite(value) else "∞" if value > 0 else "−∞"
-
-
-def _plain(text: str) -> str:
-    return written_unit(bare(text))

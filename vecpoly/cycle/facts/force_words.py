@@ -9,7 +9,7 @@ from ...oracle.forces import Cause
 from ...words import Words
 from ..cycle import Cycle
 from .duties import Duty, Still, duties, stills
-from .sentences import shown
+from .shown import shown
 
 _CAUSES = {
     Cause.IDLE: Words("平衡载荷不作功", "the balancing load does no work"),

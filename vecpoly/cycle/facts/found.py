@@ -14,12 +14,11 @@ from ...mechanism.model import FRAME
 from ..columns import dyads, slides
 from ..cycle import Cycle
 from ..extremes import Extremes, Spot, extremes
-from ..root import ridders
 from .closing import laps_of, turns_of
 from .transmission import folded, is_told
+from .transmission_range import Transmission, transmission_of
 
 MEETING = 1e-5  # rad: a folded dyad
-POOR, FOLDED = np.radians(40.0), np.radians(15.0)  # below: poor transmission; nearly folded
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,27 +53,6 @@ class Stroke:
 
 
 @dataclass(frozen=True, slots=True)
-class Transmission:
-    """The folded transmission angle of a dyad over the cycle: least and greatest (rad) with the drive's positions."""
-
-    key: str
-    links: str
-    kind: str
-    least: Spot
-    greatest: Spot
-
-    @property
-    def is_poor(self) -> bool:
-        """Whether it falls below 40°, the usual bound."""
-        return bool(self.least.value < POOR)
-
-    @property
-    def is_folded(self) -> bool:
-        """Whether the dyad comes so near its folded position (15°) that rates depend strongly on every length."""
-        return bool(self.least.value < FOLDED)
-
-
-@dataclass(frozen=True, slots=True)
 class Peak:
     """A largest |α| far above its usual size (rms), and what stands beside it: a nearly folded dyad, a short arm of a
     slotted link."""
@@ -106,9 +84,8 @@ class Facts:
     transmissions: tuple[Transmission, ...]
     arms: tuple[Extremes, ...]
     dead: tuple[Spot, ...]  # of the drive itself: the ends of its range
-    changes: tuple[
-        tuple[str, tuple[Spot, ...]], ...
-    ]  # change points of a drive that turns right round: key of γ, where a dyad lies in one line
+    # change points of a drive that turns right round: key of γ, where a dyad lies in one line
+    changes: tuple[tuple[str, tuple[Spot, ...]], ...]
     peaks: tuple[Peak, ...]
 
 
@@ -120,7 +97,7 @@ def facts(cycle: Cycle) -> Facts:
         t
         for name, dyad in dyads(even.mech).items()
         if is_told(even.mech, dyad)
-        if (t := _transmission(even, name, dyad.kind))
+        if (t := transmission_of(even, name, dyad.kind))
     )
     arms = tuple(extremes(even, f"d_{name}") for name, dyad in dyads(even.mech).items() if dyad.kind == "RPR")
     unlimited = _unlimited(even)
@@ -199,37 +176,6 @@ def _closes(cycle: Cycle, key: str) -> bool:
     """Whether the column comes back to its value after a turn."""
     first, last = np.asarray(cycle.at(key, np.array([cycle.low, cycle.high])), np.float64)
     return bool(abs(last - first) < 1e-6 * (cycle.mech.scale if cycle.info(key).unit == "m" else 1.0))
-
-
-def transmission(cycle: Cycle, key: str) -> Transmission | None:
-    """The least and the greatest acute angle of a column gamma_23; None of one without values."""
-    name = key.removeprefix("gamma_")
-    return _transmission(cycle, name, dyads(cycle.mech)[name].kind)
-
-
-def _transmission(cycle: Cycle, name: str, kind: str) -> Transmission | None:
-    """The extremes of γ, of which those near 180° count as their supplement."""
-    key = f"gamma_{name}"
-    found = extremes(cycle, key)
-    if found.highest is None or found.lowest is None:
-        return None
-    both = [Spot(s.phi, float(folded(np.array(s.value))), s.end) for s in (found.highest, found.lowest)]
-    crossed = found.highest.value >= np.pi / 2 >= found.lowest.value
-    least = min(both, key=lambda s: s.value)
-    greatest = max(both, key=lambda s: s.value)
-    if crossed:
-        greatest = Spot(_right_angle(cycle, key, greatest.phi), np.pi / 2)
-    return Transmission(key, name, kind, least, greatest)
-
-
-def _right_angle(cycle: Cycle, key: str, otherwise: float) -> float:
-    """The first position where γ passes 90°."""
-    phi, gamma = cycle.on_grid(key)
-    with np.errstate(invalid="ignore"):
-        change = np.flatnonzero((gamma[:-1] - np.pi / 2) * (gamma[1:] - np.pi / 2) <= 0)
-    found = ridders(lambda q: np.asarray(cycle.at(key, q), np.float64) - np.pi / 2, phi[change], phi[change + 1])
-    sound = found[np.isfinite(found)]
-    return float(sound.min()) if sound.size else otherwise
 
 
 def _peak(cycle: Cycle, name: str, told: tuple[Transmission, ...], arms: tuple[Extremes, ...]) -> Peak | None:

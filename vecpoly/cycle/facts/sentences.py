@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees, isfinite
+from math import degrees
 
 from ...mechanism.rams import driver_words
 from ...words import Words
 from ..cycle import Cycle
 from ..extremes import Extremes, Spot, extremes
 from .changing import figure_words
-from .found import Facts, Peak, Stroke, Transmission
-from .path import Path, Shape
+from .found import Facts, Peak, Stroke
+from .shown import number, shown, where
+from .transmission_range import Transmission
 
 
 def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
@@ -29,26 +30,6 @@ def sentences(cycle: Cycle, found: Facts) -> tuple[Words, ...]:
     )
 
 
-def number(value: float, digits: int = 6) -> str:
-    """A number for reading, with a real minus."""
-    if not isfinite(value):
-        return "∞" if value > 0 else "−∞"
-    text = f"{round(value, 9) + 0.0:.{digits}g}"
-    return (f"{float(text):.0f}" if "e+" in text and abs(value) < 1e9 else text).replace("-", "−")
-
-
-def shown(cycle: Cycle, key: str, value: float, digits: int = 6) -> str:
-    """A value of a column with its shown unit."""
-    info = cycle.info(key)
-    unit = info.shown_unit
-    return number(info.factor * value, digits) + (unit if unit == "°" else f" {unit}" if unit else "")
-
-
-def where(cycle: Cycle, spot: Spot) -> str:
-    """$φ_1$ = 37.5°."""
-    return f"${cycle.drive.symbol}$ = {shown(cycle, cycle.drive.key, spot.phi, 5)}"
-
-
 def _driver(cycle: Cycle) -> Words:
     """原动件 1 / The driving link 1; 油缸 2-3 / The cylinder 2-3."""
     if not cycle.mech.drive.between:
@@ -64,44 +45,36 @@ def _range(cycle: Cycle, found: Facts) -> Iterator[Words]:
             f"{link.en} can turn right round; the mechanism can be assembled in every position.",
         )
         return
-    bound, ends = (
-        "的行程有限" if cycle.mech.drive.slide else "不能整周运动",
-        [shown(cycle, cycle.drive.key, q, 6) for q in (cycle.low, cycle.high)],
-    )
+    low, high = ends = [shown(cycle, cycle.drive.key, q, 6) for q in (cycle.low, cycle.high)]
     if all(found.unlimited):
         yield Words(
-            f"{link.zh}的行程不受限制；这里取 ${symbol}$ 由 {ends[0]} 至 {ends[1]}。",
-            f"{link.en} can move on without limit; ${symbol}$ is taken here from {ends[0]} to {ends[1]}.",
+            f"{link.zh}的行程不受限制；这里取 ${symbol}$ 由 {low} 至 {high}。",
+            f"{link.en} can move on without limit; ${symbol}$ is taken here from {low} to {high}.",
         )
         return
-    yield Words(
-        f"{link.zh}{bound}：${symbol}$ 只能在 {ends[0]} 至 {ends[1]} 之间。"
-        if not any(found.unlimited)
-        else f"{link.zh}的行程一端受限：这里 ${symbol}$ 在 {ends[0]} 至 {ends[1]} 之间，"
-        f"其中 {ends[found.unlimited.index(True)]} 只是计算所取的界限。",
-        f"{link.en} cannot move on for ever: ${symbol}$ is limited to {ends[0]} … {ends[1]}."
-        + (
-            f" The end {ends[found.unlimited.index(True)]} is no limit, only as far as was looked."
-            if any(found.unlimited)
-            else ""
-        ),
-    )
+    bound = "的行程有限" if cycle.mech.drive.slide else "不能整周运动"
+    zh = f"{link.zh}{bound}：${symbol}$ 只能在 {low} 至 {high} 之间。"
+    en = f"{link.en} cannot move on for ever: ${symbol}$ is limited to {low} … {high}."
+    if any(found.unlimited):
+        free = ends[found.unlimited.index(True)]
+        zh = f"{link.zh}的行程一端受限：这里 ${symbol}$ 在 {low} 至 {high} 之间，其中 {free} 只是计算所取的界限。"
+        en += f" The end {free} is no limit, only as far as was looked."
+    yield Words(zh, en)
     if found.dead:
-        zh = (
-            "在这两个极限位置，原动件为从动杆组所限"
-            if len(found.dead) == 2
-            else f"在极限位置 {where(cycle, found.dead[0])}，原动件为从动杆组所限"
-        )
-        en = (
-            "At these two limits the dyad that it drives"
-            if len(found.dead) == 2
-            else f"At the limit {where(cycle, found.dead[0])} the dyad that it drives"
-        )
-        yield Words(
-            zh + "，速度无定值（死点）。",
-            en + " is stretched or folded, or its guides are parallel, and velocities have no single value (dead "
-            "points).",
-        )
+        yield _dead(cycle, found.dead)
+
+
+def _dead(cycle: Cycle, dead: tuple[Spot, ...]) -> Words:
+    """The dead points of the drive: the ends of its range."""
+    at = Words("在这两个极限位置", "At these two limits")
+    if len(dead) != 2:
+        here = where(cycle, dead[0])
+        at = Words(f"在极限位置 {here}", f"At the limit {here}")
+    return Words(
+        f"{at.zh}，原动件为从动杆组所限，速度无定值（死点）。",
+        f"{at.en} the dyad that it drives is stretched or folded, or its guides are parallel, and velocities have no "
+        "single value (dead points).",
+    )
 
 
 def _turns(cycle: Cycle, found: Facts) -> Iterator[Words]:
@@ -266,137 +239,3 @@ def extreme_words(cycle: Cycle, key: str) -> Words:
         f"${info.symbol}$ is {high} at most ({where(cycle, found.highest)}) and {low} at least "
         f"({where(cycle, found.lowest)}).",
     )
-
-
-_SHAPES = {
-    Shape.STILL: Words("静止不动", "stands still"),
-    Shape.CIRCLE: Words("为整圆", "moves on a circle"),
-    Shape.LINE: Words("为一段直线（往复）", "moves to and fro on a straight line"),
-    Shape.ARC: Words("为一段圆弧（往复）", "moves to and fro on a circular arc"),
-    Shape.CURVE: Words("为连杆曲线", "traces a coupler curve"),
-}
-
-
-_ENDLESS = Words("，在原动件行程的端部伸向无穷远。", ", and runs off to infinity towards an end of the drive's range.")
-
-
-def path_sentences(cycle: Cycle, found: Path) -> tuple[Words, ...]:
-    """The shape of a path in words."""
-    point, kind = f"${found.point}$", _SHAPES[found.shape]
-    text = [
-        Words(
-            f"点 {point} 的轨迹{kind.zh}" if found.shape is not Shape.STILL else f"点 {point} {kind.zh}",
-            f"Point {point} {kind.en}",
-        )
-        + (
-            _ENDLESS
-            if not isfinite(found.length)
-            else Words(f"，长 {_mm(found.length)} mm。", f", {_mm(found.length)} mm long.")
-            if found.length
-            else Words("。", ".")
-        )
-    ]
-    if found.shape is Shape.CIRCLE:
-        text[0] = _circle(cycle, found)
-    if found.shape is Shape.CURVE and isfinite(found.length):
-        text.append(
-            Words("曲线封闭。", "The curve is closed.") if found.closed else Words("曲线不封闭。", "The curve is open.")
-        )
-        for cross in found.crossings:
-            place = f"({_mm(cross.at.real)}, {_mm(cross.at.imag)}) mm"
-            at = [_place(cycle, q) for q in (cross.first, cross.second)]
-            pivot = next(
-                (
-                    f"${letter}$"
-                    for letter, z in cycle.mech.frame.items()
-                    if abs(z - cross.at) < 1e-9 * cycle.mech.scale
-                ),
-                "",
-            )
-            text.append(
-                Words(
-                    f"它在 {place}{f'（恰为固定铰链 {pivot}）' if pivot else ''} 自交（${cycle.drive.symbol}$ = "
-                    f"{at[0]} 和 {at[1]}）。",
-                    f"It crosses itself at {place}{f', the fixed pivot {pivot}' if pivot else ''} "
-                    f"(${cycle.drive.symbol}$ = {at[0]} and {at[1]}).",
-                )
-            )
-        for place_, q in found.cusps:
-            place = f"({_mm(place_.real)}, {_mm(place_.imag)}) mm"
-            text.append(
-                Words(
-                    f"它在 {place} 有尖点（{where(cycle, Spot(q, 0.0))}）。",
-                    f"It has a cusp at {place} ({where(cycle, Spot(q, 0.0))}).",
-                )
-            )
-        if found.turning is not None:
-            text.append(_turning(found.turning, len(found.crossings)))
-            text += _bends(cycle, found)
-    return tuple(text)
-
-
-def _circle(cycle: Cycle, found: Path) -> Words:
-    """Its centre and radius."""
-    middle, radius = (found.low + found.high) / 2, (found.high - found.low).real / 2
-    pivot = next(
-        (f"${letter}$" for letter, z in cycle.mech.frame.items() if abs(z - middle) < 1e-5 * cycle.mech.scale),
-        f"({_mm(middle.real)}, {_mm(middle.imag)}) mm",
-    )
-    return Words(
-        f"点 ${found.point}$ 的轨迹为以 {pivot} 为圆心、半径 {_mm(radius)} mm 的整圆，长 {_mm(found.length)} mm。",
-        f"Point ${found.point}$ moves on a circle of radius {_mm(radius)} mm about {pivot}, "
-        f"{_mm(found.length)} mm long.",
-    )
-
-
-def _place(cycle: Cycle, position: float) -> str:
-    """A position of the drive: degrees to one decimal."""
-    info = cycle.drive
-    return (
-        f"{info.factor * position:.1f}°".replace("-", "−")
-        if info.shown_unit == "°"
-        else shown(cycle, info.key, position, 4)
-    )
-
-
-def _mm(value: float) -> str:
-    return number(round(1e3 * value, 9), 4)
-
-
-def _turning(turning: int, crosses: int) -> Words:
-    """How often the tangent turns round in a cycle, and what that makes of the curve."""
-    if turning == 0:
-        start = Words("沿曲线一周，切线转过的净角度为 0°", "In one round its tangent turns through 0° in all")
-    else:
-        sense = Words("逆时针" if turning > 0 else "顺时针", "counter-clockwise" if turning > 0 else "clockwise")
-        times = {1: "once", 2: "twice"}.get(abs(turning), f"{abs(turning)} times")
-        start = Words(
-            f"沿曲线一周，切线{sense.zh}转过 {360 * abs(turning)}°",
-            f"In one round its tangent turns {times} {sense.en}",
-        )
-    if turning == 0 and crosses == 1:
-        return start + Words("，曲线呈 8 字形。", ": a figure of eight.")
-    if abs(turning) == 2 and crosses == 1:
-        return start + Words("，曲线带一个内环。", ": the curve has an inner loop.")
-    if abs(turning) == 1 and not crosses:
-        return start + Words("，曲线不自交。", ", and it does not cross itself.")
-    return start + Words("。", ".")
-
-
-def _bends(cycle: Cycle, found: Path) -> list[Words]:
-    """Convex everywhere, or bent the other way between points of inflection."""
-    if not found.inflections:
-        return (
-            [Words("曲线处处外凸，呈卵形。", "It is convex all round: an oval.")]
-            if abs(found.turning or 0) == 1 and not found.crossings
-            else []
-        )
-    at = [_place(cycle, q) for q in found.inflections]
-    count = len(at)
-    return [
-        Words(
-            f"曲线有 {count} 个拐点（${cycle.drive.symbol}$ = {'、'.join(at)}），在拐点处凹凸方向改变。",
-            f"It has {count} {'point' if count == 1 else 'points'} of inflection "
-            f"(${cycle.drive.symbol}$ = {', '.join(at)}), where it bends the other way.",
-        )
-    ]

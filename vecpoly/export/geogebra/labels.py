@@ -7,11 +7,8 @@ import re
 from ...board.place import View
 from ...names import subscripted
 
-INDEX = {
-    View.MECHANISM: "",
-    View.VELOCITY: "v",
-    View.ACCELERATION: "a",
-}  # a polygon's letters are told from each other by its kind
+# a polygon's letters are told from each other by its kind
+INDEX = {View.MECHANISM: "", View.VELOCITY: "v", View.ACCELERATION: "a"}
 _GREEK = {"omega": "ω", "alpha": "α", "phi": "φ", "mu": "μ"}
 
 

@@ -16,8 +16,7 @@ from ...analytic.equations import Model, Values
 from ...cycle import Cycle, Extremes, Facts, Path, cycle, extremes, facts, path
 from ...cycle.sample import Sample, sample
 from ...errors import NotAskedError
-from ...mechanism.groups.assur import hinges
-from ...mechanism.model import FRAME, Mechanism
+from ...mechanism.model import Mechanism
 from ...names import At, Kind, Rel
 from ...problem.asked.asks import AskPoint
 from ...problem.problem import Problem
@@ -25,12 +24,11 @@ from ...solution import Solution
 from ...words import Words
 from .also_asked import widened
 from .from_pivots import from_pivots
+from .told import STILL, links_told, points_told
 from .working_range import working_range
 
 TABLE_STEP = 10.0  # degrees between the rows of the table
 PARTS = 20  # positions of the curves between two rows
-MOST_POINTS = 2  # whose paths and curves are shown
-_SAME = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,8 +64,7 @@ class Study:
 
     @cached_property
     def turn(self) -> Cycle:
-        """The cycle on a fine grid that holds the rows of the table; without the ends where the drive is at a dead
-        point."""
+        """The cycle on a fine grid that holds the rows of the table; no dead point at its ends."""
         return replace(self.whole, phi=self._grid(self.step / PARTS), _kept={}) if not self.whole.whole else self.whole
 
     @cached_property
@@ -147,45 +144,13 @@ class Study:
 
     @cached_property
     def links(self) -> tuple[str, ...]:
-        """The links whose rotation is worth telling: driven ones that turn, of those that turn together the one asked
-        for, or the last."""
-        asked = {ask.rel.to.link for ask in self.problem.asks if isinstance(ask.rel, Rel) and not ask.rel.is_vector}
-        found: list[str] = []
-        for name in self.mech.numbered:
-            rate = self.turn.real(f"omega_{name}")
-            if name == self.mech.drive.link or not np.nanmax(np.abs(rate), initial=0.0) > _SAME:
-                continue
-            twin = next(
-                (
-                    other
-                    for other in found
-                    if np.allclose(self.turn.real(f"omega_{other}"), rate, rtol=1e-9, atol=1e-12, equal_nan=True)
-                ),
-                None,
-            )
-            if twin is None:
-                found.append(name)
-            elif name in asked or twin not in asked:
-                found[found.index(twin)] = name
-        drive = self.turn.real(f"omega_{self.mech.drive.link}")
-        return tuple(name for name in found if not np.allclose(self.turn.real(f"omega_{name}"), drive, equal_nan=True))
+        """The links whose rotation is worth telling, in the order of their numbers."""
+        return links_told(self.problem, self.turn)
 
     @cached_property
     def points(self) -> tuple[str, ...]:
-        """The letters asked for (else all that move), those before that are not bound to circles about a frame pivot;
-        at most two."""
-        pinned = {name for names in hinges(self.mech).values() if FRAME in names for name in names}
-        circling = {letter for name in pinned for letter in self.mech.link(name).points}
-        driven = set(self.mech.link(self.mech.drive.link).points)
-        moving = [c.key[2:] for c in self.whole.columns if c.key.startswith("p_") and c.key[2:] not in driven]
-        sought = [
-            ask.rel.to.point + ask.rel.to.link
-            for ask in self.problem.asks
-            if isinstance(ask.rel, Rel) and not isinstance(ask, AskPoint) and ask.rel.is_vector and ask.rel.ref is None
-        ]
-        asked = [letter for letter in dict.fromkeys(sought) if letter in moving]
-        free = [letter for letter in asked or moving[-1:] if letter not in circling]
-        return tuple(free[-MOST_POINTS:] or asked[-1:] or moving[-1:] or sorted(driven - set(self.mech.frame))[-1:])
+        """The letters whose motion is worth telling, two at most."""
+        return points_told(self.problem, self.whole)
 
     @cached_property
     def outputs(self) -> tuple[str, ...]:
@@ -223,7 +188,7 @@ class Study:
         """Whether the column has values, and not the same everywhere."""
         values = self.turn.real(key)
         known = values[np.isfinite(values)]
-        return bool(known.size) and float(np.ptp(known)) > _SAME * max(1.0, float(np.abs(known).max()))
+        return bool(known.size) and float(np.ptp(known)) > STILL * max(1.0, float(np.abs(known).max()))
 
     @cached_property
     def forces(self) -> tuple[str, ...]:

@@ -12,7 +12,8 @@ from ..load import locate, tree_of
 from ..problem import Problem
 from ..reach import Reach
 from ..schema.faults import Place
-from ..text.source import Tree, overlay
+from ..text.overlay import overlay
+from ..text.source import Tree
 
 CLAIM = re.compile(r"([^\s=]+)\s*=\s*(.+)")
 _BARE = re.compile(r"[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")

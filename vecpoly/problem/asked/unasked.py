@@ -23,9 +23,8 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
     if not loads.friction and not _of_dyads(mech):
         return (AskNamed(rel=forces[name]),)
     keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
-    rams = [
-        {force.link, force.against} for force in loads.forces
-    ]  # between a cylinder and its piston there is only the thrust
+    # between a cylinder and its piston there is only the thrust
+    rams = [{force.link, force.against} for force in loads.forces]
     keys += [press_named(mech, by, on).key for by, on in pairs(mech) if {by, on} not in rams]
     return tuple(AskNamed(rel=forces[key]) for key in keys)
 

@@ -6,29 +6,20 @@ import re
 from collections.abc import Iterable, Mapping
 
 from ...errors import FaultError, UnknownNameError
-from ...figures import Mu, scales
-from ...figures.mu import LENGTH
-from ...limits import PAPER
-from ...mechanism.model import FRAME, Mechanism
-from ...names import At, Key, Kind, Named, Rel, parse_rel
-from ...units.names import unit_of
-from ...units.reading import Dim, PerMm, pure, read
+from ...mechanism.model import FRAME
+from ...names import At, Key, Named, Rel, parse_rel
+from ...units.reading import Dim, read
 from ...words import Words
-from ..links.bodies import Bodies
+from ..links.bodies import Bodies, frame_number
 from ..links.draft import letters_of
-from ..loads.loads import frame_number
-from ..problem import Printed, Scales
 from ..schema.faults import meant
-from ..schema.models import FindSpec, PrintedSpec, ScalesSpec
+from ..schema.models import FindSpec
 from ..text.spelling import did_you_mean, intended, plain
 from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
 _FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
 CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written
-_PERCENT = re.compile(r"\s*([-+−]?[\d.]+)\s*[%％]\s*")
-_DIM = {Kind.P: Dim.LENGTH, Kind.V: Dim.SPEED, Kind.OMEGA: Dim.OMEGA, Kind.ALPHA: Dim.ALPHA}
-_MU = {Kind.P: Dim.MU_L, Kind.V: Dim.MU_V, Kind.OMEGA: Dim.MU_V}
 
 
 def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Ask:
@@ -191,120 +182,3 @@ def _known(at: At, text: str, bodies: Bodies) -> None:
                 f"{text}{next(iter(bodies.drafts))}",
             )
         )
-
-
-def read_scales(spec: ScalesSpec) -> Scales:
-    """Given scales; those that are auto are left out."""
-    written = {key: (mu, getattr(spec, key, "auto")) for key, mu in scales().items()}
-    return Scales({key: _scale(mu, text) for key, (mu, text) in written.items() if text not in ("auto", "自动")})
-
-
-def _scale(mu: Mu, text: str) -> float:
-    try:
-        value = read(text, PerMm(mu.called, mu.unit, mu.example)).si
-    except FaultError as fault:
-        raise fault.under(mu.key) from None
-    if value <= 0:
-        raise FaultError(
-            Words(
-                f"“{text}”应大于零；如写 {mu.example} 或 auto",
-                f"'{text}' must be greater than zero; write e.g. {mu.example} or auto",
-            ),
-            mu.key,
-            code="out-of-range",
-        )
-    return value
-
-
-def plottable(given: Scales, mech: Mechanism) -> None:
-    """Raise FaultError where the mechanism would be a speck, or far larger than any paper."""
-    per_mm = given.of(LENGTH)
-    if per_mm is None:
-        return
-    size, (least, most) = mech.scale / per_mm, PAPER
-    if not least <= size <= most:
-        told = f"{size:.3g} mm"
-        raise FaultError(
-            Words(
-                f"按此比例尺，机构在图纸上的尺寸为 {told}，无法作图（应在 {least:g} 至 {most:g} mm 之间）；"
-                "请核对或写 auto",
-                f"at this scale the mechanism would measure {told} on paper, which cannot be "
-                f"drawn ({least:g} to {most:g} mm can); check it, or write auto",
-            ),
-            "mu_l",
-        )
-
-
-def _is_length(text: str) -> bool:
-    words = text.split()
-    return bool(words) and unit_of(words[-1])[1] == Dim.LENGTH.dimension
-
-
-def read_printed(spec: PrintedSpec, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Printed:
-    """One entry of `printed`: a value with its unit, or a length on paper with its scale."""
-    rel = None if spec.symbol.startswith("l_") else read_any(spec.symbol, bodies, named, forces)
-    return as_given(spec, rel)
-
-
-def as_given(spec: PrintedSpec, rel: Key | None) -> Printed:
-    """The printed value of this quantity (None: of a length on the diagram)."""
-    kind = rel.kind if isinstance(rel, Rel) else Kind.P
-    direction = _direction(spec, rel)
-    if spec.scale is None:
-        value = (
-            _named_value(spec.value, rel) if isinstance(rel, Named) else read(spec.value, _DIM.get(kind, Dim.ACCEL)).si
-        )
-        paper, scale = None, None
-    else:
-        if not _is_length(spec.value):
-            raise FaultError(
-                Words(
-                    f"“{spec.value}”不是图上长度，而又给了比例尺；如写 41.1 mm",
-                    f"'{spec.value}' is no length on paper, though a scale is given; write e.g. 41.1 mm",
-                ),
-                "value",
-                code="spelling",
-            )
-        paper = read(spec.value, Dim.LENGTH).si * 1e3
-        scale = read(spec.scale, Dim.MU_F if isinstance(rel, Named) else _MU.get(kind, Dim.MU_A)).si
-        value = paper * scale
-    return Printed(
-        symbol=spec.symbol,
-        rel=rel,
-        value=value,
-        text=spec.value,
-        kind=spec.kind,
-        paper_mm=paper,
-        scale=scale,
-        direction=direction,
-        note=spec.note,
-    )
-
-
-def _direction(spec: PrintedSpec, rel: Key | None) -> float | None:
-    """The printed direction (rad) of a vector; FaultError for that of anything else."""
-    if spec.direction is None:
-        return None
-    if rel is None or not rel.is_vector:
-        raise FaultError(
-            Words(
-                f"{spec.symbol} 不是矢量，没有方向；请删去 direction（转向写在数值之后，如 2 rad/s cw）",
-                f"{spec.symbol} is no vector and has no direction; leave it out (a sense is "
-                "written behind the value, 2 rad/s cw)",
-            ),
-            "direction",
-        )
-    return read(spec.direction, Dim.ANGLE).si
-
-
-def _named_value(text: str, named: Named) -> float:
-    """A printed force, moment, length, angle, power or pure number, in the unit in which the quantity is kept."""
-    if not named.unit:
-        m = _PERCENT.fullmatch(text)
-        try:
-            return pure(m[1], "85 %") / 100 if m else pure(text, "0.85 (85 %)")
-        except FaultError as fault:
-            raise fault.under("value") from None
-    factor, dimension = unit_of(named.unit.replace("·", "*").replace("^", "**"))
-    dim = next(dim for dim in Dim if dim.dimension == dimension)
-    return read(text, dim).si / factor

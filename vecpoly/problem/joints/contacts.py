@@ -46,6 +46,25 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
             ),
             code="contradiction",
         )
+    disc, second = _disc_of_one(m, bodies)
+    if second.face is not None and (second.disc is None or m["on"] == "the face of "):
+        return (_on_face(m, bodies, disc, second),)
+    if second.disc is None:
+        raise FaultError(
+            Words(
+                f"构件 {second.name} 既无圆盘也无平面，无从接触；请在其中写 disc: E, radius: 10 mm 或 face: "
+                f"{next(iter(second.points))}",
+                f"link {second.name} has neither disc nor face to be touched; write disc: E, radius: 10 mm or "
+                f"face: {next(iter(second.points))} in it",
+            ),
+            code="missing",
+        )
+    _on_disc(m, bodies, disc, second.disc)
+    return ()
+
+
+def _disc_of_one(m: re.Match[str], bodies: Bodies) -> tuple[Circle, Draft]:
+    """The disc of the first link, else of the second, and the other link."""
     first, second = bodies.draft(m["a"]), bodies.draft(m["b"])
     if first is second:
         raise FaultError(Words(f"构件 {first.name} 不能与自身接触", f"link {first.name} cannot touch itself"))
@@ -62,20 +81,7 @@ def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
             ),
             code="spelling",
         )
-    if second.face is not None and (second.disc is None or m["on"] == "the face of "):
-        return (_on_face(m, bodies, first.disc, second),)
-    if second.disc is None:
-        raise FaultError(
-            Words(
-                f"构件 {second.name} 既无圆盘也无平面，无从接触；请在其中写 disc: E, radius: 10 mm 或 face: "
-                f"{next(iter(second.points))}",
-                f"link {second.name} has neither disc nor face to be touched; write disc: E, radius: 10 mm or "
-                f"face: {next(iter(second.points))} in it",
-            ),
-            code="missing",
-        )
-    _on_disc(m, bodies, first.disc, second.disc)
-    return ()
+    return first.disc, second
 
 
 def _on_disc(m: re.Match[str], bodies: Bodies, one: Circle, two: Circle) -> None:

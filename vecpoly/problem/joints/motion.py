@@ -101,9 +101,8 @@ def _rate(name: str, text: str | None) -> tuple[float, Datum]:
 
 
 def _turning(spec: InputSpec, draft: Draft, bodies: Bodies, joints: Iterable[Joint]) -> tuple[Drive, tuple[Datum, ...]]:
-    pivot = next(
-        (letter for letter in draft.points if letter in bodies.frame), None
-    )  # other links may be pinned there too
+    # other links may be pinned there too
+    pivot = next((letter for letter in draft.points if letter in bodies.frame), None)
     if pivot is None:
         raise FaultError(
             Words(

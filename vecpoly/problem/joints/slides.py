@@ -7,7 +7,6 @@ import cmath
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from math import degrees
 
 from ...errors import FaultError
 from ...mechanism.model import Prismatic
@@ -18,19 +17,17 @@ from ..links.draft import LETTER, Draft, Line
 from ..links.guides import GUIDE, LINK, guide_of, own_line
 from ..problem import Shape
 from ..schema.faults import meant, not_on_link
+from .slide_data import note_aside, note_slide
 
 _ASIDE = rf"(?: with (?P<off>{LETTER}) (?P<offset>.+?) (?P<side>left|right))?"
 _SLIDE = re.compile(
-    rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{GUIDE}){_ASIDE}(?: turned (?P<turn>.+))?"
+    rf"(?:(?P<pin>{LETTER}) of )?(?P<block>{LINK}) slides (?:in|on|along) (?P<guide>{GUIDE}){_ASIDE}"
+    r"(?: turned (?P<turn>.+))?"
 )
 _THROUGH = re.compile(rf"(?P<guide>{LINK}) passes through (?P<block>{LINK}){_ASIDE}")
 _RUNS = re.compile(rf"(?P<pin>{LETTER}) runs in (?P<guide>{GUIDE})")
 FORMS = (_SLIDE, _THROUGH, _RUNS)  # for editors too
 _SAME = 1e-9  # m
-_OWN = {
-    Shape.SLOT: Words("的槽", "the slot of "),
-    Shape.ROD: Words("的杆", "the rod of "),
-}  # what makes an angle with the guide
 
 
 def read_slide(text: str, bodies: Bodies) -> Prismatic | None:
@@ -52,7 +49,7 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
     pin = m["off"] or m["pin"] or next(iter(block.points))
     if pin not in block.points:
         raise not_on_link(pin, block.name, block.points)
-    _note_slide(m, block, pin)
+    note_slide(m, block, pin)
     return Prismatic(
         guide=guide,
         block=block.name,
@@ -109,7 +106,7 @@ def _through(rod: str, through: str, m: re.Match[str], bodies: Bodies, pin: str 
     if beside is None:
         return joint
     if m["offset"]:
-        _note_aside(m, guide if beside in guide.points else block)
+        note_aside(m, guide if beside in guide.points else block)
     if beside in guide.points:
         return replace(joint, origin=_beside(line, guide, beside, _left(m)))
     if beside not in block.points:
@@ -212,44 +209,3 @@ def _runs(m: re.Match[str], bodies: Bodies) -> Prismatic:
         towards=line.towards,
         pin_in_slot=True,
     )
-
-
-def _note_aside(m: re.Match[str], draft: Draft) -> None:
-    """Remember an offset for 已知."""
-    side = "左" if m["side"] == "left" else "右"
-    draft.say(
-        Words(
-            f"偏距 $e$ = {m['offset']}（${m['off']}$ 在导路{side}侧）",
-            f"offset $e$ = {m['offset']} (${m['off']}$ to the {m['side']} of the guide)",
-        )
-    )
-
-
-def _note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
-    """Remember the data of a sliding joint for 已知."""
-    if m["offset"]:
-        _note_aside(m, block)
-    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
-        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
-    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
-        block.say(
-            Words(
-                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
-                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
-            )
-        )
-    if m["turn"]:
-        turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
-        acute = min(turn, 180 - turn)
-        own = _OWN.get(block.shape, Words("", ""))
-        on = (
-            Words(f"构件 {m['guide']} 的", f" on link {m['guide']}")
-            if re.fullmatch(LINK, m["guide"])
-            else Words("", "")
-        )
-        block.say(
-            Words(
-                f"构件 {block.name} {own.zh}与{on.zh}导路成 {acute:g}°",
-                f"{own.en}link {block.name} is at {acute:g}° to its guide{on.en}",
-            )
-        )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -48,3 +49,8 @@ class Bodies:
     def letters(self) -> tuple[str, ...]:
         """All letters: the frame's first, then link by link."""
         return tuple(dict.fromkeys([*self.frame, *(p for draft in self.drafts.values() for p in draft.points)]))
+
+
+def frame_number(bodies: Bodies) -> str:
+    """The frame's number as printed: one more than the highest of the links."""
+    return str(1 + max(int(m[0]) for name in (*bodies.drafts, *bodies.welded) if (m := re.match(r"\d+", name))))

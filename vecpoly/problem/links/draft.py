@@ -18,9 +18,8 @@ LETTER = r"[A-Z][a-z'′]?"
 ONE = re.compile(LETTER)
 TWO = re.compile(rf"({LETTER})({LETTER})")
 CENTRE = r"S\d+[a-z'′]?"  # the centre of mass of a link
-PLACED = re.compile(
-    rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})"
-)  # the ends of a length to a point that is set out: BE, BS2
+# the ends of a length to a point that is set out: BE, BS2
+PLACED = re.compile(rf"({LETTER}|{CENTRE})({LETTER}|{CENTRE})")
 ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 
@@ -43,9 +42,8 @@ class Draft:
     shape: Shape = Shape.BAR
     points: dict[str, complex] = field(default_factory=dict)
     later: frozenset[str] = frozenset()  # letters that are set out further on
-    towards: set[str] = field(
-        default_factory=set
-    )  # letters of other links to which rays go: CB, from the pin C of a slot to the pin B of its block
+    # letters of other links to which rays go: CB, from the pin C of a slot to the pin B of its block
+    towards: set[str] = field(default_factory=set)
     placements: list[Placement] = field(default_factory=list)
     line: Line | None = None
     gear: Circle | None = None

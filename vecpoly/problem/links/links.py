@@ -3,19 +3,19 @@ faces."""
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Callable, Mapping
 from functools import partial
 
 from ...errors import FaultError
-from ...mechanism.model import Circle
-from ...units.reading import Dim, positive, read
+from ...units.reading import positive
 from ...words import Words
 from ..problem import Shape
 from ..schema.faults import meant
 from ..text.source import Value
-from .draft import ANGLE_FROM, ONE, TWO, Draft, Line, letters_of, ray
-from .places import aside, place
+from .circles import give_circle
+from .draft import ONE, TWO, Draft, Line, letters_of
+from .lines import read_line
+from .places import place
 from .starts import read_start
 
 _SINGLE = {
@@ -49,7 +49,7 @@ def read_link(name: str, data: Value) -> Draft:
         _known(key)
     _base(draft, data)
     _set_out(draft, data)
-    _round(draft, data)
+    give_circle(draft, data)
     read_start(draft, data)
     return draft
 
@@ -83,12 +83,12 @@ def _succeeds(act: Callable[[], None]) -> bool:
 
 def _own_line(draft: Draft, key: str, data: Mapping[str, Value]) -> None:
     """The line of a slot or a rod that passes at an angle, or beside a point."""
-    draft.line = _line(draft, data, key)
+    draft.line = read_line(draft, data, key)
 
 
 def _rack(draft: Draft, data: Value) -> None:
     """The pitch line; a rack that has but this one point is directed along it."""
-    draft.rack = _line(draft, data if isinstance(data, dict) else {"through": str(data)}, "rack")
+    draft.rack = read_line(draft, data if isinstance(data, dict) else {"through": str(data)}, "rack")
     if len(draft.points) == 1 and draft.line is None and draft.shape is not Shape.BLOCK:
         draft.line = Line(draft.rack.origin, draft.rack.direction, draft.rack.through)
 
@@ -97,7 +97,7 @@ def _face(draft: Draft, data: Value) -> None:
     """The face, and the direction of a link that has but one point and no guide."""
     if not isinstance(data, dict):
         data = {"through": str(data)}
-    draft.face = _line(draft, data, "face")
+    draft.face = read_line(draft, data, "face")
     if draft.shape is Shape.BAR and len(draft.points) == 1:
         draft.line = draft.face
 
@@ -146,25 +146,7 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
         _within(bases[0], lambda: _bar(draft, first, second, data[bases[0]]))
     _one_shape(draft, data, bases)
     for key in singles:
-        letter = str(data[key])
-        if not ONE.fullmatch(letter):
-            raise FaultError(
-                Words(
-                    f"“{letter}”不是点的字母；应写 C 之类的大写字母", f"'{letter}' is no letter of a point, such as C"
-                ),
-                key,
-                code="spelling",
-            )
-        if not bases and not draft.points and not (key in _PLACED and letter in data):
-            draft.shape, draft.points[letter] = _SINGLE[key], 0j
-        elif letter not in draft.points and key not in _PLACED:
-            raise FaultError(
-                Words(f"点“{letter}”不在构件 {draft.name} 上", f"point '{letter}' is not on link {draft.name}"),
-                key,
-                code="unknown-name",
-            )
-        if key in (*_LINED, "cylinder"):
-            draft.line = Line(draft.points[letter], 0.0, letter)
+        _pinned(draft, key, str(data[key]), data)
     for key in (*_LINED, "rack", "face"):
         led = data.get(key)
         if not draft.points and isinstance(led, dict) and ONE.fullmatch(str(led.get("through"))):
@@ -179,6 +161,26 @@ def _base(draft: Draft, data: Mapping[str, Value]) -> None:
             ),
             code="missing",
         )
+
+
+def _pinned(draft: Draft, key: str, letter: str, data: Mapping[str, Value]) -> None:
+    """The one pin of a block, slot, rod or gear: the link's first point where it has none yet."""
+    if not ONE.fullmatch(letter):
+        raise FaultError(
+            Words(f"“{letter}”不是点的字母；应写 C 之类的大写字母", f"'{letter}' is no letter of a point, such as C"),
+            key,
+            code="spelling",
+        )
+    if not draft.points and not (key in _PLACED and letter in data):
+        draft.shape, draft.points[letter] = _SINGLE[key], 0j
+    elif letter not in draft.points and key not in _PLACED:
+        raise FaultError(
+            Words(f"点“{letter}”不在构件 {draft.name} 上", f"point '{letter}' is not on link {draft.name}"),
+            key,
+            code="unknown-name",
+        )
+    if key in (*_LINED, "cylinder"):
+        draft.line = Line(draft.points[letter], 0.0, letter)
 
 
 def _one_shape(draft: Draft, data: Mapping[str, Value], bases: list[str]) -> None:
@@ -203,107 +205,3 @@ def _bar(draft: Draft, first: str, second: str, value: Value) -> None:
     length = positive(value)
     draft.points |= {first: 0j, second: complex(length.si)}
     draft.note(f"l_{first}{second}", length.si, length.text)
-
-
-def _line(draft: Draft, data: Mapping[str, Value], what: str) -> Line:
-    """{through: D, angle: 60 deg from CD, left: 10 mm}: the line of a slot, of a rod or of a face."""
-    for key in data:
-        if key not in ("through", "angle", "left", "right"):
-            raise FaultError(
-                Words(f"“{key}”不是 {what} 的键", f"'{key}' is no key of a {what}")
-                + meant(key, ("through", "angle", "left", "right")),
-                key,
-                code="unknown-key",
-            )
-    letter = str(data.get("through", ""))
-    if not ONE.fullmatch(letter):
-        raise FaultError(
-            Words(
-                f"{what} 过哪一点？如写 {what}: {{through: D, angle: 60 deg from CD}}",
-                f"through which point does the {what} pass? write e.g. {what}: {{through: D, angle: 60 deg from CD}}",
-            ),
-            code="missing",
-        )
-    if letter not in draft.points:
-        raise FaultError(
-            Words(f"点“{letter}”不在构件 {draft.name} 上", f"point '{letter}' is not on link {draft.name}")
-            + meant(letter, draft.points),
-            "through",
-            code="unknown-name",
-        )
-    turn = 0j + 1
-    if "angle" in data:
-        m = ANGLE_FROM.fullmatch(str(data["angle"]))
-        if m is None:
-            raise FaultError(
-                Words(
-                    "请由构件上的射线量角，如 60 deg from CD",
-                    "write the angle from a ray of the link, e.g. 60 deg from CD",
-                ),
-                "angle",
-                code="missing",
-            )
-        turn = ray(draft, m[2])[2] * cmath.exp(1j * read(m[1], Dim.ANGLE).si)
-    left = aside(data)
-    if what == "face":
-        _note_face(draft, letter, data)
-    return Line(draft.points[letter] + 1j * left * turn, cmath.phase(turn), letter)
-
-
-def _note_face(draft: Draft, letter: str, data: Mapping[str, Value]) -> None:
-    """The distance of the face from its letter for 已知."""
-    side = next((key for key in ("left", "right") if key in data), "")
-    if side:
-        zh = "左" if side == "left" else "右"
-        draft.say(
-            Words(
-                f"构件 {draft.name} 的平底在 ${letter}$ {zh}侧 {data[side]}",
-                f"the face of link {draft.name} lies {data[side]} to the {side} of ${letter}$",
-            )
-        )
-
-
-def _round(draft: Draft, data: Mapping[str, Value]) -> None:
-    """A gear with its pitch circle, or a disc with its profile."""
-    kinds = [key for key in ("gear", "disc") if key in data]
-    if len(kinds) > 1:
-        raise FaultError(
-            Words(
-                f"构件 {draft.name} 既是齿轮又是圆盘；请只写其一及其半径",
-                f"link {draft.name} is a gear and a disc at once; one of them, with its radius",
-            ),
-            "disc",
-            code="contradiction",
-        )
-    if not kinds and "radius" in data:
-        raise FaultError(
-            Words(
-                "半径属于齿轮或圆盘；请写 gear: C, radius: 60 mm 或 disc: O, radius: 40 mm",
-                "a radius belongs to a gear or a disc; write gear: C, radius: 60 mm or disc: O, radius: 40 mm",
-            ),
-            "radius",
-            code="spelling",
-        )
-    for kind in kinds:
-        centre = str(data[kind])
-        if centre not in draft.points:
-            raise FaultError(
-                Words(f"中心“{centre}”不在构件 {draft.name} 上", f"the centre '{centre}' is not on link {draft.name}")
-                + meant(centre, draft.points),
-                kind,
-                code="unknown-name",
-            )
-        if "radius" not in data:
-            raise FaultError(
-                Words(
-                    f"{kind} 要有{'节圆' if kind == 'gear' else ''}半径；请写 {kind}: {centre}, radius: 60 mm",
-                    f"a {kind} needs its {'pitch ' if kind == 'gear' else ''}radius; write {kind}: {centre}, "
-                    "radius: 60 mm",
-                ),
-                code="missing",
-            )
-        edge = kind == "disc" and str(data["radius"]).split()[0] in ("0", "0.0")  # a knife edge
-        radius = read(data["radius"], Dim.LENGTH) if edge else positive(data["radius"])
-        circle = Circle(link=draft.name, centre=centre, radius=radius.si)
-        draft.gear, draft.disc = (circle, None) if kind == "gear" else (None, circle)
-        draft.note(f"r_{draft.name}", radius.si, radius.text)

@@ -11,11 +11,11 @@ from ...mechanism.loads import Mass, Rod
 from ...mechanism.model import FRAME, ByOffsets
 from ...units.reading import Dim, Quantity, positive, read
 from ...words import Words
-from ..loads.loads import frame_number, written
+from ..loads.load_data import written
 from ..problem import Datum
 from ..schema.faults import Faults, not_on_link
 from ..schema.models import MassSpec, ProblemSpec, RodSpec
-from .bodies import Bodies
+from .bodies import Bodies, frame_number
 from .draft import Draft, letters_of
 from .places import place
 
@@ -44,16 +44,7 @@ def _mass(link: str, spec: MassSpec, bodies: Bodies) -> tuple[Mass, tuple[Datum,
         )
     draft = bodies.draft(link)
     if spec.rod is not None:
-        rivals = [key for key in ("mass", "inertia", "centre") if getattr(spec, key) is not None]
-        if rivals:
-            raise FaultError(
-                Words(
-                    f"圆杆的质量、转动惯量和质心由尺寸算出；请去掉 {'、'.join(rivals)}，或去掉 rod",
-                    "the mass, inertia and centre of a round bar follow from it; leave out "
-                    f"{' and '.join(rivals)}, or rod",
-                ),
-                code="contradiction",
-            )
+        _refuse_beside_rod(spec)
         return _within("rod", partial(_rod, draft, spec.rod))
     if spec.mass is None:
         raise FaultError(
@@ -76,6 +67,18 @@ def _mass(link: str, spec: MassSpec, bodies: Bodies) -> tuple[Mass, tuple[Datum,
             )
         )
     return Mass(link=link, mass=mass.si, inertia=inertia.si, centre=centre), tuple(data)
+
+
+def _refuse_beside_rod(spec: MassSpec) -> None:
+    rivals = [key for key in ("mass", "inertia", "centre") if getattr(spec, key) is not None]
+    if rivals:
+        raise FaultError(
+            Words(
+                f"圆杆的质量、转动惯量和质心由尺寸算出；请去掉 {'、'.join(rivals)}，或去掉 rod",
+                f"the mass, inertia and centre of a round bar follow from it; leave out {' and '.join(rivals)}, or rod",
+            ),
+            code="contradiction",
+        )
 
 
 def _within(key: str, act: Callable[[], Found]) -> Found:

@@ -38,7 +38,8 @@ def _is_roller(draft: Draft, spec: ProblemSpec) -> bool:
     if draft.disc is None or len(draft.points) != 1 or draft.face is not None or draft.line is not None:
         return False
     link = re.compile(
-        rf"(?:^|\b(?:of|in|on|along|inside|through|touches) ){re.escape(draft.name)}(?= |$)(?! (?:mm|cm|dm|m|km|in|毫米|厘米|米)\b)"
+        rf"(?:^|\b(?:of|in|on|along|inside|through|touches) ){re.escape(draft.name)}(?= |$)"
+        r"(?! (?:mm|cm|dm|m|km|in|毫米|厘米|米)\b)"
     )
     naming = [text for text in spec.joints if link.search(text)]
     return any(is_contact(text) for text in naming) and all(
@@ -66,14 +67,7 @@ def _refuse_named(name: str, draft_points: Iterable[str], host: Draft, spec: Pro
                 f"roller {name} turns idly on its pin, so {asked} has no single value; do not ask for it",
             )
         )
-    (pin,), contacts = (
-        draft_points,
-        [
-            m[1]
-            for text in spec.joints
-            if re.search(rf"(?:^| ){name} ", text) and (m := re.search(r" at (\w+'?)", text))
-        ],
-    )
+    (pin,) = draft_points
     if any(load.on == name for load in spec.loads.values()) or name in spec.masses:
         raise FaultError(
             Words(
@@ -84,9 +78,7 @@ def _refuse_named(name: str, draft_points: Iterable[str], host: Draft, spec: Pro
             ),
             code="roller",
         )
-    if rubs := next(
-        (key for key in spec.friction if key in (pin, *contacts) or name in re.split(r"\s*[-–]\s*", key)), None
-    ):
+    if rubs := _rubbed(name, pin, spec):
         raise FaultError(
             Words(
                 f"滚子 {name} 在接触处作滚动，焊成一体的滚子不能计入 {rubs} 处的摩擦；请删去 {rubs} 的摩擦，"
@@ -98,6 +90,14 @@ def _refuse_named(name: str, draft_points: Iterable[str], host: Draft, spec: Pro
             ),
             code="roller",
         )
+
+
+def _rubbed(name: str, pin: str, spec: ProblemSpec) -> str | None:
+    """The entry of `friction` that belongs to the roller's pin, to its contact or to itself; None where none does."""
+    touching = [text for text in spec.joints if re.search(rf"(?:^| ){name} ", text)]
+    contacts = [m[1] for text in touching if (m := re.search(r" at (\w+'?)", text))]
+    own = (key for key in spec.friction if key in (pin, *contacts) or name in re.split(r"\s*[-–]\s*", key))
+    return next(own, None)
 
 
 def _weld(draft: Draft, host: Draft, bodies: Bodies) -> None:

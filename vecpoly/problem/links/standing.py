@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from ...errors import FaultError, MobilityError
@@ -104,28 +104,25 @@ def _wrong(mech: Mechanism, group: Group, told: list[Start]) -> Iterator[tuple[s
                 f"the joints already tell where link {told[-1].link} stands; leave out its {_key(told[-1])}",
             ),
         )
-    elif group.dyad is not None and any(start.link not in wheels or start.slide for start in told):
-        yield (
-            told[0].link,
-            Words(
-                f"构件 {told[0].link} 的位置由杆组确定；应给出齿轮 {'、'.join(wheels)} 的相位 phi",
-                f"the group tells where link {told[0].link} stands; tell the phase phi of "
-                f"gear {', '.join(wheels)} instead",
-            ),
+    elif told and (words := _of_no_use(group, told, wheels)) is not None:
+        yield told[0].link, words
+
+
+def _of_no_use(group: Group, told: list[Start], wheels: Mapping[str, str]) -> Words | None:
+    """What is to be told instead, where the group has its place already, or moves in the other way."""
+    if group.dyad is not None and any(start.link not in wheels or start.slide for start in told):
+        return Words(
+            f"构件 {told[0].link} 的位置由杆组确定；应给出齿轮 {'、'.join(wheels)} 的相位 phi",
+            f"the group tells where link {told[0].link} stands; tell the phase phi of gear {', '.join(wheels)} instead",
         )
-    elif group.kind == "rack" and not told[0].slide:
-        yield (
-            told[0].link,
-            Words(
-                "齿条只移动：请写 s（沿导路的位移），不写 phi",
-                "a rack slides: write s, its travel along the guide, and not phi",
-            ),
+    if group.kind == "rack" and not told[0].slide:
+        return Words(
+            "齿条只移动：请写 s（沿导路的位移），不写 phi",
+            "a rack slides: write s, its travel along the guide, and not phi",
         )
-    elif group.kind == "gear" and told and told[0].slide:
-        yield (
-            told[0].link,
-            Words("齿轮绕轮心转动：请写 phi，不写 s", "a gear turns about its centre: write phi, and not s"),
-        )
+    if group.kind == "gear" and told[0].slide:
+        return Words("齿轮绕轮心转动：请写 phi，不写 s", "a gear turns about its centre: write phi, and not s")
+    return None
 
 
 def _key(start: Start) -> str:

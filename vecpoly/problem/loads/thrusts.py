@@ -17,6 +17,26 @@ from ..schema.models import LoadSpec
 _PAIR = re.compile(rf"({LINK})\s*[-–,]\s*({LINK})")
 
 
+def _barrel_and_rod(one: str, other: str, bodies: Bodies) -> tuple[str, str]:
+    """Of two links the one with the cylinder, then the one with the piston."""
+    for link in (one, other):
+        if link not in bodies.drafts:
+            raise FaultError(
+                Words(f"没有构件 {link}", f"link '{link}' does not exist") + meant(link, bodies.numbers), "cylinder"
+            )
+    shapes = {bodies.drafts[link].shape: link for link in (one, other)}
+    if set(shapes) != {Shape.CYLINDER, Shape.PISTON}:
+        raise FaultError(
+            Words(
+                f"构件 {one}、{other} 不是缸体与活塞；请写 {{cylinder: …}} 与 {{piston: …}}",
+                f"links {one} and {other} are no cylinder and piston; "
+                "write them as {cylinder: ...} and {piston: ...}",
+            ),
+            "cylinder",
+        )
+    return shapes[Shape.CYLINDER], shapes[Shape.PISTON]
+
+
 def read_thrust(name: str, spec: LoadSpec, bodies: Bodies) -> Force:
     """The force by which the medium pushes both links apart; raises FaultError."""
     extra = [key for key in ("on", "at", "direction") if getattr(spec, key) is not None]
@@ -37,22 +57,7 @@ def read_thrust(name: str, spec: LoadSpec, bodies: Bodies) -> Force:
             ),
             "cylinder",
         )
-    for link in m.groups():
-        if link not in bodies.drafts:
-            raise FaultError(
-                Words(f"没有构件 {link}", f"link '{link}' does not exist") + meant(link, bodies.numbers), "cylinder"
-            )
-    shapes = {bodies.drafts[link].shape: link for link in m.groups()}
-    if set(shapes) != {Shape.CYLINDER, Shape.PISTON}:
-        raise FaultError(
-            Words(
-                f"构件 {m[1]}、{m[2]} 不是缸体与活塞；请写 {{cylinder: …}} 与 {{piston: …}}",
-                f"links {m[1]} and {m[2]} are no cylinder and piston; write them as {{cylinder: ...}} and {{piston: "
-                "...}",
-            ),
-            "cylinder",
-        )
-    barrel, rod = shapes[Shape.CYLINDER], shapes[Shape.PISTON]
+    barrel, rod = _barrel_and_rod(m[1], m[2], bodies)
     if spec.size is None:
         raise FaultError(
             Words(

@@ -104,49 +104,14 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             text = _PAIR if isinstance(path[-1], int) else Words(f"缺少“{path[-1]}”", f"'{path[-1]}' is missing")
             return FaultError(text, *path, code="missing")
         case "string_pattern_mismatch":
-            return FaultError(
-                Words(
-                    f"“{written}”只能含字母（汉字也可）、数字、'-'、'_' 和 '.'",
-                    f"'{written}' may hold only letters, digits, '-', '_' and '.'",
-                ),
-                *path,
-            )
+            zh = f"“{written}”只能含字母（汉字也可）、数字、'-'、'_' 和 '.'"
+            return FaultError(Words(zh, f"'{written}' may hold only letters, digits, '-', '_' and '.'"), *path)
         case "literal_error":
             expected = item["ctx"]["expected"]
-            return FaultError(
-                Words(
-                    f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一", f"'{written}' is not one of {expected}"
-                ),
-                *path,
-                code="spelling",
-            )
-        case "list_type" if (
-            isinstance(written, dict)
-            and path[0] in _SENTENCES
-            and all(isinstance(text, str) for text in written.values())
-        ):
-            items = ", ".join(f"{key} {text}" for key, text in written.items())
-            return FaultError(
-                Words(
-                    f"此处应为列表，每项是一句话；请写 [{items}]",
-                    f"a list of sentences is expected here; write [{items}]",
-                ),
-                *path,
-                code="spelling",
-            )
-        case "list_type" if isinstance(written, str):
-            return FaultError(
-                Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]"),
-                *path,
-                code="spelling",
-            )
+            zh = f"“{written}”应为 {expected.replace(' or ', ' 或 ')} 之一"
+            return FaultError(Words(zh, f"'{written}' is not one of {expected}"), *path, code="spelling")
         case "list_type":
-            example = _LISTS.get(str(path[-1]) if path else "", "[..., ...]")
-            return FaultError(
-                Words(f"此处应为列表；请写如 {example}", f"a list is expected here; write e.g. {example}"),
-                *path,
-                code="spelling",
-            )
+            return FaultError(_list_wanted(path, written), *path, code="spelling")
         case "tuple_type" if len(path) == 2 and path[0] in ("frame", "guesses") and str(path[-1])[:1].isdigit():
             return FaultError(
                 Words(
@@ -158,6 +123,20 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
             )
         case kind:
             return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
+
+
+def _list_wanted(path: tuple[str | int, ...], written: Any) -> Words:
+    """That a list is expected, and how what is written would be one."""
+    if isinstance(written, str):
+        return Words(f"此处应为列表；请写 [{written}]", f"a list is expected here; write [{written}]")
+    sentences = isinstance(written, dict) and all(isinstance(text, str) for text in written.values())
+    if sentences and path[0] in _SENTENCES:
+        items = ", ".join(f"{key} {text}" for key, text in written.items())
+        return Words(
+            f"此处应为列表，每项是一句话；请写 [{items}]", f"a list of sentences is expected here; write [{items}]"
+        )
+    example = _LISTS.get(str(path[-1]) if path else "", "[..., ...]")
+    return Words(f"此处应为列表；请写如 {example}", f"a list is expected here; write e.g. {example}")
 
 
 def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:

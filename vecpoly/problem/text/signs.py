@@ -5,16 +5,14 @@ from __future__ import annotations
 import re
 
 WIDE = re.compile("[\u3000-\u3002\u3008-\u3011\uff01-\uff5e“”‘’]")
-TEXTS = frozenset(
-    {"title", "source", "statement", "errata", "note", "zh", "en", "title_block"}
-)  # words for people: kept as written
+# words for people: kept as written
+TEXTS = frozenset({"title", "source", "statement", "errata", "note", "zh", "en", "title_block"})
 FILES = frozenset({"extends", "tables", "problem", "problems"})  # names of files, which may hold any letter
 OPENING = {"{": "}", "[": "]", "｛": "}", "［": "]", "【": "]"}
 CLOSING = {"}": "}", "]": "]", "｝": "}", "］": "]", "】": "]"}
 QUOTES = {"“": "”", "”": "”", "＂": "＂"}
-PAIRS = frozenset(
-    {"frame", "guesses", "velocity", "acceleration"}
-)  # keys of two components, which may stand in parentheses
+# keys of two components, which may stand in parentheses
+PAIRS = frozenset({"frame", "guesses", "velocity", "acceleration"})
 ROUND = re.compile(r"[(（][^(){}（）\[\],，]+[,，][^(){}（）\[\],，]+[)）](?=[ \u3000]*(?:[,，}｝\]］】]|#|$))", re.M)
 _PLAIN = {"\u3000": " ", "、": ",", "‘": "'", "’": "'"}
 _DOUBTFUL = {

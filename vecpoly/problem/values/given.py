@@ -70,9 +70,8 @@ class Given:
     letters: tuple[str, ...] = ()  # frame's letters first, then by link
     shapes: Mapping[str, Shape] = field(default_factory=dict)  # by link name
     bound: frozenset[str] | None = None
-    leads: Mapping[str, float] = field(
-        default_factory=dict
-    )  # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)
+    # by the symbol of a drive's place: how far its coordinate is ahead of its datum (rad, or m)
+    leads: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("shapes", "leads"):

@@ -11,7 +11,7 @@ from ...findings.study.study import Study
 from ...words import Words
 from ..flow.listing import Listing
 from .numbering import TINY, Press
-from .results.chapter import tabled
+from .results.tabled import tabled
 
 _COLUMNS = 12
 
@@ -47,32 +47,25 @@ def _tables(study: Study, press: Press) -> Iterator[str]:
         last = []
     for i in range(0, len(told), _COLUMNS):
         some = told[i : i + _COLUMNS]
-        letters = dict.fromkeys(key.partition(".")[0][2:] for key in some if key[:2] == "p_")
-        kinds = [
-            words
-            for words, has in (
-                (Words("移动副的相对运动", "Sliding motions"), any(key.startswith("s_") for key in some)),
-                (
-                    Words("传动角", "transmission angles" if slides else "Transmission angles"),
-                    any(key.startswith("gamma_") for key in some),
-                ),
-                (_motion([*letters]), bool(letters)),
-            )
-            if has
-        ]
-        yield tabled(
-            study,
-            press,
-            some,
-            Words(
-                "、".join(w.zh for w in kinds),
-                ", ".join(w.en if not i else w.en[0].lower() + w.en[1:] for i, w in enumerate(kinds)),
-            ),
-            TINY,
-            _every(study),
-        )
+        yield tabled(study, press, some, _title(some, bool(slides)), TINY, _every(study))
     if last:
         yield _points(study, press, last, parts)
+
+
+def _title(keys: list[str], slides: bool) -> Words:
+    """What a table of these columns shows; slides: whether the tables begin with sliding motions."""
+    letters = dict.fromkeys(key.partition(".")[0][2:] for key in keys if key[:2] == "p_")
+    kinds = []
+    if any(key.startswith("s_") for key in keys):
+        kinds.append(Words("移动副的相对运动", "Sliding motions"))
+    if any(key.startswith("gamma_") for key in keys):
+        kinds.append(Words("传动角", "transmission angles" if slides else "Transmission angles"))
+    if letters:
+        kinds.append(_motion([*letters]))
+    return Words(
+        "、".join(w.zh for w in kinds),
+        ", ".join(w.en if not i else w.en[0].lower() + w.en[1:] for i, w in enumerate(kinds)),
+    )
 
 
 def _points(study: Study, press: Press, letters: list[str], parts: tuple[str, ...]) -> str:

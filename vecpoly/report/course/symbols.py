@@ -33,7 +33,6 @@ def symbols(study: Study, press: Press) -> str:
 def _model(study: Study) -> Iterator[Row]:
     """Lengths, angles, coordinates, rates, slides, auxiliary quantities of chapter 4; transmission angles."""
     constants = list(dict.fromkeys(c.symbol for group in study.model.groups for c in group.constants))
-    used = [*constants, *study.env]
     length = next((c for c in constants if c.startswith("l_")), "")
     if length:
         one, two = length[3], length[4:-1]
@@ -49,18 +48,10 @@ def _model(study: Study) -> Iterator[Row]:
     )
     letter = next(iter(study.points), "")
     if letter:
-        yield (
-            f"$x_{{{letter}}}$、$y_{{{letter}}}$",
-            Words(f"${letter}$ 点的坐标，余类推", f"coordinates of ${letter}$, and so on"),
-            "mm",
-        )
-        yield (
-            f"$v_{{{letter}x}}$、$a_{{{letter}x}}$",
-            Words(f"${letter}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${letter}$'s rates"),
-            "m/s, m/s²",
-        )
-    pair = next((c.key[2:] for c in study.whole.columns if c.key.startswith("s_") and f"s_{{{c.key[2:]}}}" in used), "")
-    if pair:
+        yield from _point(letter)
+    slides = (c.key[2:] for c in study.whole.columns if c.key.startswith("s_"))
+    used = {*constants, *study.env}
+    if pair := next((pair for pair in slides if f"s_{{{pair}}}" in used), ""):
         yield (
             f"$s_{{{pair}}}$、$v_{{{pair}}}$、$a_{{{pair}}}$",
             Words(
@@ -71,12 +62,30 @@ def _model(study: Study) -> Iterator[Row]:
         )
     beta = next((c for c in constants if c.startswith("β_")), "")
     if beta:
-        yield (
-            f"${beta}$",
-            Words(f"由构件的轴线量至 ${beta[3:-1]}$ 的角", f"angle from the link's axis to ${beta[3:-1]}$"),
-            "°",
-        )
+        end = beta[3:-1]
+        yield f"${beta}$", Words(f"由构件的轴线量至 ${end}$ 的角", f"angle from the link's axis to ${end}$"), "°"
     yield from ((f"${c}$", words, unit) for c, words, unit in _others(constants))
+    yield from _auxiliary(study)
+    if gamma := next(iter(study.facts.transmissions), None):
+        symbol = study.whole.info(gamma.key).symbol
+        yield f"${symbol}$", Words("杆组的传动角（锐角）", "transmission angle (acute)"), "°"
+
+
+def _point(letter: str) -> Iterator[Row]:
+    yield (
+        f"$x_{{{letter}}}$、$y_{{{letter}}}$",
+        Words(f"${letter}$ 点的坐标，余类推", f"coordinates of ${letter}$, and so on"),
+        "mm",
+    )
+    yield (
+        f"$v_{{{letter}x}}$、$a_{{{letter}x}}$",
+        Words(f"${letter}$ 点速度、加速度的 $x$ 分量", f"$x$ components of ${letter}$'s rates"),
+        "m/s, m/s²",
+    )
+
+
+def _auxiliary(study: Study) -> Iterator[Row]:
+    """Auxiliary quantities of the closed formulas of a dyad."""
     if {"A_0", "B_0"} & {*study.env}:
         yield (
             "$A_0$、$B_0$、$C_0$" if "C_0" in study.env else "$A_0$、$B_0$",
@@ -87,13 +96,6 @@ def _model(study: Study) -> Iterator[Row]:
         yield "$G_1$", Words("速度、加速度方程组的行列式", "determinant, rate equations"), "—"
     if "G_2" in study.env:
         yield "$G_2$、$G_3$", Words("加速度方程组的右端", "right sides, acceleration equations"), "m/s²"
-    gamma = next(iter(study.facts.transmissions), None)
-    if gamma is not None:
-        yield (
-            f"${study.whole.info(gamma.key).symbol}$",
-            Words("杆组的传动角（锐角）", "transmission angle (acute)"),
-            "°",
-        )
 
 
 def _others(constants: list[str]) -> Iterator[Row]:

@@ -16,6 +16,7 @@ from ..numbering import Press
 from . import forces as force_analysis
 from . import why_peaks as peaks
 from .conclusion import conclusion
+from .peak_remarks import remarks
 from .why_peaks import causes
 
 _HEADER = {
@@ -34,7 +35,7 @@ def chapter(study: Study, press: Press, drawn: Compared, tables: Sequence[dict[s
     return {
         "motion": [w.of(press.lang) for w in (*motion(study, groups), *(() if told else peaks.flat(study, groups)))],
         "causes": peaks.table(study, press, told),
-        "remarks": [w.of(press.lang) for w in peaks.remarks(study, told)],
+        "remarks": [w.of(press.lang) for w in remarks(study, told)],
         "conditioning": _conditioned(study, press, groups),
         "singular": [w.of(press.lang) for w in mending],
         "forces": [w.of(press.lang) for w in force_analysis.forces(study)],

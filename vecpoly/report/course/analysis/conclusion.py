@@ -9,13 +9,15 @@ from typing import Any
 from ....cycle import Extremes, Shape, Spot
 from ....cycle.facts.found import Stroke
 from ....findings.conditioning import Conditioning
-from ....findings.motion import evenness, is_repeated, places, shown
+from ....findings.motion import evenness
 from ....findings.output_links import ends, motions
+from ....findings.shown import places, shown
+from ....findings.strokes import is_repeated
 from ....findings.study.study import Study
 from ....mechanism.groups.mobility import mobility
 from ....words import Words
 from ..checks.comparison import Compared
-from ..checks.tolerances import CHANGE, influences
+from ..checks.influences import CHANGE, influences
 from ..structure.special_joints import concluded
 from . import forces as force_analysis
 from .stated import output_pins, stated
@@ -45,6 +47,12 @@ def conclusion(
     yield from _points(study)
     yield from _conditioned(study, groups, mending)
     yield from _margin(study)
+    yield from _checked(tables)
+    yield from _drawn(study, drawn)
+
+
+def _checked(tables: Sequence[dict[str, Any]]) -> Iterator[Words]:
+    """The printed tables, in a sentence each."""
     for table in tables:
         if table["whole"]:
             yield Words(
@@ -52,6 +60,10 @@ def conclusion(
                 f"The printed table {table['name']}, column by column (the slips behind it are in chapter 7): "
                 f"{table['short']}.",
             )
+
+
+def _drawn(study: Study, drawn: Compared) -> Iterator[Words]:
+    """Drawn against exact, at all positions."""
     if drawn.stations and drawn.keys:
         count, all_ = len(drawn.stations), len(drawn.stations) + len(drawn.refused)
         places = Words(
@@ -182,6 +194,19 @@ def _placed(study: Study, found: Extremes, spot: Spot) -> Words:
     return at + Words("，工作范围的端部" if end else "", ", an end of the working range" if end else "")
 
 
+def _wanting(one: Conditioning) -> Words:
+    """A group with the measure by which it is found wanting."""
+    if one.gamma:
+        least = f"{degrees(one.gamma.least.value):.1f}°"
+        measure = Words(f"的最小传动角为 {least}，小于 40°", f": least transmission angle {least}, below 40°")
+    else:
+        share = f"{100 * one.measure:.0f} %"
+        measure = Words(
+            f"的 $|{one.symbol}|$ 最小时为最大值的 {share}", f": $|{one.symbol}|$ falls to {share} of its largest"
+        )
+    return one.group.title + measure + Words(f"（{one.verdict.zh}）", f" ({one.verdict.en})")
+
+
 def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iterator[Words]:
     """The verdict on every group that 8.3 finds wanting, by its one measure."""
     poor = sorted((one for one in groups if one.is_poor), key=lambda one: one.measure)
@@ -194,20 +219,11 @@ def _conditioned(study: Study, groups: list[Conditioning], mending: str) -> Iter
             "not work near them.",
         )
     elif poor and (study.whole.whole or not all(study.facts.unlimited)):
-        zh = [
-            f"{one.group.title.zh}{f'的最小传动角为 {degrees(one.gamma.least.value):.1f}°，小于 40°' if one.gamma else f'的 $|{one.symbol}|$ 最小时为最大值的 {100 * one.measure:.0f} %'}（"
-            f"{one.verdict.zh}）"
-            for one in poor
-        ]
-        en = [
-            f"{one.group.title.en}: "
-            f"{f'least transmission angle {degrees(one.gamma.least.value):.1f}°, below 40°' if one.gamma else f'$|{one.symbol}|$ falls to {100 * one.measure:.0f} % of its largest'} "
-            f"({one.verdict.en})"
-            for one in poor
-        ]
+        told = [_wanting(one) for one in poor]
         yield Words(
-            f"杆组的性态：{'；'.join(zh)}{f'；改进的办法见 {mending}' if mending else ''}。",
-            f"Conditioning of the groups: {'; '.join(en)}.{f' Remedies: see {mending}.' if mending else ''}",
+            f"杆组的性态：{'；'.join(w.zh for w in told)}{f'；改进的办法见 {mending}' if mending else ''}。",
+            f"Conditioning of the groups: {'; '.join(w.en for w in told)}."
+            f"{f' Remedies: see {mending}.' if mending else ''}",
         )
     elif groups and not poor:
         link, angles = study.mech.drive.link, any(one.gamma for one in groups)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ....cycle import Spot
 from ....cycle.facts.duties import Cause, Duty, duties
-from ....findings.motion import shown
+from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.asked.forces import load_named, load_symbol, without_friction
 from ....words import Lang, Words

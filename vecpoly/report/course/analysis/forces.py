@@ -9,7 +9,7 @@ from math import degrees, pi
 from ....algebra.quantity import number
 from ....cycle.facts.duties import Cause, Duty, duties, idle
 from ....findings.load_drive import Driven, driven
-from ....findings.motion import shown
+from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.loads import Loads
 from ....solution import Answer

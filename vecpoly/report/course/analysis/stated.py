@@ -8,8 +8,8 @@ from math import degrees
 
 import numpy as np
 
-from ....findings.motion import shown
 from ....findings.output_links import ends
+from ....findings.shown import shown
 from ....findings.study.study import Study
 from ....mechanism.model import Prismatic
 from ....solution import Answer

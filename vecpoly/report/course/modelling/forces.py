@@ -32,54 +32,47 @@ def forces_group(study: Study) -> GroupModel | None:
 def _opening(study: Study, loads: Loads, found: ForceModel) -> Words:
     slides = any(touch.unknowns[-1].startswith("T") for touch in found.touches)
     high = any(touch.before for touch in found.touches)
-    zh = (
-        "取各构件为分离体列平衡方程。$R_{ij}$ 为构件 $i$ 对构件 $j$ 的反力，$R_{ji}$ = −$R_{ij}$，下标 $x$、"
-        "$y$ 表示投影；力矩以逆时针为正。"
-    )
-    en = (
-        "Each link is cut free. $R_{ij}$ is the force of link $i$ on link $j$, $R_{ji}$ = −$R_{ij}$, with "
-        "components $x$ and $y$; moments are positive counter-clockwise. "
-    )
-    if slides:
-        zh += (
-            "移动副的反力简化为垂直于导路的 $N$（导路正向左侧为正）和对滑块铰链中心的力偶矩 $T$，"
-            "沿导路的速度 $v$ 和摩擦力 $F_f$ 以导路正向为正。"
-        )
-        en += (
-            "The reaction of a slide is a force $N$ square to the guide (positive to the left of its "
-            "direction) and a couple $T$ about the block's pin; $v$ and friction $F_f$ along the guide are "
-            "positive in its direction. "
-        )
-    if high:
-        zh += (
-            "高副的反力为沿公法线的 $N$，指向圆盘中心为正，摩擦力 $F_f$ 和滑动速度 $v$ 以公法线逆时针转 90° "
-            "的方向为正。"
-        )
-        en += (
-            "The reaction of a higher pair is $N$ along the common normal, positive towards the disc's centre; "
-            "friction $F_f$ and sliding $v$ are positive along the normal turned by +90°. "
-        )
+    told = _CUT_FREE + (_OF_SLIDES if slides else Words("", "")) + (_OF_HIGHER_PAIRS if high else Words("", ""))
+    if tilted := [load for load in loads.all if isinstance(load, Force) and abs(sin(2 * load.direction)) > 1e-9]:
+        angles = [f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted]
+        told += Words(f"{'、'.join(angles)} 为力的方向角。", f"{', '.join(angles)}: direction of the force. ")
+    pins, free = carried_pins(study.mech), f"${load_symbol(loads.unknown.name)}$"
+    told += Words(pins.zh, f"{pins.en.strip()} " if pins.en else "")
+    if given := _given(loads, found):
+        told += Words(f"已知 {'，'.join(given)}；", f"Given are {', '.join(given).replace('，', ', ')}; ")
+    return told + Words(f"{free} 为待求的平衡载荷。", f"{free} is the balancing load that is sought. ")
+
+
+_CUT_FREE = Words(
+    "取各构件为分离体列平衡方程。$R_{ij}$ 为构件 $i$ 对构件 $j$ 的反力，$R_{ji}$ = −$R_{ij}$，下标 $x$、"
+    "$y$ 表示投影；力矩以逆时针为正。",
+    "Each link is cut free. $R_{ij}$ is the force of link $i$ on link $j$, $R_{ji}$ = −$R_{ij}$, with "
+    "components $x$ and $y$; moments are positive counter-clockwise. ",
+)
+_OF_SLIDES = Words(
+    "移动副的反力简化为垂直于导路的 $N$（导路正向左侧为正）和对滑块铰链中心的力偶矩 $T$，"
+    "沿导路的速度 $v$ 和摩擦力 $F_f$ 以导路正向为正。",
+    "The reaction of a slide is a force $N$ square to the guide (positive to the left of its "
+    "direction) and a couple $T$ about the block's pin; $v$ and friction $F_f$ along the guide are "
+    "positive in its direction. ",
+)
+_OF_HIGHER_PAIRS = Words(
+    "高副的反力为沿公法线的 $N$，指向圆盘中心为正，摩擦力 $F_f$ 和滑动速度 $v$ 以公法线逆时针转 90° 的方向为正。",
+    "The reaction of a higher pair is $N$ along the common normal, positive towards the disc's centre; "
+    "friction $F_f$ and sliding $v$ are positive along the normal turned by +90°. ",
+)
+
+
+def _given(loads: Loads, found: ForceModel) -> list[str]:
+    """The given loads, masses and weights."""
     given = [f"${one.symbol}$ = {number(one.size, 6)} {one.unit}" for one in found.loads]
     given += [
         f"$m_{{{mass.link}}}$ = {number(mass.mass, 4)} kg"
         + (f"，$J_{{{mass.centre}}}$ = {number(mass.inertia, 4)} kg·m²" if mass.inertia else "")
         for mass in loads.masses
     ]
-    given += [f"$G_{{{mass.link}}}$ = {number(GRAVITY * mass.mass, 4)} N" for mass in loads.masses if loads.weight]
-    free = f"${load_symbol(loads.unknown.name)}$"
-    if tilted := [load for load in loads.all if isinstance(load, Force) and abs(sin(2 * load.direction)) > 1e-9]:
-        angles = "、".join(f"$θ_{{{load.name.replace('_', '')}}}$" for load in tilted)
-        zh, en = f"{zh}{angles} 为力的方向角。", f"{en}{angles.replace('、', ', ')}: direction of the force. "
-    known = (
-        ("已知 " + "，".join(given) + "；", "Given are " + ", ".join(given).replace("，", ", ") + "; ")
-        if given
-        else ("", "")
-    )
-    pins = carried_pins(study.mech)
-    zh, en = zh + pins.zh, en + (f"{pins.en.strip()} " if pins.en else "")
-    return Words(
-        f"{zh}{known[0]}{free} 为待求的平衡载荷。", f"{en}{known[1]}{free} is the balancing load that is sought. "
-    )
+    weights = [f"$G_{{{mass.link}}}$ = {number(GRAVITY * mass.mass, 4)} N" for mass in loads.masses if loads.weight]
+    return given + weights
 
 
 def _stages(study: Study, loads: Loads, found: ForceModel) -> Iterator[Stage]:

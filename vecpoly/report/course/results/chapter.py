@@ -2,45 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import floor, log10
 from typing import Any
 
 import numpy as np
 
-from ....cycle import Column, Spot, table
 from ....cycle.facts.path import Shape
-from ....cycle.facts.sentences import path_sentences
+from ....cycle.facts.path_words import path_sentences
 from ....findings.study.study import Study
 from ....findings.transmission import transmission
 from ....words import Words
-from ...flow.style import Style
 from ..analysis import duties as force_duties
 from ..analysis import force_words
 from ..numbering import SMALL, TINY, Press
+from .extreme_values import extremes
 from .plots import LINES, curve, posed, swept, way
+from .tabled import COLUMNS, TIGHT, tabled
 
-_HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
-_AWAY = 50.0  # times what nine tenths of the values stay below
-_SPARED = 2  # of five significant digits, in the smaller columns of a quantity
 _ABREAST = 4  # links in one table
 _FLAT = 5.0  # times as large as another curve: that one has a figure of its own
-_COLUMNS, _TIGHT = 9, 12  # beside the drive's position, in small and in tiny type
 _STEMS = {
     "phi": Words("构件的转角", "Angles of the links"),
     "omega": Words("构件的角速度", "Angular velocities of the links"),
     "alpha": Words("构件的角加速度", "Angular accelerations of the links"),
-}
-_EXTREMES = {
-    "zh": ["量", "单位", "最大值", "位置", "最小值", "位置"],
-    "en": ["Quantity", "Unit", "Greatest", "At", "Least", "At"],
 }
 
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
     """Sections with their tables, figures and words in order."""
     press.chapter = "5"
-    extreme = _extremes(study, press)
+    extreme = extremes(study, press)
     sections = [
         _links(study, press),
         *(_point(study, press, letter) for letter in study.points),
@@ -64,13 +54,13 @@ def _links(study: Study, press: Press) -> dict[str, Any]:
     title = Words("构件的转角、角速度和角加速度", "Angles, angular velocities and accelerations of the links")
     blocks = (
         [keys]
-        if len(keys) <= _TIGHT
+        if len(keys) <= TIGHT
         else [
             [key for key in keys if key.partition("_")[2] in study.links[i : i + _ABREAST]]
             for i in range(0, len(study.links), _ABREAST)
         ]
     )
-    tables = [tabled(study, press, some, title, SMALL if len(some) <= _COLUMNS else TINY) for some in blocks if some]
+    tables = [tabled(study, press, some, title, SMALL if len(some) <= COLUMNS else TINY) for some in blocks if some]
     stems = [[key for key in keys if key.startswith(f"{stem}_")] for stem in _STEMS]
     panels = [alike for some in stems for alike in ([some] if study.dense else _alike(study, some))]
     plots = [curve(study, press.lang, some[i : i + LINES]) for some in panels for i in range(0, len(some), LINES)]
@@ -170,7 +160,7 @@ def _forces(study: Study, press: Press) -> dict[str, Any]:
     rest, tables = [*study.forces], []
     while rest:
         part: list[str] = []
-        while rest and sum(len(study.turn.info(key).parts) for key in (*part, rest[0])) <= _COLUMNS + 1:
+        while rest and sum(len(study.turn.info(key).parts) for key in (*part, rest[0])) <= COLUMNS + 1:
             part.append(rest.pop(0))
         tables.append(tabled(study, press, part, Words("平衡载荷与运动副反力", "The balancing load and the reactions")))
     plots, told = [], (Words("", " ") + force_words.results(study)).of(press.lang)
@@ -210,105 +200,3 @@ def _range(study: Study, press: Press) -> str:
 def _step(study: Study) -> str:
     drive = study.turn.drive
     return f"{drive.factor * study.step:g}{'°' if drive.shown_unit == '°' else ' ' + drive.shown_unit}"
-
-
-def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style: Style = SMALL, every: int = 1) -> str:
-    """A table of these columns at the rows of the table, or at every so many of them."""
-    parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
-    made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
-    header = [_head(column) for column in made.columns]
-    formats = _formats(made.columns, made.values)
-    body = [
-        tuple(_number(value, places) for value, places in zip(row, formats, strict=True))
-        for row in made.values.tolist()
-    ]
-    if len(header) <= (_HALVED if study.dense else _HALVED - 1) and len(body) > _LONG:
-        half = (len(body) + 1) // 2
-        rest = [*body[half:], *([("",) * len(header)] * (2 * half - len(body)))]
-        header, body = [*header, "", *header], [(*one, "", *two) for one, two in zip(body[:half], rest, strict=True)]
-    return press.table(title, header, body, "r" * len(header), style=TINY if len(header) > _TIGHT else style)
-
-
-def _head(column: Column) -> str:
-    unit = column.shown_unit.replace("^2", "²").replace("·", "·")
-    return f"${column.symbol}$" + (f" /({unit})" if "/" in unit or "·" in unit else f" /{unit}" if unit else "")
-
-
-def _formats(columns: Sequence[Column], values: Any) -> list[int]:
-    """Decimals of each column, the same for all of one quantity: of angles two, else as few as leave the smallest
-    column three significant digits."""
-    own = [_decimals(values[:, i]) for i in range(len(columns))]
-    kinds = [(column.key.partition("_")[0], column.unit) for column in columns]
-    found = []
-    for n, kind in zip(own, kinds, strict=True):
-        alike = [m for m, other in zip(own, kinds, strict=True) if other == kind and m] or [n]
-        found.append(min(2, n) if kind[1] == "rad" else max(max(alike) - _SPARED, min(alike)))
-    return found
-
-
-def _decimals(values: Any) -> int:
-    """As many decimals as give the largest number five significant digits."""
-    known = np.abs(values[np.isfinite(values)])
-    top = float(known.max()) if known.size else 0.0
-    if not top or np.allclose(known, np.round(known), atol=1e-9):
-        return 0
-    return int(min(6, max(0, 4 - floor(log10(top)))))
-
-
-def _number(value: float, places: int) -> str:
-    if not np.isfinite(value):
-        return "—"
-    text = f"{value:.{places}f}"
-    return (text.lstrip("-") if float(text) == 0 else text).replace("-", "−")
-
-
-def _extremes(study: Study, press: Press) -> str:
-    """Greatest and least values to full accuracy, and where they occur."""
-    keys = [f"{stem}_{link}" for link in study.links for stem in ("omega", "alpha")]
-    keys += [key for letter in study.points for key in (f"p_{letter}.x", f"p_{letter}.y", f"v_{letter}", f"a_{letter}")]
-    keys += list(study.forces)
-    rows = []
-    for key in keys:
-        found, info = study.extremes(key), study.whole.info(key)
-        if found.highest is None or found.lowest is None or found.is_constant or not study.varies(key):
-            continue
-        top = max(abs(found.highest.value), abs(found.lowest.value))
-        spots = [
-            text
-            for spot in (found.highest, found.lowest)
-            for text in (
-                ("∞" if spot.value > 0 else "−∞")
-                if _unbounded(study, key, spot)
-                else _exact(info.factor * spot.value, info.factor * top),
-                _placed(study, spot.phi) + ("*" if force_words.is_limit(study, key, spot) else ""),
-            )
-        ]
-        symbol = f"$|{info.symbol}|$" if info.is_vector else f"${info.symbol}$"
-        rows.append((symbol, info.shown_unit.replace("^2", "²") or "—", *spots))
-    if not rows:
-        return ""
-    drive = study.turn.drive
-    header = [text if i not in (3, 5) else f"${drive.symbol}$" for i, text in enumerate(_EXTREMES[press.lang])]
-    return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcrrrr")
-
-
-def _unbounded(study: Study, key: str, spot: Spot) -> bool:
-    """Whether the value runs away at an end of the drive's range."""
-    return spot.end and bool(abs(spot.value) > _AWAY * float(np.nanpercentile(np.abs(study.turn.real(key)), 90)))
-
-
-def _placed(study: Study, phi: float) -> str:
-    """The drive's position with two decimals."""
-    drive = study.turn.drive
-    return (
-        f"{drive.factor * study.reduced(phi):.2f}{'°' if drive.shown_unit == '°' else ' ' + drive.shown_unit}".replace(
-            "-", "−"
-        )
-    )
-
-
-def _exact(value: float, top: float) -> str:
-    """Five significant digits; zero for what rounding leaves beside the largest value."""
-    if abs(value) < 1e-9 * top:
-        return "0"
-    return _number(value, int(min(6, max(0, 4 - floor(log10(abs(value)))))))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from ....board.construction import Figure
@@ -10,7 +11,7 @@ from ....drawing.scene import Scene, TextBox
 from ....findings.study.study import Study
 from ....mechanism.groups.assur import Group, decompose, hinges, joint_letter
 from ....mechanism.groups.mobility import mobility
-from ....mechanism.model import FRAME, Joint, Prismatic, Revolute
+from ....mechanism.model import FRAME, Joint, Mechanism, Prismatic, Rolling
 from ....typeset import layout_words
 from ....words import Lang, Words
 from ...flow.style import CAPTION
@@ -59,44 +60,39 @@ def chapter(study: Study, press: Press) -> dict[str, Any]:
 def _joints(study: Study, press: Press) -> str:
     rows: list[tuple[str, ...]] = []
     comma = "、" if press.lang == "zh" else ", "
-    thought, slots = study.mech.substitutes, study.mech.slot_pins
-    for point, names in sorted(hinges(study.mech).items()):
-        real = [name for name in names if name not in {*thought, *slots}]
-        kind = Words(
-            "转动副" if len(real) < 3 else f"复合铰链（{len(real) - 1} 个转动副）",
-            "revolute" if len(real) < 3 else f"multiple joint, {len(real) - 1} revolutes",
-        )
-        if len(real) > 1:
-            rows.append(
-                (f"${point}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in real))
-            )
-    for joint in study.mech.joints:
-        if not isinstance(joint, Revolute) and not {getattr(joint, "block", ""), getattr(joint, "guide", "")} & thought:
-            pair = (
-                (slots[joint.block].carrier if joint.block in slots else joint.block, joint.guide)
-                if isinstance(joint, Prismatic)
-                else (joint.gear.link, joint.on.link)
-            )
-            letter = joint.pin if isinstance(joint, Prismatic) else joint.point
-            kind = (
-                _SLOT
-                if isinstance(joint, Prismatic) and joint.block in slots
-                else Words("移动副", "prismatic")
-                if isinstance(joint, Prismatic)
-                else Words("纯滚动副", "pure rolling")
-            )
-            rows.append(
-                (f"${letter}$", kind.of(press.lang), comma.join(_link(study, name).of(press.lang) for name in pair))
-            )
-    for contact in study.mech.contacts:
-        rows.append(
-            (
-                f"${contact.point}$",
-                Words("高副", "higher pair").of(press.lang),
-                comma.join(_link(study, name).of(press.lang) for name in contact.links),
-            )
-        )
+    for letter, kind, names in (*_pins(study.mech), *_pairs(study.mech)):
+        links = comma.join(_link(study, name).of(press.lang) for name in names)
+        rows.append((f"${letter}$", kind.of(press.lang), links))
     return press.table(Words("运动副", "Joints"), _JOINTS[press.lang], rows, "cll")
+
+
+Told = tuple[str, Words, tuple[str, ...]]  # the letter of a joint, its kind, its links
+
+
+def _pins(mech: Mechanism) -> Iterator[Told]:
+    """Every hinge of links that are seen."""
+    thought = {*mech.substitutes, *mech.slot_pins}
+    for point, names in sorted(hinges(mech).items()):
+        real = tuple(name for name in names if name not in thought)
+        if len(real) == 2:
+            yield point, Words("转动副", "revolute"), real
+        elif len(real) > 2:
+            count = len(real) - 1
+            yield point, Words(f"复合铰链（{count} 个转动副）", f"multiple joint, {count} revolutes"), real
+
+
+def _pairs(mech: Mechanism) -> Iterator[Told]:
+    """Slides, rolling pairs, higher pairs."""
+    thought, slots = mech.substitutes, mech.slot_pins
+    for joint in mech.joints:
+        if isinstance(joint, Rolling):
+            yield joint.point, Words("纯滚动副", "pure rolling"), (joint.gear.link, joint.on.link)
+        elif isinstance(joint, Prismatic) and not {joint.block, joint.guide} & thought:
+            slot = slots.get(joint.block)
+            kind = Words("移动副", "prismatic") if slot is None else _SLOT
+            yield joint.pin, kind, (joint.block if slot is None else slot.carrier, joint.guide)
+    for contact in mech.contacts:
+        yield contact.point, Words("高副", "higher pair"), contact.links
 
 
 def _link(study: Study, name: str) -> Words:
@@ -105,28 +101,8 @@ def _link(study: Study, name: str) -> Words:
 
 
 def _groups(study: Study, press: Press) -> str:
-    drive = study.mech.drive
     comma = "、" if press.lang == "zh" else ", "
-    pivot = next((p for p, names in hinges(study.mech).items() if FRAME in names and drive.link in names), "")
-    pair = "P" if drive.slide else f"R (${pivot}$)"
-    first: tuple[str, ...] = (
-        "0",
-        study.name(drive.link),
-        Words("原动件", "driving link").of(press.lang),
-        "I" if press.lang == "en" else "Ⅰ",
-        pair,
-        "—",
-    )
-    if drive.between:
-        first = (
-            "0",
-            f"{study.name(drive.on)}-{study.name(drive.link)}",
-            (Words("油缸", "cylinder") if drive.slide else Words("电机", "motor")).of(press.lang),
-            "—",
-            "—",
-            "P" if drive.slide else "R",
-        )
-    rows = [first]
+    rows = [_drive(study, press)]
     for i, group in enumerate(decompose(study.mech), 1):
         outer = comma.join(_joint(out.joint) for out in group.outer)
         inner = comma.join(_joint(joint) for joint in group.inner)
@@ -137,19 +113,24 @@ def _groups(study: Study, press: Press) -> str:
             if group.kind in ROLLING
             else "—"
         )
-        rows.append(
-            (
-                str(i),
-                comma.join(study.name(name) for name in group.links),
-                kind,
-                _class(group, press.lang),
-                outer,
-                inner,
-            )
-        )
+        names = comma.join(study.name(name) for name in group.links)
+        rows.append((str(i), names, kind, _class(group, press.lang), outer, inner))
     return press.table(
         Words("基本杆组（按求解次序）", "The Assur groups in order of solution"), _GROUPS[press.lang], rows, "cccccc"
     )
+
+
+def _drive(study: Study, press: Press) -> tuple[str, ...]:
+    """The row of the driving link, or of the cylinder or motor that drives."""
+    drive = study.mech.drive
+    if drive.between:
+        name = f"{study.name(drive.on)}-{study.name(drive.link)}"
+        what = Words("油缸", "cylinder") if drive.slide else Words("电机", "motor")
+        return ("0", name, what.of(press.lang), "—", "—", "P" if drive.slide else "R")
+    pivot = next((p for p, names in hinges(study.mech).items() if FRAME in names and drive.link in names), "")
+    pair = "P" if drive.slide else f"R (${pivot}$)"
+    first = "I" if press.lang == "en" else "Ⅰ"
+    return ("0", study.name(drive.link), Words("原动件", "driving link").of(press.lang), first, pair, "—")
 
 
 def _joint(joint: Joint) -> str:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ....findings.study.study import Study
-from ....mechanism.groups.assur import decompose, hinges
+from ....mechanism.groups.assur import Group, decompose, hinges
 from ....mechanism.model import Prismatic, Rolling
 from ....mechanism.rams import driver_words
 from ....words import Words
@@ -55,6 +55,15 @@ def special(study: Study) -> Iterator[Words]:
     yield Words(f"机构中无{'、'.join(w.zh for w in absent)}。", f"There is no {', no '.join(w.en for w in absent)}.")
 
 
+def _highest(groups: Sequence[Group]) -> str:
+    """The highest class among these groups: II, III ..."""
+    return max(
+        (group.kind.removeprefix("class ") if group.dyad is None and group.ram is None else "II" for group in groups),
+        key=lambda c: len(_ROMAN) if c not in _ROMAN else [*_ROMAN].index(c),
+        default="I",
+    )
+
+
 def concluded(study: Study) -> Words:
     """The class of the mechanism: that of its highest group."""
     groups = decompose(study.mech)
@@ -87,11 +96,7 @@ def concluded(study: Study) -> Words:
             f"So the mechanism consists of {driven.en} and {', '.join(en)}; rolling tells directly "
             "how a held gear turns.",
         )
-    top = max(
-        (group.kind.removeprefix("class ") if group.dyad is None and group.ram is None else "II" for group in groups),
-        key=lambda c: len(_ROMAN) if c not in _ROMAN else [*_ROMAN].index(c),
-        default="I",
-    )
+    top = _highest(groups)
     return Words(
         f"因此机构由{driven.zh}和 {'、'.join(zh)}组成，所含杆组的最高级别为 {_ROMAN.get(top, top)} 级，"
         f"故为 {_ROMAN.get(top, top)} 级机构。",

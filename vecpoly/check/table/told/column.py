@@ -1,69 +1,22 @@
-"""The verdict on a column, and on the whole table, in words."""
+"""The verdict on a column in words."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import floor, log10
 
 import numpy as np
 
-from ...oracle.run import wrapped
-from ...words import Words
-from ..slips.explain import Explanation
-from ..slips.guess import Slip
-from ..slips.motions import integral
-from .columns import Table, shown_position
-from .sheet import digits
-from .weigh import LAST_DIGIT, Column, Level, Mask, Weighing
+from ....words import Words
+from ...slips.explain import Explanation
+from ...slips.guess import Slip
+from ...slips.motions import integral
+from ..columns import Table, shown_position
+from ..sheet import digits
+from ..weigh import Column, Level, Weighing
+from .amounts import amount, listed, rows_at, spaced, which
+from .wrong_rows import Told, closing, numbers, typed_over
 
-MANY = 12  # positions that are listed one by one
-FEW_NUMBERS = 3  # wrong numbers that are told one by one
 SMOOTH = 0.3  # second differences of a smooth deviation, as a share of its size
-Told = Sequence[tuple[Explanation, ...]]
-
-
-def amount(column: Column, value: float) -> str:
-    """A deviation (SI) in the unit of the column: 0.089°, 4.2 rad/s²."""
-    size = value / column.factor
-    text = f"{size:.0f}" if 100 <= abs(size) < 1e9 else f"{size:.2g}"
-    if 1e-5 <= abs(size) < 1e-4:
-        text = f"{size:.{1 - floor(log10(abs(size)))}f}"
-    elif 0 < abs(size) < 1e-5:
-        power = floor(log10(abs(size)))
-        text = f"${size / 10.0**power:.1f}×10^{{{power}}}$"
-    return f"{text}°" if column.unit in ("deg", "°") else f"{text} {column.unit.replace('^2', '²')}"
-
-
-def rows_at(table: Table, rows: Sequence[int]) -> str:
-    """Positions of the drive: 0°, 40°; runs of neighbouring rows as 0°–60°."""
-    runs: list[list[int]] = []
-    for k in rows:
-        if runs and k == runs[-1][-1] + 1:
-            runs[-1].append(k)
-        else:
-            runs.append([k])
-    ends = [[run[0], run[-1]] if len(run) > 2 else run for run in runs]
-    texts = [
-        "–".join(shown_position(float(table.printed[k]), table.slide) for k in end)
-        if len(run) > 2
-        else ", ".join(shown_position(float(table.printed[k]), table.slide) for k in end)
-        for run, end in zip(runs, ends, strict=True)
-    ]
-    return ", ".join(texts[:MANY]) + (" …" if len(texts) > MANY else "")
-
-
-def listed(at: str) -> str:
-    """Positions in a Chinese sentence."""
-    return at.replace(", ", "、")
-
-
-def spaced(label: str) -> str:
-    """A label within a Chinese sentence: a symbol stands apart by spaces, words do not."""
-    return f" {label} " if label.startswith("$") else label
-
-
-def which(mask: Mask) -> list[int]:
-    return [int(k) for k in np.flatnonzero(mask)]
 
 
 def of_column(table: Table, i: int, weighed: Sequence[Weighing], told: Told) -> Words:
@@ -181,89 +134,16 @@ def _state(table: Table, i: int, one: Weighing, weighed: Sequence[Weighing], tol
             f"有 {count} 行错误（{listed(at)}，偏差 {span[0]}），{others.zh}",
             f"wrong in {count} row{'s' * (count > 1)} ({at}, off by {span[1]}); {others.en}",
         )
-        + _numbers(table, i, one, rows)
+        + numbers(table, i, one, rows)
         + Words("。", ".")
-        + _typed_over(table, i, rows, weighed, told)
-        + _closing(table, column)
+        + typed_over(table, i, rows, weighed, told)
+        + closing(table, column)
     )
 
 
 def _worst(table: Table, one: Weighing) -> str:
     off = np.where(np.isfinite(one.off) & ~one.outliers, np.abs(one.off), 0.0)
     return shown_position(float(table.printed[int(np.argmax(off))]), table.slide)
-
-
-def _numbers(table: Table, i: int, one: Weighing, rows: Sequence[int]) -> Words:
-    """A few wrong numbers, each beside the one that belongs there."""
-    column = table.columns[i]
-    if len(rows) > FEW_NUMBERS:
-        return Words.same("")
-    pairs = []
-    for k in rows:
-        decimals = (
-            len(column.texts[k].lower().partition("e")[0].partition(".")[2])
-            if "e" not in column.texts[k].lower()
-            else 6
-        )
-        right = (column.values[k] - one.off[k]) / column.factor
-        if column.target.is_angle:  # in the turn of the number that is printed
-            right = column.values[k] / column.factor - one.off[k] / column.factor
-        pairs.append(
-            (
-                shown_position(float(table.printed[k]), table.slide),
-                column.texts[k],
-                f"{right + column.turned / column.factor:.{decimals}f}",
-            )
-        )
-    return Words(
-        "：" + "；".join(f"{at} 处印作 {text}，应为 {right}" for at, text, right in pairs),
-        ": " + "; ".join(f"{text} for {right} at {at}" for at, text, right in pairs),
-    )
-
-
-def _closing(table: Table, column: Column) -> Words:
-    """Rows one whole turn apart must agree, and do not."""
-    turn = np.flatnonzero(np.abs(table.positions - table.positions[0] - 2 * np.pi) < 1e-6)
-    if table.slide or not len(turn) or (column.target.is_angle is False and not column.target.rel):
-        return Words.same("")
-    gap = float(column.values[turn[0]] - column.values[0])
-    gap = float(wrapped(np.array([gap]))[0]) if column.target.is_angle else gap
-    if not abs(gap) > 2 * LAST_DIGIT * max(column.half[0], column.half[turn[0]]):
-        return Words.same("")
-    first, last = (shown_position(float(table.printed[k]), table.slide) for k in (0, int(turn[0])))
-    return Words(
-        f"{first} 与 {last} 两行本应相同，表中却差 {amount(column, abs(gap))}。",
-        f" The rows {first} and {last} must agree, and differ by {amount(column, abs(gap))}.",
-    )
-
-
-def _typed_over(table: Table, i: int, rows: Sequence[int], weighed: Sequence[Weighing], told: Told) -> Words:
-    """Other columns of the same link that are right, or wrong by one rule, in just these rows show that only the number
-    was changed."""
-    link = table.columns[i].target.of_link
-    for j, column in enumerate(table.columns):
-        best = told[j][0].after if told[j] else weighed[j]
-        if (
-            j == i
-            or not link
-            or column.target.of_link != link
-            or best.level >= Level.WRONG
-            or best.outliers[list(rows)].any()
-        ):
-            continue
-        here, there = table.columns[i].label, column.label
-        if told[j]:
-            return Words(
-                f"这些行的{spaced(there.zh)}与其余各行服从同一规律，可见算出的{spaced(here.zh)}是对的，"
-                "只是这几个数被改写或抄错。",
-                f" In these rows {there.en} follows the same rule as in all others: {here.en} was "
-                "right when it was computed, and only these numbers were typed over.",
-            )
-        return Words(
-            f"这些行的{spaced(there.zh)}与正确值相符，可见只是这几个数被改写或抄错。",
-            f" The {there.en} of these rows belongs to the exact values, so these numbers were typed over.",
-        )
-    return Words.same("")
 
 
 def _count(column: Column, one: Weighing) -> tuple[str, str]:

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...words import Words
-from ..slips.explain import Explanation
-from ..slips.guess import Slip
-from .columns import Table
-from .weigh import Column, Level, Weighing
-from .words import Told, listed, rows_at, which
+from ....words import Words
+from ...slips.explain import Explanation
+from ...slips.guess import Slip
+from ..columns import Table
+from ..weigh import Column, Level, Weighing
+from .amounts import listed, rows_at, which
+from .wrong_rows import Told
 
 
 def of_whole(table: Table, weighed: Sequence[Weighing], told: Told) -> tuple[Words, ...]:

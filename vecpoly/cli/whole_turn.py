@@ -1,0 +1,87 @@
+"""What the terminal tells of a whole turn: facts, extremes, paths."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, isfinite
+from typing import TYPE_CHECKING
+
+import typer
+
+from ..names import written_unit
+from ..words import Words, bare
+from .options import Lang
+from .terminal import add, show, table
+from .wording import number
+
+if TYPE_CHECKING:
+    from ..cycle import Cycle
+    from ..problem.problem import Problem
+_COLUMNS = {
+    "zh": ("量", "单位", "最大", "位置", "最小", "位置"),
+    "en": ("symbol", "unit", "greatest", "at", "least", "at"),
+}
+
+
+def print_turn(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang) -> None:
+    """Facts in sentences, extremes in a table, the paths of the points."""
+    from ..cycle import Shape, facts, force_sentences, path, path_sentences, sentences
+
+    typer.echo(f"{problem.id}  {bare(problem.title.of(lang))}\n")
+    for words in _zero(turn, problem):
+        typer.echo(f"  {_plain(words.of(lang))}")
+    for words in (*sentences(turn, facts(turn)), *force_sentences(turn)):
+        typer.echo(f"  {_plain(words.of(lang))}")
+    made = table("", [(name, "right" if i > 1 else "left") for i, name in enumerate(_COLUMNS[lang])])
+    for key in keys or tuple(column.key for column in turn.columns):
+        add(made, _row(turn, key))
+    typer.echo("")
+    show(made)
+    for letter in [column.key[2:] for column in turn.columns if column.key.startswith("p_") and not keys]:
+        found = path(turn, letter)
+        if found.shape is Shape.CURVE:
+            told = (_plain(words.of(lang)) for words in path_sentences(turn, found))
+            typer.echo("  " + ("" if lang == "zh" else " ").join(told))
+
+
+def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
+    """That the drive's angle counts from the x axis, where the problem counts it from elsewhere, or to another point of
+    the link."""
+
+    drive, symbol = turn.mech.drive, turn.drive.symbol
+    given = next((datum for datum in problem.given.motion if datum.symbol == f"φ_{drive.link}"), None)
+    if given is None or drive.slide:
+        return
+    lead = degrees(drive.position - given.si)
+    if abs(lead - 360 * round(lead / 360)) > 1e-9:
+        here = f"{number(degrees(drive.position), 6)}°"
+        yield Words(
+            f"各角由 $x$ 轴量起：题目所给的 ${symbol}$ = {given.text} 在此为 {here}。",
+            f"Angles count from the $x$ axis: the position given as ${symbol}$ = {given.text} is {here} here.",
+        )
+
+
+def _row(turn: Cycle, key: str) -> tuple[str, ...]:
+    from ..cycle import extremes
+    from ..cycle.facts.transmission_range import transmission
+
+    found, info = extremes(turn, key), turn.info(key)
+    acute = transmission(turn, key) if key.startswith("gamma_") else None
+    cells: list[str] = []
+    for spot in (acute.greatest, acute.least) if acute else (found.highest, found.lowest):
+        here = (
+            "—"
+            if spot is None or found.is_constant
+            else number(turn.drive.factor * spot.phi, 7) + written_unit("deg" if turn.drive.unit == "rad" else " mm")
+        )
+        cells += ["—" if spot is None else _value(info.factor * spot.value), here]
+    size = f"|{bare(info.symbol)}|" if info.is_vector else bare(info.symbol)
+    return size, written_unit(info.shown_unit), *cells
+
+
+def _value(value: float) -> str:
+    return number(value, 7) if isfinite(value) else "∞" if value > 0 else "−∞"
+
+
+def _plain(text: str) -> str:
+    return written_unit(bare(text))

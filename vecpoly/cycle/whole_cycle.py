@@ -1,0 +1,55 @@
+"""The whole cycle of a problem, or of a mechanism."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import AssemblyError, MobilityError
+from ..foundation.arguments import of_kind
+from ..mechanism.loads import Loads
+from ..mechanism.model import Mechanism
+from ..problem.problem import Problem
+from ..words import Words
+from .cycle import Cycle
+from .grid import range_of
+
+
+def cycle(
+    subject: Problem | Mechanism,
+    n: int = 361,
+    loads: Loads | None = None,
+    points: tuple[str, ...] | None = None,
+    *,
+    over: ArrayLike | None = None,
+) -> Cycle:
+    """The whole cycle of a problem, or of a mechanism.
+
+    n: number of positions, both ends included. loads: instead of the problem's own. points: the letters to be listed in
+    `columns` (all that move). over: positions of the drive of your own (rad, or m), in increasing order, instead of a
+    whole cycle.
+    Raises AssemblyError where no position can be assembled; MobilityError for a device, or where nothing is driven.
+    """
+    of_kind(subject, (Problem, Mechanism), Words("题目或机构", "a problem or a mechanism"))
+    mech, own, name = (subject, None, "") if isinstance(subject, Mechanism) else _parts(subject)
+    if not mech.drives:
+        raise MobilityError(Words("没有原动件：整周分析需要 input", "no link is driven: a cycle needs an `input`"))
+    if n < 2:
+        raise AssemblyError(
+            Words(f"{n} 个位置不成一周；至少取 2 个", f"{n} positions make no cycle; ask for at least 2")
+        )
+    low, high, whole = range_of(mech)
+    phi = np.linspace(low, high, n) if over is None else np.atleast_1d(np.asarray(over, np.float64))
+    acting = own if loads is None else loads
+    return Cycle(name, mech, acting, phi, low, high, whole, points)
+
+
+def _parts(problem: Problem) -> tuple[Mechanism, Loads | None, str]:
+    if not isinstance(problem.subject, Mechanism):
+        raise MobilityError(
+            Words(
+                "机械装置和未给尺寸的机构没有运动循环；须为有 input 的机构",
+                "a device, or a structure without dimensions, has no cycle; a cycle needs a mechanism with an input",
+            )
+        )
+    return problem.subject, problem.loads, problem.id

@@ -1,0 +1,33 @@
+"""Values of a column, and the positions at which it has them, for prose."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..algebra.quantity import number
+from ..cycle import Extremes, Spot
+from ..words import Words
+from .study.study import Study
+
+_ALIKE = 1e-6  # of the greatest value: two extremes are one
+
+
+def shown(study: Study, key: str, value: float, digits: int = 4) -> str:
+    """A value of a column with its unit, for prose."""
+    info = study.whole.info(key)
+    unit = info.shown_unit.replace("^2", "²")
+    if not np.isfinite(value):
+        return "∞" if value > 0 else "−∞"
+    text = f"{info.factor * value:.1f}".replace("-", "−") if unit == "°" else number(info.factor * value, digits)
+    return text + (unit if unit == "°" else f" {unit}" if unit else "")
+
+
+def places(study: Study, found: Extremes, spot: Spot) -> Words:
+    """All the positions of the drive in which a turning point is as high (or low) as this one."""
+    near = _ALIKE * max(
+        abs(s.value) for s in (found.highest, found.lowest, spot) if s is not None and np.isfinite(s.value)
+    )
+    spots = [s for s in (*found.maxima, *found.minima) if abs(s.value - spot.value) <= near] or [spot]
+    every = list(dict.fromkeys(study.where(s.phi) for s in sorted(spots, key=lambda s: study.reduced(s.phi))))
+    told = [every[0], *(place.split(" = ")[1] for place in every[1:])]
+    return Words("、".join(told), " and ".join(told))

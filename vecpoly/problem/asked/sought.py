@@ -1,0 +1,59 @@
+"""All that is sought: what is asked for, what was printed, and the scales to which is drawn."""
+
+from __future__ import annotations
+
+from ...mechanism.asked.centres import centre_quantities
+from ...mechanism.asked.forces import quantities
+from ...mechanism.loads import Loads
+from ...mechanism.model import Mechanism
+from ...names import At, Named, is_centre
+from ..joints.motion import numbered
+from ..links.bodies import Bodies
+from ..problem import Printed, Scales
+from ..schema.faults import Faults
+from ..schema.models import FindSpec, ProblemSpec
+from .asks import Ask, AskNamed
+from .drawn_to import plottable, read_scales
+from .printed import read_printed
+from .unasked import default_asks
+from .wanted import CENTRAL, read_find, read_point
+
+ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
+
+
+def read_wanted(
+    spec: ProblemSpec, bodies: Bodies, mechanism: Mechanism, loads: Loads | None, faults: Faults
+) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
+    """What is asked for, what was printed, and the scales; every fault is noted at its place."""
+    forces = _by_centres(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
+    named: list[At] = []
+    asks: list[Ask] = []
+    printed: list[Printed] = []
+    for i, item in enumerate(spec.find):
+        if isinstance(item, FindSpec) and item.point:
+            with faults.at("find", i):
+                named.append(read_point(item, bodies).at)
+    clean = not faults.found
+    for i, item in enumerate(spec.find):
+        if item == ALL_CENTRES:
+            asks += [AskNamed(rel=named) for named in forces.values() if is_centre(named)]
+        elif clean:
+            with faults.at("find", i):
+                asks.append(numbered(read_find(item, bodies, named, forces), spec))
+    for i, entry in enumerate(spec.printed):
+        with faults.at("printed", i):
+            printed.append(read_printed(entry, bodies, named, forces))
+    if loads and not spec.find:
+        asks.extend(default_asks(mechanism, loads, forces))
+    scales = Scales()
+    with faults.at("scales"):
+        scales = read_scales(spec.scales)
+        plottable(scales, mechanism)
+    return tuple(asks), tuple(printed), scales
+
+
+def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
+    """What the instant centres give, where one of these is asked for or printed."""
+    keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
+    wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
+    return centre_quantities(mechanism) if wanted and not faults.found else {}

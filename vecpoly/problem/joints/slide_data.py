@@ -1,0 +1,56 @@
+"""The data of a sliding joint for 已知."""
+
+from __future__ import annotations
+
+import re
+from math import degrees
+
+from ...units.reading import Dim, read
+from ...words import Words
+from ..links.draft import LETTER, Draft
+from ..links.guides import LINK
+from ..problem import Shape
+
+# what makes an angle with the guide
+_OWN = {Shape.SLOT: Words("的槽", "the slot of "), Shape.ROD: Words("的杆", "the rod of ")}
+
+
+def note_aside(m: re.Match[str], draft: Draft) -> None:
+    """Remember an offset for 已知."""
+    side = "左" if m["side"] == "left" else "右"
+    draft.say(
+        Words(
+            f"偏距 $e$ = {m['offset']}（${m['off']}$ 在导路{side}侧）",
+            f"offset $e$ = {m['offset']} (${m['off']}$ to the {m['side']} of the guide)",
+        )
+    )
+
+
+def note_slide(m: re.Match[str], block: Draft, pin: str) -> None:
+    """Remember the data of a sliding joint for 已知."""
+    if m["offset"]:
+        note_aside(m, block)
+    if fixed := re.fullmatch(r"([xy]) = (.+)", m["guide"]):
+        block.note(f"{fixed[1]}_{pin}", read(fixed[2], Dim.LENGTH).si, fixed[2])
+    elif fixed := re.fullmatch(rf"line through ({LETTER}) at (.+)", m["guide"]):
+        block.say(
+            Words(
+                f"导路过 ${fixed[1]}$，与水平方向成 {fixed[2]}",
+                f"the guide through ${fixed[1]}$ is at {fixed[2]} to the horizontal",
+            )
+        )
+    if m["turn"]:
+        turn = round(degrees(read(m["turn"], Dim.ANGLE).si) % 180, 9)
+        acute = min(turn, 180 - turn)
+        own = _OWN.get(block.shape, Words("", ""))
+        on = (
+            Words(f"构件 {m['guide']} 的", f" on link {m['guide']}")
+            if re.fullmatch(LINK, m["guide"])
+            else Words("", "")
+        )
+        block.say(
+            Words(
+                f"构件 {block.name} {own.zh}与{on.zh}导路成 {acute:g}°",
+                f"{own.en}link {block.name} is at {acute:g}° to its guide{on.en}",
+            )
+        )

@@ -1,0 +1,69 @@
+"""Tables of columns over the cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import floor, log10
+from typing import Any
+
+import numpy as np
+
+from ....cycle import Column, table
+from ....findings.study.study import Study
+from ....words import Words
+from ...flow.style import Style
+from ..numbering import SMALL, TINY, Press
+
+_HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
+_SPARED = 2  # of five significant digits, in the smaller columns of a quantity
+COLUMNS, TIGHT = 9, 12  # beside the drive's position, in small and in tiny type
+
+
+def tabled(study: Study, press: Press, keys: Sequence[str], title: Words, style: Style = SMALL, every: int = 1) -> str:
+    """A table of these columns at the rows of the table, or at every so many of them."""
+    parts = dict.fromkeys(part for key in keys for part in study.turn.info(key).parts)
+    made = table(study.turn, tuple(part for part in parts if study.varies(part)) or tuple(parts), study.rows[::every])
+    header = [_head(column) for column in made.columns]
+    formats = _formats(made.columns, made.values)
+    body = [
+        tuple(decimal(value, places) for value, places in zip(row, formats, strict=True))
+        for row in made.values.tolist()
+    ]
+    if len(header) <= (_HALVED if study.dense else _HALVED - 1) and len(body) > _LONG:
+        half = (len(body) + 1) // 2
+        rest = [*body[half:], *([("",) * len(header)] * (2 * half - len(body)))]
+        header, body = [*header, "", *header], [(*one, "", *two) for one, two in zip(body[:half], rest, strict=True)]
+    return press.table(title, header, body, "r" * len(header), style=TINY if len(header) > TIGHT else style)
+
+
+def _head(column: Column) -> str:
+    unit = column.shown_unit.replace("^2", "²").replace("·", "·")
+    return f"${column.symbol}$" + (f" /({unit})" if "/" in unit or "·" in unit else f" /{unit}" if unit else "")
+
+
+def _formats(columns: Sequence[Column], values: Any) -> list[int]:
+    """Decimals of each column, the same for all of one quantity: of angles two, else as few as leave the smallest
+    column three significant digits."""
+    own = [_decimals(values[:, i]) for i in range(len(columns))]
+    kinds = [(column.key.partition("_")[0], column.unit) for column in columns]
+    found = []
+    for n, kind in zip(own, kinds, strict=True):
+        alike = [m for m, other in zip(own, kinds, strict=True) if other == kind and m] or [n]
+        found.append(min(2, n) if kind[1] == "rad" else max(max(alike) - _SPARED, min(alike)))
+    return found
+
+
+def _decimals(values: Any) -> int:
+    """As many decimals as give the largest number five significant digits."""
+    known = np.abs(values[np.isfinite(values)])
+    top = float(known.max()) if known.size else 0.0
+    if not top or np.allclose(known, np.round(known), atol=1e-9):
+        return 0
+    return int(min(6, max(0, 4 - floor(log10(top)))))
+
+
+def decimal(value: float, places: int) -> str:
+    if not np.isfinite(value):
+        return "—"
+    text = f"{value:.{places}f}"
+    return (text.lstrip("-") if float(text) == 0 else text).replace("-", "−")
