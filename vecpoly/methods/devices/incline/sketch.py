@@ -29,6 +29,7 @@ def on_plane(bench: Bench, place: View | Pane, along: Points, label: str) -> Poi
 
 
 def sketch(bench: Bench, along: Points, force: Points) -> None:
+    """The plane with the block, F and Q on it, and the angles α and β."""
     view = View.MECHANISM
     middle = on_plane(bench, view, along, "α")
     side = draw_drive(bench, view, middle, along, force)

@@ -32,6 +32,7 @@ class Thread:
 
 
 def plain(count: int) -> Quantity:
+    """A plain number as a factor of formulas."""
     return Quantity(Txt(str(count)), float(count), "")
 
 
@@ -137,4 +138,5 @@ def _taken(phi: str, load: str, push: str, press_on: str) -> Words:
 
 
 def lean_symbol(phi: Quantity) -> str:
+    """φ, or φ_v of a V-thread."""
     return "φ" if phi.node == named("φ") else "φ_v"
