@@ -106,12 +106,14 @@ class Loops:
         return steps
 
     def bodies_at(self, states: States) -> dict[str, Body]:
+        """The links where x, y, φ are these."""
         return {
             name: Body(0j, states[:, i, 0] + 1j * states[:, i, 1], np.exp(1j * states[:, i, 2]), states[:, i, 2])
             for i, name in enumerate(self.group.links)
         }
 
     def moving(self, bodies: Mapping[str, Body], rates: States, bends: States) -> dict[str, Body]:
+        """The links with their velocities and accelerations."""
         return {name: with_rates(bodies[name], rates[:, i], bends[:, i]) for i, name in enumerate(self.group.links)}
 
 
