@@ -41,6 +41,7 @@ _MODULES = (
     "mechanism.assembly.start",
     "mechanism.assembly.statements",
     "mechanism.assembly.branch",
+    "mechanism.joints",
     "mechanism.model",
     "mechanism.loads",
     "problem.values.given",

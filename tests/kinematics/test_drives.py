@@ -15,7 +15,7 @@ from vecpoly.errors import AssemblyError, ProblemFileError
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.groups.mobility import mobility
 from vecpoly.mechanism.model import Prismatic
-from vecpoly.methods import exchange
+from vecpoly.methods.exchange import exchange, trial
 from vecpoly.methods.registry import Stage
 from vecpoly.solution import Solution, solve
 
@@ -284,14 +284,14 @@ def test_a_thrust_between_two_moving_links_is_found_by_virtual_power() -> None:
 
 def test_trials_of_another_driver_are_drawn_once_for_all_places_of_the_drive(monkeypatch: pytest.MonkeyPatch) -> None:
     drawn: list[float] = []
-    draw = exchange._Trial._drawn
+    draw = trial.Trial._drawn
 
     def counted(trial: Any, at: float) -> Any:
         drawn.append(at)
         return draw(trial, at)
 
-    monkeypatch.setattr(exchange._Trial, "_drawn", counted)
-    exchange._structure.cache_clear()
+    monkeypatch.setattr(trial.Trial, "_drawn", counted)
+    trial._structure.cache_clear()
     exchange.exchanged.cache_clear()
     mech = load("scissor-lift").mechanism
     places: dict[float, int] = {}

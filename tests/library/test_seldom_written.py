@@ -122,7 +122,7 @@ def test_an_editor_takes_an_angular_velocity_or_its_sense_alone(written: str) ->
 def test_a_branch_of_a_train_is_named_by_one_capital(name: str, fine: bool) -> None:
     from pydantic import ValidationError
 
-    from vecpoly.devices.power_train import Part
+    from vecpoly.devices.train import Part
 
     if fine:
         assert Part.model_validate({"gear": "0.97", "name": name}).name == name

@@ -20,9 +20,10 @@ from vecpoly.errors import ProblemFileError
 from vecpoly.methods.devices.structure.count import Count, count
 from vecpoly.methods.devices.structure.groups import Taken, take_apart
 from vecpoly.methods.devices.structure.replacement import Replaced, replaced
-from vecpoly.oracle.devices.structure import reduced, without_high_pairs
-from vecpoly.oracle.devices.structure_match import assur, rank_of
-from vecpoly.oracle.devices.structure_rank import Ranks, determined, ranks
+from vecpoly.oracle.devices.structure.lower import without_high_pairs
+from vecpoly.oracle.devices.structure.match import assur, rank_of
+from vecpoly.oracle.devices.structure.rank import Ranks, determined, ranks
+from vecpoly.oracle.devices.structure.structure import reduced
 from vecpoly.problem.load import load, loads
 from vecpoly.report.content import cautions, conclusions
 

@@ -13,8 +13,8 @@ from vecpoly.methods.devices.structure.count import count, freedom
 from vecpoly.methods.devices.structure.groups import take_apart
 from vecpoly.methods.devices.structure.replacement import replaced
 from vecpoly.oracle.devices.registry import device_answers
-from vecpoly.oracle.devices.structure_match import assur, rank_of
-from vecpoly.oracle.devices.structure_rank import determined, ranks
+from vecpoly.oracle.devices.structure.match import assur, rank_of
+from vecpoly.oracle.devices.structure.rank import determined, ranks
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP", "III", "IV")
 LIMITED = settings(max_examples=30, deadline=None, derandomize=True)

@@ -232,26 +232,8 @@ class Depict(Done):
     marks: tuple[Mark, ...]
 
 
-Act = (
-    Locate
-    | Plot
-    | Join
-    | Arrow
-    | Turn
-    | Parallel
-    | Rule
-    | LayOff
-    | Follow
-    | Transfer
-    | Swing
-    | Meet
-    | Touch
-    | Image
-    | Corner
-    | Tint
-    | Measure
-    | Gauge
-    | Compute
-    | Answer
-    | Depict
+Leaving = Plot | Join | Arrow | Rule | Swing | Corner | Tint | Depict  # ink
+Inkless = (
+    Locate | Turn | Parallel | LayOff | Follow | Transfer | Meet | Touch | Image | Measure | Gauge | Compute | Answer
 )
+Act = Leaving | Inkless

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..devices.structure import Structure
 from ..names import subscripted
-from ..oracle.devices.structure import surplus
+from ..oracle.devices.structure.structure import surplus
 from ..words import Words
 
 

@@ -39,6 +39,13 @@ class ScrewJack(Device):
 
     @model_validator(mode="after")
     def _possible(self) -> ScrewJack:
+        self._check_sizes()
+        self._check_given()
+        self._check_slope()
+        return self
+
+    def _check_sizes(self) -> None:
+        """Outer diameters are greater than inner ones."""
         if self.d.si <= self.d1.si:
             raise FaultError(
                 Words(
@@ -57,6 +64,9 @@ class ScrewJack(Device):
                 ),
                 code="out-of-range",
             )
+
+    def _check_given(self) -> None:
+        """Neither too little nor too much is given: coefficients of friction, load or force."""
         if (self.f is None) != (self.f_thread is not None and self.f_collar is not None) or (
             self.f and (self.f_thread or self.f_collar)
         ):
@@ -75,6 +85,9 @@ class ScrewJack(Device):
                 ),
                 code="contradiction",
             )
+
+    def _check_slope(self) -> None:
+        """The flanks are those of a V-thread, and the thread can be turned at all."""
         if self.beta is not None and not 0 < self.beta.si < pi / 3:
             raise FaultError(
                 Words(
@@ -94,7 +107,6 @@ class ScrewJack(Device):
                     "screw; take a smaller pitch p or a lower f",
                 )
             )
-        return self
 
     @property
     def thread(self) -> Ratio:

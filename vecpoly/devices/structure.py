@@ -18,7 +18,8 @@ from ..errors import FaultError
 from ..names import Named, subscripted
 from ..words import Words
 from .base import Device
-from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural, read_pair
+from .pairs_read import read_pair
+from .structure_pairs import FRAME, Chain, Form, Pair, Written, natural
 
 Joint = Annotated[Written, BeforeValidator(read_pair), WithJsonSchema({"type": "string"})]
 Letter = Annotated[str, Field(pattern=r"^[A-Z]\d?['′]?$")]

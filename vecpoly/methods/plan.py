@@ -27,7 +27,7 @@ from .answers import Repeats, answer, named_answer
 from .desk import Desk
 from .draw import draw
 from .drawn import Drawn, motion_of
-from .exchange import exchanged
+from .exchange.exchange import exchanged
 from .passes import stages
 from .registry import Stage
 

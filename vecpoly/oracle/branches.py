@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import product
 
 from ..errors import AssemblyError, DeadPointError, UnknownNameError
 from ..mechanism.assembly.branch import margin, nearer, opposite
 from ..mechanism.assembly.four_bar import folded_corner, fourth_corner
 from ..mechanism.assembly.statements import Form, Shaped
-from ..mechanism.model import Circle, Mechanism, Revolute, Rolling, Side, SideOf
+from ..mechanism.model import Mechanism, Revolute, Statement
 from ..words import Words
+from .advice import Places, advice, is_hinged
 from .closed.dyads import Hinged, Swinging
 from .closed.parallel import folded, parallel
 from .iterated.driven import drives_in
@@ -20,8 +20,6 @@ from .iterated.newton import Newton
 from .run import Run
 from .state import Bodies
 from .steps import Step
-
-Places = dict[str, complex]
 
 
 def places(mech: Mechanism, bodies: Bodies) -> Places:
@@ -61,45 +59,51 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         return parallel(mech, step.group, figure.corners[0])
     options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
-    names, where = step.group.told.en, run.text(float(run.q[-1]))
-    if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
-        raise DeadPointError(
-            Words(
-                f"原动件位于 {where} 时构件 {step.group.told.zh} 处于死点位置，两种装配方式重合，无法区分；"
-                "请另取原动件位置",
-                f"links {names} are at a dead point where the drive stands at {where}: their two assemblies "
-                "coincide and cannot be told apart; choose another position of the drive",
-            )
-        )
+    where = run.text(float(run.q[-1]))
+    _check_dead_point(mech, step, after, where)
     told = [s for s in mech.branches if set(s.letters) <= set(after[0]) and not set(s.letters) <= set(before)]
     sure = 1e-9 * mech.scale
     fits = [all(margin(s, at) > sure for s in told) for at in after]
     if fits.count(True) == 1:
         return _figured(mech, options[fits.index(True)], figure, after[fits.index(True)])
-    if (
-        all(fits)
-        and step.two
-        and not isinstance(step, Swinging)
-        and (near := nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)) is not None
-    ):
-        return _figured(mech, options[near], figure, after[near])
+    if all(fits) and step.two and not isinstance(step, Swinging):
+        near = nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale)
+        if near is not None:
+            return _figured(mech, options[near], figure, after[near])
     if not any(fits):
-        statement = " and ".join(f"'{s}'" for s in told)
-        raise AssemblyError(
-            Words(
-                f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
-                f"links {names}: neither assembly fulfils {statement} where the drive stands at {where}",
-            )
-            + _advice(mech, step, before, after)
-        )
+        raise AssemblyError(_neither(step, told, where) + advice(mech, step, before, after))
     if isinstance(step, Swinging):
         return _ahead(step, bodies) or _guessed(mech, options, after, where)
-    raise AssemblyError(
-        Words(
-            f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
-            f"links {names} can be assembled in two ways at joint {step.joint}",
+    raise AssemblyError(_either(step) + advice(mech, step, before, after))
+
+
+def _check_dead_point(mech: Mechanism, step: Step, after: Sequence[Places], where: str) -> None:
+    """DeadPointError where the two assemblies of a group that is closed in a hinge coincide."""
+    if is_hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
+        raise DeadPointError(
+            Words(
+                f"原动件位于 {where} 时构件 {step.group.told.zh} 处于死点位置，两种装配方式重合，无法区分；"
+                "请另取原动件位置",
+                f"links {step.group.told.en} are at a dead point where the drive stands at {where}: their two "
+                "assemblies coincide and cannot be told apart; choose another position of the drive",
+            )
         )
-        + _advice(mech, step, before, after)
+
+
+def _neither(step: Step, told: Sequence[Statement], where: str) -> Words:
+    """No assembly is as the statements say."""
+    statement = " and ".join(f"'{s}'" for s in told)
+    return Words(
+        f"原动件位于 {where} 时，构件 {step.group.told.zh} 的两种装配方式都不满足 {statement}",
+        f"links {step.group.told.en}: neither assembly fulfils {statement} where the drive stands at {where}",
+    )
+
+
+def _either(step: Step) -> Words:
+    """Nothing tells which assembly is meant."""
+    return Words(
+        f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
+        f"links {step.group.told.en} can be assembled in two ways at joint {step.joint}",
     )
 
 
@@ -120,11 +124,6 @@ def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
                 code="branch contradicts",
                 numbers={"gap": gap},
             )
-
-
-def _hinged(step: Step) -> bool:
-    """Whether the two assemblies differ in the place of a hinge, whose letter is the step's joint."""
-    return isinstance(step, Hinged) or (isinstance(step, Newton) and step.two)
 
 
 def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
@@ -183,44 +182,3 @@ def _guessed(mech: Mechanism, options: Sequence[Step], after: Sequence[Places], 
             code="branch-missing",
         )
     return options[near]
-
-
-def _advice(mech: Mechanism, step: Step, before: Places, after: list[Places]) -> Words:
-    """; say which: 'C left of BD' or 'C right of BD'."""
-    if len(after) < 2 or not _hinged(step):
-        return Words.same("")
-    for statement in _statements(mech, step, before, after[0]):
-        here, there = (margin(statement, at) for at in after)
-        if min(abs(here), abs(there)) > 1e-6 * mech.scale and here * there < 0:
-            return Words(
-                f"；请指明“{statement}”或“{opposite(statement)}”",
-                f"; say which: '{statement}' or '{opposite(statement)}'",
-            )
-    return Words(
-        f"；没有字母点能区分两者，请以 guesses: {{{step.joint}: [x mm, y mm]}} 给出大致位置",
-        f"; no lettered point tells them apart: give a rough place, guesses: {{{step.joint}: [x mm, y mm]}}",
-    )
-
-
-def _statements(mech: Mechanism, step: Step, before: Places, after: Mapping[str, complex]) -> Iterator[SideOf]:
-    """Sentences a lecturer may say about the group, the plainest first."""
-    outer = [out.joint.point for out in step.group.outer if isinstance(out.joint, Revolute)]
-    gears = [
-        end.centre
-        for out in step.group.outer
-        if isinstance(out.joint, Rolling)
-        for end in (out.joint.gear, out.joint.on)
-        if isinstance(end, Circle) and end.link == out.parent
-    ]
-    points = [step.joint, *(p for p in after if p not in before and p != step.joint)]
-    refs = [p for p in (*outer, *gears) if p in before]
-    others = [p for p in before if p not in refs]
-    apart = 1e-9 * mech.scale
-    pairs = [(a, b) for a, b in product((*refs, *others), repeat=2) if abs(before[a] - before[b]) > apart]
-    for point in points:
-        if len(refs) == 2:
-            yield SideOf(point=point, side=Side.LEFT, ref=(refs[0], refs[1]))
-        for ref, side in product((*refs, *others), (Side.LEFT, Side.ABOVE)):
-            yield SideOf(point=point, side=side, ref=(ref,))
-        for pair in pairs:
-            yield SideOf(point=point, side=Side.LEFT, ref=pair)

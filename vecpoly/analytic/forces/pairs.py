@@ -106,20 +106,8 @@ def _slide(frame: Frame, joint: Prismatic, angle: float) -> Touch:
     guide, block = mech.number(joint.guide), mech.number(joint.block)
     who = press_named(mech, joint.guide, joint.block).key.removeprefix("R_")
     normal, turn, rub = Var(f"N_{{{who}}}"), Var(f"T_{{{who}}}"), Var(f"F_{{f{who}}}")
-    law = (
-        (
-            Equation(
-                rub,
-                -(
-                    Const(f"f_{{{block}{guide}}}", tan(angle), "")
-                    * Size(normal)
-                    * Sense(Var(f"v_{{{slide_named(mech, joint)}}}"))
-                ),
-            ),
-        )
-        if angle
-        else ()
-    )
+    coefficient, slip = Const(f"f_{{{block}{guide}}}", tan(angle), ""), Var(f"v_{{{slide_named(mech, joint)}}}")
+    law = (_rubbed(rub, coefficient, normal, slip),) if angle else ()
     along: Expr = rub if angle else ZERO
     force = along * cos(line) - normal * sin(line), along * sin(line) + normal * cos(line)
     if pin is not None:  # no block: the slot presses on the pin itself, and passes on no couple
@@ -145,6 +133,11 @@ def _slide(frame: Frame, joint: Prismatic, angle: float) -> Touch:
     )
 
 
+def _rubbed(rub: Var, coefficient: Const, normal: Var, slip: Var) -> Equation:
+    """F = −f |N| sgn v."""
+    return Equation(rub, -(coefficient * Size(normal) * Sense(slip)))
+
+
 def _contact(frame: Frame, contact: Contact, angle: float) -> Touch:
     """A force along the common normal, towards the disc; friction f N across it."""
     mech, (disc, on), k = frame.mech, contact.links, contact.point
@@ -162,11 +155,7 @@ def _contact(frame: Frame, contact: Contact, angle: float) -> Touch:
         Equation(place[1], cy - reach * ny),
     )
     normal, rub = Var(f"N_{{{who}}}"), Var(f"F_{{f{who}}}")
-    law = (
-        (Equation(rub, -(Const(f"f_{{{k}}}", tan(angle), "") * Size(normal) * Sense(Var(f"v_{{{back}}}")))),)
-        if angle
-        else ()
-    )
+    law = (_rubbed(rub, Const(f"f_{{{k}}}", tan(angle), ""), normal, Var(f"v_{{{back}}}")),) if angle else ()
     along: Expr = rub if angle else ZERO
     return Touch(
         a=on,

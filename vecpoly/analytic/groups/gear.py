@@ -16,30 +16,9 @@ def held_gear(scope: Scope, group: Group) -> GroupModel:
     """ω = ω_H ± (r_p / r)(ω_H − ω_p), H the link that holds both centres, p the partner; α alike."""
     link = group.links[0]
     joint = next(out.joint for out in group.outer if isinstance(out.joint, Rolling))
-    mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
-    if (
-        not isinstance(mine, Circle)
-        or not isinstance(other, Circle)
-        or len(scope.mech.link(link).points) > 1
-        or mine.mark
-        or other.mark
-    ):
-        raise NoMethodError(
-            Words(
-                f"没有齿轮 {link} 的解析式：它应在另一齿轮上滚动，且除中心外没有字母点",
-                f"no closed form on file for gear {link}: it must roll on a gear, and carry no letter but its centre",
-            )
-        )
+    mine, other = _circles(scope, link, joint)
     holder = _holder(scope, mine, other)
-    name, partner = scope.name(link), other.link
-    ratio = Const(f"r_{{{scope.mech.number(partner)}}}", other.radius) / Const(f"r_{{{name}}}", mine.radius)
-    pairs = (
-        (Var(f"ω_{{{name}}}"), scope.omega(holder), scope.omega(partner)),
-        (Var(f"α_{{{name}}}"), scope.alpha(holder), scope.alpha(partner)),
-    )
-    velocity, acceleration = (
-        Equation(own, _rolled(arm, arm - mate, ratio, joint.internal)) for own, arm, mate in pairs
-    )
+    name, (velocity, acceleration) = scope.name(link), _turning(scope, joint, mine, other, holder)
     held = Words("机架" if holder == FRAME else f"构件 {holder}", "the frame" if holder == FRAME else f"link {holder}")
     return GroupModel(
         title=Words(f"齿轮 {name}", f"Gear {name}"),
@@ -57,6 +36,39 @@ def held_gear(scope: Scope, group: Group) -> GroupModel:
             Stage(ACCELERATION, (Part(Words("求导得", "Differentiated,"), (acceleration,)),)),
         ),
     )
+
+
+def _circles(scope: Scope, link: str, joint: Rolling) -> tuple[Circle, Circle]:
+    """The pitch circles of the gear and of its partner. Raises NoMethodError where either is none, or is stepped."""
+    mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
+    if (
+        not isinstance(mine, Circle)
+        or not isinstance(other, Circle)
+        or len(scope.mech.link(link).points) > 1
+        or mine.mark
+        or other.mark
+    ):
+        raise NoMethodError(
+            Words(
+                f"没有齿轮 {link} 的解析式：它应在另一齿轮上滚动，且除中心外没有字母点",
+                f"no closed form on file for gear {link}: it must roll on a gear, and carry no letter but its centre",
+            )
+        )
+    return mine, other
+
+
+def _turning(scope: Scope, joint: Rolling, mine: Circle, other: Circle, holder: str) -> tuple[Equation, Equation]:
+    """ω and α of the gear."""
+    name, partner = scope.name(mine.link), other.link
+    ratio = Const(f"r_{{{scope.mech.number(partner)}}}", other.radius) / Const(f"r_{{{name}}}", mine.radius)
+    pairs = (
+        (Var(f"ω_{{{name}}}"), scope.omega(holder), scope.omega(partner)),
+        (Var(f"α_{{{name}}}"), scope.alpha(holder), scope.alpha(partner)),
+    )
+    velocity, acceleration = (
+        Equation(own, _rolled(arm, arm - mate, ratio, joint.internal)) for own, arm, mate in pairs
+    )
+    return velocity, acceleration
 
 
 def _holder(scope: Scope, mine: Circle, other: Circle) -> str:

@@ -34,18 +34,11 @@ def hinged(scope: Scope, j: Arm, k: Arm, c: str) -> Solved:
 
 
 def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
-    (xj, yj), (xk, yk) = scope.xy(j.outer), scope.xy(k.outer)
     a, b, rest = Var("A_0"), Var("B_0"), Var("C_0")
     at_j, at_k, at_c = (scope.at[p] for p in (j.outer, k.outer, c))
     left = ((at_k - at_j).conjugate() * (at_c - at_j)).imag > 0
     sign = Const("M", 1.0 if left else -1.0, "")
     angle = TWO * Arctan(b + sign * SquareRoot(square(a) + square(b) - square(rest)), a + rest)
-    way = j.angle_symbol if j.straight else "ψ"
-    told = (
-        Words.same("")
-        if j.straight
-        else Words(f"（$ψ$ 为 ${j.outer}{c}$ 的方向角）", f", $ψ$ being the direction of ${j.outer}{c}$")
-    )
     side = Words("左", "left") if left else Words("右", "right")
     head = "+1" if left else "−1"
     return (
@@ -53,17 +46,7 @@ def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
             Words("由封闭矢量多边形在 $x$、$y$ 轴上的投影得", "The vector loop projected on the axes gives"),
             both(j.tip(scope), k.tip(scope), gives=False),
         ),
-        Part(
-            Words(
-                f"消去 ${k.angle_symbol}$，得 $A_0 cos {way} + B_0 sin {way} − C_0 = 0${told.zh}，式中",
-                f"Eliminating ${k.angle_symbol}$ leaves $A_0 cos {way} + B_0 sin {way} − C_0 = 0${told.en}, with",
-            ),
-            (
-                Equation(a, TWO * j.length * (xk - xj)),
-                Equation(b, TWO * j.length * (yk - yj)),
-                Equation(rest, square(j.length) + square(xk - xj) + square(yk - yj) - square(k.length)),
-            ),
-        ),
+        _eliminated(scope, j, k, c),
         Part(
             Words(
                 f"解得（装配模式系数 $M$ = {head}：${c}$ 在矢量 ${j.outer}→{k.outer}$ 的{side.zh}侧）",
@@ -73,6 +56,29 @@ def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
             (Equation(j.angle, angle - j.turn),),
         ),
         Part(Words("从而", "and then"), (*both(scope.xy(c), j.tip(scope)), Equation(k.angle, k.angle_from(scope, c)))),
+    )
+
+
+def _eliminated(scope: Scope, j: Arm, k: Arm, c: str) -> Part:
+    """The one equation in the direction of JC, and its coefficients."""
+    (xj, yj), (xk, yk) = scope.xy(j.outer), scope.xy(k.outer)
+    a, b, rest = Var("A_0"), Var("B_0"), Var("C_0")
+    way = j.angle_symbol if j.straight else "ψ"
+    told = (
+        Words.same("")
+        if j.straight
+        else Words(f"（$ψ$ 为 ${j.outer}{c}$ 的方向角）", f", $ψ$ being the direction of ${j.outer}{c}$")
+    )
+    return Part(
+        Words(
+            f"消去 ${k.angle_symbol}$，得 $A_0 cos {way} + B_0 sin {way} − C_0 = 0${told.zh}，式中",
+            f"Eliminating ${k.angle_symbol}$ leaves $A_0 cos {way} + B_0 sin {way} − C_0 = 0${told.en}, with",
+        ),
+        (
+            Equation(a, TWO * j.length * (xk - xj)),
+            Equation(b, TWO * j.length * (yk - yj)),
+            Equation(rest, square(j.length) + square(xk - xj) + square(yk - yj) - square(k.length)),
+        ),
     )
 
 

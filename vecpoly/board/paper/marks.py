@@ -235,26 +235,7 @@ class Note(Ink):
     words: Words
 
 
-Mark = (
-    Segment
-    | Vector
-    | Arc
-    | Point
-    | RightAngle
-    | ImageOf
-    | Plate
-    | Ground
-    | FixedGuide
-    | Block
-    | Slot
-    | GearMark
-    | RackMark
-    | TurnArrow
-    | AngleMark
-    | LinkNumber
-    | FrictionCircle
-    | Disc
-    | Outline
-    | Cell
-    | Note
-)
+Trace = Segment | Vector | Arc
+Body = Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
+Solid = FrictionCircle | Disc | Outline | Cell
+Mark = Trace | Point | RightAngle | ImageOf | Body | TurnArrow | AngleMark | LinkNumber | Solid | Note

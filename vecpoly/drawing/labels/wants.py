@@ -27,7 +27,8 @@ from ...board.paper.marks import (
 from ...typeset import Box, layout
 from ...words import Lang
 from ..style import DOT_RADIUS, JOINT_RADIUS, LETTER, LINK, NOTE, POLE_RADIUS, RESULT, THIN, Hue, kind_hue
-from ..symbols.marks import NEAR, TAIL, TURN, narrow
+from ..symbols.angles import TAIL, TURN, narrow
+from ..symbols.shapes import NEAR
 from .notes import lines
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from dataclasses import dataclass
 from itertools import pairwise
@@ -13,6 +12,7 @@ from ...board.paper.marks import (
     AngleMark,
     Arc,
     Block,
+    Body,
     Cell,
     Disc,
     Dot,
@@ -32,22 +32,19 @@ from ...board.paper.marks import (
     Role,
     Segment,
     Slot,
+    Solid,
+    Trace,
     TurnArrow,
     Vector,
 )
 from ...words import Lang
 from ..scene import Fill, Item, Layer, Stroke
-from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, SYMBOL, THIN, Hue, kind_hue, pen, tint
+from ..style import DOT_RADIUS, JOINT_RADIUS, POLE_RADIUS, THIN, Hue, kind_hue, pen, tint
 from . import bodies, shapes, solids
+from .angles import draw_angle, draw_turn
+from .shapes import NEAR
 
 SQUARE = 2.5  # side of a right-angle square
-TURN = math.radians(105)  # sweep of a curved arrow
-NEAR = 1e-4  # mm: places closer than this are one
-NARROW, TAIL, INNER_HEAD = (
-    4.0,
-    4.6,
-    2.0,
-)  # mm: an arc shorter than NARROW is pointed at from outside, from tails so long
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,9 +96,9 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
         case ImageOf(points=points, step=step):
             return (Fill(points=points, hue=tint(around.view), layer=Layer.TINT, step=step),) if len(points) > 2 else ()
         case TurnArrow():
-            return _turn(mark, around)
+            return draw_turn(mark, kind_hue(around.view, mark.label))
         case AngleMark():
-            return _angle(mark)
+            return draw_angle(mark)
         case FrictionCircle() | Disc() | Outline() | Cell():
             return _solid(mark, around)
         case LinkNumber() | Note():
@@ -121,9 +118,7 @@ def _carries(a: complex, b: complex, block: Block) -> bool:
     return (across or ends_here) and abs(off.imag) < NEAR and -NEAR < off.real < abs(b - a) + NEAR
 
 
-def _body(
-    mark: Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark, around: Surroundings
-) -> tuple[Item, ...]:
+def _body(mark: Body, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Plate():
             return bodies.plate(mark, around.link_layer(*mark.points, mark.points[0]))
@@ -142,7 +137,7 @@ def _body(
     assert_never(mark)
 
 
-def _solid(mark: FrictionCircle | Disc | Outline | Cell, around: Surroundings) -> tuple[Item, ...]:
+def _solid(mark: Solid, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case FrictionCircle():
             return solids.friction_circle(mark)
@@ -155,7 +150,7 @@ def _solid(mark: FrictionCircle | Disc | Outline | Cell, around: Surroundings) -
     assert_never(mark)
 
 
-def _line(mark: Segment | Vector | Arc, around: Surroundings) -> tuple[Item, ...]:
+def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
     match mark:
         case Segment(a=a, b=b, role=role):
             p = pen(role, around.view.ink if around.view.images else Hue.BLACK)
@@ -215,59 +210,3 @@ def _square(mark: RightAngle) -> tuple[Item, ...]:
     u, v = SQUARE * mark.u / abs(mark.u), SQUARE * mark.v / abs(mark.v)
     corner = (mark.at + u, mark.at + u + v, mark.at + v)
     return (Stroke(points=corner, width=THIN, layer=Layer.THIN, step=mark.step),)
-
-
-def curved_head(
-    centre: complex, radius: float, end: float, turn: float, length: float
-) -> tuple[complex, complex, complex]:
-    """An arrowhead at the end of an arc, along the chord of its own length (turn: +1 counter-clockwise)."""
-    tip = centre + cmath.rect(radius, end)
-    back = tip - (centre + cmath.rect(radius, end - turn * min(1.0, length / radius)))
-    return shapes.head(tip, back / abs(back), length, length / 3)
-
-
-def _turn(mark: TurnArrow, around: Surroundings) -> tuple[Item, ...]:
-    if mark.radius < NEAR:
-        return ()
-    turn = 1.0 if mark.ccw else -1.0
-    hue = kind_hue(around.view, mark.label)
-    length = shapes.head_length(mark.radius * TURN)
-    bow = shapes.arc(mark.at, mark.radius, mark.start, turn * (TURN - 0.6 * length / mark.radius))
-    tip = curved_head(mark.at, mark.radius, mark.start + turn * TURN, turn, length)
-    return (Stroke(points=bow, width=SYMBOL, hue=hue, step=mark.step), Fill(points=tip, hue=hue, step=mark.step))
-
-
-def _angle(mark: AngleMark) -> tuple[Item, ...]:
-    bow = Stroke(
-        points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.THIN, step=mark.step
-    )
-    if narrow(mark):
-        return (bow, *_pointed_at(mark))
-    if mark.radius * abs(mark.sweep) < 8.0:
-        return (bow,)
-    turn = math.copysign(1.0, mark.sweep)
-    tips = (
-        curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, 2.4),
-        curved_head(mark.at, mark.radius, mark.start, -turn, 2.4),
-    )
-    return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))
-
-
-def narrow(mark: AngleMark) -> bool:
-    """Whether the angle is too small to hold its letter, and is pointed at from outside: a friction angle."""
-    return mark.radius > TAIL and NEAR < mark.radius * abs(mark.sweep) < NARROW
-
-
-def _pointed_at(mark: AngleMark) -> tuple[Item, ...]:
-    """The arc carried on beyond both rays, with arrowheads that meet them."""
-    tail = math.copysign(TAIL / mark.radius, mark.sweep)
-    items: list[Item] = []
-    for ray, out in ((mark.start, -tail), (mark.start + mark.sweep, tail)):
-        turn = -math.copysign(1.0, out)
-        items.append(
-            Stroke(points=shapes.arc(mark.at, mark.radius, ray, out), width=THIN, layer=Layer.THIN, step=mark.step)
-        )
-        items.append(
-            Fill(points=curved_head(mark.at, mark.radius, ray, turn, INNER_HEAD), layer=Layer.HEAD, step=mark.step)
-        )
-    return tuple(items)

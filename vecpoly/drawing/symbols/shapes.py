@@ -7,6 +7,7 @@ import math
 
 from ..style import HEAD_LENGTH, HEAD_WIDTH, THIN
 
+NEAR = 1e-4  # mm: places closer than this are one
 SAGITTA = 0.004  # mm: how far a curve may be from its chords
 
 

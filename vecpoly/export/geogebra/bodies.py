@@ -24,7 +24,8 @@ from ...drawing.scene import Stroke
 from ...drawing.style import LINK, THIN, Dash, Hue, Pen
 from ...drawing.symbols.marks import Surroundings, draw
 from ...mechanism.model import Drive
-from ...methods.desk import Desk, Pose
+from ...methods.desk import Desk
+from ...methods.diagram import Pose
 from ...plane.derived import plain
 from ...plane.traced import bare
 from .figure import Figure

@@ -9,7 +9,8 @@ from ...board.construction import View
 from ...board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
 from ...mechanism.groups.assur import Group
 from ...problem.problem import Problem
-from ..desk import Desk, Pose
+from ..desk import Desk
+from ..diagram import Pose
 from ..kinematics.diagram.links import draw_frame, draw_links
 from .size import Paper
 

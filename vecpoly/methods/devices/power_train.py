@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 from ...algebra.quantity import Expr, Powered, Product, Quantity, Sum, magnitude
 from ...board.construction import View
-from ...devices.power_train import ETA, POWER, POWER_OUT, Part, PowerTrain, Train, ends, eta_prime, out, partings, share
+from ...devices.power_train import ETA, POWER, POWER_OUT, PowerTrain, eta_prime, out, share
+from ...devices.train import Part, Train, ends, partings
 from ...names import Named
 from ...words import Words
 from .bench import Bench

@@ -10,7 +10,7 @@ from ...board.construction import Pane
 from ...names import Named
 from ...plane import Points
 from ...words import Words
-from .inclined import ALONG_N, OFF_N, frictionless, reversed_way
+from .equilibrium import ALONG_N, OFF_N, frictionless, reversed_way
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,23 +9,39 @@ import numpy as np
 
 from ...algebra.quantity import Of, Quantity, Times, magnitude
 from ...board.construction import Pane, View
-from ...board.paper.marks import AngleMark, Dot, LinkNumber, Outline, Point, RightAngle, Role, Segment
+from ...board.paper.marks import AngleMark, Dot, LinkNumber, Point, RightAngle, Role, Segment
 from ...devices.vee_guide import F_VEE, F_WHOLE, FLANK, FRICTION, FRICTION_FLAT, FRICTION_V, ON_FLAT, ON_V, VeeGuide
 from ...names import Named
 from ...plane import nominal
 from ...words import Words
 from .bench import Bench
-from .inclined import Press, balance, body, given, letter, press, pull, sought
+from .equilibrium import balance, given, letter, sought
+from .inclined import Press, body, press, pull
 from .registry import device_method
 from .sketches.dimensions import dimension, millimetres
 
 SPAN = 105.0  # mm: from guide to guide as sketched
-PLATE, FLANK_LENGTH, FOOT = (
-    11.0,
-    18.0,
-    11.0,
-)  # mm, as sketched: thickness of the slide, length of a flank, half width of the foot
+PLATE, FLANK_LENGTH = 11.0, 18.0  # mm, as sketched: thickness of the slide, length of a flank
+FOOT = 11.0  # mm, as sketched: half the width of the foot
 APART = 42.0  # mm: length of a flank on the body drawn apart
+
+_VEE = Words(
+    "由 $2N sin θ = F_1$，V 形导轨 1 的摩擦力 $2f N = f F_1/sin θ$，故其当量摩擦系数为（楔形使法向反力增大"
+    "，$f_{V1} > f$）：",
+    "With $2N sin θ = F_1$ the friction on the V guide 1 is $2f N = f F_1/sin θ$, so that its equivalent "
+    "coefficient is ($f_{V1} > f$: the wedge shape raises the normal reactions):",
+)
+_RUBBING = Words(
+    "滑台移动时，V 形导轨两侧面、平导轨上的摩擦力及其总和为：",
+    "While the slide moves, the friction on both flanks of the V, on the flat guide, and the total are:",
+)
+_WHOLE = Words(
+    "把两导轨当作一个受载荷 $G$ 的平导轨，由 $F_f = f_V G$ 得整个导轨的当量摩擦系数；再用几何量表示，"
+    "$θ$ 为 V 形的半角：",
+    "Taken as one flat guide under the load $G$, both guides have $F_f = f_V G$, which "
+    "gives the equivalent coefficient of the whole; then the same in terms of the "
+    "dimensions, $θ$ being half the angle of the V:",
+)
 
 
 @device_method(
@@ -39,12 +55,20 @@ def draw_vee_guide(bench: Bench, device: VeeGuide) -> None:
     board = bench.board
     board.section(Words("载荷在两导轨上的分配", "Distribution of the load"))
     _section(bench, device)
-    load, first, second = (
-        magnitude("G", device.G.si, "N"),
-        millimetres("l_1", device.l1.si),
-        millimetres("l_2", device.l2.si),
-    )
-    board.step(
+    on_v, on_flat = _shared(bench, device)
+    board.section(Words("当量摩擦系数", "Equivalent coefficient of friction"))
+    _coefficients(bench, device, _flanks(bench, device, on_v), on_flat)
+
+
+def _data(device: VeeGuide) -> tuple[Quantity, Quantity, Quantity]:
+    """G, l_1 and l_2 as factors of formulas."""
+    return magnitude("G", device.G.si, "N"), millimetres("l_1", device.l1.si), millimetres("l_2", device.l2.si)
+
+
+def _shared(bench: Bench, device: VeeGuide) -> tuple[Quantity, Quantity]:
+    """F_1 on the V guide and F_2 on the flat one, from moments."""
+    load, first, second = _data(device)
+    bench.board.step(
         Words(
             "分别对导轨 2、导轨 1 取矩，由力矩平衡求两导轨所受的压力：",
             "Equilibrium of moments about guide 2 and about guide 1 gives the load on each guide:",
@@ -52,35 +76,19 @@ def draw_vee_guide(bench: Bench, device: VeeGuide) -> None:
     )
     on_v = bench.worked(ON_V, load * second / (first + second))
     on_flat = bench.worked(ON_FLAT, load * first / (first + second))
-    board.section(Words("当量摩擦系数", "Equivalent coefficient of friction"))
-    flank = _flanks(bench, device, on_v)
+    return on_v, on_flat
+
+
+def _coefficients(bench: Bench, device: VeeGuide, flank: Quantity, on_flat: Quantity) -> None:
+    """f_V1 of the V guide, the friction on every face, and f_V of both guides together."""
+    board, (load, first, second) = bench.board, _data(device)
     f, theta = magnitude("f", device.f.si, ""), magnitude("θ", degrees(device.theta.si), "deg")
-    board.step(
-        Words(
-            "由 $2N sin θ = F_1$，V 形导轨 1 的摩擦力 $2f N = f F_1/sin θ$，故其当量摩擦系数为（楔形使法向反力增大"
-            "，$f_{V1} > f$）：",
-            "With $2N sin θ = F_1$ the friction on the V guide 1 is $2f N = f F_1/sin θ$, so that its equivalent "
-            "coefficient is ($f_{V1} > f$: the wedge shape raises the normal reactions):",
-        )
-    )
+    board.step(_VEE)
     bench.worked(F_VEE, f / Of("sin", theta))
-    board.step(
-        Words(
-            "滑台移动时，V 形导轨两侧面、平导轨上的摩擦力及其总和为：",
-            "While the slide moves, the friction on both flanks of the V, on the flat guide, and the total are:",
-        )
-    )
+    board.step(_RUBBING)
     rub_v, rub_flat = bench.worked(FRICTION_V, Times(2, f * flank)), bench.worked(FRICTION_FLAT, f * on_flat)
     rub = bench.worked(FRICTION, rub_v + rub_flat)
-    board.step(
-        Words(
-            "把两导轨当作一个受载荷 $G$ 的平导轨，由 $F_f = f_V G$ 得整个导轨的当量摩擦系数；再用几何量表示，"
-            "$θ$ 为 V 形的半角：",
-            "Taken as one flat guide under the load $G$, both guides have $F_f = f_V G$, which "
-            "gives the equivalent coefficient of the whole; then the same in terms of the "
-            "dimensions, $θ$ being half the angle of the V:",
-        )
-    )
+    board.step(_WHOLE)
     bench.worked(F_WHOLE, rub / load)
     whole = first + second
     board.compute(F_WHOLE.symbol, f * (second / (whole * Of("sin", theta)) + first / whole), "")
@@ -100,36 +108,8 @@ def _section(bench: Bench, device: VeeGuide) -> None:
     )
     left, right = (SPAN * x / (device.l1.si + device.l2.si) for x in (-device.l1.si, device.l2.si))
     wide, deep = FLANK_LENGTH * np.sin(device.theta.si), FLANK_LENGTH * np.cos(device.theta.si)
-    low = -0.25 * deep
-    board.mark(
-        place,
-        Outline(
-            points=_points(
-                (left - wide - 6, low),
-                (left - 0.75 * wide, low),
-                (left, -deep),
-                (left + 0.75 * wide, low),
-                (right + FOOT + 6, low),
-                (right + FOOT + 6, -deep - 9),
-                (left - wide - 6, -deep - 9),
-            ),
-            fixed=True,
-        ),
-    )
-    body(
-        bench,
-        place,
-        *_points(
-            (left - wide, PLATE),
-            (right + FOOT, PLATE),
-            (right + FOOT, low),
-            (right - FOOT, low),
-            (right - FOOT, 0),
-            (left + wide, 0),
-            (left, -deep),
-            (left - wide, 0),
-        ),
-    )
+    body(bench, place, *_bed(left, right, wide, deep), fixed=True)
+    body(bench, place, *_slide(left, right, wide, deep))
     top = PLATE + 24.0
     board.mark(place, Segment(a=complex(0, PLATE / 2), b=complex(0, top), role=Role.CENTRE))
     for x, guide, symbol in ((left, "1", "l_1"), (right, "2", "l_2")):
@@ -141,6 +121,20 @@ def _section(bench: Bench, device: VeeGuide) -> None:
         )
     board.mark(place, Point(at=PLATE / 2 * 1j, label="S", dot=Dot.POINT))
     pull(bench, place, complex(0, PLATE), -1j, "G")
+
+
+def _bed(left: float, right: float, wide: float, deep: float) -> tuple[complex, ...]:
+    """The frame below: a V under the left guide, wide and deep (mm) as sketched, a flat face under the right one."""
+    low, under, near, far = -0.25 * deep, -deep - 9, left - wide - 6, right + FOOT + 6
+    face = (near, low), (left - 0.75 * wide, low), (left, -deep), (left + 0.75 * wide, low), (far, low)
+    return _points(*face, (far, under), (near, under))
+
+
+def _slide(left: float, right: float, wide: float, deep: float) -> tuple[complex, ...]:
+    """The slide upon it: a plate, a foot on the flat guide, a V on the other."""
+    low, near, far = -0.25 * deep, left - wide, right + FOOT
+    foot = (far, low), (right - FOOT, low), (right - FOOT, 0)
+    return _points((near, PLATE), (far, PLATE), *foot, (left + wide, 0), (left, -deep), (near, 0))
 
 
 def _points(*pairs: tuple[float, float]) -> tuple[complex, ...]:

@@ -27,10 +27,11 @@ from ...words import Words
 from ..desk import Desk
 from .acting import Acting, Drawn
 from .bodies.link_polygon import draw_polygon
+from .friction import Hub
 from .lines.resultant import Resultant
 from .readings import write_sizes
 from .senses import pin_words
-from .state import Hub, Statics
+from .state import Statics
 
 
 def on_groups(mech: Mechanism, drive: Drive) -> Mechanism:

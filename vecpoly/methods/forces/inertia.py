@@ -135,23 +135,12 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
     board, link = st.board, mass.link
     s = st.desk.where(At(mass.centre))
     along = unit(force.vector)
-    named = quantities(st.mech, st.loads)[f"h_{link}"]
+    named = _lever(st, mass)
     if not sense:
         st.keep(Reading(key=named.key, symbol=named.symbol, unit="m", scalar=0.0), 0.0)
         _draw_force(st, force.named.symbol, s, along)
         return
-    expr = couple / magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
-    arm = board.compute(named.symbol, expr, "m")
-    st.keep(
-        Reading(
-            key=named.key,
-            symbol=named.symbol,
-            unit="m",
-            scalar=float(nominal(arm.value)),
-            formula=worked(arm.node, expr, "m"),
-        ),
-        arm.value,
-    )
+    arm = _arm(st, mass, force, couple)
     if float(nominal(arm.value)) > st.mech.scale:
         board.remark(
             Words(
@@ -162,8 +151,38 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
         st.inertia_couples[link] = st.board.found[f"M_I{link}"]
         _draw_force(st, force.named.symbol, s, along)
         return
+    _displace(st, mass, force, arm.value)
+
+
+def _lever(st: Statics, mass: Mass) -> Named:
+    """h_2 (m)."""
+    return quantities(st.mech, st.loads)[f"h_{mass.link}"]
+
+
+def _arm(st: Statics, mass: Mass, force: Acting, couple: Quantity) -> Quantity:
+    """h = M_I / F_I."""
+    named = _lever(st, mass)
+    expr = couple / magnitude(force.named.symbol, np.abs(force.vector) * st.scale.value, "N")
+    arm = st.board.compute(named.symbol, expr, "m")
+    st.keep(
+        Reading(
+            key=named.key,
+            symbol=named.symbol,
+            unit="m",
+            scalar=float(nominal(arm.value)),
+            formula=worked(arm.node, expr, "m"),
+        ),
+        arm.value,
+    )
+    return arm
+
+
+def _displace(st: Statics, mass: Mass, force: Acting, arm: Reals) -> None:
+    """The force at the distance h (m) from S, on the side that gives its moment the sense of M_I."""
+    board, link, along = st.board, mass.link, unit(force.vector)
+    s = st.desk.where(At(mass.centre))
     turning = np.sign(st.board.found[f"M_I{link}"])
-    at = board.lay_off(s, -1j * along * turning, board.to_paper(View.MECHANISM, arm.value))
+    at = board.lay_off(s, -1j * along * turning, board.to_paper(View.MECHANISM, arm))
     board.remark(
         Words(
             f"将 $F_{{I{link}}}$ 平移 $h_{link}$，使其对 $ {st.desk.name(At(mass.centre))}$ 之矩与 $M_{{I{link}}}$ "
@@ -175,7 +194,7 @@ def _join(st: Statics, mass: Mass, force: Acting, couple: Quantity, sense: int) 
     )
     _settle(st, mass, force.named, force.vector, at)
     _draw_force(st, force.named.symbol, at, along)
-    draw_arm(st, View.MECHANISM, named.symbol, s, at, along)
+    draw_arm(st, View.MECHANISM, _lever(st, mass).symbol, s, at, along)
 
 
 def _weight(st: Statics, mass: Mass) -> None:

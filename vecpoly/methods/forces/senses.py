@@ -13,7 +13,8 @@ from ...names import omega
 from ...plane import Points, dot, nominal
 from ...words import Words
 from ..kinematics.image import known_tips
-from .state import STILL, Statics
+from .friction import STILL
+from .state import Statics
 
 TURN = {1: Words("逆时针", "counter-clockwise"), -1: Words("顺时针", "clockwise")}
 

@@ -1,8 +1,7 @@
 """What is known of the forces while they are being found: one pass over the links, with friction or without.
 
 Vectors are mm on the force polygon (× μ_F = N), lines of action are in mm on the kinematic diagram. A force `by` → `on`
-is known
-under that pair and, reversed, under the opposite one: R_21 = −R_12.
+is known under that pair and, reversed, under the opposite one: R_21 = −R_12.
 """
 
 from __future__ import annotations
@@ -13,57 +12,31 @@ import numpy as np
 
 from ...board.board import Board
 from ...board.construction import Pane, Reading, Scale, View
-from ...errors import NoSlipSenseError
 from ...mechanism.asked.forces import load_named, press_named, without_friction
-from ...mechanism.loads import Force, Load, Loads, Moment
-from ...mechanism.model import FRAME, Contact, Joint, Mechanism, Prismatic, Revolute
-from ...names import Named, omega, reaction
+from ...mechanism.loads import Force, Load, Moment
+from ...mechanism.model import Joint, Mechanism, Prismatic, Revolute
+from ...names import Named, reaction
 from ...plane import Line, Points, Reals, foot, nominal
 from ...words import Words
-from ..desk import Desk
 from .acting import Acting, Drawn, summed
+from .friction import Rubbing
 
 OFF_SHEET = 300.0  # mm from a joint: a meeting point farther away is on no drawing board
-STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this past each other have no friction sense
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Hub:
-    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that
-    meet there.
-
-    blocks: those that are thought about the pin, in the slots in which it runs.
-    """
-
-    point: str
-    carrier: str
-    hung: str
-    links: tuple[str, ...]
-    blocks: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)
-class Statics:
-    """One pass. `rubbing`: whether friction counts; `ideal`: the finished pass without it; `couples`: pin couples of
-    the last round (N·m)."""
+class Statics(Rubbing):
+    """One pass. `ideal`: the finished pass without friction; `couples`: pin couples of the last round (N·m)."""
 
-    desk: Desk
-    loads: Loads
-    rubbing: bool = False
     ideal: Statics | None = None
     acting: dict[tuple[str, str], Acting] = field(default_factory=dict)  # (by, on) of reactions
     inertia: dict[str, list[Acting]] = field(default_factory=dict)  # link → inertia force (displaced by h) and weight
-    inertia_couples: dict[str, Reals] = field(
-        default_factory=dict
-    )  # link → inertia couple that no displaced force carries (N·m)
-    couples: dict[tuple[str, str], Reals] = field(
-        default_factory=dict
-    )  # (by, on) → friction couple on `on`, where the method wants couples
+    inertia_couples: dict[str, Reals] = field(default_factory=dict)  # link → couple that no displaced force bears (N·m)
+    # (by, on) → friction couple on `on`, where the method wants couples
+    couples: dict[tuple[str, str], Reals] = field(default_factory=dict)
     by_moments: set[tuple[str, ...]] = field(default_factory=set)  # links of groups that were solved by moments
-    share: float = 1.0  # of the friction, while it is raised
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
     balanced: bool = False  # whether it was found before the reactions
-    hubs: tuple[Hub, ...] = ()  # pins that are thought by themselves while the groups are solved
     own: Mechanism | None = None  # the problem's mechanism, where hubs are hung otherwise
 
     # -- names ------------------------------------------------------------------------------------------------
@@ -72,11 +45,6 @@ class Statics:
     def board(self) -> Board:
         """The sheet."""
         return self.desk.board
-
-    @property
-    def mech(self) -> Mechanism:
-        """The mechanism."""
-        return self.desk.mech
 
     def named(self, by: str, on: str) -> Named:
         """R_12, or R_12,0 in the pass without friction that precedes one with friction."""
@@ -235,54 +203,6 @@ class Statics:
             named=load_named(load), vector=vector, at=self.desk.at[load.point], size=f"${load_named(load).symbol}$"
         )
 
-    # -- friction ---------------------------------------------------------------------------------------------
-
-    def rho(self, point: str) -> float:
-        """Radius of the friction circle of a pin on paper (mm); 0 in a pass without friction."""
-        alone = any(hub.point == point for hub in self.hubs)  # there friction acts as couples
-        return (
-            self.share * self.desk.mm(self.loads.friction.pins.get(point, 0.0)) if self.rubbing and not alone else 0.0
-        )
-
-    def phi(self, joint: Prismatic | Contact) -> float:
-        """Friction angle of a slide or a contact (rad); 0 in a pass without friction."""
-        friction = self.loads.friction
-        if not self.rubbing:
-            return 0.0
-        if isinstance(joint, Contact):
-            return self.share * friction.contacts.get(joint.point, 0.0)
-        return self.share * friction.slides.get((joint.block, joint.guide), 0.0)
-
-    def turning(self, link: str, against: str) -> float:
-        """ω of a link relative to another, as drawn (rad/s)."""
-        return self._omega(link) - self._omega(against)
-
-    def moment_sense(self, point: str, by: str, on: str) -> int:
-        """Sense (+1 ccw) of the moment of R_by,on about the pin's centre: against the turning of `on` relative to `by`.
-
-        0 where the pin has no friction, or only runs in a slot. Raises NoSlipSenseError where the links do not turn
-        relative to each other.
-        """
-        if not self.rho(point) or {by, on} & self.mech.slot_pins.keys():
-            return 0
-        rate = self.turning(on, by)
-        if abs(rate) <= STILL * self._rate():
-            i, j = self.mech.number(by), self.mech.number(on)
-            raise NoSlipSenseError(
-                Words(
-                    f"转动副 {point}：构件 {i} 与 {j} 在此位置无相对转动，摩擦力矩方向不定；请另取原动件位置，"
-                    f"或去掉 {point} 处的摩擦",
-                    f"pin {point}: links {i} and {j} do not turn relative to each other in this position, so "
-                    "their friction has no sense; choose another input position, or leave out the friction of "
-                    f"{point}",
-                )
-            )
-        return -1 if rate > 0 else 1
-
-    def touch(self, point: str, along: Points, sense: int) -> Points:
-        """Where a force along a unit vector, with a moment of this sense about the pin, touches its friction circle."""
-        return self.desk.at[point] - 1j * along * sense * self.rho(point)
-
     def at_joint(self, joint: Joint, line: Line) -> Points:
         """Where a line of action passes a joint: nearest to the pin, or, if that is on the sheet, the point that the
         line was laid through."""
@@ -290,15 +210,3 @@ class Statics:
             return foot(line, self.desk.at[joint.point])
         away = isinstance(joint, Prismatic) and abs(complex(nominal(line.at - self.desk.at[joint.pin]))) > OFF_SHEET
         return foot(line, self.desk.at[joint.pin]) if isinstance(joint, Prismatic) and away else line.at
-
-    @property
-    def speed(self) -> float:
-        """A speed typical of the mechanism (m/s)."""
-        return self._rate() * self.mech.scale
-
-    def _omega(self, link: str) -> float:
-        return 0.0 if link == FRAME else float(nominal(self.desk.turns[omega(link)].value))
-
-    def _rate(self) -> float:
-        drive = self.mech.drive
-        return abs(drive.rate) / (self.mech.scale if drive.slide else 1.0)

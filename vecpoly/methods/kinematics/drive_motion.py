@@ -83,24 +83,30 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
             f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$",
         )
     else:
-        eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
-        size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(
-            f"a^t_{{{shown}}}", eps * desk.length(pivot, b), "m/s^2"
-        )
-        board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
-        parts = [key(desk, Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
-        end = board.lay_off(
-            tip,
-            1j * np.sign(drive.accel) * desk.towards(pivot, b),
-            board.to_paper(View.ACCELERATION, size_t.value),
-            key=parts[0],
-        )
-        end = desk.put_tip(View.ACCELERATION, At(b), end)
-        board.arrow(View.ACCELERATION, tip, end, Role.GIVEN, key=parts[0])
-        board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
-        board.arrow(View.ACCELERATION, 0j, end, Role.RESULT, key=parts[1])
-        desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
+        _tangential(desk, drive, pivot, b)
     images_of_link(desk, View.ACCELERATION, drive.link)
+
+
+def _tangential(desk: Desk, drive: Drive, pivot: str, b: str) -> None:
+    """a_B^t = α_1 l_AB laid off from the end of a_B^n; it ends in b′."""
+    board, tip = desk.board, desk.tip(View.ACCELERATION, At(b))
+    eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
+    size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(
+        f"a^t_{{{desk.show(At(b))}}}", eps * desk.length(pivot, b), "m/s^2"
+    )
+    board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
+    parts = [key(desk, Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
+    end = board.lay_off(
+        tip,
+        1j * np.sign(drive.accel) * desk.towards(pivot, b),
+        board.to_paper(View.ACCELERATION, size_t.value),
+        key=parts[0],
+    )
+    end = desk.put_tip(View.ACCELERATION, At(b), end)
+    board.arrow(View.ACCELERATION, tip, end, Role.GIVEN, key=parts[0])
+    board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
+    board.arrow(View.ACCELERATION, 0j, end, Role.RESULT, key=parts[1])
+    desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
 
 
 def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:

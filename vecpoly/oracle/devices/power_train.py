@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ...devices.power_train import ETA, POWER, POWER_OUT, Part, PowerTrain, Train, ends, eta_prime, out, parts, share
+from ...devices.power_train import ETA, POWER, POWER_OUT, PowerTrain, eta_prime, out, share
+from ...devices.train import Part, Train, ends, parts
 from .registry import Values, answers
 
 

@@ -119,42 +119,48 @@ class Judge:
         before = np.where(np.abs(before) <= ROUNDING * dry.largest * _pace(system, rates), 0.0, before)
         driven = before < 0
         if (at := self.bad(reached < 1.0, np.where(driven, Cause.LOCKED, Cause.BOUND))) is not None:
-            share = float(reached[at])
-            here = self.where(at)
-            needs = Words(
-                f"{here.zh}，{free.name} 无论多大都不能驱动机构",
-                f"no {free.name}, however large, moves the mechanism {here.en}",
-            )
-            if driven[at]:
-                needs = Words(
-                    f"{here.zh}，无论 {free.name} 为何值，驱动载荷都不能驱动机构",
-                    f"the driving loads cannot move the mechanism {here.en}, whatever {free.name}",
-                )
-            raise LockedError(
-                Words("自锁：", "locked: ")
-                + needs
-                + Words(
-                    f"；摩擦达到给定值的 {100 * share:.3g} % 时即卡死。请减小摩擦，或另取位置",
-                    f"; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose "
-                    "another position",
-                )
-            )
+            raise LockedError(self._bound(free.name, at, float(reached[at]), bool(driven[at])))
         if not inertia and (at := self.bad((before < 0) & (after >= 0), Cause.LOCKED)) is not None:
-            drives = [
-                (act.name, float(np.broadcast_to(act.power(rates), self.run.q.shape)[at])) for act in system.known
-            ]
-            names = ", ".join(name for name, power in drives if power > 0)
-            raise LockedError(
-                Words(
-                    f"自锁：{self.where(at).zh}，{names} 不能驱动机构：无摩擦时 {free.name} 耗功 "
-                    f"{-float(before[at]):.4g} W，而摩擦耗功 {float((after - before)[at]):.4g} W，"
-                    f"效率将为 {-float(after[at] / abs(before[at])):.3g}；请减小摩擦，或改由 {free.name} 驱动",
-                    f"locked: {names} cannot move the mechanism {self.where(at).en}: without friction "
-                    f"{free.name} would take {-float(before[at]):.4g} W, the friction takes "
-                    f"{float((after - before)[at]):.4g} W, so the efficiency would be "
-                    f"{-float(after[at] / abs(before[at])):.3g}. Reduce the friction, or let {free.name} drive",
-                )
+            powers = ((act.name, act.power(rates)) for act in system.known)
+            names = ", ".join(name for name, power in powers if float(np.broadcast_to(power, self.run.q.shape)[at]) > 0)
+            raise LockedError(self._consumed(names, free.name, at, float(before[at]), float(after[at])))
+
+    def _bound(self, load: str, at: int, share: float, driven: bool) -> Words:
+        """The friction binds at a share of its size; driven: by the other loads, against the balancing one."""
+        here = self.where(at)
+        needs = (
+            Words(
+                f"{here.zh}，无论 {load} 为何值，驱动载荷都不能驱动机构",
+                f"the driving loads cannot move the mechanism {here.en}, whatever {load}",
             )
+            if driven
+            else Words(
+                f"{here.zh}，{load} 无论多大都不能驱动机构", f"no {load}, however large, moves the mechanism {here.en}"
+            )
+        )
+        return (
+            Words("自锁：", "locked: ")
+            + needs
+            + Words(
+                f"；摩擦达到给定值的 {100 * share:.3g} % 时即卡死。请减小摩擦，或另取位置",
+                f"; the friction binds at {100 * share:.3g} % of its size. Reduce the friction, or choose "
+                "another position",
+            )
+        )
+
+    def _consumed(self, names: str, load: str, at: int, before: float, after: float) -> Words:
+        """The friction takes more than the driving loads give. before, after: the balancing load's power (W), without
+        friction and with it."""
+        here = self.where(at)
+        return Words(
+            f"自锁：{here.zh}，{names} 不能驱动机构：无摩擦时 {load} 耗功 "
+            f"{-before:.4g} W，而摩擦耗功 {after - before:.4g} W，"
+            f"效率将为 {-after / abs(before):.3g}；请减小摩擦，或改由 {load} 驱动",
+            f"locked: {names} cannot move the mechanism {here.en}: without friction "
+            f"{load} would take {-before:.4g} W, the friction takes "
+            f"{after - before:.4g} W, so the efficiency would be "
+            f"{-after / abs(before):.3g}. Reduce the friction, or let {load} drive",
+        )
 
     def parting(self, system: System, wet: Balance) -> None:
         """EquilibriumError where a contact would have to pull."""

@@ -30,7 +30,14 @@ def first_guess(
     places = dict(about or mech.guesses)
     for name, body in known.items():
         places |= {p: complex(body.point(local)[0]) for p, local in mech.link(name).points.items()}
-    poses = {name: complex(body.unit[0]) for name, body in known.items()}
+    told = _told(mech, group, bool(about))
+    poses = _laid(mech, group, known, told, places)
+    _slid(mech, group, known, places)
+    return np.array([[_pose(mech, group, name, places, poses[name]) for name in group.links]])
+
+
+def _told(mech: Mechanism, group: Group, centred: bool) -> dict[str, Start]:
+    """What is told of the directions of the links; a gear whose centre is given (centred) starts unturned."""
     wheels = {
         circle.link
         for joint in (*group.inner, *(out.joint for out in group.outer))
@@ -40,9 +47,16 @@ def first_guess(
     told = {
         link: Start(link=link, value=0.0)
         for link in group.links
-        if link in wheels and len(mech.link(link).points) > 1 and about
+        if link in wheels and len(mech.link(link).points) > 1 and centred
     }
-    told |= {one.link: one for one in mech.starts if one.link in group.links}
+    return told | {one.link: one for one in mech.starts if one.link in group.links}
+
+
+def _laid(
+    mech: Mechanism, group: Group, known: Bodies, told: dict[str, Start], places: dict[str, complex]
+) -> dict[str, complex]:
+    """e^{iφ} of every link, the surest first; each link so laid gives its points their places."""
+    poses = {name: complex(body.unit[0]) for name, body in known.items()}
     loose = list(group.links)
     while loose:
         for one in (told[n] for n in loose if n in told and told[n].slide):
@@ -53,29 +67,23 @@ def first_guess(
         link = mech.link(name)
         if name in told or len([p for p in link.points if p in places]) > 1:
             seen = next((p for p in link.points if p in places), None)
-            places |= (
-                {}
-                if seen is None
-                else {
-                    p: places[seen] + poses[name] * (local - link.points[seen])
-                    for p, local in link.points.items()
-                    if p not in places
-                }
-            )
+            if seen is not None:
+                at, own = places[seen], link.points[seen]
+                places |= {p: at + poses[name] * (local - own) for p, local in link.points.items() if p not in places}
+    return poses
+
+
+def _slid(mech: Mechanism, group: Group, known: Bodies, places: dict[str, complex]) -> None:
+    """Places on the links that have none yet: of the pin of a slide, else as guessed."""
     for name in group.links:
+        points = mech.link(name).points
         slid = [j for j in mech.joints if isinstance(j, Prismatic) and j.block == name]
-        if (
-            slid
-            and not any(p in places for p in mech.link(name).points)
-            and (spot := _anywhere(mech, name, known, places)) is not None
-        ):
+        placed = any(p in places for p in points)
+        spot = _anywhere(mech, name, known, places) if slid and not placed else None
+        if spot is not None:
             places[slid[0].pin] = spot
-        places |= (
-            {}
-            if any(p in places for p in mech.link(name).points)
-            else {p: at for p, at in mech.guesses.items() if p in mech.link(name).points}
-        )
-    return np.array([[_pose(mech, group, name, places, poses[name]) for name in group.links]])
+        if not any(p in places for p in points):
+            places |= {p: at for p, at in mech.guesses.items() if p in points}
 
 
 def _sure(

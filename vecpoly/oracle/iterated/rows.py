@@ -189,42 +189,31 @@ def row(mech: Mechanism, joint: Joint, held: bool) -> Row:
         case Revolute():
             return Pinned(a.name, b.name, a.points[joint.point], b.points[joint.point])
         case Prismatic():
-            along = complex(np.exp(1j * joint.direction))
-            return Guided(
-                a.name,
-                b.name,
-                joint.origin,
-                along,
-                joint.offset,
-                b.points[joint.pin],
-                mech.scale,
-                joint.direction + joint.turn,
-            )
+            along, turn = complex(np.exp(1j * joint.direction)), joint.direction + joint.turn
+            pin = b.points[joint.pin]
+            return Guided(a.name, b.name, joint.origin, along, joint.offset, pin, mech.scale, turn)
         case Rolling(on=Rack() as rack):
-            along, side = complex(np.exp(1j * rack.direction)), 1.0 if joint.side is Side.LEFT else -1.0
-            radius = joint.gear.radius
-            return Guided(
-                b.name,
-                a.name,
-                rack.origin,
-                along,
-                side * radius,
-                a.points[joint.gear.centre],
-                mech.scale,
-                roll=side / radius,
-                held=held,
-            )
+            return _on_rack(mech, joint, rack, held)
         case Rolling(on=Circle() as wheel):
-            ratio = wheel.radius / joint.gear.radius * (-1 if joint.internal else 1)
-            small, large = sorted((wheel.radius, joint.gear.radius))
-            return Meshed(
-                b.name,
-                a.name,
-                b.points[wheel.centre],
-                a.points[joint.gear.centre],
-                large - small if joint.internal else large + small,
-                ratio,
-                mech.scale,
-                held,
-            )
+            return _on_gear(mech, joint, wheel, held)
     raise AssertionError
+
+
+def _on_rack(mech: Mechanism, joint: Rolling, rack: Rack, held: bool) -> Guided:
+    """The gear's centre runs parallel to the pitch line, and the gear turns as it goes."""
+    gear, body = (mech.link(name) for name in ends(joint))
+    along, side = complex(np.exp(1j * rack.direction)), 1.0 if joint.side is Side.LEFT else -1.0
+    radius, centre = joint.gear.radius, gear.points[joint.gear.centre]
+    return Guided(
+        body.name, gear.name, rack.origin, along, side * radius, centre, mech.scale, roll=side / radius, held=held
+    )
+
+
+def _on_gear(mech: Mechanism, joint: Rolling, wheel: Circle, held: bool) -> Meshed:
+    """The centres keep their distance, and the gears turn by their ratio."""
+    gear, other = (mech.link(name) for name in ends(joint))
+    ratio = wheel.radius / joint.gear.radius * (-1 if joint.internal else 1)
+    small, large = sorted((wheel.radius, joint.gear.radius))
+    reach = large - small if joint.internal else large + small
+    centres = other.points[wheel.centre], gear.points[joint.gear.centre]
+    return Meshed(other.name, gear.name, *centres, reach, ratio, mech.scale, held)

@@ -30,9 +30,7 @@ class Motions:
     fig: CentreFigure
     turns: dict[str, Reals] = field(default_factory=dict)
     glides: dict[str, Points] = field(default_factory=dict)
-    sizes: dict[str, Quantity] = field(
-        default_factory=dict
-    )  # |ω_2|, |v_3| under their links, as they stand in formulas
+    sizes: dict[str, Quantity] = field(default_factory=dict)  # |ω_2|, |v_3| under their links, as in formulas
     places: dict[str, Points] = field(default_factory=dict)  # of points found on the figure: E2
 
     def __post_init__(self) -> None:
@@ -115,35 +113,32 @@ class Motions:
 
     def _turning(self, via: str, link: str) -> None:
         """ω_j = v_Pij / P_jk P_ij."""
-        fig, common = self.fig, spot_of(self.fig, via, link)
-        own = spot_of(fig, link, FRAME)
+        common, own = spot_of(self.fig, via, link), spot_of(self.fig, link, FRAME)
         if via in self.glides:
-            fig.board.step(
-                Words(
-                    f"构件 {via} 平动，${common.letter}$ 处两构件速度相同，"
-                    f"$v_{via}$ = $ω_{link}{_length(own, common)}$：",
-                    f"Link {via} translates; at ${common.letter}$ both have one velocity, "
-                    f"$v_{via}$ = $ω_{link}{_length(own, common)}$:",
-                ),
-                fig.pane,
-            )
-            expr: Expr = self.sizes[via] / self.metres(own, common)
-            way = np.sign(nominal(cross(common.at - own.at, self.glides[via])))
-            self._keep(link, way * expr.value, expr)
-            return
+            self._driven_by_glide(via, link, own, common)
+        else:
+            self._driven_by_turn(via, link, own, common)
+
+    def _driven_by_glide(self, via: str, link: str, own: Spot, common: Spot) -> None:
+        """ω_j = v_i / P_jk P_ij: all points of the other link have one velocity."""
+        self.fig.board.step(
+            Words(
+                f"构件 {via} 平动，${common.letter}$ 处两构件速度相同，$v_{via}$ = $ω_{link}{_length(own, common)}$：",
+                f"Link {via} translates; at ${common.letter}$ both have one velocity, "
+                f"$v_{via}$ = $ω_{link}{_length(own, common)}$:",
+            ),
+            self.fig.pane,
+        )
+        expr: Expr = self.sizes[via] / self.metres(own, common)
+        way = np.sign(nominal(cross(common.at - own.at, self.glides[via])))
+        self._keep(link, way * expr.value, expr)
+
+    def _driven_by_turn(self, via: str, link: str, own: Spot, common: Spot) -> None:
+        """ω_j = ω_i · P_ik P_ij / P_jk P_ij; the links turn alike where P_ij lies outside."""
+        fig = self.fig
         base = spot_of(fig, via, FRAME)
         outside = bool(nominal(dot(common.at - base.at, common.at - own.at)) > 0)
-        sense = (
-            Words(
-                f"${base.letter}$、${own.letter}$ 位于 ${common.letter}$ 的同侧，两构件转向相同",
-                f"it lies outside ${base.letter}$ and ${own.letter}$, so they turn alike",
-            )
-            if outside
-            else Words(
-                f"${common.letter}$ 位于 ${base.letter}$ 与 ${own.letter}$ 之间，两构件转向相反",
-                f"it lies between ${base.letter}$ and ${own.letter}$, so they turn oppositely",
-            )
-        )
+        sense = _sense(own.letter, common.letter, base.letter, outside)
         fig.board.step(
             Words(
                 f"构件 {via}、{link} 在 ${common.letter}$ 处速度相同，$ω_{via}{_length(base, common)}$ = "
@@ -209,3 +204,16 @@ class Motions:
 
 def _length(p: Spot, q: Spot) -> str:
     return f"\u2009{p.letter}{q.letter}"
+
+
+def _sense(own: str, common: str, base: str, outside: bool) -> Words:
+    """Where P_ij lies, and so how the links turn: the letters of P_jk, P_ij, P_ik."""
+    if outside:
+        return Words(
+            f"${base}$、${own}$ 位于 ${common}$ 的同侧，两构件转向相同",
+            f"it lies outside ${base}$ and ${own}$, so they turn alike",
+        )
+    return Words(
+        f"${common}$ 位于 ${base}$ 与 ${own}$ 之间，两构件转向相反",
+        f"it lies between ${base}$ and ${own}$, so they turn oppositely",
+    )

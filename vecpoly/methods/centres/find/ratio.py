@@ -8,9 +8,11 @@ from ....board.construction import Reading
 from ....errors import NoMethodError
 from ....mechanism.asked.centres import Pair, ratio
 from ....mechanism.model import FRAME
+from ....names import Named
 from ....plane import Reals, dot, nominal
 from ....words import Words
 from ...registry import Stage, method
+from ..state import CentreFigure
 from .motions import CLOSE, Motions
 from .spots import apart, measured, spot_of
 
@@ -24,40 +26,9 @@ from .spots import apart, measured, spot_of
 )
 def read_ratio(motions: Motions, pair: Pair) -> None:
     """ω_i/ω_j = P_jk P_ij / P_ik P_ij, k being the frame; positive where P_ij lies outside P_ik P_jk."""
-    fig, (i, j) = motions.fig, pair
-    name = ratio(fig.mech, i, j)
-    if fig.known.of(i, j).endless:
-        value: Reals = 1.0
-        expr: Expr = magnitude(name.symbol, 1.0, "")
-        fig.board.step(
-            Words(
-                f"${fig.letters(i, j)}$ 在无穷远处，两构件角速度相等。",
-                f"${fig.letters(i, j)}$ is at infinity: the links turn alike.",
-            ),
-            fig.pane,
-        )
-    else:
-        if fig.known.of(i, FRAME).endless or fig.known.of(j, FRAME).endless:
-            raise NoMethodError(
-                Words(
-                    f"{name.key}：此时构件 {i} 与 {j} 之一作平动；请改求其速度",
-                    f"{name.key}: one of the links {i} and {j} only translates here; ask for its velocity instead",
-                )
-            )
-        common, one, two = spot_of(fig, i, j), spot_of(fig, i, FRAME), spot_of(fig, j, FRAME)
-        if apart(common, one) < CLOSE:
-            raise NoMethodError(
-                Words(
-                    f"{name.key}：{common.letter} 与 {one.letter} 重合，此时 ω_{j} = 0",
-                    f"{name.key}: {common.letter} falls on {one.letter}, so ω_{j} = 0 here",
-                )
-            )
-        outside = float(nominal(dot(common.at - one.at, common.at - two.at))) > 0
-        fig.board.step(
-            _words(fig.mech.number(i), fig.mech.number(j), common.letter, one.letter, two.letter, outside), fig.pane
-        )
-        expr = measured(fig, two, common) / measured(fig, one, common)
-        value = expr.value if outside else -1.0 * expr.value
+    fig, name = motions.fig, ratio(motions.fig.mech, *pair)
+    found = _alike if fig.known.of(*pair).endless else _measured
+    value, expr = found(fig, pair, name)
     node = as_symbol(name.symbol)
     fig.board.write(worked(node, expr, ""))
     fig.board.keep(
@@ -66,6 +37,43 @@ def read_ratio(motions: Motions, pair: Pair) -> None:
         ),
         value,
     )
+
+
+def _alike(fig: CentreFigure, pair: Pair, name: Named) -> tuple[Reals, Expr]:
+    """P_ij at infinity: the ratio is 1."""
+    letters = fig.letters(*pair)
+    fig.board.step(
+        Words(f"${letters}$ 在无穷远处，两构件角速度相等。", f"${letters}$ is at infinity: the links turn alike."),
+        fig.pane,
+    )
+    return 1.0, magnitude(name.symbol, 1.0, "")
+
+
+def _measured(fig: CentreFigure, pair: Pair, name: Named) -> tuple[Reals, Expr]:
+    """The ratio with its sign, and its size from the figure. Raises NoMethodError where either link translates, or
+    P_ij falls on P_ik."""
+    i, j = pair
+    if fig.known.of(i, FRAME).endless or fig.known.of(j, FRAME).endless:
+        raise NoMethodError(
+            Words(
+                f"{name.key}：此时构件 {i} 与 {j} 之一作平动；请改求其速度",
+                f"{name.key}: one of the links {i} and {j} only translates here; ask for its velocity instead",
+            )
+        )
+    common, one, two = spot_of(fig, i, j), spot_of(fig, i, FRAME), spot_of(fig, j, FRAME)
+    if apart(common, one) < CLOSE:
+        raise NoMethodError(
+            Words(
+                f"{name.key}：{common.letter} 与 {one.letter} 重合，此时 ω_{j} = 0",
+                f"{name.key}: {common.letter} falls on {one.letter}, so ω_{j} = 0 here",
+            )
+        )
+    outside = float(nominal(dot(common.at - one.at, common.at - two.at))) > 0
+    fig.board.step(
+        _words(fig.mech.number(i), fig.mech.number(j), common.letter, one.letter, two.letter, outside), fig.pane
+    )
+    expr = measured(fig, two, common) / measured(fig, one, common)
+    return expr.value if outside else -1.0 * expr.value, expr
 
 
 def _words(i: str, j: str, common: str, one: str, two: str, outside: bool) -> Words:

@@ -14,6 +14,7 @@ from ....plane import Line, Points, foot, nominal, unit
 from ....problem.asked.asks import AskPoint
 from ....words import Words
 from ...registry import Stage, method
+from ..state import CentreFigure
 from .motions import Motions
 from .spots import spot_of
 
@@ -51,7 +52,11 @@ def find_slowest(motions: Motions, ask: AskPoint) -> None:
     at = foot(Line(ends[0], along), centre.at)
     motions.places[ask.name] = at
     _draw(motions, at, ends, centre.at, name)
-    metres = fig.board.coordinates(at, ask.name) * fig.paper.scale.value
+    _kept(fig, ask, name, fig.board.coordinates(at, ask.name) * fig.paper.scale.value)
+
+
+def _kept(fig: CentreFigure, ask: AskPoint, name: str, metres: Points) -> None:
+    """The place of the point (m) as an answer."""
     vector = complex(nominal(metres))
     text = Row((*row(name).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
     fig.board.keep(

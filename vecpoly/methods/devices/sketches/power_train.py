@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from ....board.board import Board
 from ....board.construction import Pane
 from ....board.paper.marks import Cell, Mark, Note, Role, Segment, Vector
-from ....devices.power_train import Part, PowerTrain, Train
+from ....devices.power_train import PowerTrain
+from ....devices.train import Part, Train
 from ....words import Words
 
 BOX, HEIGHT, GAP, ROW = 17.0, 12.0, 16.0, 24.0  # mm on paper: five machines in a row fit the text

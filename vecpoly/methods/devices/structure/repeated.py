@@ -218,3 +218,20 @@ def _centre(pair: Pair, link: str) -> complex:
 
 def _level(u: complex, v: complex) -> bool:
     return abs((u.conjugate() * v).imag) < 1e-4
+
+
+def brings(part: Repeated) -> Words:
+    """What the part consists of; a slide that is eased counts as a high pair afterwards."""
+    if part.higher < 0:
+        return Words(
+            "。它只须起一个高副的作用，虚约束数为：",
+            ". It need do no more than a high pair; its redundant constraints number:",
+        )
+    one = Words("，是虚约束。", ": redundant. ")
+    if not part.links:
+        return one + Words("虚约束数为：", "Its redundant constraints number:")
+    return one + Words(
+        f"这部分有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
+        f"It has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower "
+        f"and {part.higher} high pairs; its redundant constraints number:",
+    )

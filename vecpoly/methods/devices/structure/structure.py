@@ -5,18 +5,19 @@ from __future__ import annotations
 
 from ....algebra.quantity import Expr, Quantity, Times, magnitude
 from ....board.construction import View
-from ....devices.structure import DETERMINED, F_LOCAL, F_LOW, N_LOW, P_H, P_L, P_LOW, P_REDUNDANT, F, N, Structure
+from ....devices.structure import DETERMINED, F_LOCAL, P_H, P_L, P_REDUNDANT, F, N, Structure
 from ....devices.structure_pairs import Form, Pair
 from ....names import subscripted
 from ....words import Words
 from ..bench import Bench
 from ..registry import device_method
 from .apart import draw_groups, no_groups
-from .count import Count, count, freedom
+from .count import Count, count
+from .low_pairs import draw_replacement
 from .remedy import remedies
-from .repeated import Repeated
-from .replacement import Replaced, replaced
-from .sketch import dashed_profiles, draw_chain, pane
+from .repeated import brings
+from .replacement import replaced
+from .sketch import draw_chain, pane
 
 _NAMES = {
     Form.R: Words("转动副", "hinges"),
@@ -42,7 +43,7 @@ def draw_structure(bench: Bench, device: Structure) -> None:
         _motion(bench, device, found)
     low = replaced(found.reduced, device)
     if device.touching:
-        _replacement(bench, device, low)
+        draw_replacement(bench, device, low)
     for together in device.drive_sets:
         if found.freedom == len(together):
             draw_groups(bench, device, low, together)
@@ -80,17 +81,7 @@ def _freedom(bench: Bench, device: Structure, found: Count) -> None:
     """n, p_L, p_H; F′ and p′ with their reasons; F, and the same F from the reduced chain."""
     board, chain = bench.board, found.given
     board.section(Words("自由度", "Degree of freedom"))
-    for pair in found.compound:
-        told = [device.number(link) for link in pair.links]
-        board.step(
-            Words(
-                f"${subscripted(pair.letter)}$ 处有 {len(told)} 个构件（{'、'.join(told)}）在同一轴线上铰接，"
-                f"是复合铰链，按 {len(told)} − 1 = {pair.count} 个转动副计。",
-                f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned "
-                f"on one axis: a multiple joint, which counts as {len(told)} − 1 = {pair.count} "
-                "hinges.",
-            )
-        )
+    _compound(bench, device, found)
     board.step(
         Words(
             "活动构件数、低副数（转动副与移动副，复合铰链按上述计）和高副数为：",
@@ -107,21 +98,41 @@ def _freedom(bench: Bench, device: Structure, found: Count) -> None:
     board.step(Words("机构的自由度为：", "The degree of freedom:"))
     bench.worked(F, Times(3, n) - Times(2, low) - high - local + redundant)
     if found.rollers or found.repeated:
-        rest = found.reduced
-        zh = "并".join(["把滚子焊死"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
-        en = " and ".join(
-            ["the rollers welded"] * bool(found.rollers) + ["the redundant part taken away"] * bool(found.repeated)
-        )
-        board.step(
+        _check(bench, found)
+
+
+def _compound(bench: Bench, device: Structure, found: Count) -> None:
+    """The hinges of more than two links."""
+    for pair in found.compound:
+        told = [device.number(link) for link in pair.links]
+        bench.board.step(
             Words(
-                f"校核：{zh}后，剩下 {len(rest.links)} 个活动构件、{rest.lower} 个低副、{rest.higher} 个高副，"
-                "不再有局部自由度和虚约束，自由度为：",
-                f"Check: with {en} there remain {len(rest.links)} moving links, {rest.lower} lower "
-                f"and {rest.higher} high pairs, without passive degrees of freedom and redundant "
-                "constraints:",
+                f"${subscripted(pair.letter)}$ 处有 {len(told)} 个构件（{'、'.join(told)}）在同一轴线上铰接，"
+                f"是复合铰链，按 {len(told)} − 1 = {pair.count} 个转动副计。",
+                f"At ${subscripted(pair.letter)}$ {len(told)} links ({', '.join(told)}) are pinned "
+                f"on one axis: a multiple joint, which counts as {len(told)} − 1 = {pair.count} "
+                "hinges.",
             )
         )
-        board.compute("F", _gruebler(float(len(rest.links)), float(rest.lower), float(rest.higher)), "")
+
+
+def _check(bench: Bench, found: Count) -> None:
+    """The same F from the chain without rollers and redundant parts."""
+    rest = found.reduced
+    zh = "并".join(["把滚子焊死"] * bool(found.rollers) + ["去掉虚约束部分"] * bool(found.repeated))
+    en = " and ".join(
+        ["the rollers welded"] * bool(found.rollers) + ["the redundant part taken away"] * bool(found.repeated)
+    )
+    bench.board.step(
+        Words(
+            f"校核：{zh}后，剩下 {len(rest.links)} 个活动构件、{rest.lower} 个低副、{rest.higher} 个高副，"
+            "不再有局部自由度和虚约束，自由度为：",
+            f"Check: with {en} there remain {len(rest.links)} moving links, {rest.lower} lower "
+            f"and {rest.higher} high pairs, without passive degrees of freedom and redundant "
+            "constraints:",
+        )
+    )
+    bench.board.compute("F", _gruebler(float(len(rest.links)), float(rest.lower), float(rest.higher)), "")
 
 
 def _gruebler(n: float, low: float, high: float) -> Expr:
@@ -169,7 +180,7 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         )
         return bench.stated(P_REDUNDANT, 0.0)
     for part in found.repeated:
-        board.step(part.why + _brings(part))
+        board.step(part.why + brings(part))
         high = magnitude("p′_H", float(abs(part.higher)), "")
         terms = (
             Times(2, magnitude("p′_L", float(part.lower), "")) + high
@@ -183,23 +194,6 @@ def _redundant(bench: Bench, found: Count) -> Quantity:
         board.compute("p′", terms, "")
     board.step(Words("虚约束总数：", "In all:"))
     return bench.stated(P_REDUNDANT, float(found.redundant))
-
-
-def _brings(part: Repeated) -> Words:
-    """What the part consists of; a slide that is eased counts as a high pair afterwards."""
-    if part.higher < 0:
-        return Words(
-            "。它只须起一个高副的作用，虚约束数为：",
-            ". It need do no more than a high pair; its redundant constraints number:",
-        )
-    one = Words("，是虚约束。", ": redundant. ")
-    if not part.links:
-        return one + Words("虚约束数为：", "Its redundant constraints number:")
-    return one + Words(
-        f"这部分有 {len(part.links)} 个构件、{part.lower} 个低副、{part.higher} 个高副，虚约束数为：",
-        f"It has {len(part.links)} link{'s' * (len(part.links) != 1)}, {part.lower} lower "
-        f"and {part.higher} high pairs; its redundant constraints number:",
-    )
 
 
 def _motion(bench: Bench, device: Structure, found: Count) -> None:
@@ -239,55 +233,3 @@ def _motion(bench: Bench, device: Structure, found: Count) -> None:
         )
     bench.judged(DETERMINED, float(f > 0 and f == len(drive)), verdict)
     board.remark(Words("。", "."))
-
-
-def _replacement(bench: Bench, device: Structure, low: Replaced) -> None:
-    """高副低代: every high pair by a link with two lower pairs."""
-    board = bench.board
-    board.section(Words("高副低代", "High pairs replaced by lower pairs"))
-    place = pane(board, View.MECHANISM, "low", Words("高副低代后的机构", "The mechanism with lower pairs only"))
-    for sub in low.substitutes:
-        board.step(_replaced_by(device, sub.of, sub.link, sub.pairs), place)
-        dashed_profiles(board, place, device, sub.of)
-    draw_chain(board, place, device, low.chain, device.drive_sets[0] if device.drivers else ())
-    board.step(
-        Words(
-            "高副低代后，构件数、低副数和自由度为（自由度应不变）：",
-            "Links, lower pairs and degree of freedom after the replacement (F must not change):",
-        )
-    )
-    n, p = bench.stated(N_LOW, float(len(low.chain.links))), bench.stated(P_LOW, float(low.chain.lower))
-    bench.worked(F_LOW, Times(3, n) - Times(2, p))
-    assert freedom(low.chain) == 3 * len(low.chain.links) - 2 * low.chain.lower
-
-
-def _replaced_by(device: Structure, pair: Pair, link: str, pairs: tuple[Pair, Pair]) -> Words:
-    """By which link, pinned or sliding where."""
-    one, two = pairs
-    if pair.form is Form.G:
-        return Words(
-            f"齿轮高副 ${subscripted(pair.letter)}$：过节点 ${subscripted(pair.letter)}$ 作压力角 20° 的啮合线，"
-            f"自两轮中心向它引垂线，以垂足 ${subscripted(one.letter)}$、${subscripted(two.letter)}$ 为铰链、"
-            f"构件 {link} 为连杆代替。",
-            f"Gear pair ${subscripted(pair.letter)}$: through the pitch point draw the line of "
-            f"action at 20°; a link {link}, pinned at the feet ${subscripted(one.letter)}$ and "
-            f"${subscripted(two.letter)}$ of the perpendiculars from the two centres, replaces it.",
-        )
-    flat = next((end for end in pairs if end.form is Form.P), None)
-    if flat is not None:
-        pin = one if flat is two else two
-        return Words(
-            f"高副 ${subscripted(pair.letter)}$ 有一平直轮廓：用构件 {link} 代替，"
-            f"它在曲率中心 ${subscripted(pin.letter)}$ 铰接，并沿平直轮廓移动。",
-            f"High pair ${subscripted(pair.letter)}$ has a flat face: link {link} replaces it, "
-            f"pinned at the centre of curvature ${subscripted(pin.letter)}$ and sliding along the "
-            "face.",
-        )
-    a, b = (device.number(end.links[0]) for end in pairs)
-    return Words(
-        f"高副 ${subscripted(pair.letter)}$：用构件 {link} 代替，它在两轮廓的曲率中心 "
-        f"${subscripted(one.letter)}$、${subscripted(two.letter)}$ 处分别与构件 {a}、{b} 铰接。",
-        f"High pair ${subscripted(pair.letter)}$: link {link} replaces it, pinned to links {a} and "
-        f"{b} at the centres of curvature ${subscripted(one.letter)}$ and "
-        f"${subscripted(two.letter)}$.",
-    )

@@ -18,8 +18,9 @@ from ....names import At, Named, omega
 from ....plane import Points, Reals, dot, nominal, unit
 from ...desk import POLE
 from ...kinematics.image import found_tip
+from ..friction import STILL
 from ..lines.letters import foot_letter
-from ..state import STILL, Statics
+from ..state import Statics
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,7 +15,7 @@ from ....words import Words
 from ...registry import Stage, method
 from ..lines.letters import arm_about_point
 from ..lines.links_of_group import Held
-from ..lines.resultant import resultant
+from ..lines.resultant import Resultant, resultant
 from ..senses import pin_words
 from ..state import Statics
 
@@ -38,26 +38,9 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     """
     held, line, by = about
     assert isinstance(held.joint, Revolute)
-    link, number, pin = held.link, st.mech.number(held.link), held.joint.point
-    one, two = st.named(by, link), st.named(held.parent, link)
+    link, pin = held.link, held.joint.point
     load = resultant(st, link)
-    only = (
-        Words(
-            f"构件 {number} 上的已知力 {load.symbols.zh} 合成为一力偶",
-            f"On link {number} {load.symbols.en} join into a couple",
-        )
-        if load.forces
-        else Words(f"构件 {number} 上只有力偶", f"Link {number} carries only a couple")
-    )
-    st.board.step(
-        Words(
-            f"{only.zh}，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；"
-            f"量得力臂 ${arm_about_point(one.symbol)}$。",
-            f"{only.en}: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, "
-            f"and balance it; their arm ${arm_about_point(one.symbol)}$ is measured.",
-        ),
-        View.MECHANISM,
-    )
+    st.board.step(_taken(st, held, load, by), View.MECHANISM)
     st.board.remark(pin_words(st, pin, held.parent, link))
     moment, centre = load.couple, st.desk.at[pin]
     sense = st.moment_sense(pin, held.parent, link)
@@ -67,6 +50,34 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
     at = st.touch(pin, -u, sense)
     across = foot(Line(line.at, u), at)
     turning = (np.conj(across - at) * u).imag  # of the couple that u at `across` and −u at `at` form, per mm of force
+    _check(st, held, by, turning, moment)
+    _close(st, (held, by), (Line(line.at, u), at, across), sense, moment)
+
+
+def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
+    """What acts on the link, and so how its reactions lie."""
+    number, one, two = st.mech.number(held.link), st.named(by, held.link), st.named(held.parent, held.link)
+    only = (
+        Words(
+            f"构件 {number} 上的已知力 {load.symbols.zh} 合成为一力偶",
+            f"On link {number} {load.symbols.en} join into a couple",
+        )
+        if load.forces
+        else Words(f"构件 {number} 上只有力偶", f"Link {number} carries only a couple")
+    )
+    return Words(
+        f"{only.zh}，故 ${one.symbol}$ 与 ${two.symbol}$ 等值、反向、平行，构成力偶与之平衡；"
+        f"量得力臂 ${arm_about_point(one.symbol)}$。",
+        f"{only.en}: ${one.symbol}$ and ${two.symbol}$ are equal, opposite and parallel, "
+        f"and balance it; their arm ${arm_about_point(one.symbol)}$ is measured.",
+    )
+
+
+def _check(st: Statics, held: Held, by: str, turning: Reals, moment: Reals) -> None:
+    """Refuse a line through the pin (EquilibriumError), or on the side where its force turns with the couple
+    (LockedError)."""
+    assert isinstance(held.joint, Revolute)
+    number, pin, one = st.mech.number(held.link), held.joint.point, st.named(by, held.link)
     if abs(float(nominal(turning))) < NO_LENGTH:
         raise EquilibriumError(
             Words(
@@ -84,7 +95,6 @@ def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
                 "force along it balances the couple; lower f or ρ",
             )
         )
-    _close(st, (held, by), (Line(line.at, u), at, across), sense, moment)
 
 
 def _close(st: Statics, who: tuple[Held, str], where: tuple[Line, Points, Points], sense: int, moment: Reals) -> None:

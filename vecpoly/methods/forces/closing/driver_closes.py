@@ -12,8 +12,8 @@ from ...registry import Stage, method
 from ..acting import Drawn
 from ..bodies.link_polygon import draw_polygon, pane_of
 from ..groups.reactions import no_force
+from ..lines.couples_on_guides import keep_couple
 from ..lines.links_of_group import Held
-from ..lines.parallel_forces import keep_couple
 from ..lines.resultant import Resultant, resultant
 from ..state import Statics
 from .balancing_force import frame_free

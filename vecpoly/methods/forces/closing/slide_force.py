@@ -12,8 +12,8 @@ from ....words import Words
 from ...registry import Stage, method
 from ..acting import Drawn
 from ..groups.reactions import no_force
+from ..lines.couples_on_guides import keep_couple
 from ..lines.links_of_group import Held
-from ..lines.parallel_forces import keep_couple
 from ..lines.resultant import Resultant, resultant
 from ..senses import inclined, slide_words
 from ..state import Statics

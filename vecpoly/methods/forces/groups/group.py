@@ -9,8 +9,9 @@ from ....plane import Line, cross, nominal, unit
 from ....words import Words
 from ...registry import Stage
 from ..doors import COUPLES, LINES, MOMENTS
+from ..lines.couples_on_guides import couple_on_guide
 from ..lines.links_of_group import Held, TwoForce, pieces
-from ..lines.parallel_forces import PARALLEL, couple_on_guide
+from ..lines.parallel_forces import PARALLEL
 from ..lines.resultant import Resultant, resultant
 from ..lines.three_forces import balance
 from ..state import Statics
@@ -38,19 +39,11 @@ def solve_group(st: Statics, group: Group) -> None:
 
 def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     """Lines of action and one polygon; False where the load's line does not meet the two-force link's."""
-    if "P" in (joint_letter(two.inner), joint_letter(two.outer)) and "R" not in (
-        joint_letter(two.inner),
-        joint_letter(two.outer),
-    ):
+    kinds = joint_letter(two.inner), joint_letter(two.outer)
+    if "P" in kinds and "R" not in kinds:
         return False
-    load, slotted = (
-        resultant(st, held.link),
-        two.link in st.mech.slot_pins,
-    )  # where there is no block, nothing can be taken apart from the loaded link
-    rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
-    if (load.is_couple and not slotted and (load.forces or rubbed or not isinstance(held.joint, Revolute))) or (
-        not load.is_couple and _parallel(st, load, two)
-    ):
+    load = resultant(st, held.link)
+    if not _is_met(st, two, held, load):
         return False
     line = line_of(st, two)
     by = two.by if two.contact else two.link
@@ -61,27 +54,27 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
     else:
         balance(st, held, load, line, by)
     if not two.contact:
-        passed = st.push(two.link, two.on)
-        assert passed is not None
-        st.settle(
-            two.link,
-            two.on,
-            passed.vector,
-            st.at_joint(two.inner, line),
-            passed.drawn,
-            _sense(st, two.inner, two.link, two.on),
-            computed=passed.computed,
-        )
-        st.settle(
-            two.by,
-            two.link,
-            passed.vector,
-            st.at_joint(two.outer, line),
-            passed.drawn,
-            _sense(st, two.outer, two.by, two.link),
-            computed=passed.computed,
-        )
+        _pass_on(st, two, line)
     return True
+
+
+def _is_met(st: Statics, two: TwoForce, held: Held, load: Resultant) -> bool:
+    """Whether the load's line meets that of the two-force link; a couple, whether a link under a couple alone bears
+    it."""
+    if not load.is_couple:
+        return not _parallel(st, load, two)
+    slotted = two.link in st.mech.slot_pins  # no block: nothing can be taken apart from the loaded link
+    rubbed = any(on == held.link for _, on in st.couples)  # a friction couple may turn round the force that balances it
+    return slotted or not (load.forces or rubbed or not isinstance(held.joint, Revolute))
+
+
+def _pass_on(st: Statics, two: TwoForce, line: Line) -> None:
+    """The force through the two-force link, at both its joints."""
+    passed = st.push(two.link, two.on)
+    assert passed is not None
+    for joint, by, on in ((two.inner, two.link, two.on), (two.outer, two.by, two.link)):
+        at, sense = st.at_joint(joint, line), _sense(st, joint, by, on)
+        st.settle(by, on, passed.vector, at, passed.drawn, sense, computed=passed.computed)
 
 
 def line_of(st: Statics, two: TwoForce) -> Line:

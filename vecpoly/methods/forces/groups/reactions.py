@@ -20,7 +20,7 @@ from ..readings import measured
 from ..senses import TURN, inclined, pin_words, slide_words
 from ..state import Statics
 from .body import SHORT, draw_forces, group_pane
-from .polygon import Reaction
+from .corners import Reaction
 
 INSIDE = 14.0  # mm: drawn length of a force between the group's own links
 

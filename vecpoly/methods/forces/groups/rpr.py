@@ -11,7 +11,8 @@ from ...registry import Stage, method
 from ..lines.arms import moments_about
 from ..state import Statics
 from .body import group_pane
-from .polygon import Reaction, draw_link_j, reactions
+from .corners import Reaction
+from .polygon import draw_link_j, reactions
 from .reactions import draw_body, lean, settle_pin, settle_slide
 from .rrr import split
 

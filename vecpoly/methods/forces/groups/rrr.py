@@ -11,7 +11,8 @@ from ...registry import Stage, method
 from ..lines.arms import moments_about
 from ..state import Statics
 from .body import group_pane
-from .polygon import Reaction, draw_group, reactions, tangential
+from .corners import Reaction, tangential
+from .polygon import draw_group, reactions
 from .reactions import draw_body, settle_pin
 
 _SOURCE = "机械原理, dynamic-static analysis of Assur groups"

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....plane import Points, Reals, nominal
-from ...desk import Desk, Pose
+from ...desk import Desk
+from ...diagram import Pose
 from .loci import gap, locus_of, meet, normal_at, orientation, put
 from .star import Axial, Parallel, Star
 

@@ -14,7 +14,8 @@ import numpy as np
 
 from ....mechanism.model import Prismatic
 from ....plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, unit
-from ...desk import Desk, Pose
+from ...desk import Desk
+from ...diagram import Pose
 from .star import Axial, Guided, Hinged, Parallel, Slotted, Star
 
 

@@ -7,22 +7,19 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import Block, Dot, FixedGuide, Ground, LinkNumber, Mark, Point, Role, Segment, Slot
+from ....board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Point, Role, Segment
 from ....mechanism.model import FRAME, Link, Prismatic, Rack, Revolute, Rolling
 from ....names import subscripted
 from ....plane import nominal
 from ....problem.problem import Shape
 from ...desk import Desk
-from .bars import bar, weld
+from .bars import bar
 from .cam import contact_replaced, contacts_of
 from .cam_profile import cam_body, draw_contacts, fixed_guide, guided_follower
 from .cylinder import cylinder_joint, cylinder_part, is_cylinder
 from .follower import face_marks, stem_marks
 from .gears import draw_gears, guided_rack
-
-HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
-BEYOND = 12.0  # mm a rod sticks out behind its block
-HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
+from .guides import BEYOND, HALF_BLOCK, HALF_SLOT, guide_body, is_slot, late_guides, sliding_pair, spot_of
 
 
 def draw_frame(desk: Desk, shapes: Mapping[str, Shape]) -> None:
@@ -39,10 +36,10 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
     for name in links:
         body = desk.mech.link(name)
         desk.board.mark(View.MECHANISM, *_link(desk, body, shapes.get(name, Shape.BAR)), owner=f"link {name}")
-    for late in _late_guides(desk, links):
+    for late in late_guides(desk, links):
         body, shape = desk.mech.link(late.guide), shapes.get(late.guide, Shape.SLOT)
-        shape = Shape.SLOT if shape is Shape.BAR and _is_slot(desk, body, late) else shape
-        desk.board.mark(View.MECHANISM, *_guide_body(desk, body, late, shape), owner=f"link {body.name}")
+        shape = Shape.SLOT if shape is Shape.BAR and is_slot(desk, body, late) else shape
+        desk.board.mark(View.MECHANISM, *guide_body(desk, body, late, shape), owner=f"link {body.name}")
         if len(body.points) == 1:
             desk.board.mark(View.MECHANISM, _number(desk, body, shape, late), owner=f"link {body.name}")
     for joint in desk.mech.joints:
@@ -56,7 +53,7 @@ def draw_links(desk: Desk, shapes: Mapping[str, Shape], links: tuple[str, ...]) 
                 and not guided_follower(desk, joint)
                 and (joint.guide != FRAME or guided_rack(desk, joint.block) is None)
             ):
-                desk.board.mark(View.MECHANISM, *_sliding_pair(desk, joint, shapes), owner=f"link {joint.block}")
+                desk.board.mark(View.MECHANISM, *sliding_pair(desk, joint, shapes), owner=f"link {joint.block}")
     draw_gears(desk, links, shapes)
     draw_contacts(desk)
     _letters(desk, links)
@@ -76,7 +73,7 @@ def link_alone(desk: Desk, name: str, shapes: Mapping[str, Shape]) -> Iterator[M
         and shapes.get(name) not in (Shape.ROD, Shape.PISTON)
     ]
     for joint in blocks:
-        line, pin = desk.guide_line(joint), _spot(desk, joint.pin)
+        line, pin = desk.guide_line(joint), spot_of(desk, joint.pin)
         along = complex(nominal(line.along))
         middle = complex(nominal(line.at)) + along * float((np.conj(along) * (pin - complex(nominal(line.at)))).real)
         yield Block(at=middle, along=along, on_rod=shapes.get(joint.guide) is Shape.ROD)
@@ -93,25 +90,8 @@ def link_alone(desk: Desk, name: str, shapes: Mapping[str, Shape]) -> Iterator[M
     for letter in body.points:
         if letter in desk.at and not letter.endswith("'"):
             yield Point(
-                at=_spot(desk, letter), label=subscripted(letter), dot=Dot.JOINT if letter in hinged else Dot.POINT
+                at=spot_of(desk, letter), label=subscripted(letter), dot=Dot.JOINT if letter in hinged else Dot.POINT
             )
-
-
-def _late_guides(desk: Desk, links: tuple[str, ...]) -> list[Prismatic]:
-    """Guides on links drawn before, whose blocks are only now located."""
-    return [
-        j
-        for j in desk.mech.joints
-        if isinstance(j, Prismatic)
-        and j.block in links
-        and j.guide not in links
-        and j.guide != FRAME
-        and not contact_replaced(desk.mech, j.block)
-    ]
-
-
-def _spot(desk: Desk, name: str) -> complex:
-    return complex(nominal(desk.at[name]))
 
 
 def _hinged(desk: Desk) -> set[str]:
@@ -151,11 +131,11 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
     guide = next((j for j in desk.mech.joints if isinstance(j, Prismatic) and j.guide == body.name), None)
     if shape in (Shape.SLOT, Shape.ROD) and guide is not None:
         if guide.block == FRAME or guide.block in desk.pose:
-            yield from _guide_body(desk, body, guide, shape)
+            yield from guide_body(desk, body, guide, shape)
     elif len(spots) >= 2 and shape is not Shape.BLOCK:
         yield from bar(spots)
-        if guide is not None and _is_slot(desk, body, guide) and (guide.block == FRAME or guide.block in desk.pose):
-            yield from _guide_body(desk, body, guide, Shape.SLOT)
+        if guide is not None and is_slot(desk, body, guide) and (guide.block == FRAME or guide.block in desk.pose):
+            yield from guide_body(desk, body, guide, Shape.SLOT)
     if spots and shape is not Shape.BLOCK:
         if len(spots) > 1 or guide is None or guide.pin in desk.at:
             yield _number(desk, body, shape, guide)
@@ -165,89 +145,15 @@ def _link(desk: Desk, body: Link, shape: Shape) -> Iterator[Mark]:
 
 def _number(desk: Desk, body: Link, shape: Shape, guide: Prismatic | None) -> LinkNumber:
     """The number of a link beside its line, which is its guide where it has one."""
-    spots = [_spot(desk, p) for p in body.points]
+    spots = [spot_of(desk, p) for p in body.points]
     a, b = spots[0], spots[1] if len(spots) > 1 else spots[0]
     if shape in (Shape.SLOT, Shape.ROD) and guide is not None and guide.pin in desk.at:
         line = desk.guide_line(guide)
         at, along = complex(nominal(line.at)), complex(nominal(line.along))
-        a, b = (at + along * float((np.conj(along) * (spot - at)).real) for spot in (spots[0], _spot(desk, guide.pin)))
+        a, b = (
+            at + along * float((np.conj(along) * (spot - at)).real) for spot in (spots[0], spot_of(desk, guide.pin))
+        )
         reach = HALF_SLOT if shape is Shape.SLOT else BEYOND
         if abs(b - a) < reach:  # the block covers it: beside all of the guide that is drawn
             a, b = b - along * reach, b + along * reach
     return LinkNumber(a=a, b=b, number=body.name)
-
-
-def _guide_body(desk: Desk, body: Link, joint: Prismatic, shape: Shape) -> Iterator[Mark]:
-    """A slotted link or a rod: from its own points along the guide to a little past the block."""
-    line = desk.guide_line(joint)
-    at, along = complex(nominal(line.at)), complex(nominal(line.along))
-
-    def travel(p: complex) -> float:
-        return float((np.conj(along) * (p - at)).real)
-
-    pin = _spot(desk, joint.pin) if joint.pin in desk.at else at
-    own = [_spot(desk, p) for p in body.points]
-    t = travel(pin)
-    if shape is Shape.SLOT:
-        start, end = at + along * (t - HALF_SLOT), at + along * (t + HALF_SLOT)
-        yield Slot(a=start, b=end)
-        for p in own:
-            near = min((start, end), key=lambda s: abs(s - p))
-            near += HALF_BLOCK * (p - near) / abs(p - near)  # the rounded end of the slot
-            off = abs((np.conj(along) * (p - at)).imag)
-            if abs(travel(p) - t) > HALF_SLOT or off > 3:
-                yield Segment(a=p, b=near, role=Role.LINK)
-            if off > 3:
-                yield weld(near, p - near, pin - near)
-        return
-    feet = [travel(p) for p in own]
-    yield Segment(a=at + along * min(*feet, t - BEYOND), b=at + along * max(*feet, t + BEYOND), role=Role.LINK)
-    for p in own:
-        if abs((np.conj(along) * (p - at)).imag) >= 0.3:
-            foot = at + along * travel(p)
-            yield Segment(a=foot, b=p, role=Role.LINK)
-            yield weld(foot, p - foot, pin - foot)
-
-
-def _is_slot(desk: Desk, body: Link, joint: Prismatic) -> bool:
-    """Whether a bar guides its block beside its own line, or beyond its ends: then it has a slot there."""
-    line, pin = desk.guide_line(joint), _spot(desk, joint.pin) if joint.pin in desk.at else None
-    at, along = complex(nominal(line.at)), complex(nominal(line.along))
-    places = [np.conj(along) * (_spot(desk, p) - at) for p in body.points]
-    travels = [float(place.real) for place in places if abs(place.imag) < 0.3]
-    return pin is not None and (
-        len(travels) < 2 or not min(travels) < float((np.conj(along) * (pin - at)).real) < max(travels)
-    )
-
-
-def _sliding_pair(desk: Desk, joint: Prismatic, shapes: Mapping[str, Shape]) -> Iterator[Mark]:
-    line = desk.guide_line(joint)
-    at, along = complex(nominal(line.at)), complex(nominal(line.along))
-    pin = _spot(desk, joint.pin)
-    middle = at + along * float((np.conj(along) * (pin - at)).real)
-    if joint.guide == FRAME:
-        if _other_side(desk, joint, middle, along):
-            along = -along
-        yield FixedGuide(
-            a=middle - along * HALF_SLOT - 1j * along * HALF_BLOCK,
-            b=middle + along * HALF_SLOT - 1j * along * HALF_BLOCK,
-        )
-    elif shapes.get(joint.guide) is Shape.ROD and joint.block == FRAME:
-        for side in (1, -1):
-            a, b = middle - side * along * 8, middle + side * along * 8
-            yield FixedGuide(a=a - 1j * side * along * 1.5, b=b - 1j * side * along * 1.5)
-        return
-    yield Block(at=middle, along=along, on_rod=shapes.get(joint.guide) is Shape.ROD)
-    if abs(pin - middle) > 0.3 and abs(pin - middle) > HALF_BLOCK:
-        yield Segment(a=middle, b=pin, role=Role.LINK)
-
-
-def _other_side(desk: Desk, joint: Prismatic, middle: complex, along: complex) -> bool:
-    """Whether the sliding link lies to the right of the guide, where its hatching would be."""
-    spots = [_spot(desk, p) for p in desk.letters(joint.block) if p in desk.at]
-    spots += [
-        _spot(desk, j.pin)
-        for j in desk.mech.joints
-        if isinstance(j, Prismatic) and j.guide == joint.block and j.pin in desk.at
-    ]
-    return min(((np.conj(along) * (s - middle)).imag for s in spots), default=0.0) < -HALF_BLOCK

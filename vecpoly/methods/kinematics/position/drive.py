@@ -14,7 +14,8 @@ from ....mechanism.model import FRAME, Drive, Prismatic
 from ....mechanism.travel import counted_from
 from ....plane import nominal
 from ....words import Words
-from ...desk import Desk, Pose
+from ...desk import Desk
+from ...diagram import Pose
 from ...registry import Stage, method
 
 SEEN = 0.005  # rad: a smaller angle is no arc on paper

@@ -4,45 +4,30 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.formula import sym
-from ...algebra.quantity import Of, Quantity, magnitude, number
-from ...board.construction import View
-from ...devices.ring_spring import (
+from ....algebra.quantity import Of, Quantity, magnitude
+from ....board.construction import View
+from ....devices.ring_spring import (
     BY_SINES,
     DRIVE,
     ETA,
     ETA_BACK,
-    GREATEST,
     HOLD,
     HOLD_BY_SINES,
     IDEAL,
-    LEAST,
     PHI,
     REACTIONS,
     RingSpring,
 )
-from ...names import Named, reaction
-from ...plane import Points, nominal
-from ...words import Words
-from .bench import Bench
-from .inclined import (
-    angle,
-    between,
-    drawn,
-    driven,
-    friction_angle,
-    gauged,
-    given,
-    leaned,
-    letter,
-    ray,
-    row_of,
-    signed,
-    sought,
-)
-from .registry import device_method
-from .sketches.ring_spring import Faces, apart_one, apart_two, faces, sketch
-from .strokes import Corners, Stroke, strokes
+from ....names import Named, reaction
+from ....plane import Points, nominal
+from ....words import Words
+from ..bench import Bench
+from ..equilibrium import drawn, driven, given, letter, signed, sought
+from ..inclined import angle, friction_angle, leaned
+from ..registry import device_method
+from ..sketches.ring_spring import Faces, apart_one, apart_two, faces, sketch
+from ..strokes import Corners, Stroke, strokes
+from .limits import limits
 
 R21, R42 = REACTIONS
 R12, R31, SPRING = reaction("1", "2"), reaction("3", "1"), Named("Q", "Q", "N")
@@ -81,7 +66,7 @@ def draw_ring_spring(bench: Bench, device: RingSpring) -> None:
     _release(bench, device, it, phi, ideal)
     bench.worked(HOLD_BY_SINES, load / Of("tan", alpha + phi))
     board.compute("η'", Of("tan", alpha) / Of("tan", alpha + phi), "")
-    _limits(bench, device, phi)
+    limits(bench, device, phi)
 
 
 def _lines(it: Faces, phi: float, sense: int) -> tuple[Points, Points]:
@@ -90,8 +75,29 @@ def _lines(it: Faces, phi: float, sense: int) -> tuple[Points, Points]:
 
 
 def _push(bench: Bench, device: RingSpring, it: Faces, phi: Quantity) -> Quantity:
-    board, (r12, r42) = bench.board, _lines(it, float(phi.value), 1)
+    """The polygon of compression, measured after both wedges are drawn apart."""
+    board, along = bench.board, _lines(it, float(phi.value), 1)
     board.section(Words("压缩行程：$F$ 为驱动力", "Compression: $F$ drives"))
+    _wedges_apart(bench, it, *along)
+    ends = _polygon(bench, device, along, PUSH, Words.same(""))
+    board.step(
+        Words(
+            "量各边，乘以 $μ_F$。用正弦定理核对：等腰三角形 $abc$ 的两腰与 $F$ 成 $α − φ$，故 $Q = 2R_21 sin(α − "
+            "φ)$；同理 $F = 2R_21 cos(α − φ)$，即 $F = Q cot(α − φ)$。",
+            "Measure the sides and multiply by $μ_F$. Check by the sine rule: the equal sides of "
+            "the triangle $abc$ make $α − φ$ with $F$, so that $Q = 2R_21 sin(α − φ)$, and "
+            "likewise $F = 2R_21 cos(α − φ)$; hence $F = Q cot(α − φ)$.",
+        ),
+        ends.place,
+    )
+    bench.measured(R21, ends.place, ends.c, ends.b, "c b")
+    bench.measured(R42, ends.place, ends.c, ends.a, "c a")
+    return bench.measured(DRIVE, ends.place, ends.d, ends.c, "d c")
+
+
+def _wedges_apart(bench: Bench, it: Faces, r12: Points, r42: Points) -> None:
+    """Wedge 2, on which two magnitudes are unknown, then wedge 1."""
+    board = bench.board
     two = board.open_pane(View.BODY, "2", Words("楔块 2 受力图（压缩）", "Free body of wedge 2, compression"))
     board.step(
         Words(
@@ -118,20 +124,6 @@ def _push(bench: Bench, device: RingSpring, it: Faces, phi: Quantity) -> Quantit
         one,
     )
     apart_one(bench, one, it, -r12)
-    ends = _polygon(bench, device, (r12, r42), PUSH, Words.same(""))
-    board.step(
-        Words(
-            "量各边，乘以 $μ_F$。用正弦定理核对：等腰三角形 $abc$ 的两腰与 $F$ 成 $α − φ$，故 $Q = 2R_21 sin(α − "
-            "φ)$；同理 $F = 2R_21 cos(α − φ)$，即 $F = Q cot(α − φ)$。",
-            "Measure the sides and multiply by $μ_F$. Check by the sine rule: the equal sides of "
-            "the triangle $abc$ make $α − φ$ with $F$, so that $Q = 2R_21 sin(α − φ)$, and "
-            "likewise $F = 2R_21 cos(α − φ)$; hence $F = Q cot(α − φ)$.",
-        ),
-        ends.place,
-    )
-    bench.measured(R21, ends.place, ends.c, ends.b, "c b")
-    bench.measured(R42, ends.place, ends.c, ends.a, "c a")
-    return bench.measured(DRIVE, ends.place, ends.d, ends.c, "d c")
 
 
 def _ideal(bench: Bench, device: RingSpring, it: Faces, drive: Quantity) -> Quantity:
@@ -216,66 +208,3 @@ def _polygon(bench: Bench, device: RingSpring, along: tuple[Points, Points], str
     _, d = driven(bench, place, c, terms, device.locked, must_press=stroke is PUSH).ends[by_3.key]
     letter(bench, place, {"a": 0j, tips[0]: c, tips[1]: d})
     return Corners(place, 0j, b, c, d)
-
-
-def _limits(bench: Bench, device: RingSpring, phi: Quantity) -> None:
-    """Pushing: the reactions are vertical, none of them against Q. Releasing: they are horizontal, none of them against
-    F."""
-    board = bench.board
-    board.section(Words("不自锁的条件", "Conditions against self-locking"))
-    place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))
-    turn = np.exp(1j * np.radians(phi.value))
-    push, release = board.turn(1j / turn), board.turn(turn)
-    board.step(
-        Words(
-            "压缩行程的极限：$R_12$、$R_42$ 竖直（与 $F$ 平行），没有水平分力与 $Q$ 平衡，无论 $F$ 多大都压不动。"
-            "自竖直线量 $φ$ 得法线 $n$，它与 $F$ 的夹角为 $α$ 的下限。由 $η = tan(α − φ)/tan α > 0$ 同样得 $α > "
-            "φ$。",
-            "The limit of compression: $R_12$ and $R_42$ are vertical, along $F$; they have no "
-            "horizontal component to balance $Q$, and no $F$ moves the wedges. Set off $φ$ from "
-            "the vertical to get the normal $n$; its angle with $F$ is the lower limit of $α$. $η "
-            "= tan(α − φ)/tan α > 0$ gives $α > φ$ as well.",
-        ),
-        place,
-    )
-    for along, label in ((1j, "R_{42}"), (push, "n"), (release, "n'"), (1 + 0j, "R'_{42}")):
-        ray(bench, place, 0j, along, 40.0, label)
-    between(bench, place, 0j, push, 1j, 30.0, f"{LEAST.symbol} = φ")
-    least = gauged(bench, push, 1j)
-    bench.stated(LEAST, least, row_of(sym(LEAST.symbol), f" = $φ$ = {number(float(nominal(least)))}°"))
-    board.step(
-        Words(
-            "回弹行程的极限：$R'_12$、$R'_42$ 水平（与 $Q$ 平行），没有竖直分力推回楔块 1。自水平线量 $φ$ 得法线 "
-            "$n'$，它与 $F$ 的夹角为 $α$ 的上限。由 $η' = tan α/tan(α + φ) > 0$ 同样得 $α < 90° − φ$。",
-            "The limit of release: $R'_12$ and $R'_42$ are horizontal, along $Q$; they have no "
-            "vertical component to push wedge 1 back. Set off $φ$ from the horizontal to get the "
-            "normal $n'$; its angle with $F$ is the upper limit of $α$. $η' = tan α/tan(α + φ) > "
-            "0$ gives $α < 90° − φ$ as well.",
-        ),
-        place,
-    )
-    between(bench, place, 0j, release, 1j, 18.0, GREATEST.symbol)
-    between(bench, place, 0j, 1 + 0j, release, 30.0, "φ")
-    greatest = gauged(bench, release, 1j)
-    bench.stated(
-        GREATEST, greatest, row_of(sym(GREATEST.symbol), f" = 90° − $φ$ = {number(float(nominal(greatest)))}°")
-    )
-    _verdict(bench, float(np.degrees(device.alpha.si)), float(nominal(phi.value)))
-
-
-def _verdict(bench: Bench, alpha: float, phi: float) -> None:
-    """Where α stands between its limits (deg)."""
-    if alpha < 90.0 - phi - 1e-9:
-        bench.board.remark(
-            Words(
-                f"本题 $φ$ < $α$ = {number(alpha)}° < $90° − φ$，两个行程都不自锁。",
-                f" Here $φ$ < $α$ = {number(alpha)}° < $90° − φ$: neither stroke is self-locking.",
-            )
-        )
-    else:
-        bench.board.remark(
-            Words(
-                f"本题 $α$ = {number(alpha)}° ≥ $90° − φ$，回弹行程自锁。",
-                f" Here $α$ = {number(alpha)}° ≥ $90° − φ$: the release is self-locking.",
-            )
-        )

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...devices.structure_pairs import FRAME, Chain, Form
+from ....devices.structure_pairs import FRAME, Chain, Form
 
 Graph = dict[str, set[str]]
 

@@ -7,17 +7,17 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...algebra.formula import sym
-from ...algebra.quantity import number
-from ...board.construction import Pane, View
-from ...board.paper.marks import AngleMark, Dot, Point, Role, Segment, Vector
-from ...devices.wedges import LOCK_DIRECT, LOCK_REVERSE
-from ...names import Named
-from ...plane import Points, nominal
-from ...words import Words
-from .bench import Bench
-from .inclined import gauged, row_of
-from .sketches.wedges import Shapes
+from ....algebra.formula import sym
+from ....algebra.quantity import number
+from ....board.construction import Pane, View
+from ....board.paper.marks import AngleMark, Dot, Point, Role, Segment, Vector
+from ....devices.wedges import LOCK_DIRECT, LOCK_REVERSE
+from ....names import Named
+from ....plane import Points, nominal
+from ....words import Words
+from ..bench import Bench
+from ..inclined import gauged, row_of
+from ..sketches.wedges import Shapes
 
 RAY, LINE = 34.0, 46.0  # mm: normals, lines of the two reactions
 

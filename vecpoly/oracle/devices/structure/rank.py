@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...devices.structure_pairs import FRAME, Chain, Form
-from .structure_rows import Floats, Rows
+from ....devices.structure_pairs import FRAME, Chain, Form
+from .rows import Floats, Rows
 
 # share of the largest singular value below which one counts as zero; places are written to about 1e-6 of the size
 RANK = 2e-5

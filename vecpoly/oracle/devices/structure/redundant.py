@@ -1,5 +1,4 @@
-"""Exact answers about a structure: n, p_L, p_H from the shape of the Jacobian, F, F′, p′ from its rank, groups by
-matching."""
+"""The parts of a chain that bring redundant constraints, found by trial: what may go without the freedom changing."""
 
 from __future__ import annotations
 
@@ -7,105 +6,10 @@ from collections.abc import Iterator
 from itertools import chain as every
 from itertools import combinations
 
-from ...devices.structure import (
-    DETERMINED,
-    F_LOCAL,
-    F_LOW,
-    N_LOW,
-    P_H,
-    P_L,
-    P_LOW,
-    P_REDUNDANT,
-    F,
-    N,
-    Structure,
-    class_,
-    groups,
-)
-from ...devices.structure_pairs import FRAME, Chain, Form, Pair
-from ...errors import MobilityError
-from ...words import Words
-from .registry import Values, answers
-from .structure_match import assur, rank_of
-from .structure_rank import Ranks, dependent, determined, ranks
+from ....devices.structure_pairs import FRAME, Chain, Form, Pair
+from .rank import ranks
 
 PART = 4  # links of a part that may be redundant
-
-
-@answers(Structure)
-def structure(device: Structure) -> Values:
-    """Every count, class and number of groups."""
-    chain = device.chain
-    found = ranks(chain)
-    values: dict[str, complex | float] = _counts(chain, found)
-    if device.drivers:
-        values[DETERMINED.key] = float(determined(chain, device.drive_sets[0]))
-    low = without_high_pairs(reduced(chain, found, {link for drivers in device.drive_sets for link in drivers}))
-    if device.touching:
-        rows = ranks(low)
-        values |= {N_LOW.key: rows.coordinates / 3, P_LOW.key: rows.constraints / 2, F_LOW.key: float(rows.freedom)}
-    for drivers in device.drive_sets:
-        parts = assur(low, drivers) if found.freedom == len(drivers) else None
-        values[groups(drivers).key] = float(len(parts)) if parts is not None else 0.0
-        values[class_(drivers).key] = (
-            float(max((rank_of(low, part) for part in parts), default=1)) if parts is not None else 0.0
-        )
-    return values
-
-
-def surplus(device: Structure) -> tuple[int, tuple[str, ...], tuple[str, ...]]:
-    """How many constraints are redundant by rank; the pairs whose constraints depend on each other; links that may go
-    without the motion changing."""
-    found = ranks(device.chain)
-    rest = reduced(device.chain, found, {link for drivers in device.drive_sets for link in drivers})
-    gone = tuple(link for link in device.chain.links if link not in rest.links and link not in found.idle)
-    return found.redundant, dependent(device.chain), gone
-
-
-def _counts(chain: Chain, found: Ranks) -> dict[str, complex | float]:
-    higher = sum(not pair.form.is_lower for pair in chain.pairs)
-    return {
-        N.key: found.coordinates / 3,
-        P_L.key: (found.constraints - higher) / 2,
-        P_H.key: float(higher),
-        F_LOCAL.key: float(len(found.idle)),
-        P_REDUNDANT.key: float(found.redundant),
-        F.key: float(found.freedom),
-    }
-
-
-def reduced(chain: Chain, found: Ranks, drivers: set[str]) -> Chain:
-    """The chain without idle rollers and without a part that is redundant."""
-    for link in found.idle:
-        chain = _welded(chain, link)
-    return removable(chain, found.redundant, drivers)
-
-
-def _welded(chain: Chain, link: str) -> Chain:
-    """A roller as one piece with the link on which it is pinned."""
-    carrier = next(
-        (other for pair in chain.at(link) if pair.form is Form.R for other in pair.links if other != link), None
-    )
-    if carrier is None:
-        raise MobilityError(
-            Words(
-                f"构件 {link} 能单独运动，却不是铰接在其他构件上的滚子；请用 R 副铰接，或去掉它",
-                f"link {link} moves for itself, but is no roller pinned on another link: pin it with an R pair, "
-                "or leave it out",
-            )
-        )
-    pairs = []
-    for pair in chain.pairs:
-        links = (
-            tuple(carrier if one == link else one for one in pair.links)
-            if not pair.form.is_lower
-            else tuple(one for one in pair.links if one != link)
-        )
-        if len(links) > 1:
-            pairs.append(
-                Pair(letter=pair.letter, form=pair.form, links=links, at=pair.at, along=pair.along, about=pair.about)
-            )
-    return Chain(tuple(one for one in chain.links if one != link), tuple(pairs))
 
 
 def removable(chain: Chain, surplus: int, drivers: set[str]) -> Chain:
@@ -229,29 +133,3 @@ def _hangs(chain: Chain, part: tuple[str, ...]) -> bool:
     for _ in part:
         reached |= {link for pair in chain.pairs if reached & set(pair.links) for link in pair.links if link in part}
     return reached == set(part)
-
-
-def without_high_pairs(chain: Chain) -> Chain:
-    """Every high pair as a link with two lower pairs, at the centres of curvature; of gears on the line of action at
-    20°."""
-    links, pairs = list(chain.links), []
-    for i, pair in enumerate(chain.pairs):
-        if pair.form.is_lower:
-            pairs.append(pair)
-            continue
-        name = f"{pair.letter}*"
-        links.append(name)
-        pairs += [_end(pair, end, name, f"{pair.letter}{i}{end}") for end in (0, 1)]
-    return Chain(tuple(links), tuple(pairs))
-
-
-def _end(pair: Pair, end: int, name: str, letter: str) -> Pair:
-    centre = pair.about[end]
-    if centre is None:
-        return Pair(letter=letter, form=Form.P, links=(name, pair.links[end]), at=pair.at, along=1j * pair.normal)
-    if pair.form is Form.G:
-        away = pair.at - centre
-        centre += (
-            away * (0.9396926207859084 + 0.3420201433256687j) * 0.9396926207859084
-        )  # r cos 20° on the radius turned by 20°
-    return Pair(letter=letter, form=Form.R, links=(pair.links[end], name), at=centre)

@@ -2,8 +2,7 @@
 position).
 
 Row by row a constraint is a wrench: its force f at a place p of a link adds f_x, f_y, p × f to the three columns of
-that link. All lengths
-are divided by the size of the chain.
+that link. All lengths are divided by the size of the chain.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...devices.structure_pairs import FRAME, Chain, Form, Pair
+from ....devices.structure_pairs import FRAME, Chain, Form, Pair
 
 Floats = NDArray[np.float64]
 

@@ -1,0 +1,72 @@
+"""Angles on paper: curved arrows of turning, arcs with arrowheads, small angles pointed at from outside."""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from ...board.paper.marks import AngleMark, TurnArrow
+from ..scene import Fill, Item, Layer, Stroke
+from ..style import SYMBOL, THIN, Hue
+from . import shapes
+from .shapes import NEAR
+
+TURN = math.radians(105)  # sweep of a curved arrow
+NARROW, TAIL, INNER_HEAD = 4.0, 4.6, 2.0  # mm: a shorter arc is pointed at from outside, with tails and heads so long
+
+
+def curved_head(
+    centre: complex, radius: float, end: float, turn: float, length: float
+) -> tuple[complex, complex, complex]:
+    """An arrowhead at the end of an arc, along the chord of its own length (turn: +1 counter-clockwise)."""
+    tip = centre + cmath.rect(radius, end)
+    back = tip - (centre + cmath.rect(radius, end - turn * min(1.0, length / radius)))
+    return shapes.head(tip, back / abs(back), length, length / 3)
+
+
+def draw_turn(mark: TurnArrow, hue: Hue) -> tuple[Item, ...]:
+    """A curved arrow about a point."""
+    if mark.radius < NEAR:
+        return ()
+    turn = 1.0 if mark.ccw else -1.0
+    length = shapes.head_length(mark.radius * TURN)
+    bow = shapes.arc(mark.at, mark.radius, mark.start, turn * (TURN - 0.6 * length / mark.radius))
+    tip = curved_head(mark.at, mark.radius, mark.start + turn * TURN, turn, length)
+    return (Stroke(points=bow, width=SYMBOL, hue=hue, step=mark.step), Fill(points=tip, hue=hue, step=mark.step))
+
+
+def draw_angle(mark: AngleMark) -> tuple[Item, ...]:
+    """The arc of an angle, with arrowheads where there is room for them."""
+    bow = Stroke(
+        points=shapes.arc(mark.at, mark.radius, mark.start, mark.sweep), width=THIN, layer=Layer.THIN, step=mark.step
+    )
+    if narrow(mark):
+        return (bow, *_pointed_at(mark))
+    if mark.radius * abs(mark.sweep) < 8.0:
+        return (bow,)
+    turn = math.copysign(1.0, mark.sweep)
+    tips = (
+        curved_head(mark.at, mark.radius, mark.start + mark.sweep, turn, 2.4),
+        curved_head(mark.at, mark.radius, mark.start, -turn, 2.4),
+    )
+    return (bow, *(Fill(points=tip, layer=Layer.HEAD, step=mark.step) for tip in tips))
+
+
+def narrow(mark: AngleMark) -> bool:
+    """Whether the angle is too small to hold its letter, and is pointed at from outside: a friction angle."""
+    return mark.radius > TAIL and NEAR < mark.radius * abs(mark.sweep) < NARROW
+
+
+def _pointed_at(mark: AngleMark) -> tuple[Item, ...]:
+    """The arc carried on beyond both rays, with arrowheads that meet them."""
+    tail = math.copysign(TAIL / mark.radius, mark.sweep)
+    items: list[Item] = []
+    for ray, out in ((mark.start, -tail), (mark.start + mark.sweep, tail)):
+        turn = -math.copysign(1.0, out)
+        items.append(
+            Stroke(points=shapes.arc(mark.at, mark.radius, ray, out), width=THIN, layer=Layer.THIN, step=mark.step)
+        )
+        items.append(
+            Fill(points=curved_head(mark.at, mark.radius, ray, turn, INNER_HEAD), layer=Layer.HEAD, step=mark.step)
+        )
+    return tuple(items)

@@ -1,0 +1,1 @@
+"""An eccentric clamp: clamping, then self-locking with the force removed."""

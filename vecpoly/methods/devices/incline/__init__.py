@@ -1,0 +1,1 @@
+"""A block on an inclined plane: sketch, polygon, limit of self-locking."""

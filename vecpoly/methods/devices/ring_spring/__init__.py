@@ -1,0 +1,1 @@
+"""A ring-spring buffer: its polygons, and the limits of self-locking."""

@@ -1,0 +1,1 @@
+"""A screw jack: the thread, the collar, efficiency and self-locking."""

@@ -1,0 +1,1 @@
+"""A clamping wedge: self-locking shown in three ways."""

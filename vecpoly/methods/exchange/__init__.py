@@ -1,0 +1,1 @@
+"""A link on the frame thought to drive, where the input acts between two moving links."""

@@ -1,0 +1,184 @@
+"""Another link as the driver (假想原动件): a drive between two moving links whose group is no dyad with the cylinder as
+a side.
+
+A link on the frame is thought to drive. Its position is found by trial: the groups are drawn until the cylinder has the
+given length. Velocities are proportional to its ω (or v): a polygon drawn with the rate 1 gives the factor.
+Accelerations are those with α = 0 and a part proportional to α, with the same factor. All trials are drawn on scratch
+paper by an exact hand; nothing else is known of the mechanism.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from math import pi
+
+import numpy as np
+
+from ...board.construction import View
+from ...errors import AssemblyError, DeadPointError, NoMethodError, VecpolyError
+from ...mechanism.assembly.bend import bend
+from ...mechanism.assembly.branch import margin
+from ...mechanism.groups.assur import Group, decompose
+from ...mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
+from ...plane import nominal
+from ...words import Words
+from ..desk import Desk
+from ..registry import Stage, find
+from ..roots import crossings
+from .told import said
+from .trial import Trial, driven_by, trial_of
+
+TRIALS = 360  # places in which the other link is tried
+REACH = 2.0  # of the mechanism's size to either side: where a sliding one is tried
+VANISHES = 1e-9  # of the mechanism's size: below it the cylinder does not move the link
+_MOTION = (Stage.POSITION, Stage.VELOCITY, Stage.ACCELERATION)
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """The mechanism with the other driver, and what is to be said of it at the beginning of each stage."""
+
+    mech: Mechanism
+    said: Mapping[Stage, Words] = field(default_factory=dict)
+
+
+@lru_cache(maxsize=128)  # all places of a player's turn, each drawn again at other scales
+def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
+    """The mechanism itself where its groups can be drawn as they are; else driven by another link, moved so that the
+    input is as given.
+
+    Raises NoMethodError, AssemblyError, DeadPointError.
+    """
+    group = next((g for g in decompose(mech) if g.kind == "driven"), None)
+    if group is None:
+        return Exchange(mech)
+    drive = next(one for one in mech.drives if one.between and one.pair <= set(group.links))
+    other = _other(mech, group, drive)
+    mech = replace(mech, branches=(*mech.branches, *bend(mech, drive)))  # what the angle says of the assembly
+    trial = trial_of(mech, drive, other)
+    placed = replace(other, position=_position(trial))
+    moving = Stage.VELOCITY in stages or Stage.ACCELERATION in stages
+    rated = _rated(trial, placed, Stage.ACCELERATION in stages) if moving else placed
+    return Exchange(driven_by(mech, drive, rated), said(trial, rated))
+
+
+def _other(mech: Mechanism, group: Group, drive: Drive) -> Drive:
+    """A link of the group on the frame with which as the driver everything is drawn by methods on file."""
+    for out in group.outer:
+        if (
+            out.parent == FRAME
+            and isinstance(out.joint, Revolute | Prismatic)
+            and not (isinstance(out.joint, Prismatic) and out.joint.block != out.link)
+        ):
+            other = Drive(link=out.link, position=0.0, rate=1.0, slide=isinstance(out.joint, Prismatic))
+            if _drawable(driven_by(mech, drive, other)):
+                return other
+    raise NoMethodError(
+        Words(
+            f"驱动加在构件 {drive.on} 与 {drive.link} 之间；无论取哪个与机架相连的构件为假想原动件，"
+            f"都不能只用已有的图解法求解 {group.name.zh}；vecpoly exact 给出其解析解",
+            f"the input acts between links {drive.on} and {drive.link}; whichever link on "
+            f"the frame is thought to drive instead, the {group.name.en} cannot be drawn "
+            "by the methods on file; 'vecpoly exact' gives its analytic answers",
+        ),
+        code="no-exchange",
+    )
+
+
+def _drawable(mech: Mechanism) -> bool:
+    try:
+        for group in decompose(mech):
+            for stage in _MOTION:
+                find(stage, group.kind)
+    except VecpolyError:
+        return False
+    return True
+
+
+def _position(trial: Trial) -> float:
+    """Where the other link stands when the input has its given position and the branch statements hold."""
+    mech = trial.mech
+    low, high = (-REACH * mech.scale, REACH * mech.scale) if trial.other.slide else (0.0, 2 * pi)
+    found = crossings(
+        trial.gap, np.linspace(low, high, TRIALS + 1).tolist(), 1e-3 * mech.scale if trial.drive.slide else 1e-3
+    )
+    places = ((at, trial.desk(replace(trial.other, position=at), Stage.POSITION)) for at in found)
+    fits = [(at, desk) for at, desk in places if all(margin(s, _metres(desk)) > 0 for s in mech.branches)]
+    if len(fits) > 1 and mech.guesses:
+        fits = [min(fits, key=lambda fit: sum(abs(_metres(fit[1])[p] - place) for p, place in mech.guesses.items()))]
+    if len(fits) != 1:
+        raise _undecided(trial, len(found), len(fits))
+    return fits[0][0]
+
+
+def _metres(desk: Desk) -> dict[str, complex]:
+    """All letters as drawn (m)."""
+    return {letter: complex(nominal(at)) / desk.mm(1.0) for letter, at in desk.at.items()}
+
+
+def _undecided(trial: Trial, found: int, fits: int) -> AssemblyError:
+    link, input_ = trial.other.link, f"{trial.drive.on}-{trial.drive.link}"
+    if not found:
+        trial_at = replace(trial.other, position=trial.other.position)
+        try:
+            trial.desk(trial_at, Stage.POSITION)
+        except DeadPointError:
+            pass
+        except AssemblyError as error:  # it says what is missing, a branch as a rule
+            return error
+        return AssemblyError(
+            Words(
+                f"无论构件 {link} 在何位置，输入 {input_} 都达不到给定值；请改变输入或尺寸",
+                f"wherever link {link} stands, the input {input_} does not reach its given position; change it, or "
+                "the lengths",
+            ),
+            code="out-of-reach",
+        )
+    if not fits:
+        return AssemblyError(
+            Words(
+                f"试得构件 {link} 有 {found} 个位置满足输入 {input_}，但都不符合 branch 中的说明",
+                f"link {link} has {found} positions for the input {input_}, but none of them fulfils the branch "
+                "statements",
+            ),
+            code="no-branch",
+        )
+    return AssemblyError(
+        Words(
+            f"试得构件 {link} 有 {fits} 个位置满足输入 {input_}；请在 branch 中写明构件 {link} 在哪一侧，"
+            "或以 guesses 给出各点的大致位置",
+            f"link {link} has {fits} positions for the input {input_}; say in 'branch' "
+            f"on which side link {link} lies, or give rough places as guesses",
+        ),
+        code="undecided-assembly",
+    )
+
+
+def _rated(trial: Trial, placed: Drive, bent: bool) -> Drive:
+    """The other link's rates: ω = v / v*, α = (a - a*) / v*, v* the input's rate at ω = 1, a* its acceleration at α =
+    0."""
+    factor = trial.rate(trial.desk(replace(placed, rate=1.0), Stage.POSITION, Stage.VELOCITY), View.VELOCITY)
+    size = (
+        trial.mech.scale
+        if trial.drive.slide and not placed.slide
+        else 1.0 / trial.mech.scale
+        if placed.slide and not trial.drive.slide
+        else 1.0
+    )
+    if abs(factor) < VANISHES * size:
+        raise DeadPointError(
+            Words(
+                f"输入 {trial.drive.on}-{trial.drive.link} 处于死点：构件 {placed.link} 转动时其长度不变，"
+                "速度无确定值；请改变位置",
+                f"the input {trial.drive.on}-{trial.drive.link} is at a dead point: it "
+                f"does not change while link {placed.link} moves, so the velocities have "
+                "no single value; choose another position",
+            )
+        )
+    rate = trial.drive.rate / factor
+    if not bent:
+        return replace(placed, rate=rate)
+    even = trial.rate(trial.desk(replace(placed, rate=rate), *_MOTION), View.ACCELERATION)
+    return replace(placed, rate=rate, accel=(trial.drive.accel - even) / factor)

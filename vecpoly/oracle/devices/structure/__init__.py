@@ -1,0 +1,1 @@
+"""Exact answers about structures: ranks of Jacobians, redundant constraints, groups by matching."""
