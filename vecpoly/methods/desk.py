@@ -13,9 +13,11 @@ import numpy as np
 from ..algebra.quantity import Quantity, magnitude
 from ..board.board import Board
 from ..board.construction import View
+from ..diagram.posed import Posed
 from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Rolling, Side
 from ..names import At, Kind, Rel, subscripted
-from ..plane import Line, Points, Reals, foot, unit
+from ..plane import Line, Points, Reals, foot, nominal, unit
+from ..problem.problem import Shape
 from ..words import Words
 
 POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
@@ -48,6 +50,7 @@ class Desk:
     coincident: Mapping[str, str] = field(
         default_factory=dict
     )  # letter under which links slide over each other -> the block
+    shapes: Mapping[str, Shape] = field(default_factory=dict)  # how links look
     at: dict[str, Points] = field(default_factory=dict)
     pose: dict[str, Pose] = field(default_factory=dict)
     tips: dict[tuple[View, At], Points] = field(default_factory=dict)
@@ -127,6 +130,19 @@ class Desk:
         points = self.mech.link(link).points
         pivot = next(p for p in points if p in self.mech.frame)
         return pivot, [p for p in points if p != pivot]
+
+    def posed(self) -> Posed:
+        """What has been found so far, as symbols need to know it."""
+        return Posed(
+            mech=self.mech,
+            shapes=self.shapes,
+            mm=self.mm(1.0),
+            at={letter: complex(nominal(at)) for letter, at in self.at.items()},
+            located={
+                link: (complex(nominal(pose.origin)), complex(nominal(pose.along))) for link, pose in self.pose.items()
+            },
+            loaded=self.loaded,
+        )
 
     def axis(self, link: str) -> Points:
         """Paper direction of the link's x axis."""
