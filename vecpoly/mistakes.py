@@ -47,15 +47,23 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
 def _on_line(act: Parallel, acts: Sequence[Act]) -> list[Locate]:
     """The lettered points through which a line was ruled."""
     spots = (one for n in sorted(act.inputs) if isinstance(one := acts[n], Locate) and one.figure == act.figure)
-    return [one for one in spots if abs((act.along.conjugate() * (one.at - act.at)).imag) < NOTHING]
+    return [one for one in spots if _is_on(act, one)]
+
+
+def _is_on(line: Parallel, point: Locate) -> bool:
+    return abs((line.along.conjugate() * (point.at - line.at)).imag) < NOTHING
 
 
 def _beside(act: Parallel, led: Sequence[Locate], acts: Sequence[Act]) -> Iterator[str]:
     """The letters of the points found before that are not on the line, and are of the kind of those that are."""
     for one in acts[: act.number]:
-        if isinstance(one, Locate) and one.figure == act.figure and one.key[:1] == led[0].key[:1]:
-            if abs((act.along.conjugate() * (one.at - act.at)).imag) > NOTHING:
-                yield one.key
+        if (
+            isinstance(one, Locate)
+            and one.figure == act.figure
+            and one.key[:1] == led[0].key[:1]
+            and not _is_on(act, one)
+        ):
+            yield one.key
 
 
 def _name(act: Act, acts: Sequence[Act]) -> str:
