@@ -32,6 +32,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
         case Follow(by=by) if abs(by) > NOTHING:
             yield from (Slip(mistake, _name(act, acts)) for mistake in (Mistake.REVERSED, Mistake.DROPPED))
             yield from (Slip(Mistake.COINCIDENT, _name(act, acts), letter) for letter in _coincident(act, acts))
+        case Parallel() if act.key and len(led := _on_line(act, acts)) > 1:
+            yield from (Slip(Mistake.OTHER_CENTRE, _name(act, acts), letter) for letter in _beside(act, led, acts))
         case Parallel() if act.key:
             yield Slip(Mistake.TURNED, _name(act, acts))
         case Locate() if any(isinstance(met := acts[n], Meet) and met.other is not None for n in act.inputs):
@@ -40,6 +42,28 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
         case _:
             return
+
+
+def _on_line(act: Parallel, acts: Sequence[Act]) -> list[Locate]:
+    """The lettered points through which a line was ruled."""
+    spots = (one for n in sorted(act.inputs) if isinstance(one := acts[n], Locate) and one.figure == act.figure)
+    return [one for one in spots if _is_on(act, one)]
+
+
+def _is_on(line: Parallel, point: Locate) -> bool:
+    return abs((line.along.conjugate() * (point.at - line.at)).imag) < NOTHING
+
+
+def _beside(act: Parallel, led: Sequence[Locate], acts: Sequence[Act]) -> Iterator[str]:
+    """The letters of the points found before that are not on the line, and are of the kind of those that are."""
+    for one in acts[: act.number]:
+        if (
+            isinstance(one, Locate)
+            and one.figure == act.figure
+            and one.key[:1] == led[0].key[:1]
+            and not _is_on(act, one)
+        ):
+            yield one.key
 
 
 def _name(act: Act, acts: Sequence[Act]) -> str:

@@ -16,28 +16,65 @@ from vecpoly.grading.reading.written import State, written
 WIDE = str.maketrans("0123456789.-+ ", "０１２３４５６７８９．－＋　")
 
 
-@pytest.mark.parametrize(("text", "si"), [
-    ("0.49", 0.49), ("４．７２", 4.72), ("≈0.49 米/秒", 0.49), ("0.49m·s⁻¹", 0.49), ("49 cm/s", 0.49), ("1.5×10^3 N", 1500),
-    ("1.5x10³ N", 1500),
-    ("1.5·10^-3", 0.0015), ("1.5e3", 1500), ("−12 rad/s²", -12), ("–12 rad/s2", -12), ("30 r/min", pi), ("30rpm", pi),
-    ("30 转/分", pi),
-    ("180°", pi), ("180 度", pi), ("2 m/s/s", 2), ("2 米每二次方秒", 2), ("64 N.m", 64), ("64 牛·米", 64), ("1.5 弧度/秒", 1.5),
-    ("79.5%", 0.795),
-    ("3.5 1/s", 3.5), ("12,5", 12.5), ("0,123", 0.123), ("1,234.5", 1234.5), ("1.234,5", 1234.5),
-    ("1,234,567", 1234567), ("约 3.2。", 3.2),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "si"),
+    [
+        ("0.49", 0.49),
+        ("４．７２", 4.72),
+        ("≈0.49 米/秒", 0.49),
+        ("0.49m·s⁻¹", 0.49),
+        ("49 cm/s", 0.49),
+        ("1.5×10^3 N", 1500),
+        ("1.5x10³ N", 1500),
+        ("1.5·10^-3", 0.0015),
+        ("1.5e3", 1500),
+        ("−12 rad/s²", -12),
+        ("–12 rad/s2", -12),
+        ("30 r/min", pi),
+        ("30rpm", pi),
+        ("30 转/分", pi),
+        ("180°", pi),
+        ("180 度", pi),
+        ("2 m/s/s", 2),
+        ("2 米每二次方秒", 2),
+        ("64 N.m", 64),
+        ("64 牛·米", 64),
+        ("1.5 弧度/秒", 1.5),
+        ("79.5%", 0.795),
+        ("3.5 1/s", 3.5),
+        ("12,5", 12.5),
+        ("0,123", 0.123),
+        ("1,234.5", 1234.5),
+        ("1.234,5", 1234.5),
+        ("1,234,567", 1234567),
+        ("约 3.2。", 3.2),
+    ],
+)
 def test_a_number_with_its_unit_is_read_however_it_is_written(text: str, si: float) -> None:
     found = written(text)
     assert found.state is State.READ and found.raw == text
     assert found.value * (found.unit.factor if found.unit else 1.0) == pytest.approx(si, rel=1e-12)
 
 
-@pytest.mark.parametrize(("text", "sense"), [
-    ("12 rad/s² 顺", -1), ("12 rad/s² 顺时针", -1), ("12 rad/s^2 CW", -1), ("12 rad/s2（逆时针）", 1), ("12 ccw", 1),
-    ("12 ↻", -1), ("12↺", 1),
-    ("逆 12", 1), ("12 counter-clockwise", 1), ("12 anticlockwise", 1), ("12 clockwise", -1), ("12, 方向：顺时针方向", -1),
-    ("12", 0), ("-12 顺", -1),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "sense"),
+    [
+        ("12 rad/s² 顺", -1),
+        ("12 rad/s² 顺时针", -1),
+        ("12 rad/s^2 CW", -1),
+        ("12 rad/s2（逆时针）", 1),
+        ("12 ccw", 1),
+        ("12 ↻", -1),
+        ("12↺", 1),
+        ("逆 12", 1),
+        ("12 counter-clockwise", 1),
+        ("12 anticlockwise", 1),
+        ("12 clockwise", -1),
+        ("12, 方向：顺时针方向", -1),
+        ("12", 0),
+        ("-12 顺", -1),
+    ],
+)
 def test_a_sense_is_read_in_words_letters_and_arrows(text: str, sense: int) -> None:
     found = written(text)
     assert (found.state, found.sense, abs(found.value)) == (State.READ, sense, 12)
@@ -108,12 +145,28 @@ def test_no_text_whatever_breaks_the_reader(text: str) -> None:
 KEYS = ("v_D", "v_C2B", "omega_5", "an_CB", "alpha_3", "eta", "R_12", "bc2", "n2'c2'")
 
 
-@pytest.mark.parametrize(("typed", "key"), [
-    ("ω5", "omega_5"), ("ω_5", "omega_5"), ("ω₅", "omega_5"), ("w5", "omega_5"), ("omega5", "omega_5"), ("vD", "v_D"),
-    ("v_{D}", "v_D"), ("VD", "v_D"),
-    ("a^n_CB", "an_CB"), ("anCB", "an_CB"), ("α３", "alpha_3"), ("ε3", "alpha_3"), ("η", "eta"), ("R12", "R_12"),
-    ("bc_2", "bc2"), ("n2′c2′", "n2'c2'"), ("Vc2b", "v_C2B"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("typed", "key"),
+    [
+        ("ω5", "omega_5"),
+        ("ω_5", "omega_5"),
+        ("ω₅", "omega_5"),
+        ("w5", "omega_5"),
+        ("omega5", "omega_5"),
+        ("vD", "v_D"),
+        ("v_{D}", "v_D"),
+        ("VD", "v_D"),
+        ("a^n_CB", "an_CB"),
+        ("anCB", "an_CB"),
+        ("α３", "alpha_3"),
+        ("ε3", "alpha_3"),
+        ("η", "eta"),
+        ("R12", "R_12"),
+        ("bc_2", "bc2"),
+        ("n2′c2′", "n2'c2'"),
+        ("Vc2b", "v_C2B"),
+    ],
+)
 def test_a_symbol_is_known_however_it_is_typed(typed: str, key: str) -> None:
     assert keyed(typed, KEYS) == key
 

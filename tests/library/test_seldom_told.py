@@ -9,9 +9,9 @@ import pytest
 
 from tests.drawn_library import drawn, ids
 from tests.texts import CRANK
+from vecpoly.diagram.bars import WELD, weld
 from vecpoly.errors import VecpolyError
 from vecpoly.foundation.data import data_dir
-from vecpoly.methods.kinematics.diagram.bars import WELD, weld
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.values.current import _motion
 from vecpoly.problem.values.given import Given, as_printed

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
-from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar
+from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar, unit
 from ..plane.geometry import dot, inclined
 from ..plane.traced import acts_of, traced
 from ..words import Words
@@ -72,9 +72,9 @@ class Instruments(Strokes):
         return traced(at, self.log(act))
 
     def parallel(self, at: Points, along: Points, *, key: str = "") -> Line:
-        """Rule a line through a point parallel to a drawn direction, that of the vector `key`."""
-        turned = (hand for hand, slip in self.amended.wrong(self.here, key) if slip.mistake is Mistake.TURNED)
-        carried = self.hand.tilt(self.amended.altered(along, ((hand, 1j * along) for hand in turned)))
+        """Rule a line through a point: parallel to a drawn direction, that of the vector `key`, or to another point."""
+        wrong = [(hand, self._led(slip, at, along)) for hand, slip in self.amended.wrong(self.here, key)]
+        carried = self.hand.tilt(self.amended.altered(along, wrong))
         act = self.log(done.Parallel(head=self.head(at, along, key=key), at=spot(at), along=spot(carried)))
         return Line(traced(at, act), traced(carried, act))
 
@@ -212,6 +212,12 @@ class Instruments(Strokes):
         """The third corner of the similar figure on `on` that keeps the letter order of `of`."""
         at = similar(*of, *on) + self.hand.carry(0.0) + 1j * self.hand.carry(0.0)
         return traced(at, self.log(done.Image(head=self.head(of, on), at=spot(at))))
+
+    def _led(self, slip: Slip, at: Points, along: Points) -> Points:
+        """The direction of a ruled line by this mistake."""
+        if slip.mistake is Mistake.OTHER_CENTRE:
+            return unit(self.spots[self.here, slip.instead] - at) if self.here is not None else along
+        return 1j * along if slip.mistake is Mistake.TURNED else along
 
     def _wrongly(self, place: Place | None, key: str, vector: Points) -> Points:
         """A known vector as somebody takes it who makes a mistake with it."""

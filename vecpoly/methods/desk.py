@@ -45,7 +45,6 @@ class Desk(Diagram):
     forces: tuple[str, ...] = ()  # keys of what a force analysis found
     # whether the driving link is only thought to drive, the input acting between two moving links
     thought: bool = False
-    loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
     # links of a sliding pair → the vector along the guide that was drawn, of the first against the second
     slides: dict[tuple[str, str], Rel] = field(default_factory=dict)
     centres: set[str] = field(default_factory=set)  # contacts with a fixed rack: no velocity, but an acceleration

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from ..board.board import Board
 from ..board.construction import View
+from ..diagram.posed import Posed
 from ..mechanism.model import FRAME, Contact, Mechanism, Prismatic, Rack, Rolling, Side
-from ..plane import Line, Points, foot, unit
+from ..plane import Line, Points, foot, nominal, unit
+from ..problem.problem import Shape
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,10 +25,12 @@ class Pose:
 
 @dataclass(slots=True)
 class Diagram:
-    """The kinematic diagram so far: `at` the lettered points, `pose` the links."""
+    """The kinematic diagram so far: `at` the lettered points, `pose` the links; `shapes`: how links look."""
 
     board: Board
     mech: Mechanism
+    shapes: Mapping[str, Shape] = field(default_factory=dict)
+    loaded: bool = False  # whether forces follow: then friction angles are meant, and no pressure angle is marked
     at: dict[str, Points] = field(default_factory=dict)
     pose: dict[str, Pose] = field(default_factory=dict)
 
@@ -45,6 +50,19 @@ class Diagram:
         points = self.mech.link(link).points
         pivot = next(p for p in points if p in self.mech.frame)
         return pivot, [p for p in points if p != pivot]
+
+    def posed(self) -> Posed:
+        """What has been found so far, as symbols need to know it."""
+        return Posed(
+            mech=self.mech,
+            shapes=self.shapes,
+            mm=self.mm(1.0),
+            at={letter: complex(nominal(at)) for letter, at in self.at.items()},
+            located={
+                link: (complex(nominal(pose.origin)), complex(nominal(pose.along))) for link, pose in self.pose.items()
+            },
+            loaded=self.loaded,
+        )
 
     def axis(self, link: str) -> Points:
         """Paper direction of the link's x axis."""

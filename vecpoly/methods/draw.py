@@ -42,6 +42,7 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
         board=board,
         mech=mech,
         coincident=coincident_letters(mech, groups),
+        shapes=problem.given.shapes,
         loaded=problem.loads is not None,
         thought=bool(said),
     )
@@ -67,7 +68,7 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
 
 
 def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -> None:
-    shapes, held = problem.given.shapes, [drive for drive in desk.mech.drives if not drive.between]
+    held = [drive for drive in desk.mech.drives if not drive.between]
     position = stage is Stage.POSITION
     if not held and position:
         say_fixed_points(desk)
@@ -77,8 +78,8 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
         draw_drive(desk, stage, drive)
     if position:
         _further_points(desk, tuple(drive.link for drive in held))
-        draw_frame(desk, shapes)
-        draw_links(desk, shapes, tuple(drive.link for drive in held))
+        draw_frame(desk)
+        draw_links(desk, tuple(drive.link for drive in held))
     else:
         view = stage.view
         desk.board.plot(view, 0j, POLE[view], Dot.POLE)
@@ -96,7 +97,7 @@ def _pass(desk: Desk, problem: Problem, stage: Stage, groups: Iterable[Group]) -
                     if letter
                 },
             )
-            draw_links(desk, shapes, group.links)
+            draw_links(desk, group.links)
     if position:
         draw_drive_arrow(desk)
     else:

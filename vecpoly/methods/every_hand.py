@@ -19,7 +19,7 @@ from ..problem.problem import Problem
 from .answers import answer, named_answer
 from .desk import Desk
 from .draw import draw
-from .exchange import exchanged
+from .exchange.exchange import exchanged
 from .passes import stages
 from .plan import scale_symbols
 from .standing import computed, standing

@@ -21,9 +21,8 @@ Fold = Callable[[Reals], Reals]
 SAMPLES = 1440  # a turn
 LOW = 1e-2  # a sampled fold that is larger is near no change point
 TOUCHES = 1e-13  # a least fold from which rounding alone parts zero
-# golden sections: to a hundredth of a sample, where a fold above NEAR can come down to zero no more; then to the last
-# digit
-ROUGH, FINE = 12, 48
+ROUGH = 12  # golden sections: to a hundredth of a sample, where a fold above NEAR can come down to zero no more
+FINE = 48  # golden sections: to the last digit
 NEAR = 1e-4
 BESIDE = (1e-3, 1e-5)  # of a turn over 2π, or of the scale: where the fold's root is taken to find where it vanishes
 _GOLDEN = (5**0.5 - 1) / 2

@@ -19,6 +19,7 @@ class Mistake(StrEnum):
     SCALED = "scaled"  # laid off with another figure's scale
     COINCIDENT = "coincident"  # the vector of the other link's point at this place
     OTHER_MEETING = "other meeting"  # the links put together the other way
+    OTHER_CENTRE = "other centre"  # a line through the wrong two centres
     OTHER_TANGENT = "other tangent"  # on the wrong side of the friction circle
 
     @property
@@ -36,6 +37,7 @@ _WORDS = {
     Mistake.SCALED: "用错比例尺",
     Mistake.COINCIDENT: "取错重合点",
     Mistake.OTHER_MEETING: "取了另一交点",
+    Mistake.OTHER_CENTRE: "连错瞬心",
     Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
 }
 
@@ -45,7 +47,7 @@ class Slip:
     """A mistake, and of what: the key of a quantity, with its figure where it stands on several (``force 23:R_32``), or
     the letter of a point.
 
-    instead: of a coincident point the letter of the one taken for it.
+    instead: of a coincident point, or of a centre on a line, the letter of the one taken for it.
     """
 
     mistake: Mistake

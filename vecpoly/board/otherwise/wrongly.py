@@ -25,7 +25,7 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
             return vector * FACTOR[mistake]
         case Mistake.SCALED:
             return vector * scale
-        case Mistake.COINCIDENT | Mistake.OTHER_MEETING | Mistake.OTHER_TANGENT:
+        case Mistake.COINCIDENT | Mistake.OTHER_MEETING | Mistake.OTHER_CENTRE | Mistake.OTHER_TANGENT:
             return vector
         case _:
             assert_never(mistake)

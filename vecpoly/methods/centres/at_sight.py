@@ -15,10 +15,10 @@ NORMAL = 22.0  # mm of a common normal to either side of the contact
 
 def draw_direct(fig: CentreFigure, found: tuple[Direct, ...]) -> None:
     """Letter them on the figure, and draw their lines of the polygon in full."""
+    fig.board.step(_words(fig, found), fig.pane)
     for one in found:
         if one.centre is not None:
-            fig.known.centres[one.pair] = one.centre
-    fig.board.step(_words(fig, found), fig.pane)
+            fig.settle(one.pair, one.centre)
     for one in found:
         if one.centre is None:
             _normal(fig, one)

@@ -8,7 +8,6 @@ from dataclasses import replace
 from ...board.construction import View
 from ...board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
 from ...mechanism.groups.assur import Group
-from ...problem.problem import Problem
 from ..desk import Desk
 from ..diagram import Pose
 from ..kinematics.diagram.links import draw_frame, draw_links
@@ -17,11 +16,15 @@ from .size import Paper
 FEW = 4  # links: with more, the letters of the points would crowd those of the centres
 
 
-def mechanism_marks(desk: Desk, problem: Problem, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Mark]:
+def mechanism_marks(desk: Desk, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Mark]:
     """Frame and links as in the position diagram, reduced; without their construction lines, and of many links without
     letters."""
-    scratch = Desk(board=desk.board.scratch({View.MECHANISM: paper.scale}), mech=desk.mech, coincident=desk.coincident)
-    shapes = problem.given.shapes
+    scratch = Desk(
+        board=desk.board.scratch({View.MECHANISM: paper.scale}),
+        mech=desk.mech,
+        coincident=desk.coincident,
+        shapes=desk.shapes,
+    )
     scratch.at = {name: desk.at[name] * paper.factor for name in desk.mech.frame}
     for number, links in enumerate(((desk.mech.drive.link,), *(group.links for group in groups))):
         for name in links:
@@ -32,8 +35,8 @@ def mechanism_marks(desk: Desk, problem: Problem, paper: Paper, groups: tuple[Gr
             c.point: desk.at[c.point] * paper.factor for c in desk.mech.contacts if set(c.links) <= set(scratch.pose)
         }
         if number == 0:
-            draw_frame(scratch, shapes)
-        draw_links(scratch, shapes, links)
+            draw_frame(scratch)
+        draw_links(scratch, links)
     crowded = len(desk.mech.bodies) >= FEW
     for mark in scratch.board.marks(View.MECHANISM):
         if not _helps(mark):

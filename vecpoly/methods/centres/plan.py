@@ -74,7 +74,7 @@ def _copy(fig: CentreFigure, problem: Problem, paper: Paper, groups: tuple[Group
     else:
         words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")
     fig.board.step(words + _sparing(fig), fig.pane)
-    fig.board.mark(fig.pane, *mechanism_marks(fig.desk, problem, paper, groups))
+    fig.board.mark(fig.pane, *mechanism_marks(fig.desk, paper, groups))
 
 
 def _sparing(fig: CentreFigure) -> Words:

@@ -67,6 +67,13 @@ class CentreFigure:
 
     # -- marks --------------------------------------------------------------------------------------------------
 
+    def settle(self, pair: Pair, centre: Centre) -> Centre:
+        """A centre is found: it has its letter, unless it is at infinity."""
+        if centre.at is not None:
+            centre = Centre(at=self.board.locate(self.pane, self.symbol(*pair), centre.at))
+        self.known.centres[pair] = centre
+        return centre
+
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
         """Letter a centre: a point, or an arrow from `start` towards infinity; one off the paper is lettered at its
         lines."""

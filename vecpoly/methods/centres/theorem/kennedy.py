@@ -3,6 +3,7 @@ the one sought."""
 
 from __future__ import annotations
 
+from ....board.otherwise.amended import plain_letters
 from ....board.paper.marks import Dot
 from ....mechanism.asked.centres import Pair, real_links
 from ....mechanism.model import Contact
@@ -24,13 +25,12 @@ from .search import GOOD, Search, Way, found
 )
 def find_centre(fig: CentreFigure, search: Search) -> None:
     """P_ij lies on P_ik P_kj and on P_il P_lj: where the two lines meet."""
-    ways = tuple(fig.known.way(search.pair, way.via) for way in search.ways)
-    ways = tuple(_ruled(fig, way) for way in ways)
     fig.board.step(_words(fig, search), fig.pane)
     fig.board.remark(_passed_over(fig, search))
+    ways = tuple(_ruled(fig, search.pair, fig.known.way(search.pair, way.via)) for way in search.ways)
     join(fig.desk, fig.polygon, search.pair, sought=True)
-    here = found(Search(pair=search.pair, ways=ways, quality=search.quality, endless=search.endless))
-    fig.known.centres[search.pair] = here
+    met = found(Search(pair=search.pair, ways=ways, quality=search.quality, endless=search.endless))
+    here = fig.settle(search.pair, met)
     for way in ways:
         if way.line is not None:
             _draw(fig, search.pair, way, way.line, here)
@@ -38,11 +38,13 @@ def find_centre(fig: CentreFigure, search: Search) -> None:
     _remarks(fig, search, here)
 
 
-def _ruled(fig: CentreFigure, way: Way) -> Way:
-    """The way with its line laid by rule or set square."""
+def _ruled(fig: CentreFigure, pair: Pair, way: Way) -> Way:
+    """The way with its line laid by rule or set square, named by its two centres."""
     if way.line is None or not way.via:
         return way
-    return Way(via=way.via, line=fig.board.parallel(way.line.at, way.line.along), at=way.at)
+    name = "".join(fig.symbol(*side) for side in sides_of(pair, way))
+    line = fig.board.parallel(way.line.at, way.line.along, key=plain_letters(name))
+    return Way(via=way.via, line=line, at=way.at)
 
 
 def _draw(fig: CentreFigure, pair: Pair, way: Way, line: Line, here: Centre) -> None:

@@ -32,9 +32,8 @@ def find_by_trial(fig: CentreFigure, search: Search) -> None:
     assert trial is not None and trial.locus is not None
     fig.board.step(_words(fig, trial), fig.pane)
     locus = fig.board.parallel(trial.locus.at, trial.locus.along)
-    here = meeting(trial.ways[2].line, locus, False)
     join(fig.desk, fig.polygon, search.pair, sought=True)
-    fig.known.centres[search.pair] = here
+    here = fig.settle(search.pair, meeting(trial.ways[2].line, locus, False))
     _draw(fig, trial, here)
     fig.letter(search.pair, Dot.POINT, 0j)
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ....board.construction import Pane, View
 from ....board.paper.marks import AngleMark, Block, Dot, FrictionCircle, Mark, Note, Point, Role, Segment, TurnArrow
+from ....diagram.links import link_alone
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Moment
 from ....mechanism.model import Contact, Prismatic, Revolute
@@ -17,7 +18,6 @@ from ....names import At
 from ....plane import nominal
 from ....problem.problem import Problem
 from ....words import Words
-from ...kinematics.diagram.links import link_alone
 from ..acting import Acting
 from ..closing.thrust import in_cylinders
 from ..couples import couples_on
@@ -49,14 +49,11 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
     thrusts = {
         key for forces in inside.values() for force in forces for key in (force.named.key, f"{force.named.key}′")
     }
+    posed = st.desk.posed()
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
-        st.board.mark(
-            pane,
-            *(_long_enough(st, name, mark) for mark in link_alone(st.desk, name, problem.given.shapes)),
-            owner=f"link {name}",
-        )
+        st.board.mark(pane, *(_long_enough(st, name, mark) for mark in link_alone(posed, name)), owner=f"link {name}")
         st.board.mark(pane, *_circles(st, name))
         pressing = inside.get(name, [])
         forces = [

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ....board.construction import LineOfAction, Reading, View
+from ....diagram.cylinders import pressed
 from ....errors import NoMethodError
 from ....mechanism.asked.forces import load_named, load_symbol, without_friction
 from ....mechanism.groups.assur import Group
@@ -17,7 +18,6 @@ from ....names import Named, reaction
 from ....plane import Line, Points, foot, nominal
 from ....words import Words
 from ...desk import Desk
-from ...kinematics.diagram.cylinder import pressed
 from ..acting import Acting
 from ..state import Statics
 
@@ -199,12 +199,13 @@ def in_cylinders(st: Statics, loads: Loads) -> dict[str, list[Acting]]:
     On the moved link the rod's reaction stands in its place.
     """
     found: dict[str, list[Acting]] = {}
+    posed = st.desk.posed()
     for force in (one for one in loads.forces if one.against):
         outer = next(one for one in st.loads.forces if one.name == force.name)
         pair, line = {force.link, force.against}, st.desk.towards(force.foot, force.point)
         joint = next(j for j in st.mech.joints if isinstance(j, Prismatic) and {j.guide, j.block} == pair)
         vector = _thrust(st, outer) / st.scale.value
-        for link, at in zip((joint.guide, joint.block), pressed(st.desk, joint), strict=True):
+        for link, at in zip((joint.guide, joint.block), pressed(posed, joint), strict=True):
             sign = 1 if link == force.link else -1
             found.setdefault(link, []).append(
                 Acting(named=load_named(outer), vector=sign * vector, at=foot(Line(st.desk.at[force.foot], line), at))

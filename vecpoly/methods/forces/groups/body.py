@@ -4,11 +4,11 @@ equations."""
 from __future__ import annotations
 
 from ....board.construction import Pane, Place, View
-from ....board.paper.marks import Block, Dot, LinkNumber, Plate, Point, Role, Segment, TurnArrow, Vector
+from ....board.paper.marks import Dot, Point, Role, TurnArrow, Vector
+from ....diagram.links import link_alone
 from ....mechanism.groups.assur import hinges
-from ....mechanism.model import Prismatic
 from ....names import At
-from ....plane import Points, cross, nominal, unit
+from ....plane import Points, nominal, unit
 from ....words import Words
 from ..acting import Acting
 from ..bodies.arrows import REACH, place_arrows, say_far
@@ -74,24 +74,13 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
 
 
 def _draw_link(st: Statics, pane: Pane, link: str) -> None:
-    """The link's lines, letters and number; a block where it slides."""
+    """The link as it is drawn alone, its letters once."""
     desk, board = st.desk, st.board
-    letters = [p for p in desk.mech.link(link).points if p in desk.at]
-    places = [complex(nominal(desk.at[p])) for p in letters]
+    alone = link_alone(desk.posed(), link)
+    board.mark(pane, *(mark for mark in alone if not isinstance(mark, Point)), owner=f"link {link}")
     pins = hinges(st.mech)
-    if len(places) > 2 and any(abs(float(cross(places[1] - places[0], q - places[0]))) > 1.0 for q in places[2:]):
-        board.mark(pane, Plate(points=tuple(places)))
-    else:
-        board.mark(pane, *(Segment(a=places[0], b=q, role=Role.LINK) for q in places[1:]))
-    for joint in st.mech.joints:
-        if isinstance(joint, Prismatic) and link == joint.block:
-            board.mark(
-                pane,
-                Block(at=complex(nominal(desk.at[joint.pin])), along=complex(nominal(desk.guide_line(joint).along))),
-            )
     lettered = {m.label for m in board.marks(pane) if isinstance(m, Point)}
-    for letter, place in zip(letters, places, strict=True):
+    for letter in (letter for letter in desk.mech.link(link).points if letter in desk.at):
         if desk.name(At(letter)) not in lettered:
+            place = complex(nominal(desk.at[letter]))
             board.plot(pane, place, desk.name(At(letter)), Dot.JOINT if letter in pins else Dot.POINT)
-    if len(places) > 1:
-        board.mark(pane, LinkNumber(a=places[0], b=places[1], number=st.mech.number(link)))

@@ -7,22 +7,13 @@ centre, led parallel to the face. With constant radii both are exact, for veloci
 from __future__ import annotations
 
 from ....board.construction import View
+from ....diagram.cams import contact_replaced
+from ....diagram.followers import pressure_angle
 from ....mechanism.groups.assur import Group
-from ....mechanism.model import Circle, Contact, Mechanism, Prismatic
+from ....mechanism.model import Circle, Contact, Prismatic
 from ....words import Words
 from ...desk import Desk
 from ...registry import Stage
-from .follower import pressure_angle
-
-
-def contact_replaced(mech: Mechanism, substitute: str) -> Contact | None:
-    """The contact for which this link stands, if it is such a link."""
-    return next((contact for contact in mech.contacts if contact.substitute == substitute), None)
-
-
-def contacts_of(mech: Mechanism, link: str) -> tuple[Contact, ...]:
-    """The contacts in which a real link takes part."""
-    return tuple(contact for contact in mech.contacts if link in contact.links)
 
 
 def say_replaced(desk: Desk, stage: Stage, group: Group) -> None:
@@ -44,7 +35,7 @@ def letter_contacts(desk: Desk, links: tuple[str, ...]) -> None:
         if set(links) & {*contact.links, contact.substitute} and set(contact.links) <= set(desk.pose):
             desk.letter(contact.point, desk.contact_of(contact))
             desk.board.remark(_found(contact))
-            if not desk.loaded and any(pressure_angle(desk, contact)):
+            if not desk.loaded and any(pressure_angle(desk.posed(), contact)):
                 desk.board.remark(
                     Words(
                         "公法线与从动件受力点运动方向所夹的锐角 $α$ 为压力角。",

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ....board.paper.marks import Mark, Plate, Role, Segment
+from ..board.paper.marks import Mark, Plate, Role, Segment
 
 WELD = 3.0  # mm, sides of the mark of a rigid corner
 

@@ -1,0 +1,81 @@
+"""Gears and racks: pitch circles and pitch lines, each drawn once, when its link is placed."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator, Sequence
+from math import pi
+
+from ..board.paper.marks import FixedGuide, GearMark, LinkNumber, Mark, RackMark, Role, Segment
+from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
+from ..mechanism.pitch_lines import PitchLine, is_along
+from ..problem.problem import Shape
+from .posed import Posed
+
+HALF = 1.3  # of the gear's radius: the rack to either side of the pitch point
+HALF_HATCH = 15.0  # mm: the hatching of a fixed gear to either side
+DEEP = 7.2  # mm from the pitch line to the underside of a rack
+RIM = 2.0  # mm from a ring to its number
+BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
+
+
+def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mark]) -> Iterator[Mark]:
+    """The pitch circle, unless it is on the paper; arms to the pins of a gear that is no bar; its number; the hatching
+    of a fixed one."""
+    centre, radius = posed.at[circle.centre], posed.mm * circle.radius
+    circles = (mark for mark in drawn if isinstance(mark, GearMark))
+    if any(abs(mark.centre - centre) < BESIDE and abs(mark.radius - radius) < BESIDE for mark in circles):
+        return
+    yield GearMark(centre=centre, radius=radius)
+    if circle.link == FRAME:
+        foot, along = centre - 1j * radius, 1.0 if joint.internal else -1.0
+        yield FixedGuide(a=foot + along * -HALF_HATCH, b=foot + along * HALF_HATCH)
+    elif posed.shape(circle.link, Shape.GEAR) is Shape.GEAR:
+        pins = [posed.at[p] for p in posed.body(circle.link).points if p != circle.centre]
+        yield from (Segment(a=centre, b=pin, role=Role.LINK) for pin in pins if abs(pin - centre) > BESIDE)
+        if not any(isinstance(m, LinkNumber) and m.number == posed.name(circle.link) for m in drawn):
+            spot = pins[0] if pins else _beside_ring(centre, radius) if _is_ring(circle, joint) else centre
+            yield LinkNumber(a=centre if pins else spot, b=spot, number=posed.name(circle.link))
+
+
+def rack_marks(posed: Posed, joint: Rolling, rack: Rack) -> Iterator[Mark]:
+    """The pitch line about the pitch point, as far as the rack's own pins; arms to pins beside it."""
+    along = posed.axis(rack.link) * cmath.rect(1.0, rack.direction)
+    foot = posed.pitch_point(joint)
+    half = posed.mm * joint.gear.radius * HALF
+    pins = [] if rack.link == FRAME else posed.spots(rack.link)
+    travels = [float((along.conjugate() * (p - foot)).real) for p in pins]
+    low, high = min(-half, *travels, 0.0), max(half, *travels, 0.0)
+    a, b = foot + along * low, foot + along * high
+    if joint.side != "left":
+        a, b = b, a
+    yield RackMark(a=a, b=b, fixed=rack.link == FRAME)
+    if (slide := guided_rack(posed, rack.link)) is not None:
+        middle = foot + along * float((along.conjugate() * (posed.at[slide.pin] - foot)).real)
+        under = -1j * (b - a) / abs(b - a)
+        ahead = (b - a) / abs(b - a) * HALF_HATCH
+        yield FixedGuide(a=middle - ahead + DEEP * under, b=middle + ahead + DEEP * under)
+    for pin, travel in zip(pins, travels, strict=True):
+        if abs(pin - foot - along * travel) > BESIDE:
+            yield Segment(a=foot + along * travel, b=pin, role=Role.LINK)
+
+
+def guided_rack(posed: Posed, link: str) -> Prismatic | None:
+    """The fixed guide along which this link, a rack, slides on its own pitch line: its body is drawn as the rack's."""
+    rolls = (joint for joint in posed.mech.joints if isinstance(joint, Rolling))
+    rack = next((joint.on for joint in rolls if isinstance(joint.on, Rack) and joint.on.link == link), None)
+    slide = posed.fixed_guide(link)
+    if rack is None or slide is None or not is_along(slide, link, PitchLine(rack.origin, rack.direction)):
+        return None
+    return slide
+
+
+def _is_ring(circle: Circle, joint: Rolling) -> bool:
+    """Whether the circle is the inner teeth of a ring, inside which others are drawn."""
+    other = joint.on if circle is joint.gear else joint.gear
+    return joint.internal and isinstance(other, Circle) and circle.radius > other.radius
+
+
+def _beside_ring(centre: complex, radius: float) -> complex:
+    """A place for a ring's number: just outside, below on the left."""
+    return centre + (radius + RIM) * cmath.rect(1.0, -0.75 * pi)

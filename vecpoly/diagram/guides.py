@@ -1,0 +1,104 @@
+"""What slides and what leads it: slots, rods, fixed guides, blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Role, Segment, Slot
+from ..mechanism.model import FRAME, Prismatic
+from ..problem.problem import Shape
+from .bars import weld
+from .posed import Posed
+
+HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
+BEYOND = 12.0  # mm a rod sticks out behind its block
+HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
+BUSH, PLAY = 8.0, 1.5  # mm: half of a fixed bush in which a rod runs, from the rod to it
+BESIDE = 0.3  # mm: nearer to a line a point stands on it
+ARM = 3.0  # mm: a point farther beside a slot is joined to it by an arm
+
+
+def guide_body(posed: Posed, link: str, joint: Prismatic, shape: Shape) -> Iterator[Mark]:
+    """A slotted link or a rod: from its own points along the guide to a little past the block."""
+    line, own = posed.guide(joint), posed.spots(link)
+    pin = posed.at.get(joint.pin, line.at)
+    yield from _slot(posed, joint, own, pin) if shape is Shape.SLOT else _rod(posed, joint, own, pin)
+
+
+def is_slot(posed: Posed, link: str, joint: Prismatic) -> bool:
+    """Whether a bar guides its block beside its own line, or beyond its ends: then it has a slot there."""
+    if joint.pin not in posed.at:
+        return False
+    line = posed.guide(joint)
+    travels = [line.travel(spot) for spot in posed.spots(link) if abs(line.off(spot)) < BESIDE]
+    return len(travels) < 2 or not min(travels) < line.travel(posed.at[joint.pin]) < max(travels)
+
+
+def link_number(posed: Posed, link: str, shape: Shape, guide: Prismatic | None) -> LinkNumber:
+    """The number of a link beside its line, which is its guide where it has one."""
+    spots = posed.spots(link)
+    a, b = spots[0], spots[1] if len(spots) > 1 else spots[0]
+    if shape in (Shape.SLOT, Shape.ROD) and guide is not None and guide.pin in posed.at:
+        line = posed.guide(guide)
+        a, b = line.foot(spots[0]), line.foot(posed.at[guide.pin])
+        reach = HALF_SLOT if shape is Shape.SLOT else BEYOND
+        if abs(b - a) < reach:  # the block covers it: beside all of the guide that is drawn
+            a, b = b - line.along * reach, b + line.along * reach
+    return LinkNumber(a=a, b=b, number=posed.name(link))
+
+
+def sliding_pair(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
+    """The block on its guide, and the guide where it is fixed."""
+    line, pin = posed.guide(joint), posed.at[joint.pin]
+    middle, along = line.foot(pin), line.along
+    if joint.guide == FRAME:
+        along = -along if _other_side(posed, joint, middle, along) else along
+        under = middle - 1j * along * HALF_BLOCK
+        yield FixedGuide(a=under - along * HALF_SLOT, b=under + along * HALF_SLOT)
+    elif posed.shapes.get(joint.guide) is Shape.ROD and joint.block == FRAME:
+        for way in (along, -along):
+            yield FixedGuide(a=middle - way * complex(BUSH, PLAY), b=middle + way * complex(BUSH, -PLAY))
+        return
+    yield from block_marks(posed, joint, along)
+
+
+def block_marks(posed: Posed, joint: Prismatic, along: complex | None = None) -> Iterator[Mark]:
+    """The block of a sliding pair; an arm to its pin where that stands beside the guide."""
+    line, pin = posed.guide(joint), posed.at[joint.pin]
+    middle = line.foot(pin)
+    yield Block(at=middle, along=along or line.along, on_rod=posed.shapes.get(joint.guide) is Shape.ROD)
+    if abs(pin - middle) > HALF_BLOCK:
+        yield Segment(a=middle, b=pin, role=Role.LINK)
+
+
+def _slot(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> Iterator[Mark]:
+    line = posed.guide(joint)
+    t = line.travel(pin)
+    start, end = line.spot(t - HALF_SLOT), line.spot(t + HALF_SLOT)
+    yield Slot(a=start, b=end)
+    for spot in own:
+        near = min((start, end), key=lambda s: abs(s - spot))
+        near += HALF_BLOCK * (spot - near) / abs(spot - near)  # the rounded end of the slot
+        off = abs(line.off(spot))
+        if abs(line.travel(spot) - t) > HALF_SLOT or off > ARM:
+            yield Segment(a=spot, b=near, role=Role.LINK)
+        if off > ARM:
+            yield weld(near, spot - near, pin - near)
+
+
+def _rod(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> Iterator[Mark]:
+    line = posed.guide(joint)
+    t, feet = line.travel(pin), [line.travel(spot) for spot in own]
+    yield Segment(a=line.spot(min(*feet, t - BEYOND)), b=line.spot(max(*feet, t + BEYOND)), role=Role.LINK)
+    for spot in own:
+        if abs(line.off(spot)) >= BESIDE:
+            foot = line.foot(spot)
+            yield Segment(a=foot, b=spot, role=Role.LINK)
+            yield weld(foot, spot - foot, pin - foot)
+
+
+def _other_side(posed: Posed, joint: Prismatic, middle: complex, along: complex) -> bool:
+    """Whether the sliding link lies to the right of the guide, where its hatching would be."""
+    letters = [*posed.letters(joint.block), *(j.pin for j in posed.slides() if j.guide == joint.block)]
+    spots = [posed.at[letter] for letter in letters if letter in posed.at]
+    return min(((along.conjugate() * (s - middle)).imag for s in spots), default=0.0) < -HALF_BLOCK

@@ -1,0 +1,138 @@
+"""The links of a mechanism with the symbols of GB/T 4460: those of one group at a time, or one link by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..board.paper.marks import Dot, LinkNumber, Mark, Point, Role, Segment
+from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
+from ..names import subscripted
+from ..problem.problem import Shape
+from .bars import bar
+from .cams import cam_body, contact_replaced, contacts_of, guided_follower, thought_guide
+from .cylinders import cylinder_joint, cylinder_part, is_cylinder
+from .followers import face_marks, stem_marks
+from .gears import gear_marks, guided_rack, rack_marks
+from .guides import block_marks, guide_body, is_slot, link_number, sliding_pair
+from .posed import Posed
+
+Owned = tuple[str, tuple[Mark, ...]]  # whose they are ("link 2"), and what is drawn
+
+_NO_BAR = (Shape.GEAR, Shape.PIN, Shape.CYLINDER, Shape.PISTON)
+
+
+def links_drawn(posed: Posed, links: tuple[str, ...], drawn: tuple[Mark, ...] = ()) -> Iterator[Owned]:
+    """The links of one group, just located, beside what is drawn already: bodies, guides, blocks, gears."""
+    paper = list(drawn)
+    for owner, marks in _drawn(posed, links, paper):
+        found = tuple(marks)
+        paper += found
+        yield owner, found
+
+
+def link_alone(posed: Posed, name: str) -> Iterator[Mark]:
+    """One link without its neighbours: its body, its block, its lettered points."""
+    ram = cylinder_joint(posed, name)
+    yield from body(posed, name) if ram is None else cylinder_part(posed, name, ram)
+    if posed.shapes.get(name) not in (Shape.ROD, Shape.PISTON):
+        for joint in (j for j in posed.slides() if j.block == name and not guided_follower(posed, j)):
+            yield from block_marks(posed, joint)
+    for contact in contacts_of(posed.mech, name):
+        if isinstance(contact.on, Rack) and contact.on.link == name:
+            yield from face_marks(posed, contact)
+        if (guide := posed.fixed_guide(name)) is not None:
+            stem = stem_marks(posed, contact, name, guide)
+            yield from (mark for mark in stem if isinstance(mark, Segment) and mark.role is Role.LINK)
+    yield from _teeth(posed, name)
+    thought = contact_replaced(posed.mech, name)
+    if thought is not None and isinstance(thought.on, Rack):
+        yield from thought_guide(posed, thought)
+    hinged = posed.hinged()
+    for letter in posed.body(name).points:
+        if letter in posed.at and not letter.endswith("'"):
+            dot = Dot.JOINT if letter in hinged else Dot.POINT
+            yield Point(at=posed.at[letter], label=subscripted(letter), dot=dot)
+
+
+def _teeth(posed: Posed, name: str) -> Iterator[Mark]:
+    """The pitch circles and pitch lines of one link, each once."""
+    drawn: list[Mark] = []
+    for rolling in (joint for joint in posed.mech.joints if isinstance(joint, Rolling)):
+        for circle in (rolling.gear, rolling.on):
+            if isinstance(circle, Circle) and circle.link == name:
+                drawn += gear_marks(posed, circle, rolling, tuple(drawn))
+        if isinstance(rolling.on, Rack) and rolling.on.link == name:
+            drawn += rack_marks(posed, rolling, rolling.on)
+    yield from drawn
+
+
+def body(posed: Posed, name: str) -> Iterator[Mark]:
+    """The lines of a link with its number; its guide where the block is located too."""
+    shape, spots = posed.shape(name), posed.spots(name)
+    if contacts_of(posed.mech, name):
+        yield from cam_body(posed, posed.body(name))
+        return
+    if shape in _NO_BAR:
+        return
+    if shape is Shape.BLOCK:
+        yield from (Segment(a=spots[0], b=spot, role=Role.LINK) for spot in spots[1:])
+        yield from (LinkNumber(a=spots[0], b=spots[-1], number=posed.name(name)),) if spots else ()
+        return
+    guide = next((joint for joint in posed.slides() if joint.guide == name), None)
+    led = guide is not None and posed.is_located(guide.block)
+    if shape in (Shape.SLOT, Shape.ROD) and guide is not None:
+        yield from guide_body(posed, name, guide, shape) if led else ()
+    elif len(spots) >= 2:
+        yield from bar(spots)
+        if guide is not None and led and is_slot(posed, name, guide):
+            yield from guide_body(posed, name, guide, Shape.SLOT)
+    if len(spots) > 1 or (spots and (guide is None or guide.pin in posed.at)):
+        yield link_number(posed, name, shape, guide)
+
+
+def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[tuple[str, Iterator[Mark]]]:
+    for name in links:
+        yield f"link {name}", body(posed, name)
+    for joint in posed.slides():
+        if _is_late(posed, joint, links):
+            yield f"link {joint.guide}", _late_guide(posed, joint)
+    for joint in posed.slides():
+        if not {joint.guide, joint.block} & set(links):
+            continue
+        if is_cylinder(posed, joint):
+            yield from ((f"link {part}", cylinder_part(posed, part, joint)) for part in (joint.guide, joint.block))
+        elif _has_block(posed, joint):
+            yield f"link {joint.block}", sliding_pair(posed, joint)
+    for rolling in (joint for joint in posed.mech.joints if isinstance(joint, Rolling)):
+        for circle in (rolling.gear, rolling.on):
+            if isinstance(circle, Circle) and _turns_up(circle, rolling, links):
+                yield f"link {circle.link}", gear_marks(posed, circle, rolling, paper)
+        both = {rolling.gear.link, rolling.on.link}
+        if isinstance(rolling.on, Rack) and both & set(links) and posed.is_located(*both):
+            yield f"link {rolling.on.link}", rack_marks(posed, rolling, rolling.on)
+
+
+def _is_late(posed: Posed, joint: Prismatic, links: tuple[str, ...]) -> bool:
+    """Whether it guides, on a link drawn before, a block that is only now located."""
+    outside = joint.guide not in links and joint.guide != FRAME
+    return joint.block in links and outside and not contact_replaced(posed.mech, joint.block)
+
+
+def _late_guide(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
+    link, shape = joint.guide, posed.shape(joint.guide, Shape.SLOT)
+    shape = Shape.SLOT if shape is Shape.BAR and is_slot(posed, link, joint) else shape
+    yield from guide_body(posed, link, joint, shape)
+    if len(posed.body(link).points) == 1:
+        yield link_number(posed, link, shape, joint)
+
+
+def _has_block(posed: Posed, joint: Prismatic) -> bool:
+    """Whether a sliding pair has its block drawn: followers, racks and pins in slots have symbols of their own."""
+    if not posed.is_located(joint.guide, joint.block) or posed.shapes.get(joint.block) is Shape.PIN:
+        return False
+    return not guided_follower(posed, joint) and (joint.guide != FRAME or guided_rack(posed, joint.block) is None)
+
+
+def _turns_up(circle: Circle, joint: Rolling, links: tuple[str, ...]) -> bool:
+    """Whether a gear is to be drawn now: with its link, or, fixed to the frame, with the first that rolls on it."""
+    return circle.link in links or (circle.link == FRAME and joint.gear.link in links)

@@ -1,0 +1,141 @@
+"""A mechanism as it stands on a figure: which letters and links are found, and where. All that symbols need to know."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling, Side
+from ..problem.problem import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A straight line on paper: a point of it (mm), and its direction, a unit vector."""
+
+    at: complex
+    along: complex
+
+    def travel(self, spot: complex) -> float:
+        """How far along the line the foot of a place lies (mm)."""
+        return float((self.along.conjugate() * (spot - self.at)).real)
+
+    def off(self, spot: complex) -> float:
+        """How far a place lies to the left of the line (mm)."""
+        return float((self.along.conjugate() * (spot - self.at)).imag)
+
+    def spot(self, travel: float) -> complex:
+        """The place so far along the line."""
+        return self.at + self.along * travel
+
+    def foot(self, spot: complex) -> complex:
+        """The foot of the perpendicular from a place."""
+        return self.spot(self.travel(spot))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Posed:
+    """Links and letters where they stand on a figure.
+
+    mm: of paper for a metre; at: the letters found so far (mm); located: of every link found so far the place of its
+    origin (mm) and the direction of its x axis, a unit vector; loaded: whether forces follow, so that no pressure angle
+    is marked.
+    """
+
+    mech: Mechanism
+    shapes: Mapping[str, Shape]
+    mm: float
+    at: Mapping[str, complex]
+    located: Mapping[str, tuple[complex, complex]]
+    loaded: bool = False
+    names: Mapping[str, str] = field(default_factory=dict)  # of links that are not told by their own
+
+    def shape(self, link: str, else_: Shape = Shape.BAR) -> Shape:
+        """How the link looks."""
+        return self.shapes.get(link, else_)
+
+    def name(self, link: str) -> str:
+        """The number of the link as printed."""
+        return self.names.get(link, link)
+
+    def body(self, link: str) -> Link:
+        """The link as the mechanism has it."""
+        return self.mech.link(link)
+
+    def spots(self, link: str) -> list[complex]:
+        """The places of the link's letters (mm)."""
+        return [self.at[letter] for letter in self.body(link).points]
+
+    def letters(self, link: str) -> tuple[str, ...]:
+        """Letters of the link: its points and its rolling contacts."""
+        rolls = (joint for joint in self.mech.joints if isinstance(joint, Rolling))
+        return (*self.body(link).points, *(j.point for j in rolls if link in (j.gear.link, j.on.link)))
+
+    def is_located(self, *links: str) -> bool:
+        """Whether all of these have been found; the frame always is."""
+        return set(links) <= {*self.located, FRAME}
+
+    def place(self, link: str, local: complex) -> complex:
+        """A point given in link coordinates (m), on paper."""
+        origin, along = (0j, 1 + 0j) if link == FRAME else self.located[link]
+        return origin + along * self.mm * local
+
+    def axis(self, link: str) -> complex:
+        """The direction of the link's x axis on paper."""
+        return 1 + 0j if link == FRAME else self.located[link][1]
+
+    def line(self, link: str, origin: complex, direction: float) -> Way:
+        """A line of a link on paper."""
+        return Way(self.place(link, origin), self.axis(link) * cmath.rect(1.0, direction))
+
+    def guide(self, joint: Prismatic) -> Way:
+        """The guide of a sliding pair, from whichever of its two links is found."""
+        if self.is_located(joint.guide):
+            return self.line(joint.guide, joint.origin, joint.direction)
+        along = self.axis(joint.block) * cmath.rect(1.0, -joint.turn)
+        pin = self.body(joint.block).points[joint.pin]
+        return Way(self.place(joint.block, pin) - 1j * along * self.mm * joint.offset, along)
+
+    def face(self, contact: Contact) -> Way:
+        """The flat face of a contact."""
+        assert isinstance(contact.on, Rack)
+        return self.line(contact.on.link, contact.on.origin, contact.on.direction)
+
+    def normal(self, contact: Contact) -> complex:
+        """The common normal of a contact: from the disc's centre through the point of contact, into the other link."""
+        if isinstance(contact.on, Rack):
+            return self.face(contact).along * (-1j if contact.side is Side.LEFT else 1j)
+        way = self.at[contact.on.centre] - self.at[contact.disc.centre]
+        return (-way if contact.internal else way) / abs(way)
+
+    def touching(self, contact: Contact) -> complex:
+        """Where the links of a contact touch: the foot of the disc's centre on the face, or on the line of centres."""
+        centre = self.at[contact.disc.centre]
+        if isinstance(contact.on, Rack):
+            return self.face(contact).foot(centre)
+        return centre + self.normal(contact) * self.mm * contact.disc.radius
+
+    def pitch_point(self, joint: Rolling) -> complex:
+        """The pitch point of a rack: the foot of the gear's centre on the pitch line."""
+        assert isinstance(joint.on, Rack)
+        return self.line(joint.on.link, joint.on.origin, joint.on.direction).foot(self.at[joint.gear.centre])
+
+    def slides(self) -> tuple[Prismatic, ...]:
+        """All sliding pairs."""
+        return tuple(joint for joint in self.mech.joints if isinstance(joint, Prismatic))
+
+    def fixed_pivot(self, link: str) -> str:
+        """The letter by which a link is pinned to the frame, if it is."""
+        pins = (joint for joint in self.mech.joints if isinstance(joint, Revolute))
+        return next((joint.point for joint in pins if {joint.a, joint.b} == {link, FRAME}), "")
+
+    def fixed_guide(self, link: str) -> Prismatic | None:
+        """The fixed guide of a translating link, if it has one."""
+        return next((joint for joint in self.slides() if joint.guide == FRAME and joint.block == link), None)
+
+    def hinged(self) -> set[str]:
+        """Letters of the pins that exist, without those of a contact's substitute."""
+        thought = {contact.substitute for contact in self.mech.contacts}
+        pins = (joint for joint in self.mech.joints if isinstance(joint, Revolute))
+        return {joint.point for joint in pins if not {joint.a, joint.b} & thought}
