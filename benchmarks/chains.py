@@ -1,5 +1,5 @@
-"""Sheets of a ten-bar and of chains of four-bars, how they grow, and the plan of thirty dyads: ratios to laying out the
-same marks without letters."""
+"""Sheets of a ten-bar and of chains of four-bars, how they grow, and the plan of thirty dyads:
+ratios to laying out the same marks without letters."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""`vecpoly solve 3-9` from a cold start: CPU time of the process, wall time of its imports, and what it must not
-import."""
+"""`vecpoly solve 3-9` from a cold start:
+CPU time of the process, wall time of its imports, and what it must not import."""
 
 from __future__ import annotations
 

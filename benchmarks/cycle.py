@@ -1,9 +1,8 @@
-"""A whole cycle of A 27 in steps of 0.01° (36,001 positions) against a numpy closed form written by hand, and its
-memory.
+"""A whole cycle of A 27 in steps of 0.01° (36,001 positions) against a numpy closed form written by hand,
+and its memory.
 
 Both give angle (ours without jumps), ω, α of the slotted link, the slider's distance, ω and α of coupler and follower;
-they run in turn, and the
-ratio is that of the least CPU times. Run: python -m benchmarks.cycle
+they run in turn, and the ratio is that of the least CPU times. Run: python -m benchmarks.cycle
 """
 
 from __future__ import annotations

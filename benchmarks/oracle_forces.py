@@ -1,11 +1,9 @@
 """The oracle of forces over a whole cycle, with friction, against a frictionless numpy closed form written by hand.
 
-Slider-crank of exercise 4-3 at 3,601 positions, F drives one way and resists the other: the oracle
-gives the moment on the crank and the three reactions with friction circles at A, B, C and the friction angle in the
-guide
-(and the frictionless ones besides), the closed form gives the frictionless ones. Both run in turn, many times; the
-ratio is
-that of the least CPU times. Run: python -m benchmarks.oracle_forces
+Slider-crank of exercise 4-3 at 3,601 positions, F drives one way and resists the other: the oracle gives the moment on
+the crank and the three reactions with friction circles at A, B, C and the friction angle in the guide (and the
+frictionless ones besides), the closed form gives the frictionless ones. Both run in turn, many times; the ratio is that
+of the least CPU times. Run: python -m benchmarks.oracle_forces
 """
 
 from __future__ import annotations

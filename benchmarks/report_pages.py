@@ -1,8 +1,7 @@
 """A warm solution report of 3-9 against the same pages drawn straight on a reportlab canvas, with no layout at all.
 
 The floor draws what was read back from the finished report: every word at its place in its own embedded face, every
-line and
-filled shape. It solves nothing, chooses no place, breaks no line.
+line and filled shape. It solves nothing, chooses no place, breaks no line.
 """
 
 from __future__ import annotations

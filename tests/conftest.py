@@ -28,8 +28,8 @@ LAST = pytest.StashKey[bool]()
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """A test that was skipped in CI has failed: what it needs was to be installed. So has one that asserted nothing for
-    any of its parameters."""
+    """A test that was skipped in CI has failed: what it needs was to be installed.
+    So has one that asserted nothing for any of its parameters."""
     report = _no_skip((yield))
     if (
         report.passed
@@ -66,8 +66,8 @@ def pytest_assertion_pass(item: pytest.Item) -> None:
 
 
 def _look_away() -> None:
-    """Until the next test: telling of an assertion that holds writes out all its values, which takes half the time of
-    the suite."""
+    """Until the next test: telling of an assertion that holds writes out all its values,
+    which takes half the time of the suite."""
     util._assertion_pass = None
 
 

@@ -1,5 +1,5 @@
-"""Every problem of the library drawn once by the exact hand, for claims about what stands on the paper and in the
-steps."""
+"""Every problem of the library drawn once by the exact hand,
+for claims about what stands on the paper and in the steps."""
 
 from __future__ import annotations
 

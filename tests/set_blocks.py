@@ -1,5 +1,5 @@
-"""Blocks of a report set on a canvas that remembers: what stands where, in points from the block's lower left
-corner."""
+"""Blocks of a report set on a canvas that remembers:
+what stands where, in points from the block's lower left corner."""
 
 from __future__ import annotations
 

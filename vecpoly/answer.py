@@ -137,8 +137,8 @@ def place_of(at: complex) -> list[float]:
 
 
 def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:
-    """A point (m) of the line of action, the sense of its moment about the pin where it touches a friction circle, a
-    slide's couple (N·m)."""
+    """A point (m) of the line of action,
+    the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
     if acts is None:
         return {}
     couple = {} if acts.couple is None else {f"{which}couple": acts.couple}

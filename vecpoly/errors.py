@@ -1,8 +1,7 @@
 """One error root; every error also refines the built-in error a Python user would expect.
 
 What is refused is data first (`Fault`: a code, a place, a path, the numbers that disagree), then a text in Chinese and
-in
-English. `str(error)` is the English text; `error.words.of("zh")` the Chinese one.
+in English. `str(error)` is the English text; `error.words.of("zh")` the Chinese one.
 """
 
 from __future__ import annotations
@@ -204,8 +203,8 @@ class ReportTemplateError(VecpolyError, ValueError):
 
 
 class FaultError(ValueError):
-    """One thing wrong in a file, at a path below the one being read; the reader collects these into one
-    ProblemFileError."""
+    """One thing wrong in a file, at a path below the one being read;
+    the reader collects these into one ProblemFileError."""
 
     def __init__(
         self, text: Words | str, *path: str | int, code: str = "value", numbers: Numbers | None = None

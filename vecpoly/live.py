@@ -1,5 +1,5 @@
-"""A drawing that follows its problem while somebody drags it about: scales are held, and letters carried on from where
-they stood."""
+"""A drawing that follows its problem while somebody drags it about:
+scales are held, and letters carried on from where they stood."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ Name = tuple[str, str]  # of a figure: its kind, and which of several
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Redrawn:
-    """What stands on the paper now: the problem, its construction, the scene of each figure (mm), and where its letters
-    stand.
+    """What stands on the paper now: the problem, its construction,
+    the scene of each figure (mm), and where its letters stand.
 
     Nothing here has been weighed against exact values: `check` does that.
     """
@@ -42,8 +42,8 @@ class Redrawn:
 
 
 def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> Redrawn:
-    """Draw a problem that differs a little from the one drawn last: at its scales, by its hand, with its letters where
-    they were if they may stay.
+    """Draw a problem that differs a little from the one drawn last:
+    at its scales, by its hand, with its letters where they were if they may stay.
 
     Of a problem with another structure only the scales are held. Raises AssemblyError, DeadPointError, NoMethodError as
     `solve` does; what

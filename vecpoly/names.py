@@ -133,8 +133,7 @@ class Named:
     """A quantity with a name of its own: a load F, a reaction R_12, an efficiency eta, a limit angle.
 
     key: ASCII; symbol: the textbook's, in the notation of `formula` (``R_{12}``, ``η``); unit: as printed. SI
-    throughout,
-    except a unit `deg`, whose value is in degrees, `mm` and `kW`. sort: what it belongs to.
+    throughout, except a unit `deg`, whose value is in degrees, `mm` and `kW`. sort: what it belongs to.
     """
 
     key: str

@@ -36,8 +36,8 @@ REPEATS = 200  # repeated hands behind every expected drawing error
 
 
 def plain(data: Any) -> Any:
-    """The data for JSON: null for what is not finite, and twelve digits, behind which a float holds only its own
-    rounding."""
+    """The data for JSON: null for what is not finite, and twelve digits,
+    behind which a float holds only its own rounding."""
     match data:
         case dict():
             return {key: plain(value) for key, value in data.items()}
@@ -109,9 +109,8 @@ def solve(
     somebody else: the construction goes on with them, and all that follows is drawn anew. slip: the solution of
     somebody who makes this mistake. sketch: of this problem by an exact hand (`methods.plan.sketched`), where there is
     one already. precise: also find how many digits the exact values keep, and which statements decide nothing; else the
-    former is done only where something is suspect.
-    Raises AssemblyError, DeadPointError, MobilityError, NoMethodError; UnknownNameError where nothing of that name is
-    read or found.
+    former is done only where something is suspect. Raises AssemblyError, DeadPointError, MobilityError, NoMethodError;
+    UnknownNameError where nothing of that name is read or found.
     """
     of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
     task = task_of(problem)

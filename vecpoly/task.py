@@ -1,8 +1,8 @@
 """A task: what is given, what is asked, what is drawn, what checks it. All problems come through this one door.
 
-A sort of problem is told by its subject. Three files make one: the subject's data (`devices/`, or any `Subject`),
-how it is drawn (`methods/tasks/`, registered by `@draws`), and what is known of it from elsewhere (`check/truths/`,
-registered by `@knows`).
+A sort of problem is told by its subject. Three files make one: the subject's data (`devices/`, or any `Subject`), how
+it is drawn (`methods/tasks/`, registered by `@draws`),
+and what is known of it from elsewhere (`check/truths/`, registered by `@knows`).
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ class Task:
         return self.drawing.turning
 
     def draw(self, by: Hand, amended: Amended, sketch: Desk | None = None) -> Drawn:
-        """The construction, each figure as large as its place on the sheet allows; sketch: of this problem, where there
-        is one."""
+        """The construction, each figure as large as its place on the sheet allows;
+        sketch: of this problem, where there is one."""
         return self.drawing.draw(self.problem, by, A4Paper(self.problem.orientation == "landscape"), amended, sketch)
 
 

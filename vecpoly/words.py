@@ -44,7 +44,7 @@ def language() -> Lang:
 
 
 def label(problem_id: str) -> Words:
-    """题 4-3a / Problem 4-3a: what a numbered exercise is called; nothing for an id that is a name, which its title
-    says better."""
+    """题 4-3a / Problem 4-3a: what a numbered exercise is called;
+    nothing for an id that is a name, which its title says better."""
     found = re.match(r"\d+-\d+[a-z]?(?![a-z])", problem_id)
     return Words(f"题 {found[0]}", f"Problem {found[0]}") if found else Words.same("")

@@ -1,5 +1,5 @@
-"""The sheet remembers acts: marks follow from them, what rests on what is a query on them, and each can be done
-otherwise."""
+"""The sheet remembers acts: marks follow from them, what rests on what is a query on them,
+and each can be done otherwise."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""One segment is read once, and a vector that was computed is not read at all: steps, table and answers show one
-number."""
+"""One segment is read once, and a vector that was computed is not read at all:
+steps, table and answers show one number."""
 
 from __future__ import annotations
 

@@ -174,8 +174,8 @@ def test_links_at_rest_relative_to_each_other_keep_their_centre(name: str, phi: 
 
 
 def test_the_centre_of_links_at_rest_relative_to_each_other_is_where_it_comes_from() -> None:
-    """Slider at its dead point: rod and crank in line; centres a moment before and after lie on both sides, one
-    millionth away."""
+    """Slider at its dead point: rod and crank in line;
+    centres a moment before and after lie on both sides, one millionth away."""
     here, soon = (at("D-2", phi, "centres").problem.mechanism for phi in (0.0, 0.001))
     for pair in link_pairs(here):
         now, then = Centres(here).place(*pair), Centres(soon).place(*pair)

@@ -1,5 +1,5 @@
-"""The table of answers prints what the solution holds: length on paper, drawn, exact, deviation, expected error, in the
-unit of its line."""
+"""The table of answers prints what the solution holds:
+length on paper, drawn, exact, deviation, expected error, in the unit of its line."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The big homework: every whole-cycle column of the assignments against the truth tables, and problem 30 against a
-solution of its own."""
+"""The big homework: every whole-cycle column of the assignments against the truth tables,
+and problem 30 against a solution of its own."""
 
 from __future__ import annotations
 
@@ -139,8 +139,8 @@ def meet(p: complex, q: complex, r: float, s: float, left: bool) -> complex:
 def ten_bar(
     phi: float, left: bool, g_left: bool, k_left: bool, e_left: bool = True, m_left: bool = True
 ) -> dict[str, complex]:
-    """Problem 30 by ruler and compasses: frame from its distances, then circle by circle (mm); B lies opposite the
-    crank's angle φ."""
+    """Problem 30 by ruler and compasses: frame from its distances, then circle by circle (mm);
+    B lies opposite the crank's angle φ."""
     h, f, a = 0j, 310 + 0j, 542.3 + 41.5j
     d = meet(h, f, 363, 200, True)
     k = meet(d, f, 54, 218, k_left)

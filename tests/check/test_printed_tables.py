@@ -663,8 +663,8 @@ def test_the_command_refuses_in_one_line(words: Sequence[object], told: str) -> 
 @pytest.mark.parametrize("name", ["A-27", "3-4a", "4-3a", "4-5", "C-inertia", "lift-gate"])
 @pytest.mark.parametrize("form", ["csv", "zh.xlsx", "en.xlsx"])
 def test_a_table_that_vecpoly_writes_is_read_again_column_by_column(name: str, form: str, tmp_path: Path) -> None:
-    """Words above symbols above units; places without an answer at the end of a row; an end of the drive's range in
-    fifteen digits."""
+    """Words above symbols above units; places without an answer at the end of a row;
+    an end of the drive's range in fifteen digits."""
     problem = load(name)
     made = table(cycle(problem, 25))
     path = tmp_path / form

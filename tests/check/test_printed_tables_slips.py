@@ -1,5 +1,5 @@
-"""Slips put into the exact tables of many mechanisms: the right one is named, coarse or noisy numbers lead to no wrong
-one."""
+"""Slips put into the exact tables of many mechanisms:
+the right one is named, coarse or noisy numbers lead to no wrong one."""
 
 from __future__ import annotations
 
@@ -65,8 +65,8 @@ def exact(problem: str) -> Columns:
 
 @pytest.fixture
 def against(tmp_path: Path) -> Callable[..., TableCheck]:
-    """Write a table with so many significant digits (of each column's largest true number), the last of them unsure,
-    and check it."""
+    """Write a table with so many significant digits (of each column's largest true number),
+    the last of them unsure, and check it."""
 
     def check(problem: str, table: Columns, digits: int = 5, noise: int = 0, seed: int = 0) -> TableCheck:
         rng, texts = np.random.default_rng(seed), []

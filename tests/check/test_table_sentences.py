@@ -1,5 +1,5 @@
-"""Claims about what is said of a printed table: each sentence on columns made by hand, where the right words are
-known."""
+"""Claims about what is said of a printed table:
+each sentence on columns made by hand, where the right words are known."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Chapters 8 and 9 of the course report: what they say of full rotation, limits, peaks and transmission angles is true
-of the mechanism."""
+"""Chapters 8 and 9 of the course report: what they say of full rotation,
+limits, peaks and transmission angles is true of the mechanism."""
 
 from __future__ import annotations
 
@@ -98,8 +98,8 @@ def test_at_a_limit_crank_and_coupler_are_in_one_line(name: str) -> None:
 
 
 def test_limits_of_later_groups_have_their_reasons() -> None:
-    """At every limit of A-26's link 5 the coupler's pin moves at right angles to it; the six-bar's slider stands
-    because its rocker does."""
+    """At every limit of A-26's link 5 the coupler's pin moves at right angles to it;
+    the six-bar's slider stands because its rocker does."""
     it = studied("A-26")
     swing = next(s for s in it.facts.swings if s.key == "phi_5")
     for spot in (*swing.maxima, *swing.minima):

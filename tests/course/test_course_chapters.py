@@ -1,5 +1,5 @@
-"""The course report beyond class II and one exercise: class III loops, links told from their pivots, assumed speeds,
-worked numbers, checks."""
+"""The course report beyond class II and one exercise:
+class III loops, links told from their pivots, assumed speeds, worked numbers, checks."""
 
 from __future__ import annotations
 

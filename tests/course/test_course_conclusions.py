@@ -45,8 +45,8 @@ def said(name: str) -> str:
 
 
 def test_the_analysis_of_unlike_numbers_is_not_alike_and_of_like_numbers_not_unlike() -> None:
-    """A-26: l_BC = l_CD make ω2, ω3 and α2, α3 mirror images of each other; what is said of the one is said of the
-    other."""
+    """A-26: l_BC = l_CD make ω2, ω3 and α2, α3 mirror images of each other;
+    what is said of the one is said of the other."""
     told = {one.key: one for one in causes(studied("A-26"), conditioning(studied("A-26")))}
     for stem in ("omega", "alpha"):
         two, three = told[f"{stem}_2"], told[f"{stem}_3"]
@@ -133,8 +133,8 @@ find: [omega_5]
 
 
 def test_lengths_with_which_the_next_group_cannot_be_assembled_are_not_advised() -> None:
-    """B-24 with l_BC = l_CD = 64.16 mm, E on link 2 left either beside C or beside B: the oracle cannot assemble it all
-    round."""
+    """B-24 with l_BC = l_CD = 64.16 mm, E on link 2 left either beside C or beside B:
+    the oracle cannot assemble it all round."""
     text = "".join(w.zh for g in conditioning(studied("B-24")) for w in advice(studied("B-24"), g))
     shares = re.search(r"有 (\d+) %～(\d+) % 的位置不能装配", text)
     assert shares and "须同时改变后续杆组" in text

@@ -1,5 +1,5 @@
-"""Forces over the cycle and in the course report: who drives where, where friction locks, and equations that the oracle
-obeys."""
+"""Forces over the cycle and in the course report:
+who drives where, where friction locks, and equations that the oracle obeys."""
 
 from __future__ import annotations
 
@@ -96,8 +96,8 @@ def test_the_duties_cover_the_turn_and_agree_with_the_powers_everywhere(turn: Cy
 
 
 def test_the_self_locking_ranges_of_4_3_are_told_to_full_accuracy() -> None:
-    """They begin where no moment is left, η = 0, and end at the dead points, where the slider turns back (the oracle
-    calls 1e-9 of a rate rest)."""
+    """They begin where no moment is left, η = 0, and end at the dead points,
+    where the slider turns back (the oracle calls 1e-9 of a rate rest)."""
     turn = cycle(load("4-3a"))
     first, drive, second, back = duties(turn)
     assert [d.cause for d in (first, drive, second, back)] == [Cause.LOCKED, Cause.NONE, Cause.LOCKED, Cause.NONE]
@@ -137,8 +137,8 @@ def test_the_printed_equations_of_equilibrium_hold_for_the_oracle_s_forces(name:
 
 
 def environment(it: Study, made: ForceModel, phi: np.ndarray) -> tuple[dict[str, Any], Any]:
-    """Every symbol of the equations: the motion by the printed formulas, the forces by the oracle; and the largest
-    force."""
+    """Every symbol of the equations: the motion by the printed formulas, the forces by the oracle;
+    and the largest force."""
     statics = sample(it.mech, it.problem.loads, phi).statics
     env: dict[str, Any] = dict(it.model.values(phi))
     for equation in (*made.normals, *made.inertia):
@@ -250,8 +250,8 @@ BENDS = {
 
 @pytest.mark.parametrize("key", BENDS)
 def test_a_top_at_a_bend_or_beside_a_sliver_without_equilibrium_is_found_where_it_is(key: str) -> None:
-    """η bends where the slide changes the side of its guide; a locked stretch and the answers beside it lie 1e-7 rad
-    apart."""
+    """η bends where the slide changes the side of its guide;
+    a locked stretch and the answers beside it lie 1e-7 rad apart."""
     ab, rod, away, rate, circles, f, direction = BENDS[key]
     friction = Friction(pins=dict(zip("ABC", circles, strict=True)), slides={("3", "0"): f})
     force = Force(name="F", link="3", point="C", direction=direction, size=500.0)

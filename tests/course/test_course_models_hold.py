@@ -69,8 +69,8 @@ def near(mech: Mechanism) -> np.ndarray:
 
 
 def vectors(mech: Mechanism, printed: Model) -> Iterator[Vectors]:
-    """(what, by the formulas, by the oracle) of every letter's place and rates, and of every link's, that the formulas
-    tell."""
+    """(what, by the formulas, by the oracle) of every letter's place and rates,
+    and of every link's, that the formulas tell."""
     env, exact = printed.values(near(mech)), oracle.solve(mech, near(mech))
     for letter in {letter for link in mech.links for letter in link.points} - {*mech.frame}:
         for x, y, there in (

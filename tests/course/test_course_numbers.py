@@ -1,5 +1,5 @@
-"""The numbers of chapters 4 and 7 of a course report hold: every printed substitution, every change of a given
-dimension."""
+"""The numbers of chapters 4 and 7 of a course report hold:
+every printed substitution, every change of a given dimension."""
 
 from __future__ import annotations
 
@@ -69,8 +69,8 @@ class Recorder(Press):
 
 
 def keyed(node: Node, told: Callable[[float, bool], str]) -> str:
-    """A printed formula as it is keyed into a pocket calculator; told: what is keyed in for a number, which may be an
-    angle."""
+    """A printed formula as it is keyed into a pocket calculator; told:
+    what is keyed in for a number, which may be an angle."""
     match node:
         case Txt(text):
             return (
@@ -177,8 +177,8 @@ def test_shares_are_of_the_extremes_told_elsewhere() -> None:
 
 
 def test_the_given_dimensions_are_those_of_the_problem_file() -> None:
-    """l_CE and the angle at C, not the l_BE and β that the formulas use; pivots by both coordinates, but for the
-    drive's."""
+    """l_CE and the angle at C, not the l_BE and β that the formulas use;
+    pivots by both coordinates, but for the drive's."""
     symbols = [d.name.en for d in given_dimensions(studied("B-24").problem.mechanism)]
     assert symbols == [
         "$l_{AB}$",

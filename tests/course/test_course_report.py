@@ -55,8 +55,8 @@ def test_the_library_has_every_kind_of_dyad_and_a_held_gear() -> None:
 
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_the_printed_formulas_give_the_oracle_s_motion(name: str) -> None:
-    """Places, angles, velocities, accelerations of every letter and link, at forty random positions; away from dead
-    points."""
+    """Places, angles, velocities, accelerations of every letter and link, at forty random positions;
+    away from dead points."""
     it = studied(name)
     share = np.random.default_rng(1).uniform(0.01, 0.99, 40)
     phi = it.whole.low + share * (it.whole.high - it.whole.low)

@@ -1,5 +1,5 @@
-"""What a course report tells in words and draws in axes is what the oracle has: extremes, strokes, angles, curves,
-scales."""
+"""What a course report tells in words and draws in axes is what the oracle has:
+extremes, strokes, angles, curves, scales."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about plots: where the dots of a curve stand, where letters go, how wide the paper is, what is drawn of a
-path."""
+"""Claims about plots: where the dots of a curve stand, where letters go,
+how wide the paper is, what is drawn of a path."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about whole cycles: continuous angles, rates as derivatives, exact extremes, strokes, paths, tables,
-curves."""
+"""Claims about whole cycles: continuous angles, rates as derivatives,
+exact extremes, strokes, paths, tables, curves."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ rates = st.sampled_from([10.0, -7.0])
 
 @st.composite
 def four_bars(draw: st.DrawFn) -> Mechanism:
-    """Four-bars whose shortest link turns right round, as crank (crank-rocker) or as frame (double crank), not near a
-    change point."""
+    """Four-bars whose shortest link turns right round,
+    as crank (crank-rocker) or as frame (double crank), not near a change point."""
     short, bars = 0.05, [draw(st.floats(0.09, 0.2)) for _ in range(2)]
     longest = (
         draw(st.floats(max(bars), sum(bars) - short - 0.02)) if sum(bars) - short - 0.02 > max(bars) else max(bars)

@@ -1,5 +1,5 @@
-"""Claims about columns that break off, jump or run away, about mechanisms that do not come back, and about change
-points."""
+"""Claims about columns that break off, jump or run away,
+about mechanisms that do not come back, and about change points."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about extremes that are sharper than any grid: near change points, near dead points, on a slide that is long
-against its links."""
+"""Claims about extremes that are sharper than any grid:
+near change points, near dead points, on a slide that is long against its links."""
 
 from __future__ import annotations
 

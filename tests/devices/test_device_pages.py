@@ -1,5 +1,5 @@
-"""What the solution sheets of devices must say: errata without printed answers, formulas that agree with the drawing,
-verdicts on self-locking."""
+"""What the solution sheets of devices must say:
+errata without printed answers, formulas that agree with the drawing, verdicts on self-locking."""
 
 from __future__ import annotations
 

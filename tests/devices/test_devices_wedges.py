@@ -1,5 +1,5 @@
-"""Claims about wedges, inclined planes, wedge clamps and ring springs: the cases, the drawing against the oracle, laws,
-refusals."""
+"""Claims about wedges, inclined planes, wedge clamps and ring springs:
+the cases, the drawing against the oracle, laws, refusals."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""At a compound hinge one link carries the pin, whatever the numbers of the links; every other link presses on that
-one."""
+"""At a compound hinge one link carries the pin, whatever the numbers of the links;
+every other link presses on that one."""
 
 from __future__ import annotations
 
@@ -155,8 +155,8 @@ def test_any_numbering_of_the_links_gives_the_same_physics(seed: int) -> None:
 
 
 def _named(text: str, numbers: dict[str, str]) -> dict[str, complex]:
-    """What is asked where nothing is said, drawn, by the links' own names, each pair in one order; nothing where the
-    program declines."""
+    """What is asked where nothing is said, drawn, by the links' own names, each pair in one order;
+    nothing where the program declines."""
     own = {number: name for name, number in numbers.items()}
     try:
         forces = exact_hand(text).construction.forces

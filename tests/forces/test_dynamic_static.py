@@ -1,5 +1,5 @@
-"""Groups loaded on both links: the drawn polygon, virtual power and the lever agree with a linear solve written here,
-and with the oracle."""
+"""Groups loaded on both links:
+the drawn polygon, virtual power and the lever agree with a linear solve written here, and with the oracle."""
 
 from __future__ import annotations
 
@@ -196,8 +196,8 @@ def drawn(mech: Mechanism, loads: Loads, by: str = "exact", repeats: int = 0) ->
 
 
 def own_solve(mech: Mechanism, loads: Loads) -> tuple[dict[str, complex], float]:
-    """Reactions (N, force of the first link on the second by printed numbers), the balancing moment, and the system's
-    condition."""
+    """Reactions (N, force of the first link on the second by printed numbers),
+    the balancing moment, and the system's condition."""
     motion = oracle.solve(mech)
     at = {p: complex(motion.value(parse_rel(f"p_{p}"))) for li in mech.links for p in li.points} | dict(mech.frame)
     names = [li.name for li in mech.links]

@@ -1,5 +1,5 @@
-"""Forces on paper: friction circles, bodies, narrow angles, and many figures on few sheets, readable in both
-languages."""
+"""Forces on paper: friction circles, bodies, narrow angles,
+and many figures on few sheets, readable in both languages."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A pin in a slot presses on the side of the slot: R_ij of the two links; the block that kinematics thinks there is
-named nowhere."""
+"""A pin in a slot presses on the side of the slot: R_ij of the two links;
+the block that kinematics thinks there is named nowhere."""
 
 from __future__ import annotations
 

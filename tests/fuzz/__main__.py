@@ -1,5 +1,5 @@
-"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --kills N: damage, kill, and a table of what came
-of it."""
+"""python -m tests.fuzz --files N --seed S [--report] | --tables N | --kills N:
+damage, kill, and a table of what came of it."""
 
 from __future__ import annotations
 

@@ -16,8 +16,8 @@ from .mutants import mutant
 
 
 def good_files(rng: np.random.Generator, each: int) -> list[str]:
-    """The problem files of the library, and so many members of each random family that is made without solving
-    others."""
+    """The problem files of the library,
+    and so many members of each random family that is made without solving others."""
     made = [
         member(one, int(rng.integers(10**6)), n)
         for one in families()

@@ -1,5 +1,5 @@
-"""kill -9 at a random moment of a run that writes: afterwards outputs are whole or absent, inputs untouched, nothing
-else lies about."""
+"""kill -9 at a random moment of a run that writes:
+afterwards outputs are whole or absent, inputs untouched, nothing else lies about."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
 """Worker processes with a limit of time: a worker that hangs is ended, and another takes its place.
 
 A hang is told by the time that the processor spends on the task, which does not depend on what else the machine does;
-the clock on the
-wall only catches what sleeps.
+the clock on the wall only catches what sleeps.
 """
 
 from __future__ import annotations

@@ -250,8 +250,8 @@ def class_iii_parallel(rng: np.random.Generator) -> str:
 
 @family("class-iii-special", often=4)
 def class_iii_special(rng: np.random.Generator) -> str:
-    """Three bars, two of them parallel or nearly so, or one pointing at another's pin: the special point is far, or
-    that pin."""
+    """Three bars, two of them parallel or nearly so, or one pointing at another's pin:
+    the special point is far, or that pin."""
     lay = Layout(rng)
     drive, start, way = crank(lay), complex(rng.uniform(40, 140), rng.uniform(60, 200)), lay.way()
     pins = [lay.near(start, 70) for _ in range(3)]

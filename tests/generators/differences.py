@@ -1,8 +1,7 @@
 """Velocities and accelerations by central differences of the oracle's positions: a check that knows no Jacobian.
 
 v = p'(s) ṡ and a = p''(s) ṡ² + p'(s) s̈ with s the drive's position; p' and p'' from five positions, twice, with steps
-of
-which one is half the other, so that the differences tell their own error.
+of which one is half the other, so that the differences tell their own error.
 """
 
 from __future__ import annotations
@@ -32,8 +31,8 @@ _SECOND = np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) / 12
 
 
 def against_differences(mech: Mechanism, solution: Solution) -> str:
-    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step; "" where
-    none does."""
+    """The first velocity, acceleration, ω or α of the answers that the differences contradict at every step;
+    "" where none does."""
     wrong = ""
     for step in STEPS:
         wrong = _contradicted(mech, solution, step)

@@ -1,5 +1,5 @@
-"""Drives between two moving links: cylinders in all positions, with groups behind them, and a motor in a hinge between
-two links."""
+"""Drives between two moving links: cylinders in all positions,
+with groups behind them, and a motor in a hinge between two links."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def _rates(rng: np.random.Generator) -> str:
 
 
 def _pair(rng: np.random.Generator, near: str, far: str, d: str, c: str) -> tuple[str, str, str]:
-    """The two links of a cylinder and their joint: cylinder and piston, a rod through a block, or the cylinder turned
-    end for end."""
+    """The two links of a cylinder and their joint:
+    cylinder and piston, a rod through a block, or the cylinder turned end for end."""
     forms = [
         (f"  {near}: {{cylinder: {d}}}\n  {far}: {{piston: {c}}}\n", f"{far} slides in {near}"),
         (f"  {near}: {{piston: {d}}}\n  {far}: {{cylinder: {c}}}\n", f"{near} slides in {far}"),
@@ -133,8 +133,8 @@ find: [v_C, a_C, omega_1, omega_2, alpha_1, alpha_2]
 
 @family("cylinder-inside", often=4)
 def inside(rng: np.random.Generator) -> str:
-    """A cylinder between two moving links of a four-bar: crank and rocker, crank and coupler, coupler and rocker, frame
-    and coupler."""
+    """A cylinder between two moving links of a four-bar:
+    crank and rocker, crank and coupler, coupler and rocker, frame and coupler."""
     phi, ab, bc = rng.uniform(0, 2 * np.pi), rng.integers(60, 250), rng.integers(100, 300)
     b, d = ab * np.exp(1j * phi), 300 + 0j
     bent = rng.uniform(0, 2 * np.pi)
@@ -261,8 +261,8 @@ find: [{find}]
 
 @family("offset-slot-drives")
 def offset_slot(rng: np.random.Generator) -> str:
-    """A turning slot beside its pin leads the pin of a bar, or a block with a bar; which assembly a rough place
-    tells."""
+    """A turning slot beside its pin leads the pin of a bar, or a block with a bar;
+    which assembly a rough place tells."""
     phi, left, d = rng.uniform(0, 2 * np.pi), rng.integers(-60, 60), complex(*rng.integers(-150, 150, 2))
     along = rng.integers(-200, 200)
     b = (along + 1j * left) * np.exp(1j * phi)

@@ -1,12 +1,10 @@
 """A third party for forces: Newton and Euler for every free body, from the exported reactions and from positions alone.
 
 The reactions are those that `solve --json` writes under `forces`; velocities and accelerations are central differences
-of the
-oracle's positions. It knows neither the oracle's equations of equilibrium nor the construction. For each body ΣF − m a
-= 0 and
-ΣM − J α = 0; at a pin with friction the reaction touches the friction circle on the side that opposes the turning, in a
-slide or at a
-contact it leans by φ against the sliding; without friction the powers of all loads and inertia forces sum to zero.
+of the oracle's positions. It knows neither the oracle's equations of equilibrium nor the construction. For each body ΣF
+− m a = 0 and ΣM − J α = 0; at a pin with friction the reaction touches the friction circle on the side that opposes the
+turning, in a slide or at a contact it leans by φ against the sliding;
+without friction the powers of all loads and inertia forces sum to zero.
 """
 
 from __future__ import annotations
@@ -195,8 +193,8 @@ def _given(moving: Moving, loads: Loads, forces: dict[str, Any], name: str, way:
 
 
 def _thrust(moving: Moving, load: Force, size: float) -> Push:
-    """On the rod away from the barrel's pin, on the barrel (negative) the other way; both in the line of the two
-    pins."""
+    """On the rod away from the barrel's pin, on the barrel (negative) the other way;
+    both in the line of the two pins."""
     foot, head = (
         moving.place(link, moving.mech.link(link).points[letter])
         for link, letter in ((load.against, load.foot), (load.link, load.point))
@@ -214,8 +212,8 @@ def _load(moving: Moving, load: Load, size: float) -> Push:
 
 
 def _laws(moving: Moving, loads: Loads, forces: dict[str, Any], way: str) -> Iterator[str]:
-    """Pins whose reaction does not touch its friction circle as it should, slides in which it does not lean as it
-    should."""
+    """Pins whose reaction does not touch its friction circle as it should,
+    slides in which it does not lean as it should."""
     mech = moving.mech
     for joint in mech.joints:
         if isinstance(joint, Revolute) and {joint.a, joint.b} <= {*_links(mech), FRAME}:
@@ -243,8 +241,8 @@ def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, wa
 
 
 def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
-    """A pin in a slot: the force passes through the pin, which is fixed in the link beside the thought block, and leans
-    like that of a slide."""
+    """A pin in a slot: the force passes through the pin,
+    which is fixed in the link beside the thought block, and leans like that of a slide."""
     mech, guide = moving.mech, moving.mech.number(joint.guide)
     carriers = [
         one

@@ -1,5 +1,5 @@
-"""Families of random problems: a function registered by `family` writes the text of one; adding the file adds the
-family."""
+"""Families of random problems: a function registered by `family` writes the text of one;
+adding the file adds the family."""
 
 from __future__ import annotations
 

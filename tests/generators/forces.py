@@ -1,5 +1,5 @@
-"""Random force problems: mechanisms of class II groups in any numbering, with loads, masses, weights, inertia and
-friction."""
+"""Random force problems: mechanisms of class II groups in any numbering,
+with loads, masses, weights, inertia and friction."""
 
 from __future__ import annotations
 
@@ -151,8 +151,8 @@ def couples(rng: np.random.Generator) -> str:
 
 @family("forces-friction", also=in_equilibrium)
 def with_friction(rng: np.random.Generator) -> str:
-    """Loads against friction everywhere; bars with many compound hinges, or any groups; inertia, or none; balanced on
-    the crank, or elsewhere."""
+    """Loads against friction everywhere; bars with many compound hinges, or any groups;
+    inertia, or none; balanced on the crank, or elsewhere."""
     c = simple(rng, (rrr, rrp) if rng.random() < 0.4 else None)
     link = "L0" if rng.random() < 0.7 else str(rng.choice(list(c.links)))
     further = masses(c) if rng.random() < 0.3 else ""

@@ -1,8 +1,8 @@
-"""Random mechanisms with gears: a driven crank or gear, then gears on arms, couplers and pivots, racks, planets,
-trains, dyads on crank pins.
+"""Random mechanisms with gears: a driven crank or gear, then gears on arms,
+couplers and pivots, racks, planets, trains, dyads on crank pins.
 
-Every mechanism is grown at its given position: a new link is put where it pleases, and its lengths, radii and angles
-are read off there.
+Every mechanism is grown at its given position:
+a new link is put where it pleases, and its lengths, radii and angles are read off there.
 """
 
 from __future__ import annotations
@@ -277,8 +277,8 @@ def rack_on_guide(g: Growing) -> None:
 
 
 def rolling_centre(g: Growing) -> None:
-    """A bar with a gear at its end that rolls on a known gear or a fixed rack, its centre held by contact alone; the
-    hinge may be off the centre."""
+    """A bar with a gear at its end that rolls on a known gear or a fixed rack,
+    its centre held by contact alone; the hinge may be off the centre."""
     moving = [p for name in g.links for p in g.carries[name] if p not in g.frame]
     if not moving:
         return

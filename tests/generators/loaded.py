@@ -1,8 +1,8 @@
-"""The geometry of random loaded mechanisms: places of pins first, lengths from them, so that every one can be
-assembled.
+"""The geometry of random loaded mechanisms:
+places of pins first, lengths from them, so that every one can be assembled.
 
-A crank and one to three class II groups of any kind, hung on pins that are there already, so that compound hinges
-arise.
+A crank and one to three class II groups of any kind, hung on pins that are there already,
+so that compound hinges arise.
 """
 
 from __future__ import annotations
@@ -110,8 +110,8 @@ def rrr(c: Chain) -> None:
 
 
 def rrp(c: Chain) -> None:
-    """A bar and a block on a fixed guide, K of the guide near the foot of the bar's pin, so that left of PK tells the
-    two apart."""
+    """A bar and a block on a fixed guide, K of the guide near the foot of the bar's pin,
+    so that left of PK tells the two apart."""
     p = c.anchor()
     angle = int(c.rng.integers(-80, 80))
     u = cmath.rect(1.0, np.radians(angle))

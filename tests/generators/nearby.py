@@ -37,8 +37,8 @@ def slack(solution: Solution) -> dict[str, float]:
 
 
 def natural(mech: Mechanism) -> dict[str, float]:
-    """Unit → size of a quantity of this kind by the drive alone: what is far below it is rounding, and no smaller
-    measure of error."""
+    """Unit → size of a quantity of this kind by the drive alone:
+    what is far below it is rounding, and no smaller measure of error."""
     drive, size = mech.drive, mech.scale
     turning = abs(drive.rate) / (size if drive.slide else 1.0)
     bending = abs(drive.accel) / (size if drive.slide else 1.0) + turning**2

@@ -1,5 +1,5 @@
-"""The balancing load asked for alone, where gears roll, groups are above class II or a cylinder floats: judged by the
-sum of all powers."""
+"""The balancing load asked for alone, where gears roll, groups are above class II or a cylinder floats:
+judged by the sum of all powers."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def no_power_is_left(solution: Solution) -> str:
 
 
 def loaded(rng: np.random.Generator, text: str, free: str = "", bodies: tuple[str, ...] = (), find: str = "X_b") -> str:
-    """The problem with one to three loads on these links, or any, and one of the driver's that balances, in the place
-    of what it finds."""
+    """The problem with one to three loads on these links, or any,
+    and one of the driver's that balances, in the place of what it finds."""
     mech = loads(text).mechanism
     names = [name for name in bodies or mech.numbered if mech.link(name).points]
     told = ""

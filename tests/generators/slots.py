@@ -1,5 +1,5 @@
-"""Random force problems in which pins run in slots without a block: of the crank, of bars, of the frame; in slots that
-turn, slide or stand still."""
+"""Random force problems in which pins run in slots without a block:
+of the crank, of bars, of the frame; in slots that turn, slide or stand still."""
 
 from __future__ import annotations
 

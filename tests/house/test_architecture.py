@@ -117,8 +117,8 @@ def test_the_arrows_go_round_in_no_circle() -> None:
 
 @pytest.mark.parametrize("for_type_checkers", [False, True])
 def test_no_module_imports_itself_by_a_detour(for_type_checkers: bool) -> None:
-    """Every import counts, at once and inside functions; beside those, in the second claim, what only type checkers
-    read."""
+    """Every import counts, at once and inside functions;
+    beside those, in the second claim, what only type checkers read."""
     assert not circles(graph(for_type_checkers))
 
 

@@ -1,5 +1,5 @@
-"""Claims about the door: what a user holds is the same data as inside the house, with what reaches into every part of
-it."""
+"""Claims about the door: what a user holds is the same data as inside the house,
+with what reaches into every part of it."""
 
 from __future__ import annotations
 

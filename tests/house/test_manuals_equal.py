@@ -1,5 +1,5 @@
-"""The Chinese manual of the problem file says what the English one says: same headings, blocks, tables, keys and
-numbers."""
+"""The Chinese manual of the problem file says what the English one says:
+same headings, blocks, tables, keys and numbers."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Where CI is set a skipped test is a failed one, and what the tests need is installed there; a test that asserts
-nothing fails anywhere."""
+"""Where CI is set a skipped test is a failed one, and what the tests need is installed there;
+a test that asserts nothing fails anywhere."""
 
 from __future__ import annotations
 

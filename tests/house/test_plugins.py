@@ -1,5 +1,5 @@
-"""Claims about other packages: an entry point adds a method or a device, replaces none, and a broken one is told by
-name."""
+"""Claims about other packages: an entry point adds a method or a device,
+replaces none, and a broken one is told by name."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about what a refusal says: two languages at every place that raises one, data before text, no foreign
-sentence."""
+"""Claims about what a refusal says: two languages at every place that raises one,
+data before text, no foreign sentence."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about every sentence in the code, met by a test or not: Chinese stands first, English second; each for its
-readers."""
+"""Claims about every sentence in the code, met by a test or not:
+Chinese stands first, English second; each for its readers."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def literal(node: ast.expr) -> str:
 
 
 def by_language(node: ast.IfExp) -> str:
-    """ "zh" where the body is for Chinese, "en" where it is for English, "" where the choice is not one of
-    languages."""
+    """ "zh" where the body is for Chinese, "en" where it is for English,
+    "" where the choice is not one of languages."""
     match node.test:
         case ast.Compare(
             left=ast.Name(id="lang") | ast.Attribute(attr="lang"),
@@ -61,8 +61,8 @@ def chosen_wrongly(source: str) -> Iterator[tuple[int, str]]:
 
 
 def misplaced(source: str) -> Iterator[tuple[int, str]]:
-    """(line, text) of every sentence of which the English has a Chinese letter, or the Chinese has none and the English
-    has words."""
+    """(line, text) of every sentence of which the English has a Chinese letter,
+    or the Chinese has none and the English has words."""
     for node in ast.walk(ast.parse(source)):
         if (
             isinstance(node, ast.Call)

@@ -1,5 +1,5 @@
-"""A drawn value that the exact one contradicts never passes as an answer: in the terminal, on paper, in JSON, by exit
-code."""
+"""A drawn value that the exact one contradicts never passes as an answer:
+in the terminal, on paper, in JSON, by exit code."""
 
 from __future__ import annotations
 

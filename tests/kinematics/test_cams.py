@@ -1,5 +1,5 @@
-"""Cams, eccentric discs and their followers: the higher pair replaced, by drawing and by the oracle, against closed
-formulas."""
+"""Cams, eccentric discs and their followers: the higher pair replaced,
+by drawing and by the oracle, against closed formulas."""
 
 from __future__ import annotations
 

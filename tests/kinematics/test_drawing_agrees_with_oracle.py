@@ -68,8 +68,8 @@ def readings(problem: Problem) -> dict[str, complex]:
 
 
 def scatter(problem: Problem, drawn: dict[str, complex]) -> dict[str, float]:
-    """How far the drawn values move when every length moves by a few units in the last place: what rounding alone does
-    beside a dead point."""
+    """How far the drawn values move when every length moves by a few units in the last place:
+    what rounding alone does beside a dead point."""
     rng = np.random.default_rng(0)
     worst = dict.fromkeys(drawn, 0.0)
     for _ in range(4):
@@ -79,8 +79,8 @@ def scatter(problem: Problem, drawn: dict[str, complex]) -> dict[str, float]:
 
 
 def values(mech: Mechanism, keys: str, step: float) -> dict[str, complex]:
-    """The oracle's answers at the input position shifted by a step: how much they move tells how well they are
-    conditioned."""
+    """The oracle's answers at the input position shifted by a step:
+    how much they move tells how well they are conditioned."""
     motion = oracle.solve(mech, mech.drive.position + step)
     return {key: complex(motion.value(parse_rel(key))) for key in keys.split()}
 

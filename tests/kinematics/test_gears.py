@@ -1,5 +1,5 @@
-"""Gears: phases are data, gears must fit, pitch points have letters of their own; drawn and exact agree with Willis,
-arc lengths and differences."""
+"""Gears: phases are data, gears must fit, pitch points have letters of their own;
+drawn and exact agree with Willis, arc lengths and differences."""
 
 from __future__ import annotations
 
@@ -234,8 +234,8 @@ def test_the_acceleration_of_a_pitch_point_is_that_of_a_link() -> None:
 
 
 def test_an_arm_is_moved_through_a_planet_s_crank_pin() -> None:
-    """One group of rod, planet and arm: the planet's angle is a datum, the arm's follows; the other way round as
-    well."""
+    """One group of rod, planet and arm: the planet's angle is a datum, the arm's follows;
+    the other way round as well."""
     text = """
 id: through-planet
 title: through the planet

@@ -1,5 +1,5 @@
-"""Links that slide on links that turn: coincident points are no pins, guides keep their direction, rods may pass beside
-their pins."""
+"""Links that slide on links that turn: coincident points are no pins,
+guides keep their direction, rods may pass beside their pins."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Every centre of the library has its step, its letter and its place; the arrows of velocities stand as the links
-turn."""
+"""Every centre of the library has its step, its letter and its place;
+the arrows of velocities stand as the links turn."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Devices as they stand on the paper: a body lies on its face, a reaction presses into it inside its friction cone, nut
-and cone on the right side."""
+"""Devices as they stand on the paper:
+a body lies on its face, a reaction presses into it inside its friction cone, nut and cone on the right side."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Forces as they stand on the paper: polygons that close, arrows with the sense of the readings, reactions in their
-cones and on their circles."""
+"""Forces as they stand on the paper:
+polygons that close, arrows with the sense of the readings, reactions in their cones and on their circles."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about the computed vectors of every acceleration polygon of the library: each is worked out, and laid off as
-long as its step says."""
+"""Claims about the computed vectors of every acceleration polygon of the library:
+each is worked out, and laid off as long as its step says."""
 
 from __future__ import annotations
 

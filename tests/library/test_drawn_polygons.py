@@ -1,5 +1,5 @@
-"""What stands in the velocity and acceleration polygons of every problem is what the steps say: tables, arrows,
-letters, images."""
+"""What stands in the velocity and acceleration polygons of every problem is what the steps say:
+tables, arrows, letters, images."""
 
 from __future__ import annotations
 

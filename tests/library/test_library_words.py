@@ -1,5 +1,5 @@
-"""No English word in a Chinese sentence and no Chinese character in an English one: steps, remarks, titles, notes,
-tables, facts."""
+"""No English word in a Chinese sentence and no Chinese character in an English one:
+steps, remarks, titles, notes, tables, facts."""
 
 from __future__ import annotations
 

@@ -234,8 +234,8 @@ def test_half_a_unit_of_the_last_digit_divides_reproduced_from_rounding(half_uni
 
 
 def knotted() -> Figure:
-    """A polygon with four letters within 3 mm, lines that pass through the knot, end in it, pass beside it; an arrow
-    whose tip lies beyond."""
+    """A polygon with four letters within 3 mm, lines that pass through the knot,
+    end in it, pass beside it; an arrow whose tip lies beyond."""
     spots = [20 + 10j, 21.5 + 10.4j, 20.6 + 11.6j, 22 + 12j]
     letters = tuple(Point(at=z, label=letter, dot=Dot.POINT) for z, letter in zip(spots, "bcde", strict=True))
     lines = (

@@ -71,8 +71,8 @@ def name(mech: Mechanism, one: Dimension) -> str:
 
 
 def known(problem: Problem) -> Iterator[tuple[Dimension, str]]:
-    """The dimensions that the problem can vary too; not those of which two have one name, as at_E of a point of two
-    links."""
+    """The dimensions that the problem can vary too;
+    not those of which two have one name, as at_E of a point of two links."""
     named = [(one, name(problem.mechanism, one)) for one in dimensions(problem.mechanism)]
     for one, called in named:
         alone = sum(called == other for _, other in named) == 1

@@ -1,5 +1,5 @@
-"""Structure: every count, group and class of chapter 2, by counting on the drawing side and by rank and matching on the
-oracle's."""
+"""Structure: every count, group and class of chapter 2,
+by counting on the drawing side and by rank and matching on the oracle's."""
 
 from __future__ import annotations
 

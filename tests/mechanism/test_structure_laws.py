@@ -1,5 +1,5 @@
-"""Laws of structure: random mechanisms built group by group come apart again into the same groups; counting and rank
-agree, and why."""
+"""Laws of structure: random mechanisms built group by group come apart again into the same groups;
+counting and rank agree, and why."""
 
 from __future__ import annotations
 

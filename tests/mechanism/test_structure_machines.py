@@ -1,5 +1,5 @@
-"""Well-known machines as structural problems: counted as in the textbook, the same by rank, redundant parts named with
-their reason."""
+"""Well-known machines as structural problems: counted as in the textbook,
+the same by rank, redundant parts named with their reason."""
 
 from __future__ import annotations
 

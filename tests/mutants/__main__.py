@@ -1,5 +1,5 @@
-"""`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`: so many slips, and which of them no test
-noticed.
+"""`python -m tests.mutants --count 200 --seed 1 [--room vecpoly/methods]`:
+so many slips, and which of them no test noticed.
 
 The first run needs the map of tests and functions: all tests once, about twice their usual time. `--map` makes it anew,
 `--map tests/test_new.py`

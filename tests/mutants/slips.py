@@ -57,8 +57,8 @@ def mutants(path: Path, source: str) -> Iterator[Mutant]:
 
 
 def _nodes(node: ast.AST, function: str) -> Iterator[tuple[str, ast.AST]]:
-    """All nodes that run, each with the function it stands in; no annotations, decorators, assertions, error texts,
-    imports."""
+    """All nodes that run, each with the function it stands in;
+    no annotations, decorators, assertions, error texts, imports."""
     match node:
         case ast.FunctionDef():
             inside, children = f"{_inner(function)}{node.name}()", [*node.args.defaults, *node.body]

@@ -1,12 +1,9 @@
 """Which test calls which function: found once by running all tests and listening to every call.
 
 What functions keep of their results is forgotten before each file of tests, so that no file lives on what another
-computed. Within a file a kept
-result counts for the test that computed it; `Touched.chosen` therefore also takes the other tests of such a file. The
-map is written after each file:
-a run that was broken off is of use as far as it came. Seconds are those of the processor, and a test that takes many is
-broken off too: what it has
-called by then is known.
+computed. Within a file a kept result counts for the test that computed it; `Touched.chosen` therefore also takes the
+other tests of such a file. The map is written after each file: a run that was broken off is of use as far as it came.
+Seconds are those of the processor, and a test that takes many is broken off too: what it has called by then is known.
 """
 
 from __future__ import annotations
@@ -37,8 +34,8 @@ _HOUSE = str(ROOT / "vecpoly")
 
 
 class Listener:
-    """A plugin of pytest that keeps, for each test, the functions of the program that were called, and how long it
-    took."""
+    """A plugin of pytest that keeps, for each test, the functions of the program that were called,
+    and how long it took."""
 
     def __init__(self, write: Callable[[Listener], None]) -> None:
         self.write = write
@@ -70,8 +67,8 @@ class Listener:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        """A few parameters of every test first, so that the map soon knows all of the program a little; then the
-        others."""
+        """A few parameters of every test first, so that the map soon knows all of the program a little;
+        then the others."""
         alike: dict[str, list[pytest.Item]] = defaultdict(list)
         for item in items:
             alike[item.nodeid.split("[")[0]].append(item)
@@ -137,8 +134,8 @@ class Touched:
     seconds: dict[str, float]
 
     def chosen(self, path: str, function: str, budget: float) -> tuple[str, ...]:
-        """The tests that call the function (or anything in its file), quickest first, then their neighbours, within so
-        many seconds."""
+        """The tests that call the function (or anything in its file),
+        quickest first, then their neighbours, within so many seconds."""
         here = self.calls.get(f"{path}:{function}") or sorted(
             {test for place, tests in self.calls.items() if place.startswith(f"{path}:") for test in tests}
         )

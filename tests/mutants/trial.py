@@ -1,9 +1,9 @@
-"""Mutants before the tests: everything is imported and collected once; each trial is a fork in which one function has
-the slip.
+"""Mutants before the tests: everything is imported and collected once;
+each trial is a fork in which one function has the slip.
 
 The spoilt file is compiled, and the code of the function that holds the slip takes the place of the healthy one;
-results that were kept are
-forgotten. Slips outside of functions are not tried, and a test that starts another process does not see any.
+results that were kept are forgotten. Slips outside of functions are not tried,
+and a test that starts another process does not see any.
 """
 
 from __future__ import annotations
@@ -70,8 +70,8 @@ def try_all(
     limit: int,
     tell: Callable[[Mutant, Fate], None],
 ) -> None:
-    """Collect the tests (of these files, where any are named), then try every mutant on those chosen for it, or on
-    all."""
+    """Collect the tests (of these files, where any are named),
+    then try every mutant on those chosen for it, or on all."""
     pytest.main(
         ["-q", "-p", "no:xdist", "-p", "no:cacheprovider", "--no-summary", *_PARTLY, *(files or [str(ROOT / "tests")])],
         plugins=[Trials(mutants, chosen, limit, tell)],

@@ -82,8 +82,8 @@ def test_virtual_power_finds_the_frictionless_load(name: str) -> None:
 
 
 def test_4_6_block_in_a_slot_is_in_equilibrium() -> None:
-    """No answers are printed: circle at the block's pin and friction angle in the slot together give the shift of the
-    normal force."""
+    """No answers are printed:
+    circle at the block's pin and friction angle in the slot together give the shift of the normal force."""
     mech, loads = slotted_rocker()
     result = forces(mech, loads)
     assert out_of_balance(result, mech, loads) < 1e-12

@@ -244,8 +244,8 @@ def test_friction_is_against_the_motion_in_every_joint(case: Case) -> None:
 
 
 def test_friction_is_solved_on_the_branch_that_begins_without_it() -> None:
-    """Near locking the balancing force is large and follows the friction without a jump, up to the share at which it
-    locks."""
+    """Near locking the balancing force is large and follows the friction without a jump,
+    up to the share at which it locks."""
     mech = slider_crank(0.08, 0.23, -0.015, radians(172.0))
     loads = Loads(
         forces=(Force(name="F", link="3", point="C", direction=pi),),

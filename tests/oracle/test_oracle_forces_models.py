@@ -1,5 +1,5 @@
-"""Loaded mechanisms of chapter 4, set up by hand for the tests of the oracle of forces, and a check that shares nothing
-with it."""
+"""Loaded mechanisms of chapter 4, set up by hand for the tests of the oracle of forces,
+and a check that shares nothing with it."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def turned(angle: float) -> complex:
 def slider_crank(
     ab: float, bc: float, guide_y: float, phi: float, rate: float = 1.0, *, tilt: float = 0.0, **coupler: complex
 ) -> Mechanism:
-    """A at the origin, crank at phi (rad) from the guide's direction, which is turned by `tilt` (rad); C ahead of
-    U-V."""
+    """A at the origin, crank at phi (rad) from the guide's direction, which is turned by `tilt` (rad);
+    C ahead of U-V."""
     u = turned(tilt)
     joints = pins("A 0 1, B 1 2, C 2 3") + guided("0", "3", "C", origin=1j * guide_y * u, direction=tilt * 180 / pi)
     return Mechanism(
@@ -79,8 +79,8 @@ def disc_cam(
     tilt: float = 0.0,
     at: str = "K",
 ) -> Mechanism:
-    """Eccentric disc 1 about A, round-tipped lever 2 about C with G on it; a bar between O and E stands for the
-    contact."""
+    """Eccentric disc 1 about A, round-tipped lever 2 about C with G on it;
+    a bar between O and E stands for the contact."""
     contact = Contact(
         point=at,
         disc=Circle(link="1", centre="O", radius=disc),
@@ -98,8 +98,8 @@ def disc_cam(
 
 
 def flat_lever(e: float, disc: float, pivot: complex, face: float, arm: float, phi: float, rate: float) -> Mechanism:
-    """Eccentric disc 1 about A under the flat face of lever 2, which lies `face` to the left of its own x axis through
-    C."""
+    """Eccentric disc 1 about A under the flat face of lever 2,
+    which lies `face` to the left of its own x axis through C."""
     line = Rack(link="2", origin=1j * face, direction=0.0)
     contact = Contact(
         point="B", disc=Circle(link="1", centre="O", radius=disc), on=line, substitute="block", side=Side.RIGHT

@@ -1,5 +1,5 @@
-"""Loads and positions without an answer are refused with the reason: locking, joints at rest, links that part, bad
-loads."""
+"""Loads and positions without an answer are refused with the reason:
+locking, joints at rest, links that part, bad loads."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Numbers of the exercise book and of the reports (double precision from independent solutions of 40 or 60 digits).
 
-Chapter 3 in m, s, rad; TABLES lengths in mm: per crank angle (deg) the letters' [x, y, vx, vy, ax, ay] or the links'
-[angle, ω, α].
+Chapter 3 in m, s, rad; TABLES lengths in mm:
+per crank angle (deg) the letters' [x, y, vx, vy, ax, ay] or the links' [angle, ω, α].
 """
 
 from __future__ import annotations

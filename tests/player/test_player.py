@@ -1,5 +1,5 @@
-"""The step player as a class gets it: one file that loads nothing, says every step in both languages, and works by
-hand, key and ear."""
+"""The step player as a class gets it: one file that loads nothing,
+says every step in both languages, and works by hand, key and ear."""
 
 from __future__ import annotations
 

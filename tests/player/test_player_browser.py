@@ -1,5 +1,5 @@
-"""The step player in headless Chromium: it goes through everything, by key and finger, on phones and projectors, and
-can be read."""
+"""The step player in headless Chromium: it goes through everything,
+by key and finger, on phones and projectors, and can be read."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""No English in what is told in Chinese: every Words made while good and damaged files are read and solved is
-walked."""
+"""No English in what is told in Chinese:
+every Words made while good and damaged files are read and solved is walked."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Claims about small doors: texts and yes-or-no of a problem file, files that a command may write to, JSON that is
-none."""
+"""Claims about small doors: texts and yes-or-no of a problem file,
+files that a command may write to, JSON that is none."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Loads, friction, masses and devices as written in a problem file: what is read, what is printed after 已知, what is
-checked."""
+"""Loads, friction, masses and devices as written in a problem file:
+what is read, what is printed after 已知, what is checked."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The claim that every key of the manual does something: changed or left out, the solution differs, or the file is
-refused, or a note is told."""
+"""The claim that every key of the manual does something:
+changed or left out, the solution differs, or the file is refused, or a note is told."""
 
 from __future__ import annotations
 

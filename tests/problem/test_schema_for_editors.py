@@ -1,5 +1,5 @@
-"""Claims about the JSON Schema: it takes every file of the library and of the manual, refuses what is wrong, and tells
-every key in two languages."""
+"""Claims about the JSON Schema: it takes every file of the library and of the manual,
+refuses what is wrong, and tells every key in two languages."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A law over the whole library: its files, typed on a Chinese keyboard, are the same data at the same lines and
-columns."""
+"""A law over the whole library: its files, typed on a Chinese keyboard,
+are the same data at the same lines and columns."""
 
 from __future__ import annotations
 

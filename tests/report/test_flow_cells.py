@@ -1,5 +1,5 @@
-"""Claims about the spaces between the cells of running text, the markup of templates, and what stands at the foot and
-head of pages."""
+"""Claims about the spaces between the cells of running text, the markup of templates,
+and what stands at the foot and head of pages."""
 
 from __future__ import annotations
 

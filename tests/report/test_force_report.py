@@ -1,5 +1,5 @@
-"""The report on forces and devices as a person reads it: what is given, what acts, where the forces lie, what a
-question may show."""
+"""The report on forces and devices as a person reads it:
+what is given, what acts, where the forces lie, what a question may show."""
 
 from __future__ import annotations
 

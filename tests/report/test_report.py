@@ -80,8 +80,8 @@ def _vectors(construction: Construction, view: View) -> list[Vector]:
 
 @pytest.mark.parametrize("name", ["3-9", "3-5", "3-12"])
 def test_result_vectors_measure_on_the_page_what_they_measure_on_the_board(name: str, tmp_path: Path) -> None:
-    """Both ends of every result vector lie on the page where the construction has them, within 0.01 mm (the tip under
-    its arrowhead)."""
+    """Both ends of every result vector lie on the page where the construction has them,
+    within 0.01 mm (the tip under its arrowhead)."""
     it = solve(load(name))
     path = write_report([it], tmp_path / "r.pdf")
     (sheet,) = sheets(it.construction, title=it.problem.title)

@@ -97,8 +97,8 @@ def sym(text: str) -> Sym:
 
 
 def row(text: str) -> Row:
-    """Read a run of symbols, operators, functions and numbers: ``ω_3 = μ_v pb / l_BC``; whatever is no symbol stays
-    upright."""
+    """Read a run of symbols, operators, functions and numbers: ``ω_3 = μ_v pb / l_BC``;
+    whatever is no symbol stays upright."""
     items: list[Node] = []
     end = 0
     for m in _PIECE.finditer(text):

@@ -54,8 +54,8 @@ class Algebra:
 
 @dataclass(frozen=True, slots=True)
 class Quantity(Algebra):
-    """A named value: leaf of an expression. `node` is its symbol, `value` SI (an angle in `deg`: degrees), `unit` as
-    printed."""
+    """A named value: leaf of an expression. `node` is its symbol, `value` SI (an angle in `deg`:
+    degrees), `unit` as printed."""
 
     node: Node
     value: Reals

@@ -101,8 +101,8 @@ def _pinned(scope: Scope, d: Dyad, c: str) -> Solved:
 
 
 def _locus(scope: Scope, joint: Joint, link: str, parent: str, c: str) -> tuple[Arm | Track, Turning]:
-    """What the outer joint leaves to the inner hinge, a circle or a line, and how the link turns where that does not
-    say it."""
+    """What the outer joint leaves to the inner hinge, a circle or a line,
+    and how the link turns where that does not say it."""
     match joint:
         case Revolute():
             scope.anchors[link] = joint.point
@@ -116,8 +116,8 @@ def _locus(scope: Scope, joint: Joint, link: str, parent: str, c: str) -> tuple[
 
 
 def _crossed(scope: Scope, d: Dyad, inner: Prismatic, outer: Prismatic) -> Solved:
-    """RPP: the last link slides on a known line and keeps its angle; the first hangs on its hinge and keeps its angle
-    to it."""
+    """RPP: the last link slides on a known line and keeps its angle;
+    the first hangs on its hinge and keeps its angle to it."""
     link = scope.mech.link(d.link_k)
     letter, local = next(iter(link.points.items()), (f"P{scope.name(d.link_k)}", 0j))
     scope.anchors[d.link_k] = letter

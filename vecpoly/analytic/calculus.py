@@ -9,8 +9,8 @@ from .functions import Square, Wave, cos, sin
 
 
 def substituted(expr: Expr, by: Mapping[str, Expr]) -> Expr:
-    """The expression with these variables replaced, again and again until none is left. Sums, products, squares, cos
-    and sin only."""
+    """The expression with these variables replaced, again and again until none is left.
+    Sums, products, squares, cos and sin only."""
     match expr:
         case Var(symbol):
             return substituted(by[symbol], by) if symbol in by else expr

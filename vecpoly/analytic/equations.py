@@ -87,8 +87,8 @@ class Model:
         return all(group.loops is None for group in self.groups)
 
     def values(self, position: NDArray[np.float64], consts: Mapping[str, float] | None = None) -> Values:
-        """Every variable at these positions of the drive, by the printed formulas. consts: other values of dimensions,
-        by their symbol."""
+        """Every variable at these positions of the drive, by the printed formulas.
+        consts: other values of dimensions, by their symbol."""
         position = np.asarray(position, np.float64)
         starts = {
             i: np.tile(np.array(g.loops.start)[:, None], (1, position.size))

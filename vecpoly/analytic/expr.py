@@ -1,8 +1,7 @@
 """Expressions that both print and compute: the formulas of the mathematical model are what was evaluated.
 
 A leaf is a variable, looked up by its symbol, or a constant with its value (SI, rad). What vanishes or is 1 for this
-mechanism
-is left out as the expression is built: x_A + l cos φ is l cos φ where A is the origin.
+mechanism is left out as the expression is built: x_A + l cos φ is l cos φ where A is the origin.
 """
 
 from __future__ import annotations

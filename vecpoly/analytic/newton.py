@@ -1,5 +1,5 @@
-"""Loop equations f(q, known) = 0 of a group that has no closed form: Jacobian, right sides of its rates, and their
-solution."""
+"""Loop equations f(q, known) = 0 of a group that has no closed form:
+Jacobian, right sides of its rates, and their solution."""
 
 from __future__ import annotations
 

@@ -9,8 +9,8 @@ from .variables import Scope, both
 
 
 def points(scope: Scope, links: tuple[str, ...]) -> tuple[Stage, ...]:
-    """Position, velocity and acceleration of the letters that the links carry beside those located; nothing without
-    any."""
+    """Position, velocity and acceleration of the letters that the links carry beside those located;
+    nothing without any."""
     new = scope.further(links)
     if not new:
         return ()

@@ -126,8 +126,8 @@ def track(scope: Scope, joint: Prismatic, link: str, local: complex, name: str =
 def line_through(
     scope: Scope, parent: str, base: complex, lean: float, name: str, wanted: str = "", zero: complex | None = None
 ) -> Track:
-    """The line through a place of a known link, in its coordinates, at an angle to its axis; zero: where the joint's
-    own travel is zero."""
+    """The line through a place of a known link, in its coordinates, at an angle to its axis;
+    zero: where the joint's own travel is zero."""
     letter, offset = _base(scope, parent, base, cmath.rect(1.0, lean), wanted, base if zero is None else zero)
     psi = _turned(scope, parent, lean, f"ψ_{{{name}}}" if parent == FRAME else f"γ_{{{name}}}")
     return Track(
@@ -171,8 +171,8 @@ def _clean(turn: float) -> float:
 
 
 def lettered(scope: Scope, link: str) -> Mapping[str, complex]:
-    """The letters of a link with their coordinates on it. Raises NoMethodError where it carries none: there is nothing
-    to tell its place by."""
+    """The letters of a link with their coordinates on it.
+    Raises NoMethodError where it carries none: there is nothing to tell its place by."""
     if not (points := scope.mech.link(link).points):
         raise NoMethodError(
             Words(

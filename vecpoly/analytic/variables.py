@@ -1,5 +1,5 @@
-"""The names under which a mechanism's points and links appear in formulas, and the formulas of points fixed on a
-link."""
+"""The names under which a mechanism's points and links appear in formulas,
+and the formulas of points fixed on a link."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _STRAIGHT = 1e-12  # rad
 
 @dataclass(slots=True)
 class Scope:
-    """What is known so far, by its symbol. at, turned: places of letters (m) and angles of links at the given position,
-    which tell the assembly."""
+    """What is known so far, by its symbol. at, turned:
+    places of letters (m) and angles of links at the given position, which tell the assembly."""
 
     mech: Mechanism
     at: Mapping[str, complex]
@@ -34,8 +34,8 @@ class Scope:
     # -- symbols ----------------------------------------------------------------------------------------------
 
     def name(self, link: str) -> str:
-        """A link's subscript: its number; that of what stands for a high pair, or for a pin in a slot, is the letter
-        there."""
+        """A link's subscript: its number; that of what stands for a high pair,
+        or for a pin in a slot, is the letter there."""
         pin = self.mech.slot_pins.get(link)
         return next((c.point for c in self.mech.contacts if c.substitute == link), link if pin is None else pin.point)
 
@@ -64,8 +64,8 @@ class Scope:
         return ZERO if link in self.still or steady else Var(f"α_{{{self.name(link)}}}")
 
     def _turning(self, link: str) -> str:
-        """The link with which this one turns where that needs no symbol of its own: the block thought about a pin turns
-        with its slot."""
+        """The link with which this one turns where that needs no symbol of its own:
+        the block thought about a pin turns with its slot."""
         pin = self.mech.slot_pins.get(link)
         return link if pin is None else pin.guide
 
@@ -128,8 +128,8 @@ class Scope:
         return ax - e * (y - y0) - w * (x - x0), ay + e * (x - x0) - w * (y - y0)
 
     def further(self, links: Iterable[str]) -> list[tuple[str, str, str]]:
-        """(link, anchor, letter) of every letter of these links that is not located yet; it counts as located from now
-        on."""
+        """(link, anchor, letter) of every letter of these links that is not located yet;
+        it counts as located from now on."""
         found = []
         for link in links:
             for letter in self.mech.link(link).points:

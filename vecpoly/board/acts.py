@@ -1,9 +1,8 @@
 """What a hand does at a board: a closed list of acts, each done at once and remembered for ever.
 
 An act knows its number on the sheet, the step that it belongs to, the acts that it needed (`inputs`), the figure it was
-done on (`place`),
-what it stands for (`key`: a letter, the letters of a measured length, or the key of a quantity) and whose it is
-(`owner`: a link, a joint).
+done on (`place`), what it stands for (`key`: a letter, the letters of a measured length, or the key of a quantity) and
+whose it is (`owner`: a link, a joint).
 Points, directions and lengths are those of the nominal sheet, in mm on the figure (x right, y up).
 """
 
@@ -86,8 +85,8 @@ class Join(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Arrow(Done):
-    """Draw the vector (key) from a to b; label: the symbol written beside it, where the letters at its ends do not tell
-    it."""
+    """Draw the vector (key) from a to b; label: the symbol written beside it,
+    where the letters at its ends do not tell it."""
 
     a: complex
     b: complex
@@ -163,8 +162,8 @@ class Meet(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Touch(Done):
-    """A line of action (key: its force) that touches one friction circle, or two; free: there is no circle, the radius
-    is zero."""
+    """A line of action (key: its force) that touches one friction circle, or two;
+    free: there is no circle, the radius is zero."""
 
     along: complex
     free: bool

@@ -2,8 +2,7 @@
 
 The board knows paper, rule, compass and set square; it knows nothing of mechanisms. A method gets its numbers only by
 laying off, meeting, measuring and computing here; what it gets knows the act that gave it (`plane.traced`), so that the
-next act knows what
-it needed. It is the one mutable object of the program, while it is drawn on.
+next act knows what it needed. It is the one mutable object of the program, while it is drawn on.
 """
 
 from __future__ import annotations
@@ -53,8 +52,8 @@ class Board(Instruments):
         self._ruler = Ruler(hand)
 
     def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
-        """Scratch paper for an exact hand: its acts are not remembered, and what it gives came from where its inputs
-        came from."""
+        """Scratch paper for an exact hand: its acts are not remembered,
+        and what it gives came from where its inputs came from."""
         return Scratch(hand_of("exact"), scales or self.scales)
 
     def given(self, value: float, name: str) -> float:
@@ -64,8 +63,8 @@ class Board(Instruments):
     # -- measuring and computing --------------------------------------------------------------------------------
 
     def measure(self, a: Points, b: Points, letters: str) -> Quantity:
-        """Read a length off the rule (mm): here, and only here, rounding happens. A segment is read once, from either
-        end."""
+        """Read a length off the rule (mm): here, and only here, rounding happens.
+        A segment is read once, from either end."""
         mm = self._ruler.length(a, b, lambda read: self._measured(read, a, b, letters))
         return paper(letters_node(letters), mm)
 
@@ -78,8 +77,8 @@ class Board(Instruments):
         return self.gave(mm, act)
 
     def bearing(self, a: Points, b: Points) -> Points:
-        """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either
-        end."""
+        """The direction from a to b read off the protractor, as a unit vector;
+        a segment is read once, from either end."""
         return self._ruler.bearing(
             a,
             b,
@@ -109,14 +108,14 @@ class Board(Instruments):
         self.log(done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
     def conclude(self, key: str, value: Reals, unit: str) -> Reals:
-        """A value follows from others (SI): ω of a link, with its sense; goes on with somebody's own where there is
-        one."""
+        """A value follows from others (SI): ω of a link, with its sense;
+        goes on with somebody's own where there is one."""
         value = self.amended.value(self.here, key, value)
         return self.gave(value, done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
-        """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is
-        0/0."""
+        """Write symbol = formula = numbers = result into the step and go on with the result;
+        NotAskedError where it is 0/0."""
         key = ascii_key(symbol)
         wrong = [
             (hand, FACTOR[slip.mistake]) for hand, slip in self.amended.wrong(self.here, key) if slip.mistake in FACTOR

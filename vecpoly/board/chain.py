@@ -10,8 +10,8 @@ from .acts import Act
 
 
 def numbers(acts: Sequence[Act], key: str) -> frozenset[int]:
-    """The acts that stand for this key, alone (``bc``) or with its figure (``velocity:bc``); raises UnknownNameError
-    where there is none."""
+    """The acts that stand for this key, alone (``bc``) or with its figure (``velocity:bc``);
+    raises UnknownNameError where there is none."""
     found = frozenset(act.number for act in acts if key in act.names)
     if not found:
         raise UnknownNameError(Words(f"图上没有 {key}", f"there is no {key} on the sheet"), code="unknown-act")

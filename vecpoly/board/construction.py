@@ -1,5 +1,5 @@
-"""The frozen record of a solution: figures, steps, readings. Everything that comes after drawing reads this, and only
-this."""
+"""The frozen record of a solution: figures, steps, readings.
+Everything that comes after drawing reads this, and only this."""
 
 from __future__ import annotations
 
@@ -92,8 +92,8 @@ class EquationTable:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
-    """One numbered step: a sentence, and what belongs to it: an equation table, formulas, the figure it was drawn
-    in."""
+    """One numbered step: a sentence, and what belongs to it:
+    an equation table, formulas, the figure it was drawn in."""
 
     number: int
     section: Words  # heading under which the step stands: position diagram, velocity analysis ...
@@ -105,8 +105,8 @@ class Step:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LineOfAction:
-    """Where a reaction acts: a point of its line (m, on the diagram's axes), and the side on which it touches a
-    friction circle.
+    """Where a reaction acts: a point of its line (m, on the diagram's axes),
+    and the side on which it touches a friction circle.
 
     tangent: sense of its moment about the pin, "ccw" or "cw"; "" where it passes through the centre, or there is no
     pin.
@@ -126,10 +126,8 @@ class Reading:
     """One answer read off the paper.
 
     key: ASCII symbol; symbol: textbook notation; vector: value as x + iy (SI), None for ω, α; scalar: signed value for
-    ω, α
-    (ccw positive), magnitude for vectors; mm: length measured on paper (None where computed only); line: the paper
-    length's
-    letters (``pe``); scale: symbol of the scale used; formula: symbol = formula = numbers = result.
+    ω, α (ccw positive), magnitude for vectors; mm: length measured on paper (None where computed only); line: the paper
+    length's letters (``pe``); scale: symbol of the scale used; formula: symbol = formula = numbers = result.
     """
 
     key: str

@@ -1,9 +1,8 @@
 """How accurately the emulated person works; repeated hands give every answer its honest tolerance.
 
 exact: nothing is rounded or disturbed. drafting: readings to 0.1 mm. pencil: readings to 0.5 mm, every length carried
-with
-a scatter of 0.2 mm, every parallel or perpendicular with 0.3°. One board can carry many hands: element 0 of every array
-is the nominal sheet, the others are repetitions.
+with a scatter of 0.2 mm, every parallel or perpendicular with 0.3°. One board can carry many hands: element 0 of every
+array is the nominal sheet, the others are repetitions.
 """
 
 from __future__ import annotations

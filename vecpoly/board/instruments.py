@@ -79,8 +79,8 @@ class Instruments(Strokes):
         return Line(traced(at, act), traced(carried, act))
 
     def meet(self, g: Line, h: Line, what: Words | str) -> Points:
-        """Meeting point of two ruled lines; parallel lines are a dead point, grazing ones are remarked unless both
-        start at their meeting point."""
+        """Meeting point of two ruled lines; parallel lines are a dead point,
+        grazing ones are remarked unless both start at their meeting point."""
         sine = abs(float(nominal(cross(g.along, h.along))))
         if sine < PARALLEL:
             raise DeadPointError(
@@ -143,8 +143,8 @@ class Instruments(Strokes):
     def tangent_from(
         self, x: Points, centre: Points, radius: Reals, moment: float, towards: Points, *, key: str = ""
     ) -> Points:
-        """Direction u of a force through x tangent to a friction circle: u · towards > 0, moment about the centre of
-        sign `moment`.
+        """Direction u of a force through x tangent to a friction circle:
+        u · towards > 0, moment about the centre of sign `moment`.
 
         The foot of the arm is centre − i u moment radius. Raises EquilibriumError where x lies inside the circle.
         """
@@ -175,12 +175,11 @@ class Instruments(Strokes):
         *,
         key: str = "",
     ) -> Line:
-        """Line of action of a two-force body: its force along u at p, along −u at q, each with a moment of the given
-        sign about its pin.
+        """Line of action of a two-force body:
+        its force along u at p, along −u at q, each with a moment of the given sign about its pin.
 
         sense +1: u points from p towards q, −1 the other way. The line starts where it touches p's circle. Raises
-        EquilibriumError
-        where the circles overlap too far.
+        EquilibriumError where the circles overlap too far.
         """
         side = self._side(key)
         span, arms = np.abs(q - p), side * (moment_p * rho_p + moment_q * rho_q)

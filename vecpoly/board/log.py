@@ -1,5 +1,5 @@
-"""The log of a drawing: its steps, its acts, the scales and titles of its figures. What stands on a figure follows from
-the acts."""
+"""The log of a drawing: its steps, its acts, the scales and titles of its figures.
+What stands on a figure follows from the acts."""
 
 from __future__ import annotations
 
@@ -105,8 +105,8 @@ class Log:
     def open_pane(
         self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False
     ) -> Pane:
-        """Begin one of several figures of a kind; those that share a name are one. scale: its own, where it differs
-        from its kind's."""
+        """Begin one of several figures of a kind; those that share a name are one.
+        scale: its own, where it differs from its kind's."""
         pane = Pane(view, name, aside)
         if scale is not None:
             self.scales[pane] = scale

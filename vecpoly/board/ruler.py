@@ -1,5 +1,5 @@
-"""Ruler and protractor: a segment is read once, from whichever end, and that reading is used wherever the segment is
-meant again."""
+"""Ruler and protractor: a segment is read once, from whichever end,
+and that reading is used wherever the segment is meant again."""
 
 from __future__ import annotations
 

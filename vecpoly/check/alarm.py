@@ -29,8 +29,7 @@ def alarm_at(expected_error: float, scalars: Any, *, scatters: bool) -> float:
     """How far from the exact value a drawn one may lie before it is suspect.
 
     The expected error, 3σ; or, where the repeated hands have long tails, the farthest of them from their median. A hand
-    that
-    scatters itself exceeds 3σ once in 370 readings and is allowed 5σ, once in two million.
+    that scatters itself exceeds 3σ once in 370 readings and is allowed 5σ, once in two million.
     """
     repeated = np.asarray(scalars)[1:] if np.ndim(scalars) else np.empty(0)
     found = repeated[np.isfinite(repeated)]

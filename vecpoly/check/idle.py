@@ -1,5 +1,5 @@
-"""What is written in a problem file and changes nothing: branches and guesses without which the same assembly is
-found."""
+"""What is written in a problem file and changes nothing:
+branches and guesses without which the same assembly is found."""
 
 from __future__ import annotations
 

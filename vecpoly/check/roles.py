@@ -1,5 +1,5 @@
-"""A load that is called driving gives power, one that is called resisting takes it: P = F · v or M ω, in the position
-drawn."""
+"""A load that is called driving gives power, one that is called resisting takes it:
+P = F · v or M ω, in the position drawn."""
 
 from __future__ import annotations
 

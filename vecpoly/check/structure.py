@@ -9,8 +9,8 @@ from ..words import Words
 
 
 def dependence(device: object) -> Words | None:
-    """The redundant constraints that the rank shows, with their joints and, where there are such, links that may go;
-    None where it shows none."""
+    """The redundant constraints that the rank shows, with their joints and,
+    where there are such, links that may go; None where it shows none."""
     if not isinstance(device, Structure):
         return None
     number, letters, gone = surplus(device)

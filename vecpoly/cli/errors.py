@@ -98,8 +98,8 @@ def _hush() -> None:
 
 @dataclass(slots=True)
 class Tally:
-    """Several jobs of which some may fail: the others are still done, and every failure and every alarm is told at the
-    end."""
+    """Several jobs of which some may fail: the others are still done,
+    and every failure and every alarm is told at the end."""
 
     failed: list[Exception] = field(default_factory=list)
     alarms: list[str] = field(default_factory=list)

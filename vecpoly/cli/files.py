@@ -65,8 +65,8 @@ def put(target: Path, data: bytes) -> None:
 
 
 def write_json(data: Any, where: Path) -> None:
-    """JSON to a file or to standard output. NaN and infinity are no JSON; raises VecpolyError with the place of such a
-    value."""
+    """JSON to a file or to standard output. NaN and infinity are no JSON;
+    raises VecpolyError with the place of such a value."""
     for path in _endless(data, ""):
         raise VecpolyError(
             Words(

@@ -1,5 +1,5 @@
-"""From what stands on the command line to problems: what cannot be read is told at the end, and does not stop the
-others."""
+"""From what stands on the command line to problems:
+what cannot be read is told at the end, and does not stop the others."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ class Job:
 
 
 def problems(names: Sequence[str], tally: Tally, outside: bool = False) -> list[Problem]:
-    """All problems named, those of assignments among them; the tally keeps what cannot be read, and tells it at once
-    where nothing can."""
+    """All problems named, those of assignments among them;
+    the tally keeps what cannot be read, and tells it at once where nothing can."""
     return [problem for job in jobs(names, tally, outside) for problem in job.problems]
 
 

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
 
 def warn_of_letters(problems: Iterable[Problem], lang: Lang, beside: Iterable[str] = ()) -> None:
-    """Name the characters of these problems' texts, and of what is printed beside them, that will not be printed as
-    written."""
+    """Name the characters of these problems' texts, and of what is printed beside them,
+    that will not be printed as written."""
     from ..typeset.fonts import missing
 
     for name, text in [*((problem.id, _texts(problem, lang)) for problem in problems), ("", "".join(beside))]:

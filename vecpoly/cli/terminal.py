@@ -22,8 +22,8 @@ T = TypeVar("T")
 
 
 def speak_utf8() -> None:
-    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page), closed
-    ones going nowhere."""
+    """Chinese and Greek letters on every platform's streams (Windows consoles and pipes default to a code page),
+    closed ones going nowhere."""
     sys.stdout, sys.stderr = (stream or Path(os.devnull).open("w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, TextIOWrapper):
@@ -61,8 +61,8 @@ def table(title: str, columns: Sequence[tuple[str, Align]]) -> Table:
 
 
 def add(to: Table, cells: Iterable[str], *, alarmed: bool = False) -> None:
-    """A row of plain text: square brackets are letters here, not markup; in red where it must not be taken for an
-    answer."""
+    """A row of plain text: square brackets are letters here, not markup;
+    in red where it must not be taken for an answer."""
     from rich.text import Text
 
     to.add_row(*(Text(cell) for cell in cells), style="bold red" if alarmed else "")

@@ -1,5 +1,5 @@
-"""A command line that cannot be read, told in Chinese: an unknown option, a missing argument, a value of the wrong
-kind."""
+"""A command line that cannot be read, told in Chinese:
+an unknown option, a missing argument, a value of the wrong kind."""
 
 from __future__ import annotations
 

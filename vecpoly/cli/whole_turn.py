@@ -45,8 +45,8 @@ def print_turn(turn: Cycle, problem: Problem, keys: tuple[str, ...], lang: Lang)
 
 
 def _zero(turn: Cycle, problem: Problem) -> Iterator[Words]:
-    """That the drive's angle counts from the x axis, where the problem counts it from elsewhere, or to another point of
-    the link."""
+    """That the drive's angle counts from the x axis, where the problem counts it from elsewhere,
+    or to another point of the link."""
 
     drive, symbol = turn.mech.drive, turn.drive.symbol
     given = next((datum for datum in problem.given.motion if datum.symbol == f"φ_{drive.link}"), None)

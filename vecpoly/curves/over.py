@@ -32,8 +32,7 @@ def curves(
     """The columns over the drive's position; each unit has a panel of its own.
 
     A vector is drawn by its magnitude. width, panel: mm. marks: dots at each curve's turning points far from its
-    middle.
-    Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
+    middle. Raises UnknownNameError, and NotAskedError for nothing to draw or more than six curves in one panel.
     """
     groups = _grouped(cycle, keys)
     height = panel * len(groups)

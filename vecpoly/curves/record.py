@@ -1,5 +1,5 @@
-"""A matplotlib figure drawn into a scene: matplotlib decides where axes, ticks and curves stand, our backends draw
-them."""
+"""A matplotlib figure drawn into a scene: matplotlib decides where axes,
+ticks and curves stand, our backends draw them."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The mechanism as thin lines: each link through its points, each moving guide from its pivot to the pin of its
-block."""
+"""The mechanism as thin lines: each link through its points,
+each moving guide from its pivot to the pin of its block."""
 
 from __future__ import annotations
 

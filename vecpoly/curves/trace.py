@@ -76,8 +76,8 @@ def _once(path: Any) -> Any:
 
 
 def _joints(cycle: Cycle, at: Any, points: tuple[str, ...]) -> dict[str, complex]:
-    """Open circles at the frame's points, the hinges and the traced points of the mechanism as it stands; their places
-    (mm)."""
+    """Open circles at the frame's points, the hinges and the traced points of the mechanism as it stands;
+    their places (mm)."""
     mech = cycle.mech
     letters = dict.fromkeys(
         [*mech.frame, *(joint.point for joint in mech.joints if isinstance(joint, Revolute)), *points]

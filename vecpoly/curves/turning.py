@@ -11,8 +11,8 @@ _SMOOTH = 0.02  # of the range: neighbours farther apart stand on both sides of 
 
 
 def turning(x: Reals, y: Reals, periodic: bool) -> list[tuple[float, float]]:
-    """The greatest and least values that are no ends, and other turning points nearly as far from the middle: parabolas
-    through three samples each."""
+    """The greatest and least values that are no ends, and other turning points nearly as far from the middle:
+    parabolas through three samples each."""
     known = y[np.isfinite(y)]
     if not known.size or float(np.ptp(known)) <= 1e-9 * max(1.0, float(np.abs(known).max())):
         return []

@@ -11,8 +11,8 @@ _SHOWN = {"rad": ("°", 57.29577951308232), "m": ("mm", 1000.0)}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """One quantity over the cycle: key, symbol in the notation of `formula`, SI unit, what it is, key of its time
-    derivative."""
+    """One quantity over the cycle: key, symbol in the notation of `formula`,
+    SI unit, what it is, key of its time derivative."""
 
     key: str
     symbol: str

@@ -49,8 +49,8 @@ def moving_points(mech: Mechanism) -> tuple[str, ...]:
 
 
 def catalogue(mech: Mechanism, loads: Loads | None, points: tuple[str, ...] | None = None) -> tuple[Column, ...]:
-    """The columns of a whole-cycle table: links, points, slides, transmission angles, what balances and what
-    presses."""
+    """The columns of a whole-cycle table:
+    links, points, slides, transmission angles, what balances and what presses."""
     keys = [f"{stem}_{name}" for name in mech.numbered for stem in ("phi", "omega", "alpha")]
     keys += [
         f"{stem}_{letter}" for letter in (moving_points(mech) if points is None else points) for stem in ("p", "v", "a")

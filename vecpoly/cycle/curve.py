@@ -65,8 +65,8 @@ class Curve:
         return np.asarray(sense * np.real(np.conj(vector) * rate), np.float64)
 
     def _difference(self, phi: Reals, step: Reals) -> Reals:
-        """Seven-point central difference; of a magnitude f·f', f' the vector's difference: smooth where the magnitude
-        has a corner."""
+        """Seven-point central difference; of a magnitude f·f', f' the vector's difference:
+        smooth where the magnitude has a corner."""
         around = (phi[:, None] + step[:, None] * np.arange(-3, 4)).ravel()
         values = np.asarray(self.cycle.at(self.key.removesuffix(".abs"), around)).reshape(-1, 7)
         rise = values @ _WEIGHTS

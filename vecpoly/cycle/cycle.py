@@ -32,8 +32,8 @@ class Cycle:
     """A mechanism at n positions of its drive.
 
     phi: the drive's position: rad over one revolution (both ends, 0 and 2π, are there) or over the range in which a
-    rocking input can move; m for a sliding input. whole: whether the drive can turn right round. low, high: the ends
-    of its range.
+    rocking input can move; m for a sliding input. whole:
+    whether the drive can turn right round. low, high: the ends of its range.
     """
 
     name: str
@@ -50,8 +50,8 @@ class Cycle:
 
     @cached_property
     def columns(self) -> tuple[Column, ...]:
-        """What a whole-cycle table holds: links, points, slides, transmission angles, with loads what balances and what
-        presses."""
+        """What a whole-cycle table holds: links, points, slides, transmission angles,
+        with loads what balances and what presses."""
         return catalogue(self.mech, self.loads, self.points)
 
     @cached_property
@@ -71,8 +71,8 @@ class Cycle:
         return whole
 
     def read(self, *keys: str) -> tuple[Points | Reals, ...]:
-        """Several columns in one pass that keeps no solved position but these columns: for tens of thousands of
-        positions."""
+        """Several columns in one pass that keeps no solved position but these columns:
+        for tens of thousands of positions."""
         missing = [key for key in dict.fromkeys(keys) if key not in self._kept and key != self.drive.key]
         if len(self.phi) > BLOCK and missing:
             readers = [reader(self.mech, self.loads, key) for key in missing]
@@ -107,8 +107,8 @@ class Cycle:
         return self._infos[key]
 
     def column(self, key: str) -> Points | Reals:
-        """The quantity at every position: complex for a vector, SI; angles without jumps of 360°; NaN where it does not
-        exist.
+        """The quantity at every position: complex for a vector, SI;
+        angles without jumps of 360°; NaN where it does not exist.
 
         Raises UnknownNameError for a key that this mechanism does not have, EquilibriumError for a force without loads.
         """
@@ -138,8 +138,8 @@ class Cycle:
         return places if key == self.drive.key else self._on_turn(key, places, self._sampled(places).value(key))
 
     def _sampled(self, places: Reals) -> Sample:
-        """The mechanism solved at these positions; with loads the last few are kept, for all columns break off at the
-        same ones."""
+        """The mechanism solved at these positions;
+        with loads the last few are kept, for all columns break off at the same ones."""
         if self.loads is None or places.size > FEW:
             return sample(self.mech, self.loads, places)
         mark = places.tobytes()
@@ -171,15 +171,15 @@ class Cycle:
         return np.asarray(values + 2 * np.pi * np.round((near - values) / (2 * np.pi)), np.float64)
 
     def rows(self, step: float) -> NDArray[np.intp]:
-        """Indices of the positions at whole multiples of a step (rad, or m), as far as the grid has them: for a table
-        every 10°."""
+        """Indices of the positions at whole multiples of a step (rad, or m),
+        as far as the grid has them: for a table every 10°."""
         turns = (self.phi - self.phi[0]) / step
         return np.flatnonzero(np.abs(turns - np.round(turns)) * step < 1e-3 * (self.phi[1] - self.phi[0]))
 
     @cached_property
     def steady(self) -> Cycle:
-        """The same cycle with a drive that moves evenly: of unit rate where it rests. For what depends on the shape of
-        motion alone."""
+        """The same cycle with a drive that moves evenly: of unit rate where it rests.
+        For what depends on the shape of motion alone."""
         drive = self.mech.drive
         if drive.rate != 0.0 and drive.accel == 0.0:
             return self

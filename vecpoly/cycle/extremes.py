@@ -35,8 +35,8 @@ class Spot:
 
 @dataclass(frozen=True, slots=True)
 class Extremes:
-    """Turning points and zeros of one column in order of the drive's position; highest and lowest of all, None of a
-    lost column."""
+    """Turning points and zeros of one column in order of the drive's position;
+    highest and lowest of all, None of a lost column."""
 
     key: str
     maxima: tuple[Spot, ...]
@@ -52,14 +52,12 @@ class Extremes:
 
 
 def extremes(cycle: Cycle, key: str) -> Extremes:
-    """Maxima, minima and zeros over the drive's whole range, to full accuracy: the mechanism is solved again around
-    each.
+    """Maxima, minima and zeros over the drive's whole range, to full accuracy:
+    the mechanism is solved again around each.
 
     A vector's are those of its magnitude. f'(φ) = 0 by Ridders' method on the oracle's derivative where it has one (φ,
-    ω, p, v), else on
-    a seven-point difference; at a sharp bend by shrinking the bracket. A column that breaks off or jumps also has the
-    values at its ends, ±∞
-    where it runs away towards one. Raises UnknownNameError.
+    ω, p, v), else on a seven-point difference; at a sharp bend by shrinking the bracket. A column that breaks off or
+    jumps also has the values at its ends, ±∞ where it runs away towards one. Raises UnknownNameError.
     """
     curve = Curve.of(cycle, key)
     phi, f = curve.grid()
@@ -114,8 +112,8 @@ def _turning(curve: Curve, piece: Piece) -> tuple[Reals, Reals]:
 
 
 def _sharper(curve: Curve, at: Reals, sign: Reals, low: Reals, high: Reals) -> Reals:
-    """Each top, or where a bend within its bracket stands higher (a slide changes its side: the differences smear it),
-    that bend."""
+    """Each top, or where a bend within its bracket stands higher (a slide changes its side:
+    the differences smear it), that bend."""
     if not at.size:
         return at
     bend = highest(lambda q: np.append(sign, sign) * curve.value(q), low, high)
@@ -144,8 +142,8 @@ def _spots(curve: Curve, at: Reals) -> tuple[Spot, ...]:
 
 
 def _ends(curve: Curve, span: float) -> tuple[Spot, ...]:
-    """Values at the ends of the drive's range, ±∞ where it runs away; none of a whole turn that comes back to the same
-    value."""
+    """Values at the ends of the drive's range, ±∞ where it runs away;
+    none of a whole turn that comes back to the same value."""
     cycle = curve.cycle
     first, last = (float(value) for value in curve.value(np.array([cycle.low, cycle.high])))
     inside, again = (float(value) for value in curve.value(cycle.low + INSIDE + np.array([0.0, 2 * np.pi])))

@@ -26,12 +26,10 @@ def places(mech: Mechanism, low: float, high: float, whole: bool) -> Reals:
     """Positions of the drive between which every link's motion is as good as a cubic.
 
     A whole turn begins in steps of a quarter of a degree, a little off the round degrees, and goes two steps on; a
-    range is ever finer towards
-    its ends: near a dead point quantities go with the square root of the distance, which is smooth in ϑ: φ = low +
-    (high - low) (1 - cos ϑ) / 2.
-    Nearer than 1e-5 of the range rounding spoils the rates. Steps are halved wherever a cubic through the neighbours
-    misses a value: beside a nearly
-    folded group, or all about a slider whose travel is long against the links.
+    range is ever finer towards its ends: near a dead point quantities go with the square root of the distance, which is
+    smooth in ϑ: φ = low + (high - low) (1 - cos ϑ) / 2. Nearer than 1e-5 of the range rounding spoils the rates. Steps
+    are halved wherever a cubic through the neighbours misses a value: beside a nearly folded group, or all about a
+    slider whose travel is long against the links.
     """
     full = high - low
     if whole:

@@ -26,8 +26,8 @@ Places = Mapping[str, complex]
 
 
 def posed(problem: Problem, positions: ArrayLike) -> Iterator[Problem | None]:
-    """The problem with its drive at each of these positions (rad, or m of travel); None where it cannot be assembled,
-    or no statement tells how."""
+    """The problem with its drive at each of these positions (rad, or m of travel);
+    None where it cannot be assembled, or no statement tells how."""
     mech, where = problem.mechanism, np.atleast_1d(np.asarray(positions, dtype=np.float64))
     for position, at in zip(where, _followed(mech, where), strict=True):
         there = _assembled(mech, float(position), at)
@@ -44,8 +44,8 @@ def _followed(mech: Mechanism, positions: NDArray[np.float64]) -> Iterator[Place
 
 
 def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None:
-    """The mechanism with its drive there and statements that put the letters at these places: its own as long as they
-    do."""
+    """The mechanism with its drive there and statements that put the letters at these places:
+    its own as long as they do."""
     if not np.isfinite(list(at.values())).all():
         return None
     moved = replace(
@@ -64,8 +64,8 @@ def _assembled(mech: Mechanism, position: float, at: Places) -> Mechanism | None
 
 
 def _gap(mech: Mechanism, at: Places) -> float:
-    """How far the letters come to lie from these places by the statements (m); infinite where these lead to no
-    assembly."""
+    """How far the letters come to lie from these places by the statements (m);
+    infinite where these lead to no assembly."""
     try:
         motion = oracle.solve(mech, order=0)
     except VecpolyError:
@@ -74,8 +74,8 @@ def _gap(mech: Mechanism, at: Places) -> float:
 
 
 def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
-    """The mechanism's own statements; those turned round that no longer hold; new ones for every group, a single hinge
-    read in two ways."""
+    """The mechanism's own statements; those turned round that no longer hold;
+    new ones for every group, a single hinge read in two ways."""
     yield mech.branches
     yield tuple(s if margin(s, at) >= 0 else opposite(s) for s in mech.branches)
     yield tuple(_fresh(mech, at, False))
@@ -83,8 +83,8 @@ def _statements(mech: Mechanism, at: Places) -> Iterator[tuple[Statement, ...]]:
 
 
 def _fresh(mech: Mechanism, at: Places, turned: bool) -> Iterator[Statement]:
-    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here; of a swinging
-    guide some point of it."""
+    """For each group, on which side of its outer hinges (or of the only one) its inner hinge lies here;
+    of a swinging guide some point of it."""
     known = set(mech.frame) | set(mech.link(mech.drive.link).points)
     for group in decompose(mech):
         pins = [joint.point for joint in group.inner if isinstance(joint, Revolute)]

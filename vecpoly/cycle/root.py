@@ -14,8 +14,8 @@ ENOUGH = 1e-13  # of the values at the bracket's ends: then the root is known to
 
 
 def ridders(f: Callable[[Reals], Reals], a: Reals, b: Reals) -> Reals:
-    """The root in each bracket a..b by Ridders' method: x = m + (m - a) f_m / √(f_m² - f_a f_b) on falling f, halving
-    at least.
+    """The root in each bracket a..b by Ridders' method:
+    x = m + (m - a) f_m / √(f_m² - f_a f_b) on falling f, halving at least.
 
     NaN where f has no sign change there, or jumps through it (a pole).
     """

@@ -26,8 +26,8 @@ Reals = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Kinematics (and, with loads, equilibrium) at the positions phi (rad, or m for a sliding drive); NaN where none
-    exists."""
+    """Kinematics (and, with loads, equilibrium) at the positions phi (rad,
+    or m for a sliding drive); NaN where none exists."""
 
     mech: Mechanism
     loads: Loads | None
@@ -47,16 +47,16 @@ class Sample:
         return forces(self.mech, self.loads, self.phi, strict=False)
 
     def value(self, key: str) -> Points | Reals:
-        """The quantity with this key (see `columns`): complex for a vector, SI; angles within -π..π where links do not
-        roll.
+        """The quantity with this key (see `columns`): complex for a vector, SI;
+        angles within -π..π where links do not roll.
 
         Raises UnknownNameError for a key that this mechanism does not have.
         """
         return reader(self.mech, self.loads, key)(self)
 
     def slide(self, stem: str, joint: Prismatic) -> Reals:
-        """Travel s of the block's pin along the guide from the lettered point (else the line's origin), its rate v, its
-        second rate a."""
+        """Travel s of the block's pin along the guide from the lettered point (else the line's origin),
+        its rate v, its second rate a."""
         motion, order = self.motion, {"s": 0, "v": 1, "a": 2}[stem]
         guide, block = (
             motion.moving(name, order) if order else motion.body(name) for name in (joint.guide, joint.block)

@@ -32,8 +32,8 @@ class Table:
 
 
 def table(cycle: Cycle, keys: tuple[str, ...] = (), rows: NDArray[np.intp] | None = None) -> Table:
-    """The drive's position, then these columns (all of the cycle), vectors as x and y; rows: indices, all where none
-    are given."""
+    """The drive's position, then these columns (all of the cycle), vectors as x and y;
+    rows: indices, all where none are given."""
     names = keys or tuple(column.key for column in cycle.columns)
     parts = [part for name in dict.fromkeys(names) for part in cycle.info(name).parts]
     columns = [cycle.drive, *(cycle.info(part) for part in parts if part != cycle.drive.key)]
@@ -54,8 +54,8 @@ def _real(cycle: Cycle, key: str) -> Reals:
 
 
 def csv_bytes(made: Table) -> bytes:
-    """UTF-8 CSV: a row of keys, a row of units, then the rows with all digits; an empty field where there is no
-    value."""
+    """UTF-8 CSV: a row of keys, a row of units, then the rows with all digits;
+    an empty field where there is no value."""
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([column.key for column in made.columns])
@@ -66,8 +66,8 @@ def csv_bytes(made: Table) -> bytes:
 
 
 def xlsx_bytes(made: Table, title: str, lang: Lang) -> bytes:
-    """XLSX: rows of words, keys and units, frozen, then numbers. Raises AssemblyError for more rows than a sheet
-    holds."""
+    """XLSX: rows of words, keys and units, frozen, then numbers.
+    Raises AssemblyError for more rows than a sheet holds."""
     from openpyxl import Workbook
     from openpyxl.styles import Alignment, Font
 

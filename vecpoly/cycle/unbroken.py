@@ -1,5 +1,5 @@
-"""A column in unbroken pieces: where it breaks off (nothing can be assembled, friction locks) and where it jumps (a
-slip changes its sense)."""
+"""A column in unbroken pieces: where it breaks off (nothing can be assembled,
+friction locks) and where it jumps (a slip changes its sense)."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ GROWTH = 1.4
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """An unbroken stretch of a column: its grid with both ends, and whether an end is a break (else an end of the
-    grid)."""
+    """An unbroken stretch of a column:
+    its grid with both ends, and whether an end is a break (else an end of the grid)."""
 
     phi: Reals
     f: Reals
@@ -58,8 +58,8 @@ def _parted(curve: Curve, phi: Reals, f: Reals) -> tuple[Reals, Reals]:
 
 
 def _shared(curve: Curve, phi: Reals, f: Reals) -> tuple[Reals, Reals, Reals, Reals, NDArray[np.bool_]]:
-    """The breaks that all columns of what presses have in common: both sides, the values there; and in which steps of
-    the grid they lie."""
+    """The breaks that all columns of what presses have in common:
+    both sides, the values there; and in which steps of the grid they lie."""
     told = np.zeros(len(phi) - 1, np.bool_)
     if not curve.presses:
         return *(np.empty(0) for _ in range(4)), told  # type: ignore[return-value]
@@ -84,8 +84,8 @@ def _edges(curve: Curve, phi: Reals, known: NDArray[np.bool_], told: NDArray[np.
 
 
 def _jumps(curve: Curve, phi: Reals, f: Reals, told: NDArray[np.bool_]) -> tuple[Reals, Reals, Reals, Reals]:
-    """Both sides of every jump and the values there: of a step, always the half with the greater change, as long as it
-    keeps most of the change."""
+    """Both sides of every jump and the values there:
+    of a step, always the half with the greater change, as long as it keeps most of the change."""
     at = _leaps(f)
     at = at[~told[at]]
     if not curve.cycle.whole:  # at a dead point the rates' rounding jumps
@@ -135,8 +135,8 @@ def ends(curve: Curve, piece: Piece) -> Iterator[tuple[float, float]]:
 def towards(curve: Curve, end: float, inward: float, value: float, room: float) -> float:
     """The value at an end, ±∞ where it runs away: four places, each four times nearer, at which it grows each time.
 
-    Where rates run away, rounding spoils what stays finite: a value off the trend of the four is replaced by their
-    limit (Aitken).
+    Where rates run away, rounding spoils what stays finite:
+    a value off the trend of the four is replaced by their limit (Aitken).
     """
     reach = min(NEAR * (curve.cycle.high - curve.cycle.low), room / 2)
     near = curve.value(np.asarray(end + inward * reach * 0.25 ** np.arange(4), np.float64))

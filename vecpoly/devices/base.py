@@ -1,8 +1,7 @@
 """The base of every device: data read from the `data:` of a problem file, and the quantities that may be asked of it.
 
 A new device is one file here (its data), one in `methods/devices` (how it is drawn) and one in `oracle/devices` (its
-exact
-answers); nothing else is edited. Its `kind` is what a problem file writes after `device:`.
+exact answers); nothing else is edited. Its `kind` is what a problem file writes after `device:`.
 """
 
 from __future__ import annotations
@@ -85,8 +84,8 @@ class Device(BaseModel):
 
     @property
     def size(self) -> float:
-        """A length typical of its sketch (m), from which a scale is guessed before it is fitted; 0: a sketch, or a
-        block diagram, to no scale."""
+        """A length typical of its sketch (m), from which a scale is guessed before it is fitted;
+        0: a sketch, or a block diagram, to no scale."""
         return 0.0
 
     @property
@@ -107,8 +106,8 @@ def _hashable(value: Any) -> Any:
 
 @cache
 def kinds() -> dict[str, type[Device]]:
-    """Every device on file, and of other packages (entry points ``vecpoly.devices``), by the name that a problem file
-    uses.
+    """Every device on file, and of other packages (entry points ``vecpoly.devices``),
+    by the name that a problem file uses.
 
     Raises PluginError where two have one name.
     """

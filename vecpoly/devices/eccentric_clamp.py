@@ -15,8 +15,8 @@ from .base import Angle, Device, ForceSize, Length, Ratio
 
 
 class EccentricClamp(Device):
-    """Disc 1 of radius R and centre O on the pin A of the frame 3, AO = e at theta; its handle of length l at `handle`;
-    work 2 under the disc.
+    """Disc 1 of radius R and centre O on the pin A of the frame 3, AO = e at theta;
+    its handle of length l at `handle`; work 2 under the disc.
 
     All angles from the x axis. F acts at the handle's end in the direction `F`, Q is the clamping force normal to the
     face;
@@ -83,8 +83,8 @@ class EccentricClamp(Device):
         return self.turn * cmath.rect(1.0, self.theta.si + self.turn * atan(self.f.si)).real < -1e-9
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ, reactions, the force on the handle with and without friction, η; the arm of R_21 when F is gone, the
-        verdict, the limit of e."""
+        """φ, reactions, the force on the handle with and without friction, η;
+        the arm of R_21 when F is gone, the verdict, the limit of e."""
         return (PHI, R21, FORCE, R31, IDEAL, ETA, ARM, SELF_LOCKING, *((E_LIMIT,) if self.limited else ()))
 
     def given(self) -> tuple[tuple[str, str], ...]:

@@ -14,8 +14,8 @@ from .base import Angle, Device, ForceSize, Ratio
 
 
 class Incline(Device):
-    """α: slope of the plane (left out: the limit of self-locking, α = φ); β: of the force above the horizontal; Q:
-    weight; f: friction."""
+    """α: slope of the plane (left out: the limit of self-locking, α = φ); β:
+    of the force above the horizontal; Q: weight; f: friction."""
 
     kind: ClassVar[str] = "incline"
     f: Ratio

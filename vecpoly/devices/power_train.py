@@ -1,5 +1,5 @@
-"""Machines in series, in parallel and mixed: a train is a row of transmissions that ends in a load or parts into
-branches.
+"""Machines in series, in parallel and mixed:
+a train is a row of transmissions that ends in a load or parts into branches.
 
 train: [belt: 0.95, gear: 0.97, {conveyor: 0.92, F: 5500 N, v: 1.2 m/s}]
 train:
@@ -44,8 +44,8 @@ class PowerTrain(Device):
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """η of each parallel part from the outermost, of the whole; the motor's power, and its share for each end
-        (kW)."""
+        """η of each parallel part from the outermost, of the whole;
+        the motor's power, and its share for each end (kW)."""
         letters = self.letters
         if len(letters) == 1:
             return (POWER_OUT, ETA, POWER)
@@ -73,8 +73,8 @@ class PowerTrain(Device):
         return tuple(name or next(free) for name in named)
 
     def symbol(self, part: Part) -> str:
-        """η with a letter for the kind, or with the machine's own; numbered where parts of a kind differ: η_g, η_{g2},
-        η_A."""
+        """η with a letter for the kind, or with the machine's own;
+        numbered where parts of a kind differ: η_g, η_{g2}, η_A."""
         if part.loaded and part.kind == "machine" and len(self.letters) > 1:
             return (
                 f"η_{next(letter for letter, end in zip(self.letters, ends(self.train), strict=True) if end is part)}"

@@ -14,8 +14,8 @@ from .base import Angle, Device, ForceSize, Ratio
 
 
 class RingSpring(Device):
-    """α: of the normals of all faces from the line of F (the faces from the direction of Q); f: friction; Q: on each
-    side wedge."""
+    """α: of the normals of all faces from the line of F (the faces from the direction of Q);
+    f: friction; Q: on each side wedge."""
 
     kind: ClassVar[str] = "ring-spring"
     alpha: Angle
@@ -35,8 +35,8 @@ class RingSpring(Device):
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ; pushing: R_21, R_42, F, F by formula, F without friction, η, least α; releasing: F', by formula, η',
-        greatest α."""
+        """φ; pushing: R_21, R_42, F, F by formula, F without friction, η, least α;
+        releasing: F', by formula, η', greatest α."""
         return PHI, *REACTIONS, DRIVE, BY_SINES, IDEAL, ETA, LEAST, HOLD, HOLD_BY_SINES, ETA_BACK, GREATEST
 
     def given(self) -> tuple[tuple[str, str], ...]:

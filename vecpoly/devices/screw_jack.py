@@ -14,12 +14,11 @@ from .base import Angle, Device, ForceSize, Length, Ratio
 
 
 class ScrewJack(Device):
-    """d, d1: outer and root diameter of the thread; p: pitch; starts: number of threads; D, d0: diameters of the
-    collar's ring; l: lever.
+    """d, d1: outer and root diameter of the thread; p: pitch; starts:
+    number of threads; D, d0: diameters of the collar's ring; l: lever.
 
     f: one coefficient of friction, or f_thread and f_collar; beta: half the flank angle of a V-thread (square thread:
-    left out).
-    Q the load, or F the force on the lever: the other is sought.
+    left out). Q the load, or F the force on the lever: the other is sought.
     """
 
     kind: ClassVar[str] = "screw-jack"
@@ -134,8 +133,8 @@ class ScrewJack(Device):
 
     @property
     def trial(self) -> float:
-        """The load (N) for which the force polygon is drawn: the load itself, or where it is sought a round one, all
-        forces being proportional."""
+        """The load (N) for which the force polygon is drawn:
+        the load itself, or where it is sought a round one, all forces being proportional."""
         return self.Q.si if self.Q else 1000.0
 
     def quantities(self) -> tuple[Named, ...]:

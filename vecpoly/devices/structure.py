@@ -129,8 +129,8 @@ class Structure(Device):
         return any(not joint.form.is_lower for joint in self.joints.values())
 
     def quantities(self) -> tuple[Named, ...]:
-        """The counts, F, whether the motion is determined; after replacement of the high pairs; class and groups for
-        each driver."""
+        """The counts, F, whether the motion is determined;
+        after replacement of the high pairs; class and groups for each driver."""
         low = (N_LOW, P_LOW, F_LOW) if self.touching else ()
         classes = tuple(named for together in self.drive_sets for named in (groups(together), class_(together)))
         return (N, P_L, P_H, F_LOCAL, P_REDUNDANT, F, *((DETERMINED,) if self.drivers else ()), *low, *classes)

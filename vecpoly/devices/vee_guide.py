@@ -14,8 +14,8 @@ from .base import Angle, Device, ForceSize, Length, Ratio
 
 
 class VeeGuide(Device):
-    """G acts at the distance l1 from the V guide and l2 from the flat one; theta: half the angle of the V; f:
-    coefficient of friction.
+    """G acts at the distance l1 from the V guide and l2 from the flat one;
+    theta: half the angle of the V; f: coefficient of friction.
 
     The width of the V is neglected in the lever arms.
     """

@@ -1,5 +1,5 @@
-"""A clamping wedge: wedge 3 between body 2 and work 1, with friction on both faces; does it stay in when nothing holds
-it?"""
+"""A clamping wedge: wedge 3 between body 2 and work 1, with friction on both faces;
+does it stay in when nothing holds it?"""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ class WedgeClamp(Device):
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ, limit of α, F' that holds the wedge in (not positive: it needs none), by formula, without friction, R_13,
-        η'."""
+        """φ, limit of α, F' that holds the wedge in (not positive:
+        it needs none), by formula, without friction, R_13, η'."""
         return PHI, LIMIT, HOLD, BY_SINES, IDEAL, PRESSED, ETA_BACK
 
     def given(self) -> tuple[tuple[str, str], ...]:

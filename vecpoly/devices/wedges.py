@@ -16,11 +16,11 @@ FACES = ("12", "13", "23")  # who presses on whom
 
 
 class Wedges(Device):
-    """α: guide of wedge 1 (and F, along it) from the vertical; β: face between the wedges from the vertical; Q: load on
-    wedge 2.
+    """α: guide of wedge 1 (and F, along it) from the vertical; β:
+    face between the wedges from the vertical; Q: load on wedge 2.
 
-    f: one coefficient of friction for all faces, or f12, f13, f23 for each. Motion: F pushes 1 up its guide, 2 rises
-    against Q.
+    f: one coefficient of friction for all faces, or f12, f13, f23 for each.
+    Motion: F pushes 1 up its guide, 2 rises against Q.
     """
 
     kind: ClassVar[str] = "wedges"
@@ -75,8 +75,8 @@ class Wedges(Device):
         return Named("phi", "φ", "deg") if self.f else Named(f"phi_{face}", f"φ_{{{face}}}", "deg")
 
     def quantities(self) -> tuple[Named, ...]:
-        """φ, F measured and by the sine rule, F without friction, η, reactions; F' that holds, η' of the way back;
-        limits of φ."""
+        """φ, F measured and by the sine rule, F without friction, η, reactions;
+        F' that holds, η' of the way back; limits of φ."""
         angles = dict.fromkeys(self.angle(face) for face in FACES)
         return (*angles, DRIVE, BY_SINES, IDEAL, ETA, *REACTIONS, HOLD, ETA_BACK, LOCK_DIRECT, LOCK_REVERSE)
 

@@ -96,7 +96,7 @@ def _free_way(posed: Posed, link: str, at: complex) -> complex | None:
 
 
 def _tip(posed: Posed, contact: Contact, link: str, line: Way) -> tuple[complex, float]:
-    """Where the stem begins, and how far its tip reaches (mm): a round tip's centre, or the guide's line on the face."""
+    """Where the stem begins, and how far its tip reaches (mm): a round tip's centre, or the guide's line."""
     for end in (contact.disc, contact.on):
         if isinstance(end, Circle) and end.link == link:
             return posed.at[end.centre], posed.mm * end.radius

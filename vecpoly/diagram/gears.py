@@ -20,8 +20,8 @@ BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
 
 
 def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mark]) -> Iterator[Mark]:
-    """The pitch circle, unless it is on the paper; arms to the pins of a gear that is no bar; its number; the hatching
-    of a fixed one."""
+    """The pitch circle, unless it is on the paper; arms to the pins of a gear that is no bar;
+    its number; the hatching of a fixed one."""
     centre, radius = posed.at[circle.centre], posed.mm * circle.radius
     circles = (mark for mark in drawn if isinstance(mark, GearMark))
     if any(abs(mark.centre - centre) < BESIDE and abs(mark.radius - radius) < BESIDE for mark in circles):

@@ -39,8 +39,8 @@ class Posed:
     """Links and letters where they stand on a figure.
 
     mm: of paper for a metre; at: the letters found so far (mm); located: of every link found so far the place of its
-    origin (mm) and the direction of its x axis, a unit vector; loaded: whether forces follow, so that no pressure angle
-    is marked.
+    origin (mm) and the direction of its x axis, a unit vector; loaded:
+    whether forces follow, so that no pressure angle is marked.
     """
 
     mech: Mechanism

@@ -42,8 +42,8 @@ class Knot:
 
 
 def detailed(figure: Figure) -> tuple[Figure, ...]:
-    """The figure with its knot circled and left without letters, and the detail that has them; the figure alone where
-    it has no knot."""
+    """The figure with its knot circled and left without letters, and the detail that has them;
+    the figure alone where it has no knot."""
     knot = find_knot(figure)
     if knot is None:
         return (figure,)
@@ -113,8 +113,8 @@ def _outwards(figure: Figure, knot: Knot) -> complex:
 
 
 def _unlettered(mark: Mark, knot: Knot) -> Mark:
-    """A mark of the figure itself: within the knot, and at the ends of its direction lines, the letters stand in the
-    detail."""
+    """A mark of the figure itself:
+    within the knot, and at the ends of its direction lines, the letters stand in the detail."""
     if isinstance(mark, Point) and (
         knot.holds(mark.at) or (mark.dot is Dot.NONE and abs(mark.at - knot.centre) < knot.radius + 2.0)
     ):

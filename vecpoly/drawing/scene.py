@@ -1,5 +1,5 @@
-"""A drawing as an immutable value: strokes, fills and lettering in mm, x right, y up; every backend draws this and
-nothing else."""
+"""A drawing as an immutable value: strokes, fills and lettering in mm, x right, y up;
+every backend draws this and nothing else."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A drawing that follows its driving link: the recorded sheet, the range in which it was proved, what does not
-follow."""
+"""A drawing that follows its driving link:
+the recorded sheet, the range in which it was proved, what does not follow."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Where a group is poorly conditioned, what that is in the mechanism, and which lengths would mend it: derived
-numbers."""
+"""Where a group is poorly conditioned, what that is in the mechanism, and which lengths would mend it:
+derived numbers."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _EQUAL = 1e-6
 
 
 def advice(study: Study, one: Conditioning) -> Iterator[Words]:
-    """What the least determinant of a group is in the mechanism, and how to raise it; nothing of a good group or of one
-    of class III."""
+    """What the least determinant of a group is in the mechanism, and how to raise it;
+    nothing of a good group or of one of class III."""
     dyad = next((g.dyad for g in decompose(study.mech) if g.dyad is not None and g.links == one.group.links), None)
     if dyad is None or not one.is_poor:
         return
@@ -69,8 +69,8 @@ def is_square(study: Study, one: Conditioning) -> bool:
 
 
 def _bars(study: Study, one: Conditioning, d: Dyad) -> Words:
-    """An RRR group: the distance of its outer pins at the least γ, the range it has and may have, and the best equal
-    lengths."""
+    """An RRR group: the distance of its outer pins at the least γ,
+    the range it has and may have, and the best equal lengths."""
     assert one.gamma is not None and isinstance(d.inner, Revolute)
     assert isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
     p, c, q = d.outer_j.point, d.inner.point, d.outer_k.point

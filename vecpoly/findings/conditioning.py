@@ -1,5 +1,5 @@
-"""How the determinants of the groups' linear equations vary over the cycle, and where each is least, to full
-accuracy."""
+"""How the determinants of the groups' linear equations vary over the cycle,
+and where each is least, to full accuracy."""
 
 from __future__ import annotations
 

@@ -32,8 +32,8 @@ class Bar:
 
 
 def full_rotation(study: Study) -> Iterator[Words]:
-    """The condition for every loop of two pivoted links with a coupler, of a crank and a slider, of a crank and a guide
-    bar."""
+    """The condition for every loop of two pivoted links with a coupler,
+    of a crank and a slider, of a crank and a guide bar."""
     mech = study.mech
     for dyad in (group.dyad for group in decompose(mech) if group.dyad is not None):
         if bars := _four_bar(mech, dyad):

@@ -1,5 +1,5 @@
-"""Crank and guide bar: whether the bar turns right round or rocks, from the crank's length and the distance of the
-pivots."""
+"""Crank and guide bar: whether the bar turns right round or rocks,
+from the crank's length and the distance of the pivots."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _EQUAL = 1e-9
 
 
 def guide_bar(study: Study, d: Dyad) -> Words | None:
-    """A pivoted crank, a block, a straight guide through its pivot; driven by the crank (RPR), or by the guide (RRP).
-    Elsewhere None."""
+    """A pivoted crank, a block, a straight guide through its pivot;
+    driven by the crank (RPR), or by the guide (RRP). Elsewhere None."""
     found = _by_crank(study.mech, d) or _by_guide(study.mech, d)
     if found is None:
         return None
@@ -69,8 +69,8 @@ _Loop = tuple[str, str, str, str, str, float, float]
 
 
 def _by_crank(mech: Mechanism, d: Dyad) -> _Loop | None:
-    """crank, guide, A, B, C, AB, AC of a pivoted crank AB whose pin B lies on a straight line through the fixed pivot
-    C."""
+    """crank, guide, A, B, C, AB,
+    AC of a pivoted crank AB whose pin B lies on a straight line through the fixed pivot C."""
     if d.kind != "RPR" or FRAME not in (d.parent_j, d.parent_k) or not isinstance(d.inner, Prismatic):
         return None
     (joint, parent), (fixed, _) = sorted(

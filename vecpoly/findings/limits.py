@@ -63,8 +63,8 @@ def _dyad(study: Study, key: str) -> Dyad | None:
 def _coupler(
     study: Study, parent: str, start: tuple[str, complex], end: tuple[str, complex], v: complex
 ) -> Limit | None:
-    """The coupler's first pin moves at right angles to the coupler; on a link about a fixed pivot both are in one
-    line."""
+    """The coupler's first pin moves at right angles to the coupler;
+    on a link about a fixed pivot both are in one line."""
     (p, at), (c, to) = start, end
     along = (to - at) / abs(to - at)
     if abs((v * along.conjugate()).real) > _SMALL * abs(v):

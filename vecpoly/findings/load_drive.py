@@ -1,5 +1,5 @@
-"""The link that drives by its load where it is not the one whose position is the variable: dead points, transmission
-angle."""
+"""The link that drives by its load where it is not the one whose position is the variable:
+dead points, transmission angle."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ Reals = NDArray[np.float64]
 class Driven:
     """A link driven by these loads at the given position; dead: where their power vanishes (rad, or m).
 
-    pair: the links between which the last group's transmission angle lies; gamma: its least and greatest value, poor:
-    where it is below 40°.
+    pair: the links between which the last group's transmission angle lies;
+    gamma: its least and greatest value, poor: where it is below 40°.
     """
 
     link: str

@@ -1,5 +1,5 @@
-"""Chapter 8.1, how the mechanism moves: full rotation, turns, limit positions with their cause, quick return, evenness
-of the output."""
+"""Chapter 8.1, how the mechanism moves:
+full rotation, turns, limit positions with their cause, quick return, evenness of the output."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Other lengths tried on the mechanism itself: whether it still runs, with which transmission angles, and what becomes
-of its output."""
+"""Other lengths tried on the mechanism itself:
+whether it still runs, with which transmission angles, and what becomes of its output."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ class Side:
 
 @dataclass(frozen=True, slots=True)
 class Tried:
-    """A mechanism with other lengths: its cycle and facts where it runs all round, else the share of the turn in which
-    it cannot be assembled."""
+    """A mechanism with other lengths: its cycle and facts where it runs all round,
+    else the share of the turn in which it cannot be assembled."""
 
     turn: Cycle | None
     facts: Facts | None
@@ -55,8 +55,8 @@ class Tried:
 
 
 def tried(study: Study, sides: tuple[Side, ...]) -> Tried | None:
-    """The mechanism with these sides over the whole turn; None where it has what is not measured from its letters
-    alone."""
+    """The mechanism with these sides over the whole turn;
+    None where it has what is not measured from its letters alone."""
     mech = study.mech
     changed = {side.link for side in sides}
     if (

@@ -1,5 +1,5 @@
-"""Which links a mechanism ends in: those on the frame, rocking, turning or sliding, from which no further group
-hangs."""
+"""Which links a mechanism ends in: those on the frame, rocking, turning or sliding,
+from which no further group hangs."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def on_frame(study: Study) -> set[str]:
 
 
 def motions(study: Study, link: str) -> tuple[str, ...]:
-    """Keys of the motions by which an output is judged: ω and α of a link that turns, speed and acceleration of one
-    that slides."""
+    """Keys of the motions by which an output is judged:
+    ω and α of a link that turns, speed and acceleration of one that slides."""
     turning = tuple(key for key in (f"omega_{link}", f"alpha_{link}") if study.varies(key))
     if turning:
         return turning

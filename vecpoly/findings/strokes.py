@@ -58,8 +58,8 @@ def _placed(study: Study, key: str, spot: Spot) -> Words:
 
 
 def repeated_strokes(study: Study) -> Iterator[Words]:
-    """Links that go to and fro more than once a cycle: all their limits, how far each stroke goes and what it takes of
-    the drive."""
+    """Links that go to and fro more than once a cycle:
+    all their limits, how far each stroke goes and what it takes of the drive."""
     for swing in (s for s in study.facts.swings if is_repeated(study, s)):
         assert swing.highest is not None and swing.lowest is not None
         info, drive, count = study.whole.info(swing.key), study.whole.drive, len(swing.maxima)

@@ -18,8 +18,8 @@ _EQUAL = 1e-6  # of a length
 
 
 def symmetry(study: Study) -> Iterator[Words]:
-    """Of every point E shown with BC = CD = CE: E's curve is symmetrical about a line through D; equal speeds at equal
-    angles from B, A, D in line."""
+    """Of every point E shown with BC = CD = CE: E's curve is symmetrical about a line through D;
+    equal speeds at equal angles from B, A, D in line."""
     if not study.whole.whole or study.mech.drive.accel:
         return
     for dyad in (group.dyad for group in decompose(study.mech) if group.dyad is not None and group.kind == "RRR"):

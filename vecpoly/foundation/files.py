@@ -1,12 +1,9 @@
 """Files written whole or not at all: no half file, no stray one, no place turned into something else.
 
 A new file is written without a name (O_TMPFILE) and named when it is whole. Where it takes the place of another, or
-where the
-system knows no such files, it stands beside its place for a moment under a name of ours; should we be killed in that
-moment, the
-next file written to that folder clears it away. Symbolic links are followed, an existing file keeps its permissions,
-and what is
-no regular file (a pipe, a device) is written straight into.
+where the system knows no such files, it stands beside its place for a moment under a name of ours; should we be killed
+in that moment, the next file written to that folder clears it away. Symbolic links are followed, an existing file keeps
+its permissions, and what is no regular file (a pipe, a device) is written straight into.
 """
 
 from __future__ import annotations
@@ -38,8 +35,8 @@ def folder_of(path: Path) -> Path:
 
 
 def is_special(path: Path) -> bool:
-    """Whether a pipe, a terminal or a device stands here, into which one writes; /dev/stdout is one wherever it
-    leads."""
+    """Whether a pipe, a terminal or a device stands here, into which one writes;
+    /dev/stdout is one wherever it leads."""
     if path.exists() and path.is_absolute() and path.parts[1:2] in (("dev",), ("proc",)) and not path.is_dir():
         return True
     return path.exists() and not path.is_file() and not path.is_dir()
@@ -48,8 +45,8 @@ def is_special(path: Path) -> bool:
 def write_whole(path: Path, data: bytes, *, new: bool = False) -> Path:
     """Put these bytes at this place, whole or not at all; `new`: only where nothing stands there.
 
-    Raises IsADirectoryError for a folder, FileExistsError for what is there already, OSError naming this file for the
-    rest.
+    Raises IsADirectoryError for a folder, FileExistsError for what is there already,
+    OSError naming this file for the rest.
     """
     with _about(path):
         if is_special(path) and not new:

@@ -1,5 +1,5 @@
-"""Adding a file adds what it registers: the modules of a folder, and those that other packages name, imported when they
-are first asked for."""
+"""Adding a file adds what it registers:
+the modules of a folder, and those that other packages name, imported when they are first asked for."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ class BySubject(Generic[T]):
 
 @cache
 def load_entries(group: str) -> None:
-    """Import the modules that installed packages name in this group of entry points. Raises PluginError where one
-    fails."""
+    """Import the modules that installed packages name in this group of entry points.
+    Raises PluginError where one fails."""
     for entry in entry_points(group=group):
         try:
             entry.load()

@@ -17,8 +17,8 @@ REPEATS = 300
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Allowance:
-    """σ of plotting (mm), of a direction (deg), of a reading (mm); T = k σ, at least `floor` (mm), at most `cap` (mm)
-    and `share`.
+    """σ of plotting (mm), of a direction (deg), of a reading (mm);
+    T = k σ, at least `floor` (mm), at most `cap` (mm) and `share`.
 
     A value beyond `wrong` T is wrong; direction: what a vector's direction may be off (deg), where it is at least
     `short` mm long. arithmetic: share of a value that is found by formula alone. reading: ruler (mm), of own mm × own

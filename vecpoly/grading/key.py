@@ -1,5 +1,5 @@
-"""The key of a problem: every quantity that may be graded, with its exact value, its tolerance, what it needs, its
-points.
+"""The key of a problem: every quantity that may be graded, with its exact value,
+its tolerance, what it needs, its points.
 """
 
 from __future__ import annotations
@@ -89,8 +89,8 @@ class Graded:
 class AnswerKey:
     """The key of one problem, or of one student's variant of it.
 
-    scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit. allowance: the σ's behind
-    the tolerances.
+    scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit.
+    allowance: the σ's behind the tolerances.
     """
 
     problem: str

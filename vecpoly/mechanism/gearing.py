@@ -1,8 +1,7 @@
 """Whether gears fit: pitch radii against the distance of centres, where links hold it; and the working pitch circles.
 
 Held at a centre distance a' that is not quite r_1 + r_2 (inside: r_2 - r_1), as rounded coordinates leave it, gears
-roll on working
-pitch circles r' = r a' / a: the ratio stays. What differs by more than SLACK does not fit.
+roll on working pitch circles r' = r a' / a: the ratio stays. What differs by more than SLACK does not fit.
 """
 
 from __future__ import annotations
@@ -18,16 +17,16 @@ SLACK = 5e-4  # of the centre distance
 
 
 def reach(rolling: Rolling) -> float:
-    """The distance (m) that the gear's centre keeps: from the partner's, r_1 + r_2 or |r_2 - r_1|, or r from the rack's
-    pitch line."""
+    """The distance (m) that the gear's centre keeps:
+    from the partner's, r_1 + r_2 or |r_2 - r_1|, or r from the rack's pitch line."""
     if isinstance(rolling.on, Rack):
         return rolling.gear.radius
     return abs(rolling.on.radius - rolling.gear.radius) if rolling.internal else rolling.on.radius + rolling.gear.radius
 
 
 def held_at(mech: Mechanism, rolling: Rolling) -> float | None:
-    """The distance (m) at which a link holds the gear's centre, negative on the other side of a rack; None where none
-    holds it."""
+    """The distance (m) at which a link holds the gear's centre, negative on the other side of a rack;
+    None where none holds it."""
     by = next(iter(holders(mech, rolling)), None)
     if by is None:
         return None

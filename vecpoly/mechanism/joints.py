@@ -41,8 +41,8 @@ class Prismatic:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Circle:
-    """Pitch circle of a gear: a link, the letter of its centre, its radius; the second one of a stepped gear is marked
-    ′."""
+    """Pitch circle of a gear: a link, the letter of its centre, its radius;
+    the second one of a stepped gear is marked ′."""
 
     link: str
     centre: str
@@ -82,8 +82,8 @@ class Contact:
 
     It is replaced by a link (高副低代): the mechanism's `links` and `joints` hold the massless link `substitute`,
     pinned at the disc's centre and pinned at the other disc's centre, or sliding along the face. Kinematics uses the
-    substitute; counts of links and pairs, and forces, use the contact itself. `side` (of the face's direction) is where
-    the disc lies.
+    substitute; counts of links and pairs, and forces, use the contact itself.
+    `side` (of the face's direction) is where the disc lies.
     """
 
     point: str

@@ -1,10 +1,9 @@
-"""What acts on the links of a mechanism: forces, moments, masses, friction. SI; angles in rad; counter-clockwise
-positive.
+"""What acts on the links of a mechanism: forces, moments, masses, friction.
+SI; angles in rad; counter-clockwise positive.
 
 One load has no size: it is the one that balances the others. Friction is Coulomb's: a pin's reaction touches the
-friction
-circle of radius ρ, the reaction of a slide or a contact leans by φ = arctan f from the normal, against the relative
-motion.
+friction circle of radius ρ, the reaction of a slide or a contact leans by φ = arctan f from the normal,
+against the relative motion.
 """
 
 from __future__ import annotations
@@ -24,8 +23,7 @@ class Force:
     """A force on a link through one of its lettered points, in a fixed direction (rad from the x axis).
 
     size: N, positive along `direction`; None: it balances. A cylinder's thrust acts `against` another link as well:
-    from that link's
-    point `foot` to `point`, and with the opposite force on `foot`; it has no direction of its own.
+    from that link's point `foot` to `point`, and with the opposite force on `foot`; it has no direction of its own.
     """
 
     name: str  # ASCII: F, Q, F_r
@@ -75,8 +73,8 @@ class Rod:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mass:
-    """Mass (kg), moment of inertia about the centre of mass (kg·m²), and the centre's letter: a point of the link,
-    S2."""
+    """Mass (kg), moment of inertia about the centre of mass (kg·m²), and the centre's letter:
+    a point of the link, S2."""
 
     link: str
     mass: float
@@ -87,8 +85,8 @@ class Mass:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Friction:
-    """Radius ρ (m) of the friction circle by pin letter; friction angle φ (rad) by (link, link) of a slide or by
-    contact letter.
+    """Radius ρ (m) of the friction circle by pin letter;
+    friction angle φ (rad) by (link, link) of a slide or by contact letter.
 
     A slide's key is (block, guide) as in its joint.
     """
@@ -107,8 +105,8 @@ class Friction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loads:
-    """Everything that acts; exactly one force or moment has no size. `weight`: whether gravity (9.81 m/s², −y) acts on
-    the masses."""
+    """Everything that acts; exactly one force or moment has no size. `weight`:
+    whether gravity (9.81 m/s², −y) acts on the masses."""
 
     forces: tuple[Force, ...] = ()
     moments: tuple[Moment, ...] = ()

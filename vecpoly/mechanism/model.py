@@ -45,8 +45,8 @@ class Link:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Drive:
-    """The input: link `link` turns about its pivot on the link `on`, or slides along their guide (`slide`); `on` is the
-    frame as a rule.
+    """The input: link `link` turns about its pivot on the link `on`,
+    or slides along their guide (`slide`); `on` is the frame as a rule.
 
     position: angle of the link's x axis from that of `on` (rad), or travel of the pin of their sliding pair along the
     guide from the guide's origin (m; between two moving links the length of a cylinder); rate: ω (rad/s) or v (m/s),
@@ -73,8 +73,8 @@ class Drive:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mechanism:
-    """A planar mechanism: the frame's points (in m), moving links, joints, drives, branches, rough positions for
-    Newton."""
+    """A planar mechanism: the frame's points (in m), moving links, joints,
+    drives, branches, rough positions for Newton."""
 
     frame: Mapping[str, complex]
     links: tuple[Link, ...]
@@ -127,8 +127,8 @@ class Mechanism:
 
     @property
     def numbered(self) -> tuple[str, ...]:
-        """Names of the moving links that the problem names: the bodies, without the blocks that are thought about pins
-        in slots."""
+        """Names of the moving links that the problem names:
+        the bodies, without the blocks that are thought about pins in slots."""
         return tuple(name for name in self.bodies if name not in self.slot_pins)
 
     @property
@@ -147,8 +147,8 @@ class Mechanism:
         )
 
     def number(self, link: str) -> str:
-        """A link's number as printed, the frame's included; the block that is thought about a pin in a slot has that of
-        the pin's link."""
+        """A link's number as printed, the frame's included;
+        the block that is thought about a pin in a slot has that of the pin's link."""
         if link[:1].isalpha() and link in (pins := self.slot_pins):
             link = pins[link].carrier
         return self.frame_number if link == FRAME else link

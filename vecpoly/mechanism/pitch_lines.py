@@ -24,8 +24,8 @@ class PitchLine:
 
 
 def pitch_lines(mech: Mechanism, rack: Rack) -> dict[str, PitchLine]:
-    """The rack's pitch line on the rack itself, and on every link that slides along it, or along what slides along
-    it."""
+    """The rack's pitch line on the rack itself, and on every link that slides along it,
+    or along what slides along it."""
     seen = {rack.link: PitchLine(rack.origin, rack.direction)}
     todo = [rack.link]
     while todo:

@@ -1,8 +1,7 @@
 """Links that a drive joins: a cylinder and its rod are, at one moment, a bar of known length.
 
 So they count as one link where the mechanism is taken apart. With one more link they are a dyad of which that bar is
-one side
-(`Ram`); other groups with a driven pair have no class of their own.
+one side (`Ram`); other groups with a driven pair have no class of their own.
 """
 
 from __future__ import annotations
@@ -16,11 +15,11 @@ from .model import Drive, Joint, Mechanism, Prismatic, Revolute
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ram:
-    """A cylinder of known length, pinned at `outer` on `parent` and at `inner` on `link`, which hangs on `link_parent`
-    by `link_joint`.
+    """A cylinder of known length, pinned at `outer` on `parent` and at `inner` on `link`,
+    which hangs on `link_parent` by `link_joint`.
 
-    pair: the driven sliding joint; near: of its two links the one with the outer hinge, far: the one with the inner
-    hinge.
+    pair: the driven sliding joint; near: of its two links the one with the outer hinge, far:
+    the one with the inner hinge.
     """
 
     pair: Prismatic
@@ -35,8 +34,8 @@ class Ram:
 
 
 def units(mech: Mechanism) -> tuple[tuple[str, ...], ...]:
-    """The moving links that no drive holds against the frame, in the order of the mechanism; those between which a
-    drive acts stand together."""
+    """The moving links that no drive holds against the frame, in the order of the mechanism;
+    those between which a drive acts stand together."""
     held = {drive.link for drive in mech.drives if not drive.between}
     found = [{link.name} for link in mech.links if link.name not in held]
     for drive in mech.drives:
@@ -71,8 +70,8 @@ Hung = tuple[Joint, str, str]  # an outer joint, the link that hangs on it, the 
 
 
 def ram_of(pair: Joint | None, inner: tuple[Joint, ...], outer: tuple[Hung, Hung]) -> Ram | None:
-    """The cylinder and the link that it moves, where these joints (the driven one left out of `inner`) make such a
-    dyad; else None."""
+    """The cylinder and the link that it moves,
+    where these joints (the driven one left out of `inner`) make such a dyad; else None."""
     if not isinstance(pair, Prismatic) or len(inner) != 1 or not isinstance(inner[0], Revolute):
         return None
     sides, hinge = {pair.guide, pair.block}, inner[0]

@@ -1,12 +1,9 @@
 """Which link carries the pin of a compound hinge, and so which links press on each other there.
 
 A pin is fixed in one link; every other link turns on it, and presses on that link alone. It is the frame, if the frame
-is there; else
-the driving link; else the link that is placed first when the mechanism is put together group by group from the drive,
-for on it the
-later groups hang; of two links of one group that are pinned to each other there, the one nearer to the frame: the
-rocker or the slider,
-not the connecting rod. None of this depends on the numbers of the links.
+is there; else the driving link; else the link that is placed first when the mechanism is put together group by group
+from the drive, for on it the later groups hang; of two links of one group that are pinned to each other there, the one
+nearer to the frame: the rocker or the slider, not the connecting rod. None of this depends on the numbers of the links.
 """
 
 from __future__ import annotations
@@ -22,8 +19,8 @@ Rank = tuple[int, int, int, tuple[str, ...], int]
 
 
 def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanism:
-    """The mechanism with the joints of its compound hinges as they press: the link that carries the pin with each of
-    the others.
+    """The mechanism with the joints of its compound hinges as they press:
+    the link that carries the pin with each of the others.
 
     chosen: letter → link, where the problem itself says which link carries the pin.
     """
@@ -45,8 +42,8 @@ def seated(mech: Mechanism, chosen: Mapping[str, str] | None = None) -> Mechanis
 
 
 def seat(mech: Mechanism, point: str) -> str | None:
-    """The link that carries the pin of a compound hinge, as its joints say; None at a pin of two links that runs in no
-    slot."""
+    """The link that carries the pin of a compound hinge, as its joints say;
+    None at a pin of two links that runs in no slot."""
     pins = [
         {joint.a, joint.b}
         for joint in mech.joints
@@ -89,8 +86,8 @@ def _ranks(mech: Mechanism) -> dict[str, Rank]:
 
 
 def _order(mech: Mechanism) -> dict[str, int]:
-    """Link → when it is placed: the frame, the drives, group after group; nothing where no groups can be taken
-    apart."""
+    """Link → when it is placed: the frame, the drives, group after group;
+    nothing where no groups can be taken apart."""
     try:
         groups = decompose(mech)
     except MobilityError:

@@ -9,8 +9,8 @@ from .model import Prismatic
 
 
 def counted_from(joint: Prismatic) -> Words:
-    """自 K 点起, from K: the letter from which the guide is set out; of a guide x = c or y = c the axis that it
-    crosses."""
+    """自 K 点起, from K: the letter from which the guide is set out;
+    of a guide x = c or y = c the axis that it crosses."""
     if joint.through:
         return Words(f"自 ${joint.through}$ 点", f"from ${joint.through}$")
     if isclose(joint.direction, pi / 2):

@@ -34,8 +34,8 @@ def answer(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
 
 
 def named_answer(desk: Desk, named: Key) -> tuple[Reading, Reals]:
-    """What the force analysis or the instant centres gave: a load, a reaction, a centre; raises NoMethodError where it
-    was not found."""
+    """What the force analysis or the instant centres gave: a load, a reaction, a centre;
+    raises NoMethodError where it was not found."""
     if named.key not in desk.board.readings:
         raise NoMethodError(
             Words(

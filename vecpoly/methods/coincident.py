@@ -8,11 +8,11 @@ from .kinematics.class_iii.star import letters_on_legs
 
 
 def coincident_letters(mech: Mechanism, groups: tuple[Group, ...]) -> dict[str, str]:
-    """Letters under which points of several links are told apart by their numbers, and the block whose point is meant
-    first.
+    """Letters under which points of several links are told apart by their numbers,
+    and the block whose point is meant first.
 
-    P always carries a number, since p is the pole. A pin in a slot, which has no block, is told by the link that
-    carries it.
+    P always carries a number, since p is the pole.
+    A pin in a slot, which has no block, is told by the link that carries it.
     """
     unseen = mech.slot_pins
     carriers = [name for name in mech.bodies if name not in unseen and "P" in mech.link(name).points]

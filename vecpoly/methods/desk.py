@@ -52,8 +52,8 @@ class Desk(Diagram):
     # -- names ------------------------------------------------------------------------------------------------
 
     def canonical(self, at: At) -> At:
-        """B2 is plain B where link 2 itself carries B, S2 the letter S2 where it does; B3 stays B3 where link 3 is only
-        passed over."""
+        """B2 is plain B where link 2 itself carries B, S2 the letter S2 where it does;
+        B3 stays B3 where link 3 is only passed over."""
         if at.link and str(at) in self.mech.link(at.link).points:
             return At(str(at))
         carried = at.link and at.point in self.mech.link(at.link).points
@@ -104,8 +104,8 @@ class Desk(Diagram):
         return 0j if self.at_rest(view, at) else self.tips[view, at]
 
     def at_rest(self, view: View, at: At) -> bool:
-        """Whether the point's vector is zero for good: a point of the frame, or a contact with a fixed rack (velocity
-        only)."""
+        """Whether the point's vector is zero for good:
+        a point of the frame, or a contact with a fixed rack (velocity only)."""
         at = self.canonical(at)
         return not at.link and (at.point in self.mech.frame or (view is View.VELOCITY and at.point in self.centres))
 

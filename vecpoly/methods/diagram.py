@@ -129,16 +129,16 @@ class Diagram:
         )
 
     def normal_of(self, contact: Contact) -> Points:
-        """Common normal of a contact as drawn: unit vector from the disc's centre through the point of contact, into
-        the other link."""
+        """Common normal of a contact as drawn:
+        unit vector from the disc's centre through the point of contact, into the other link."""
         if isinstance(contact.on, Rack):
             return self.face_line(contact).along * (-1j if contact.side is Side.LEFT else 1j)
         way = self.towards(contact.disc.centre, contact.on.centre)
         return -way if contact.internal else way
 
     def contact_of(self, contact: Contact) -> Points:
-        """Point of contact as drawn: foot of the disc's centre on the face, or on the line of centres at the disc's
-        radius."""
+        """Point of contact as drawn: foot of the disc's centre on the face,
+        or on the line of centres at the disc's radius."""
         centre = self.at[contact.disc.centre]
         if isinstance(contact.on, Rack):
             return foot(self.face_line(contact), centre)

@@ -13,8 +13,8 @@ from .desk import VECTOR, Desk
 
 
 class Drawn(NamedTuple):
-    """The construction; every asked answer by all hands; what an ideal hand, which neither rounds nor scatters, reads
-    instead."""
+    """The construction; every asked answer by all hands;
+    what an ideal hand, which neither rounds nor scatters, reads instead."""
 
     construction: Construction
     repeats: Repeats
@@ -28,8 +28,8 @@ class Drawn(NamedTuple):
 
 
 def motion_of(desk: Desk) -> dict[Rel, complex | float]:
-    """What stands on the polygons of a finished drawing: the vectors of all lettered points, ω and α of all links
-    (SI)."""
+    """What stands on the polygons of a finished drawing:
+    the vectors of all lettered points, ω and α of all links (SI)."""
     found: dict[Rel, complex | float] = {rel: float(nominal(turn.value)) for rel, turn in desk.turns.items()}
     for (view, at), tip in desk.tips.items():
         found[Rel(VECTOR[view], at)] = complex(nominal(tip)) * desk.board.scales[view].value

@@ -28,8 +28,8 @@ FAR = 1e6  # times the nominal length
 
 
 def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amended) -> Mapping[str, Points | Reals]:
-    """Asked quantity -> its value by every hand (SI; of a velocity or acceleration the vector), at the scales of a
-    drawing.
+    """Asked quantity -> its value by every hand (SI;
+    of a velocity or acceleration the vector), at the scales of a drawing.
 
     A hand whose polygon does not close has NaN. Raises what drawing the nominal sheet raises.
     """

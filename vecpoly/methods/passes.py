@@ -38,8 +38,8 @@ def needs_centres(problem: Problem) -> bool:
 
 
 def needs_polygons(problem: Problem) -> bool:
-    """Whether anything is asked that centres do not give: accelerations, or velocities where the problem does not want
-    them by centres."""
+    """Whether anything is asked that centres do not give:
+    accelerations, or velocities where the problem does not want them by centres."""
     return any(not _given_by_centres(problem, ask) for ask in problem.asks)
 
 

@@ -1,8 +1,7 @@
 """From a problem to its construction: the groups in order, each with its textbook methods; scales chosen from a sketch.
 
 The sketch is the same construction by an exact hand at provisional scales; only the size of its figures is used, to
-choose
-round scales with which every figure fills its place on the sheet.
+choose round scales with which every figure fills its place on the sheet.
 """
 
 from __future__ import annotations
@@ -65,8 +64,8 @@ def construct(
 
 
 def drawn_alone(problem: Problem, by: Hand) -> Construction:
-    """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is
-    weighed."""
+    """The construction as this hand draws it at the scales of the problem,
+    with no ideal hand's beside it: nothing is weighed."""
     with _quietly():
         problem, said = _driven(problem)
         desk = draw(problem, Board(by, _choose_scales(problem, {}, None)[0]), said)
@@ -106,8 +105,8 @@ def _finished(problem: Problem, by: Hand, desk: Desk, readings: Mapping[str, Rea
 
 
 def drawn_exactly(problem: Problem, scales: Mapping[View, Scale], *, recorded: bool = False) -> Desk:
-    """The drawing by an exact hand at these scales; recorded: the numbers of its acts know how they follow from the
-    position of the driving link."""
+    """The drawing by an exact hand at these scales; recorded:
+    the numbers of its acts know how they follow from the position of the driving link."""
     with _quietly():
         desk = draw(problem, Board(hand("exact"), scales, recorded=recorded))
         _answers(desk, problem)
@@ -155,8 +154,8 @@ def _typical_force(problem: Problem) -> float:
 def _fitted(
     problem: Problem, slots: Mapping[View, tuple[float, float]], guess: Mapping[View, float], fit: Fit | None
 ) -> tuple[dict[View, Scale], Desk]:
-    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet; and the
-    sketch."""
+    """Round scales with which the figures of a sketch at these scales would fill their slots, and their sheet;
+    and the sketch."""
     sketch = _sketch(problem, {v: Scale.of(v, value) for v, value in guess.items()})
     given = {view: problem.scales.of(view.mu) for view in guess}
     figures = [f for f in sketch.board.figures() if f.view is not View.FORCE or _acts(f)]

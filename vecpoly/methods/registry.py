@@ -1,5 +1,5 @@
-"""The open end of the program: a textbook method is a function registered by `method`; adding the file adds the
-method."""
+"""The open end of the program: a textbook method is a function registered by `method`;
+adding the file adds the method."""
 
 from __future__ import annotations
 
@@ -87,8 +87,7 @@ def method(
     """Register a function as the method for one stage of one kind of group.
 
     Raises ValueError where another function already covers it, or where a file of the house stands in the folder of
-    another stage.
-    A module of another package names itself in the entry points ``vecpoly.methods`` instead.
+    another stage. A module of another package names itself in the entry points ``vecpoly.methods`` instead.
     """
 
     def register(draw: Draw[S, P, R]) -> Draw[S, P, R]:

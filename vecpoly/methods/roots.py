@@ -65,8 +65,8 @@ def _to_the_edge(curve: Curve, a: tuple[float, float], b: tuple[float, float]) -
 
 
 def _root(curve: Curve, low: tuple[float, float], high: tuple[float, float]) -> float:
-    """The zero between two trials on either side of it (false position, the stale end halved); NaN where the curve
-    jumps."""
+    """The zero between two trials on either side of it (false position, the stale end halved);
+    NaN where the curve jumps."""
     (a, fa), (b, fb) = low, high
     first, last = fa, fb
     for _ in range(ROUNDS):

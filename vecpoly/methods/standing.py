@@ -1,5 +1,5 @@
-"""Where an asked vector stands on the polygons: under its own key, as the opposite of another, or as that of the same
-sliding pair."""
+"""Where an asked vector stands on the polygons:
+under its own key, as the opposite of another, or as that of the same sliding pair."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ def standing(desk: Desk, rel: Rel) -> Standing:
     """Figure, start, end and letters of a vector; raises NoMethodError where the construction holds no such line.
 
     v_BC is v_CB turned round, and so are all relative vectors. Two links of a sliding pair turn alike, so that v, a^k
-    and a^r
-    of the one against the other are the same at every point.
+    and a^r of the one against the other are the same at every point.
     """
     found = _drawn(desk, rel) or _turned(_drawn(desk, _back(rel))) or _sliding(desk, rel)
     if found is None:
@@ -41,8 +40,8 @@ def _instead(desk: Desk, asked: Rel) -> Words:
 
 
 def computed(desk: Desk, rel: Rel) -> Quantity | None:
-    """The quantity itself where it was computed and laid off, of this vector or of its opposite: it is not read
-    again."""
+    """The quantity itself where it was computed and laid off, of this vector or of its opposite:
+    it is not read again."""
     for one in (rel, _back(rel)):
         if one is not None:
             key = Rel(one.kind, desk.canonical(one.to), desk.canonical(one.ref) if one.ref else None).key

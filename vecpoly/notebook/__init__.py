@@ -1,2 +1,2 @@
-"""Problems, solutions and constructions as a notebook shows them: HTML and SVG in the reader's language, their letters
-outlined."""
+"""Problems, solutions and constructions as a notebook shows them:
+HTML and SVG in the reader's language, their letters outlined."""

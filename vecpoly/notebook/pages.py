@@ -1,5 +1,5 @@
-"""What Jupyter shows: a problem with its sketch, a solution with its answers and sheet, a construction with its steps
-and figures."""
+"""What Jupyter shows: a problem with its sketch, a solution with its answers and sheet,
+a construction with its steps and figures."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
 """Positions and rates beside a change point: from either side of it, for its own equations leave no digits there.
 
 There α is lost to rounding with the cube of the distance. A motion that goes smoothly through is, near the point, the
-polynomial
-through eight positions about it; with steps of 0.01 rad it errs by no more than rounding does just outside.
+polynomial through eight positions about it; with steps of 0.01 rad it errs by no more than rounding does just outside.
 """
 
 from __future__ import annotations
@@ -26,8 +25,8 @@ Solve = Callable[[Reals], dict[str, Body]]
 
 
 def across(changes: Sequence[Changes], asked: Reals, drive: Drive, scale: float, solve: Solve) -> dict[str, Body]:
-    """The driven links at the positions asked for; beside change points of these dyads as the motion goes through
-    them."""
+    """The driven links at the positions asked for;
+    beside change points of these dyads as the motion goes through them."""
     if not changes or not asked.size:
         return solve(asked)
     unit = BESIDE * (scale if drive.slide else 1.0)

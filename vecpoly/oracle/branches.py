@@ -48,8 +48,8 @@ def check_letters(mech: Mechanism) -> None:
 def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     """The step with the sign of the assembly that the statements describe.
 
-    Raises AssemblyError where they describe neither or do not tell the two apart, DeadPointError where the two
-    coincide.
+    Raises AssemblyError where they describe neither or do not tell the two apart,
+    DeadPointError where the two coincide.
     """
     if isinstance(step, Newton) and drives_in(step.rows):
         return among(mech, step, bodies, run)
@@ -127,8 +127,8 @@ def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:
 
 
 def _figured(mech: Mechanism, step: Step, figure: Shaped | None, at: Places) -> Step:
-    """The step itself, or where it is a parallelogram or a folded kite the step that stays one through its change
-    points."""
+    """The step itself, or where it is a parallelogram or a folded kite the
+    step that stays one through its change points."""
     if figure is not None and margin(figure, at) > 0:
         return parallel(mech, step.group, figure.corners[0])
     if (
@@ -156,8 +156,8 @@ def _is_said(mech: Mechanism, shape: Shaped) -> bool:
 
 
 def _ahead(step: Swinging, bodies: Bodies) -> Swinging | None:
-    """The block ahead of the guide's letter along the guide's positive direction; None where it is so in both
-    directions, or in none."""
+    """The block ahead of the guide's letter along the guide's positive direction;
+    None where it is so in both directions, or in none."""
     options = [replace(step, sign=sign) for sign in (1.0, -1.0)]
     here, there = step.ends(bodies)
     forward = [option for option in options if option.sign * option.reach(there - here)[-1] + option.shift > 0]
@@ -165,8 +165,8 @@ def _ahead(step: Swinging, bodies: Bodies) -> Swinging | None:
 
 
 def _guessed(mech: Mechanism, options: Sequence[Step], after: Sequence[Places], where: str) -> Step:
-    """The direction in which the guide's letters lie nearer to the rough places; AssemblyError where these do not
-    tell."""
+    """The direction in which the guide's letters lie nearer to the rough places;
+    AssemblyError where these do not tell."""
     near = nearer(mech.guesses, after[0], after[1], 1e-6 * mech.scale) if len(after) == 2 else None
     if near is None:
         step = options[0]

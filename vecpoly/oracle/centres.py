@@ -1,5 +1,5 @@
-"""Instant centres from the velocities: the point at which two links have one velocity, or the direction in which it
-lies at infinity."""
+"""Instant centres from the velocities:
+the point at which two links have one velocity, or the direction in which it lies at infinity."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ class Centres:
         return _at(replace(self.mech, drives=drives))
 
     def value(self, key: str) -> complex | float:
-        """The quantity with this key: a place (m) or velocity as x + iy, a direction to infinity (deg, 0 to 180), a
-        ratio, an angle (deg).
+        """The quantity with this key: a place (m) or velocity as x + iy,
+        a direction to infinity (deg, 0 to 180), a ratio, an angle (deg).
 
         Raises UnknownNameError where there is none, NotAskedError where it has no value.
         """
@@ -56,8 +56,8 @@ class Centres:
         raise UnknownNameError(Words(f"此处没有瞬心的量 {key}", f"there is no quantity {key} of instant centres here"))
 
     def place(self, a: str, b: str) -> complex | float:
-        """Where v_a(r) = v_b(r): r = i (v_a - v_b) / (ω_a - ω_b), velocities at the origin; at infinity the direction ⊥
-        (v_a - v_b) in deg."""
+        """Where v_a(r) = v_b(r): r = i (v_a - v_b) / (ω_a - ω_b), velocities at the origin;
+        at infinity the direction ⊥ (v_a - v_b) in deg."""
         slip, turn = self._relative(a, b)
         size = self.mech.scale
         if abs(turn) * size > NONE * max(abs(slip), abs(turn) * size):
@@ -103,8 +103,8 @@ class Centres:
         return (slip, turn) if slip != 0 or turn != 0 else self._onward(a, b)
 
     def _onward(self, a: str, b: str) -> tuple[complex, float]:
-        """Of links at rest relative to each other the rates of slip and ω: the centre is where it comes from and goes
-        to.
+        """Of links at rest relative to each other the rates of slip and ω:
+        the centre is where it comes from and goes to.
 
         The velocity at the origin changes by a_0 − iα r_0 − iω v_0.
         """
@@ -127,8 +127,8 @@ class Centres:
 
 
 def slowest(mech: Mechanism, link: str, p: str, q: str) -> complex:
-    """The point (m) of a link on its line PQ that moves slowest: the foot of the perpendicular from the link's absolute
-    centre."""
+    """The point (m) of a link on its line PQ that moves slowest:
+    the foot of the perpendicular from the link's absolute centre."""
     here = Centres(mech)
     pole = here.place(link, FRAME)
     if not isinstance(pole, complex):
@@ -176,8 +176,8 @@ def limit(mech: Mechanism, pin: str, led: str, rod: str, *, extended: bool) -> f
 
 
 def _sway(mech: Mechanism, q: Reals, pin: str, led: str, rod: str) -> Reals:
-    """v of the led point across the line from it to the pin, over ω of the crank, with the sign of its sense: zero
-    where it stands still."""
+    """v of the led point across the line from it to the pin, over ω of the crank,
+    with the sign of its sense: zero where it stands still."""
     motion = _at(mech, q)
     carrier = next(name for name in mech.links_at(led) if name != rod)
     turning = np.broadcast_to(motion.moving(carrier).omega, q.shape)

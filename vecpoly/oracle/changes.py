@@ -1,5 +1,5 @@
-"""Change points: positions where the two assemblies of a dyad meet though the drive goes on, and how the motion goes
-through them.
+"""Change points: positions where the two assemblies of a dyad meet though the drive goes on,
+and how the motion goes through them.
 
 Between its change points a dyad keeps to one side; at each it passes to the other, for so, and only so, its motion is
 smooth:
@@ -30,8 +30,8 @@ _GOLDEN = (5**0.5 - 1) / 2
 
 @dataclass(frozen=True, slots=True)
 class Changes:
-    """Change points of one dyad. own: the problem's own position; places: (rad or m), within a period above own where
-    there is a period."""
+    """Change points of one dyad. own: the problem's own position; places:
+    (rad or m), within a period above own where there is a period."""
 
     own: float
     places: tuple[float, ...]
@@ -57,8 +57,8 @@ class Changes:
 
 
 def touches(fold: Fold, low: float, high: float, unit: float) -> tuple[float, ...]:
-    """Where the fold comes down to zero and goes up again, within low..high. unit: 1 of a turning drive (rad), the
-    scale of a sliding one (m)."""
+    """Where the fold comes down to zero and goes up again, within low..high.
+    unit: 1 of a turning drive (rad), the scale of a sliding one (m)."""
     step = 2 * np.pi * unit / SAMPLES
     q = np.asarray(low + step * (np.arange(round((high - low) / step) + 2) - 0.5), np.float64)
     sampled = fold(q)

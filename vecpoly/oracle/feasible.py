@@ -60,8 +60,8 @@ def _text(low: float, high: float, slide: bool) -> str:
 
 
 def alone(closes: Closes, at: float, scale: float) -> bool:
-    """Whether everything closes just before and just after this position of the drive (rad, or m), so that it stands
-    alone."""
+    """Whether everything closes just before and just after this position of the drive (rad,
+    or m), so that it stands alone."""
     return bool(closes(at + BESIDE * min(scale, 1.0) * np.array([-1.0, 1.0])).all())
 
 

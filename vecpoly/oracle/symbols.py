@@ -129,7 +129,7 @@ def _sliding(motion: Moving, rel: Rel) -> Points:
 
 
 def _guide(motion: Moving, to: At, ref: At) -> str:
-    """The link with the guide along which B3 slides over B2: a block turns with it, a pin in a slot or a disc on a face
-    does not."""
+    """The link with the guide along which B3 slides over B2:
+    a block turns with it, a pin in a slot or a disc on a face does not."""
     slides = (j for j in motion.mech.joints if isinstance(j, Prismatic) and j.pin == to.point == ref.point)
     return next((j.guide for j in slides if j.guide in (to.link, ref.link)), ref.link)

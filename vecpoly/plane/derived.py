@@ -1,5 +1,5 @@
-"""A number that knows how it was computed: a term of + − × ÷, elementary functions and cases, over variables and
-constants.
+"""A number that knows how it was computed:
+a term of + − × ÷, elementary functions and cases, over variables and constants.
 
 A recorded drawing starts from such numbers (`variable`); arithmetic, numpy's elementwise functions and `np.where`
 go on with them. What they cannot follow (turning one into a plain `float`, a choice made by `if`) gives a number that

@@ -89,8 +89,8 @@ def similar(a: Points, b: Points, c: Points, a1: Points, b1: Points) -> Points:
 
 
 def inclined(axis: Points, sine: Reals) -> tuple[Points, Points]:
-    """The two unit vectors u that make an angle of this sine with a vector, axis × u = |axis| sine: ahead, and behind;
-    else NaN."""
+    """The two unit vectors u that make an angle of this sine with a vector, axis × u = |axis| sine:
+    ahead, and behind; else NaN."""
     with np.errstate(invalid="ignore"):
         cosine = np.sqrt(1 - np.square(sine))
     return unit(axis) * (cosine + 1j * sine), unit(axis) * (1j * sine - cosine)

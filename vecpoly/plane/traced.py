@@ -20,8 +20,8 @@ Number = TypeVar("Number")
 
 
 class Traced:
-    """A point, a direction or a length with the acts that it came from; `value` is a number or an array with one for
-    each hand."""
+    """A point, a direction or a length with the acts that it came from;
+    `value` is a number or an array with one for each hand."""
 
     __slots__ = ("acts", "value")
 
@@ -161,8 +161,8 @@ class Traced:
 
 
 def traced(value: Number, acts: Acts) -> Number:
-    """The number, knowing these acts; it behaves like the number that it stands for, and is typed as such. One of no
-    acts is the number."""
+    """The number, knowing these acts; it behaves like the number that it stands for, and is typed as such.
+    One of no acts is the number."""
     if not acts:
         return bare(value)  # type: ignore[no-any-return]
     return Traced(bare(value), acts)  # type: ignore[return-value]

@@ -1,5 +1,5 @@
-"""Fonts inside the page: of each face just the characters that the page uses, so that it looks alike everywhere and
-loads nothing."""
+"""Fonts inside the page: of each face just the characters that the page uses,
+so that it looks alike everywhere and loads nothing."""
 
 from __future__ import annotations
 

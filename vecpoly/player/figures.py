@@ -1,5 +1,5 @@
-"""The figures of the construction for the page: of each, one group of lines for every step and layer, in both languages
-at once."""
+"""The figures of the construction for the page:
+of each, one group of lines for every step and layer, in both languages at once."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ MARGIN = 2.0  # mm round each figure
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A figure on the page: its key, title, box in units (x, y, width, height), markup, and the steps that draw in
-    it."""
+    """A figure on the page: its key, title, box in units (x, y, width, height),
+    markup, and the steps that draw in it."""
 
     key: str
     title: Words
@@ -61,8 +61,8 @@ def box(rect: Rect) -> tuple[int, int, int, int]:
 
 
 def _groups(parts: Sequence[tuple[str, list[Any]]], ink: Ink) -> Iterable[str]:
-    """Layer by layer, and in each step by step; what differs between the languages stands in a group of its
-    language."""
+    """Layer by layer, and in each step by step;
+    what differs between the languages stands in a group of its language."""
     tagged = sorted(
         ((item.layer, item.step, n, lang, item) for n, (lang, items) in enumerate(parts) for item in items),
         key=lambda t: t[:3],
@@ -76,8 +76,8 @@ def _groups(parts: Sequence[tuple[str, list[Any]]], ink: Ink) -> Iterable[str]:
 
 
 def caption(figure: Figure, ink: Ink, over: Rect, size: float) -> tuple[str, Rect]:
-    """Title and scale in both languages under a figure of these extents, in letters so much larger; and the extents
-    with them."""
+    """Title and scale in both languages under a figure of these extents, in letters so much larger;
+    and the extents with them."""
     body, low, middle = "", over.y0, over.centre.real
     for lang in LANGS:
         items: tuple[Item, ...] = caption_items(figure, over, lang)

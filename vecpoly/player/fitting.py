@@ -1,5 +1,5 @@
-"""Scales all through the cycle: one for all places if their polygons can share it; where a polygon would outgrow its
-pane, a coarser one."""
+"""Scales all through the cycle: one for all places if their polygons can share it;
+where a polygon would outgrow its pane, a coarser one."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ Panes = Mapping[str, Rect]
 
 
 def fitted(places: Sequence[Construction], start: int) -> list[Scales]:
-    """For each place the scales with which its polygons fit panes that do not change; all are drawn at the scales of
-    the place `start`."""
+    """For each place the scales with which its polygons fit panes that do not change;
+    all are drawn at the scales of the place `start`."""
     if not places:
         return []
     scales = [scales_of(places[start])] * len(places)

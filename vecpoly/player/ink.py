@@ -1,5 +1,5 @@
-"""Items of a scene as small SVG in whole units of 0.01 mm, y downwards; looks and set type are written once and
-referred to."""
+"""Items of a scene as small SVG in whole units of 0.01 mm, y downwards;
+looks and set type are written once and referred to."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The finished figures all through the cycle, as small data: what stays is written once, what moves once for every
-place of the drive."""
+"""The finished figures all through the cycle, as small data:
+what stays is written once, what moves once for every place of the drive."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ Data = dict[str, object]
 
 @dataclass(frozen=True, slots=True)
 class Frames:
-    """A figure at every place in one language: its items there, none where it is not drawn; and those that never
-    change."""
+    """A figure at every place in one language: its items there, none where it is not drawn;
+    and those that never change."""
 
     items: tuple[tuple[Item, ...], ...]
     still: frozenset[Item]
@@ -34,8 +34,8 @@ class Frames:
 
 
 def moving(cycle: Cycle, given: Construction, ink: Ink) -> list[Data]:
-    """Per figure of the given drawing: its box, its captions, its standing lines, and its lines for every place, layer
-    by layer."""
+    """Per figure of the given drawing: its box, its captions, its standing lines,
+    and its lines for every place, layer by layer."""
     by_key = [{key_of(f): f for f in turn.solution.construction.figures} for turn in cycle.turns]
     order = [figure for figure in reading_order(given.figures) if key_of(figure) in by_key[cycle.start]]
     places = [[found.get(key_of(figure)) for found in by_key] for figure in order]
@@ -75,8 +75,8 @@ def _figure(figure: Figure, places: Sequence[Figure | None], start: int, size: f
 def _captions(
     figure: Figure, places: Sequence[Figure | None], room: Rect, size: float, ink: Ink
 ) -> tuple[list[int], list[Data], Rect]:
-    """Which caption belongs to each place; the captions, one for each scale, and whether it is another than the given
-    one; the extents with them."""
+    """Which caption belongs to each place; the captions, one for each scale,
+    and whether it is another than the given one; the extents with them."""
     scales = [figure.scale if one is None else one.scale for one in places]
     kinds = list(dict.fromkeys(scales))
     drawn = [caption(replace(figure, scale=scale), ink, room, size) for scale in kinds]

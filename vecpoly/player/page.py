@@ -30,8 +30,8 @@ _HEADINGS = re.compile(r"<(h1|h2|button|summary|thead|output)\b.*?</\1>", re.S) 
 
 
 class Page(NamedTuple):
-    """One HTML document, and the warning in it: what of the steps or of any place of the drive must not be taken for
-    right."""
+    """One HTML document, and the warning in it:
+    what of the steps or of any place of the drive must not be taken for right."""
 
     html: str
     warning: Words | None

@@ -1,5 +1,5 @@
-"""The steps in words: each sentence with its equation and formulas as HTML, in both languages, and as it is read
-aloud."""
+"""The steps in words: each sentence with its equation and formulas as HTML,
+in both languages, and as it is read aloud."""
 
 from __future__ import annotations
 
@@ -85,8 +85,8 @@ def vector(symbol: str) -> Node:
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One term of an equation: the sign before it, symbol, direction and magnitude as HTML, and how wide it will be
-    (em)."""
+    """One term of an equation: the sign before it, symbol, direction and magnitude as HTML,
+    and how wide it will be (em)."""
 
     sign: str
     cells: tuple[str, str, str]

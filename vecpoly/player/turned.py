@@ -1,5 +1,5 @@
-"""The same problem with its drive at other places, all through the cycle: it stays assembled as it was, and keeps its
-scales where they will do."""
+"""The same problem with its drive at other places, all through the cycle:
+it stays assembled as it was, and keeps its scales where they will do."""
 
 from __future__ import annotations
 
@@ -77,8 +77,8 @@ def cycle(solution: Solution, count: int, *, seed: int = 0) -> Cycle:
 
 @dataclass(frozen=True, slots=True)
 class _Sketched:
-    """The problem with the drive at another place, drawn once by an exact hand: its polygons tell the scales, its
-    readings are the ideal ones."""
+    """The problem with the drive at another place, drawn once by an exact hand:
+    its polygons tell the scales, its readings are the ideal ones."""
 
     problem: Problem
     desk: Desk
@@ -86,8 +86,8 @@ class _Sketched:
 
 
 def _drawn(sketch: _Sketched, scales: Scales, hand: str, seed: int) -> Solution | None:
-    """The place drawn at these scales; at its own where what is small there is too small to be drawn so: it leaves its
-    pane."""
+    """The place drawn at these scales; at its own where what is small there is too small to be drawn so:
+    it leaves its pane."""
     for tried in (scales, sketch.problem.scales):
         try:
             return solve(

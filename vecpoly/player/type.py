@@ -1,5 +1,5 @@
-"""Set type and words for the page: glyph runs as SVG, sentences as HTML, and the characters that each face must bring
-along."""
+"""Set type and words for the page: glyph runs as SVG, sentences as HTML,
+and the characters that each face must bring along."""
 
 from __future__ import annotations
 

@@ -14,8 +14,8 @@ from .schema.models import GateSpec
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gate:
-    """vectors: mm that a graded vector measures at least; meetings, dead_point: rad between ruled lines, and from a
-    dead point.
+    """vectors: mm that a graded vector measures at least; meetings, dead_point:
+    rad between ruled lines, and from a dead point.
 
     deviation: 2σ of a graded quantity over its size, at most. slips, apart: how many tolerances T the readings of
     somebody

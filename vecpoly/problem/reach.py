@@ -1,5 +1,5 @@
-"""Which files a problem file may name: those in its own folder and below it, and the library; others only where the
-user says so."""
+"""Which files a problem file may name: those in its own folder and below it, and the library;
+others only where the user says so."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ Resolver = Callable[[str], "str | bytes | None"]
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """The folder of the file that the user named (None: a text, which has none), or anywhere; and who knows files that
-    are in memory."""
+    """The folder of the file that the user named (None: a text, which has none), or anywhere;
+    and who knows files that are in memory."""
 
     folder: Path | None = None
     anywhere: bool = False
     resolver: Resolver | None = None
 
     def held(self, name: str) -> bytes | None:
-        """What the resolver has under this name; raises ProblemFileError for what is neither text nor bytes, or too
-        large."""
+        """What the resolver has under this name;
+        raises ProblemFileError for what is neither text nor bytes, or too large."""
         found = None if self.resolver is None else self.resolver(name)
         if found is None or isinstance(found, bytes):
             return found

@@ -1,5 +1,5 @@
-"""What acts on a mechanism, drawn on its sketch: forces and moments as arrows, friction circles; nothing that has to be
-found."""
+"""What acts on a mechanism, drawn on its sketch: forces and moments as arrows, friction circles;
+nothing that has to be found."""
 
 from __future__ import annotations
 
@@ -77,8 +77,8 @@ def _gap(p: complex, a: complex, b: complex) -> float:
 
 
 def _moment(mech: Mechanism, load: Moment, spots: dict[str, complex], symbol: str, figure: Figure) -> TurnArrow | None:
-    """About the link's fixed pivot, or its first lettered point; opposite the driving arrow where both turn about one
-    pivot."""
+    """About the link's fixed pivot, or its first lettered point;
+    opposite the driving arrow where both turn about one pivot."""
     letters = [p for p in mech.link(load.link).points if p in spots]
     centre = next((p for p in letters if p in mech.frame), letters[0] if letters else None)
     if load.size is None or centre is None:

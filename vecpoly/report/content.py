@@ -1,5 +1,5 @@
-"""What a template may say of one problem: plain words, and names of the objects (tables, equations, drawings) to be
-set."""
+"""What a template may say of one problem:
+plain words, and names of the objects (tables, equations, drawings) to be set."""
 
 from __future__ import annotations
 
@@ -81,8 +81,8 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:
-    """What is hardly meant; counts in which no hand can err, and which still are not what the oracle says, and why, as
-    far as the oracle knows."""
+    """What is hardly meant; counts in which no hand can err,
+    and which still are not what the oracle says, and why, as far as the oracle knows."""
     named = [solution.answers[ask.rel.key] for ask in solution.problem.asks if isinstance(ask, AskNamed)]
     wrong = [
         answer for answer in named if answer.reading.mm is None and not answer.expected_error and not answer.computed

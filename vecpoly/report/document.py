@@ -1,5 +1,5 @@
-"""A report from solutions: Jinja2 fills a template of our small XML, which is set with drawn figures, tables and
-formulas."""
+"""A report from solutions: Jinja2 fills a template of our small XML,
+which is set with drawn figures, tables and formulas."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The table of lines of action: for each reaction a point of its line, and on which side it touches the friction
-circle."""
+"""The table of lines of action: for each reaction a point of its line,
+and on which side it touches the friction circle."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ def _row(answer: Answer, acts: LineOfAction, how: Words, lang: Lang) -> tuple[st
 
 
 def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
-    """On which side the line touches a friction circle, that it passes through a pin, or how it leans from the normal
-    of a slide."""
+    """On which side the line touches a friction circle, that it passes through a pin,
+    or how it leans from the normal of a slide."""
     if acts.told is not None:
         return acts.told
     if acts.couple is not None:

@@ -56,8 +56,8 @@ def to_scale(figure: Figure) -> bool:
 
 
 def _given_links(figure: Figure, upto: int) -> list[Mark]:
-    """The mechanism as it stands after this step, without construction lines and their letters, and without the
-    pressure angle."""
+    """The mechanism as it stands after this step, without construction lines and their letters,
+    and without the pressure angle."""
     return [m for m in figure.marks if getattr(m, "role", None) not in _HELP and m.step <= upto and not _drawn_on(m)]
 
 
@@ -79,8 +79,8 @@ def _device(figure: Figure, width: float, height: float) -> Figure:
 
 
 def diagram(construction: Construction) -> Figure | None:
-    """The block diagram with all that the solution wrote into it, for the text; none where there are drawings for a
-    sheet."""
+    """The block diagram with all that the solution wrote into it, for the text;
+    none where there are drawings for a sheet."""
     figure = construction.figure(View.MECHANISM)
     if figure is None or not any(isinstance(mark, Cell) for mark in figure.marks):
         return None
@@ -114,8 +114,8 @@ def scaled(mark: Mark, factor: float) -> Any:
 
 
 def frames(construction: Construction) -> Construction:
-    """The blank sheet: for each figure to be drawn a frame of its size with what is given in it: pivots, guides,
-    poles."""
+    """The blank sheet: for each figure to be drawn a frame of its size with what is given in it:
+    pivots, guides, poles."""
     return replace(
         construction, figures=tuple(_frame(f) for f in construction.figures if to_scale(f) or f.view is View.BODY)
     )

@@ -86,8 +86,8 @@ def _cause(one: ColumnCheck) -> Words | None:
 
 
 def _said(one: ColumnCheck, sharing: int) -> bool:
-    """Whether the line of the table, and the box above it, say all: the column is right, or shares its one slip with
-    others."""
+    """Whether the line of the table, and the box above it, say all:
+    the column is right, or shares its one slip with others."""
     if one.explanations and one.explanations[0].alone is not None:
         return len(one.explanations) == 1 and one.best.level < Level.ROWS
     if one.explanations:

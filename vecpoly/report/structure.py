@@ -1,5 +1,5 @@
-"""What is said of a mechanism's structure: moving links, degree of freedom, Assur groups; the frame's number where
-forces are meant."""
+"""What is said of a mechanism's structure: moving links, degree of freedom, Assur groups;
+the frame's number where forces are meant."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ def numbering(problem: Problem) -> Words:
 
 
 def carried_pins(mech: Mechanism) -> Words:
-    """At each compound hinge: which link carries the pin, so that the others press on it alone; nothing where there is
-    none."""
+    """At each compound hinge: which link carries the pin, so that the others press on it alone;
+    nothing where there is none."""
     found = {point: carrier for point in hinges(mech) if (carrier := seat(mech, point)) is not None}
     if not found:
         return Words.same("")

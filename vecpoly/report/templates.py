@@ -37,8 +37,8 @@ class Sandbox(ImmutableSandboxedEnvironment):
 
 @cache
 def environment(folders: tuple[Path, ...], escaped: bool = True) -> Sandbox:
-    """Templates from these folders, the first that has one: no template reaches Python behind what it is given, or
-    changes it."""
+    """Templates from these folders, the first that has one:
+    no template reaches Python behind what it is given, or changes it."""
     loaders = [FileSystemLoader(folder) for folder in folders]
     return Sandbox(
         loader=ChoiceLoader(loaders),

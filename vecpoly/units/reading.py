@@ -119,8 +119,8 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
 
 
 def _sensible(si: float, text: str, dim: Dim | PerMm) -> float:
-    """The value, unless no mechanism on earth has it: its square would overflow, or its angle be lost in rounding.
-    Below LEAST it is zero."""
+    """The value, unless no mechanism on earth has it:
+    its square would overflow, or its angle be lost in rounding. Below LEAST it is zero."""
     if abs(si) > _GREATEST.get(dim, MOST):
         raise FaultError(
             Words(

@@ -36,11 +36,11 @@ class Closed:
 def close(
     board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None, *, to: str = ""
 ) -> Closed:
-    """Draw the equation as a polygon from the pole (without a right side: back to it) and give the ends of all its
-    vectors.
+    """Draw the equation as a polygon from the pole (without a right side:
+    back to it) and give the ends of all its vectors.
 
-    choose: which of two arc meetings is meant (cases with an unknown direction). to: the letter of the point where the
-    chains meet.
+    choose: which of two arc meetings is meant (cases with an unknown direction).
+    to: the letter of the point where the chains meet.
     """
     ends: Ends = {}
     left, open_left = _known_chain(board, view, pole, eq.left, ends)

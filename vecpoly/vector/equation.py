@@ -5,10 +5,8 @@
      ?       ω₁l_AB    ?
 
 Two chains of terms start at the pole and end at one point. A term is known wholly (already on the paper), or its line
-of
-action is known, or its length. Exactly two scalars are unknown. Forces in equilibrium have no right side: their sum
-closes at
-its start, R_12 + R_32 + Q = 0; being no relative vectors, they make no chain of points.
+of action is known, or its length. Exactly two scalars are unknown. Forces in equilibrium have no right side: their sum
+closes at its start, R_12 + R_32 + Q = 0; being no relative vectors, they make no chain of points.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""Forces in every form in which the manual lets them be written: friction, masses, pins that a link carries, cams,
-thrusts."""
+"""Forces in every form in which the manual lets them be written:
+friction, masses, pins that a link carries, cams, thrusts."""
 
 from __future__ import annotations
 

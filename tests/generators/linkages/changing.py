@@ -1,5 +1,5 @@
-"""Four-bars with change points, and what hangs on them: the motion is smooth all the way round, through every change
-point."""
+"""Four-bars with change points, and what hangs on them:
+the motion is smooth all the way round, through every change point."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ SMOOTH = 2e-3  # of the largest rate: central differences with a quarter of a de
 
 
 def smooth_all_round(solution: Solution) -> str:
-    """Where positions of C and G do not pass into each other as their velocities, and these as their accelerations,
-    tell."""
+    """Where positions of C and G do not pass into each other as their velocities,
+    and these as their accelerations, tell."""
     mech = solution.problem.subject
     assert isinstance(mech, Mechanism)
     q = mech.drive.position + np.linspace(0.0, 4 * np.pi, 2 * STEPS + 1)
@@ -39,8 +39,8 @@ def smooth_all_round(solution: Solution) -> str:
 
 @family("change-points", smooth_all_round)
 def changing(rng: np.random.Generator) -> str:
-    """Parallelogram, antiparallelogram, kite, or the sum of the shortest and the longest side that of the others; a
-    dyad on the coupler."""
+    """Parallelogram, antiparallelogram, kite, or the sum of the shortest and the longest side that of the others;
+    a dyad on the coupler."""
     short, long = int(rng.integers(30, 60)), int(rng.integers(90, 140))
     kind = rng.choice(["parallelogram", "antiparallelogram", "kite", "sum"])
     side = rng.choice(["left", "right"])

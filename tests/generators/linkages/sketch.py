@@ -40,8 +40,8 @@ class Body:
     """A link in the pose.
 
     way: direction of its line, the one on which others slide or which the file calls "line"; through: the letter by
-    which the file
-    knows that line; slot: a place on it, where it is a slot or a rod. axis: direction of the link's own x axis.
+    which the file knows that line; slot: a place on it, where it is a slot or a rod.
+    axis: direction of the link's own x axis.
     """
 
     name: str

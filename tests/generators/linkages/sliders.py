@@ -28,8 +28,8 @@ def slider(sketch: Sketch, name: str, pin: str, at: complex, way: complex) -> tu
 
 
 def guide(sketch: Sketch, name: str, q: str, base: complex, p: complex, left: float) -> tuple[Body, str]:
-    """A link pinned at Q whose slot, or rod, leaves the place p to its left; and how a joint names its line ("": its
-    own)."""
+    """A link pinned at Q whose slot, or rod, leaves the place p to its left;
+    and how a joint names its line ("": its own)."""
     match sketch.one(["slot", "rod", "beside", "inclined", "bar", "far"]):
         case "far":
             return _far(sketch, name, q, base, p, left)

@@ -32,8 +32,8 @@ STEP = 1e-5  # of the drive
 
 
 def one_velocity_at_each_centre(solution: Solution) -> str:
-    """Both links have one velocity at their centre, by central differences of the oracle's positions; the other answers
-    are the original's."""
+    """Both links have one velocity at their centre, by central differences of the oracle's positions;
+    the other answers are the original's."""
     mech = solution.problem.subject
     assert isinstance(mech, Mechanism)
     unit = mech.scale if mech.drive.slide else 1.0

@@ -1,5 +1,5 @@
-"""The whole cycle of a mechanism as a table of ours: its row at the given position is the solution, and as a printed
-table it is reproduced."""
+"""The whole cycle of a mechanism as a table of ours:
+its row at the given position is the solution, and as a printed table it is reproduced."""
 
 from __future__ import annotations
 

@@ -25,8 +25,8 @@ _LETTER = r"[A-Z][a-z]?"
 
 @dataclass(slots=True)
 class Isometry:
-    """z → e^{iθ} z, or e^{iθ} z̄ where it mirrors; θ in degrees. `pivots`: letters of guides that were told by a
-    coordinate."""
+    """z → e^{iθ} z, or e^{iθ} z̄ where it mirrors; θ in degrees. `pivots`:
+    letters of guides that were told by a coordinate."""
 
     theta: float
     mirrors: bool
@@ -111,8 +111,8 @@ def isometry(rng: np.random.Generator, data: Data) -> Isometry:
 
 
 def moved(data: Data, by: Isometry, places: dict[str, complex]) -> Data:
-    """The problem after the isometry; the places of moving points are rough places, where a statement speaks of up and
-    down."""
+    """The problem after the isometry; the places of moving points are rough places,
+    where a statement speaks of up and down."""
     new = dict(data)
     new["joints"] = [_joint(by, text) for text in data.get("joints") or []]
     new["frame"] = {letter: by.place(pair) for letter, pair in data["frame"].items()}

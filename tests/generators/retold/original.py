@@ -1,5 +1,5 @@
-"""The member of another family that is told otherwise: its data as texts, its solution, and the comparison with the
-retold one.
+"""The member of another family that is told otherwise:
+its data as texts, its solution, and the comparison with the retold one.
 
 The title of the retold problem names the original, so that it is found again when the solution is looked at.
 """

@@ -1,5 +1,5 @@
-"""The equations of equilibrium of a loaded mechanism, three for every link: what acts, what the joints do, what
-friction adds."""
+"""The equations of equilibrium of a loaded mechanism, three for every link:
+what acts, what the joints do, what friction adds."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ class _Act:
 
 
 def force_model(mech: Mechanism, loads: Loads, motion: Model, turned: Mapping[str, float]) -> ForceModel | None:
-    """The model for a mechanism whose motion has this model; None where gears roll or a cylinder pushes, for which
-    there is none on file."""
+    """The model for a mechanism whose motion has this model;
+    None where gears roll or a cylinder pushes, for which there is none on file."""
     if any(isinstance(joint, Rolling) for joint in mech.joints) or any(force.against for force in loads.forces):
         return None
     given = {motion.drive, *(symbol for symbol, _ in motion.given)}
@@ -90,8 +90,8 @@ def _load(frame: Frame, load: Load) -> _Act:
 
 
 def _inertia(frame: Frame, mass: Mass) -> tuple[Equation, ...]:
-    """F_I = −m a_S, M_I = −J_S α; nothing where the centre of mass is fixed, or the link does not turn or turns
-    evenly."""
+    """F_I = −m a_S, M_I = −J_S α; nothing where the centre of mass is fixed,
+    or the link does not turn or turns evenly."""
     link, m, turns = mass.link, Const(f"m_{{{mass.link}}}", mass.mass, "kg"), Var(f"α_{{{mass.link}}}")
     found = tuple(
         Equation(left, -(m * right))

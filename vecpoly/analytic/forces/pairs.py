@@ -1,5 +1,5 @@
-"""Joints and contacts in the equations of equilibrium: what one link does to the other, by its unknowns, and the
-friction there."""
+"""Joints and contacts in the equations of equilibrium:
+what one link does to the other, by its unknowns, and the friction there."""
 
 from __future__ import annotations
 
@@ -100,8 +100,8 @@ def _pin(frame: Frame, joint: Revolute, radius: float) -> Touch:
 
 
 def _slide(frame: Frame, joint: Prismatic, angle: float) -> Touch:
-    """A force square to the guide and a couple about the block's pin; friction f N along the guide, against the
-    sliding."""
+    """A force square to the guide and a couple about the block's pin;
+    friction f N along the guide, against the sliding."""
     mech, line, pin = frame.mech, frame.angle(joint.guide, joint.direction), frame.mech.slot_pins.get(joint.block)
     guide, block = mech.number(joint.guide), mech.number(joint.block)
     who = press_named(mech, joint.guide, joint.block).key.removeprefix("R_")

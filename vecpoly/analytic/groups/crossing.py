@@ -13,8 +13,8 @@ _KEEPS = Words("两移动副使构件间的夹角保持不变：", "The slides k
 
 
 def crossing(scope: Scope, one: Track, two: Track, c: str, first: Turning | None = None) -> Solved:
-    """C on both lines: two linear equations in both travels at every order. first: how the links turn on whose angles
-    the lines depend."""
+    """C on both lines: two linear equations in both travels at every order.
+    first: how the links turn on whose angles the lines depend."""
     (u1, w1), (u2, w2) = one.unit, two.unit
     determinant, known = u1 * w2 - w1 * u2, first or Turning()
     return Solved(

@@ -1,5 +1,5 @@
-"""Groups of class III and higher: no closed form; vector loops with the unknown angles and travels, their Jacobian, and
-Newton's method."""
+"""Groups of class III and higher: no closed form;
+vector loops with the unknown angles and travels, their Jacobian, and Newton's method."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ _NEWTON = Words(
 
 
 def looped(scope: Scope, group: Group) -> GroupModel:
-    """Loop equations, Jacobian, linear equations of the rates. Raises NoMethodError where gears roll, or loops close in
-    slides."""
+    """Loop equations, Jacobian, linear equations of the rates.
+    Raises NoMethodError where gears roll, or loops close in slides."""
     chains = Chains(scope, group)
     conditions = list(chains.closing(chains.grow()))
     chains.unknowns = dict(sorted(chains.unknowns.items()))

@@ -1,5 +1,5 @@
-"""A gear that rolls on a known gear or rack: its centre keeps its distance, and pure rolling tells how fast it
-turns."""
+"""A gear that rolls on a known gear or rack: its centre keeps its distance,
+and pure rolling tells how fast it turns."""
 
 from __future__ import annotations
 

@@ -19,8 +19,8 @@ _NONE = 1e-12
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Swing:
-    """Guide and block with their pivots G and F; psi: direction of the guide line; offset: how far F stays to the left
-    of the line through G."""
+    """Guide and block with their pivots G and F; psi: direction of the guide line;
+    offset: how far F stays to the left of the line through G."""
 
     guide: str
     block: str

@@ -1,5 +1,5 @@
-"""What is done otherwise than the hand would do it: somebody's own readings and points, with which the construction
-goes on."""
+"""What is done otherwise than the hand would do it:
+somebody's own readings and points, with which the construction goes on."""
 
 from __future__ import annotations
 
@@ -21,14 +21,12 @@ V = TypeVar("V", Points, Reals)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Amended:
-    """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its
-    place in mm.
+    """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm;
+    points: a letter → its place in mm.
 
     values: key of what is computed on the way → somebody's own result (SI, with its sign), with which all that follows
-    is computed.
-    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
-    by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes
-    none.
+    is computed. A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake, by
+    every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes none.
     """
 
     readings: Mapping[str, float] = FrozenMap({})

@@ -44,8 +44,8 @@ _WORDS = {
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """A mistake, and of what: the key of a quantity, with its figure where it stands on several (``force 23:R_32``), or
-    the letter of a point.
+    """A mistake, and of what:
+    the key of a quantity, with its figure where it stands on several (``force 23:R_32``), or the letter of a point.
 
     instead: of a coincident point, or of a centre on a line, the letter of the one taken for it.
     """

@@ -39,8 +39,8 @@ def extent(marks: Iterable[Mark]) -> tuple[float, float]:
 
 
 def figured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
-    """The marks that grow with the scale: without ruled directions, which run on by so many mm, and letters at their
-    ends."""
+    """The marks that grow with the scale: without ruled directions,
+    which run on by so many mm, and letters at their ends."""
     return tuple(
         m
         for m in marks

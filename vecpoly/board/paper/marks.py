@@ -1,5 +1,5 @@
-"""What a hand leaves on the paper: a closed list of marks, in mm on the figure (x right, y up, origin where the figure
-has it).
+"""What a hand leaves on the paper:
+a closed list of marks, in mm on the figure (x right, y up, origin where the figure has it).
 
 Marks follow from acts (`ink`). Drawing code reads marks and nothing else.
 """
@@ -35,8 +35,8 @@ class Dot(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ink:
-    """What every mark knows: the step and the act that drew it; what it stands for, where it stands for a quantity;
-    whose it is."""
+    """What every mark knows: the step and the act that drew it;
+    what it stands for, where it stands for a quantity; whose it is."""
 
     step: int = 0
     act: int = -1

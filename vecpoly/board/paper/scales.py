@@ -58,8 +58,8 @@ def enlarged(
     fixed: frozenset[Name],
     fit: Callable[[list[Size]], bool],
 ) -> dict[Name, float]:
-    """Finer scales for the figures of one sheet, the smallest first, as long as all fit it together; those of `fixed`
-    stay."""
+    """Finer scales for the figures of one sheet, the smallest first, as long as all fit it together;
+    those of `fixed` stay."""
     chosen = dict(scales)
     growing = [name for name in figures if name not in fixed and max(figures[name].size) > 0]
     waiting: set[Name] = set()

@@ -1,9 +1,8 @@
-"""Printed answers that hang together: is a wrong one what other printed ones give, or was another link's mass or
-inertia taken?
+"""Printed answers that hang together: is a wrong one what other printed ones give,
+or was another link's mass or inertia taken?
 
 m = ρ π d² l / 4 and J = m l² / 12 of a round bar; F_I = m a_S, M_I = J α, h = M_I / F_I. A quantity that is printed
-enters as
-printed (a mistake is followed through), any other with its exact value.
+enters as printed (a mistake is followed through), any other with its exact value.
 """
 
 from __future__ import annotations
@@ -40,8 +39,8 @@ class Known:
 
 
 def follow(checked: Sequence[Checked], loads: Loads, exact: Callable[[str], float | None]) -> list[Checked]:
-    """The same verdicts, the wrong ones with the slip that follows from other printed values, or another link's, where
-    one does."""
+    """The same verdicts, the wrong ones with the slip that follows from other printed values,
+    or another link's, where one does."""
     printed = {c.printed.symbol: _as_printed(c) for c in checked}
 
     def known(key: str) -> Known | None:

@@ -1,10 +1,8 @@
 """Can the printed answers belong to this mechanism at all? Every crank angle and every assembly is tried.
 
 A drawing slip moves one number by a few per cent. Where several printed numbers are far off together, they may belong
-to
-another position, another assembly, or to no position at all: then the data as printed and the printed solution
-contradict
-each other.
+to another position, another assembly, or to no position at all:
+then the data as printed and the printed solution contradict each other.
 """
 
 from __future__ import annotations
@@ -27,8 +25,8 @@ POSITIONS = 721
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BestFit:
-    """The position of the input (rad) and assembly with the smallest largest misfit (relative) to the printed
-    magnitudes."""
+    """The position of the input (rad) and assembly with the smallest largest
+    misfit (relative) to the printed magnitudes."""
 
     misfit: float
     position: float

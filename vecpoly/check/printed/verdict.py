@@ -52,8 +52,8 @@ class Checked:
 
 
 def check_printed(printed: Printed, exact: float) -> Checked:
-    """Weigh one printed value; signs count only for scalars such as ω, α and moments, and only where the print has
-    one."""
+    """Weigh one printed value; signs count only for scalars such as ω,
+    α and moments, and only where the print has one."""
     scalar = printed.rel is not None and not printed.rel.is_vector
     value = printed.value if scalar else abs(printed.value)
     truth = exact if scalar and (value < 0 or _signed(printed)) else abs(exact)
@@ -101,8 +101,8 @@ FACTORS = (*UNITS, (2.0, Words("多乘 2", "a factor 2 too many")), (0.5, Words(
 
 
 def _slip(printed: Printed, value: float, truth: float) -> Words | None:
-    """The usual slip that reproduces a wrong value: sign, power of ten, r/min, 2π, the 2 of the Coriolis term; or why
-    it must be 0."""
+    """The usual slip that reproduces a wrong value:
+    sign, power of ten, r/min, 2π, the 2 of the Coriolis term; or why it must be 0."""
     if not truth:
         return _why_zero(printed)
     if not value:

@@ -1,9 +1,8 @@
-"""The columns of a table together: was one slip at the bottom of all (another length, assembly, zero of the drive), and
-what else then?
+"""The columns of a table together: was one slip at the bottom of all (another length,
+assembly, zero of the drive), and what else then?
 
 Places are looked at first: if one other mechanism makes more of their columns right than the one that is given, the
-table was
-computed with it, and every other column is compared with that mechanism.
+table was computed with it, and every other column is compared with that mechanism.
 """
 
 from __future__ import annotations
@@ -32,8 +31,8 @@ Found = Mapping[int, list[tuple[Fit, Explanation]]]
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Base:
-    """Another mechanism by which the whole table may have been computed: what it explains, and how its columns are then
-    introduced."""
+    """Another mechanism by which the whole table may have been computed:
+    what it explains, and how its columns are then introduced."""
 
     slip: Slip
     words: Words
@@ -59,8 +58,8 @@ def weighed_by(column: Column, by: Suspect) -> Weighing:
 
 
 def explained(columns: Sequence[Column], given: Suspect, weighed: Sequence[Weighing]) -> list[tuple[Explanation, ...]]:
-    """The explanations of every column that needs one, best first; none where a column is right, or no usual slip
-    explains it."""
+    """The explanations of every column that needs one, best first;
+    none where a column is right, or no usual slip explains it."""
     needy = [i for i, one in enumerate(weighed) if one.level >= Level.LOW]
     told: list[tuple[Explanation, ...]] = [()] * len(weighed)
     if not needy:
@@ -99,8 +98,8 @@ def _lengths(
 
 
 def _common_first(told: list[tuple[Explanation, ...]]) -> list[tuple[Explanation, ...]]:
-    """What explains most columns comes first; what fits one column only, beside a slip that many share, is chance and
-    is dropped."""
+    """What explains most columns comes first; what fits one column only,
+    beside a slip that many share, is chance and is dropped."""
     count = Counter(one.words.en for slips in told for one in slips)
     kept = [
         [one for one in slips if 2 * count[one.words.en] >= max(count[other.words.en] for other in slips)]
@@ -115,8 +114,8 @@ def _common_first(told: list[tuple[Explanation, ...]]) -> list[tuple[Explanation
 def _base(
     columns: Sequence[Column], given: Suspect, weighed: Sequence[Weighing], found: Found, noise: float
 ) -> Base | None:
-    """The other mechanism with which most columns of places (of all columns, where there are no places) become
-    right."""
+    """The other mechanism with which most columns of places (of all columns,
+    where there are no places) become right."""
     places = [i for i, column in enumerate(columns) if column.target.is_place] or list(range(len(columns)))
     fits = {
         (fit.length.words.en, fit.value): (fit, one)

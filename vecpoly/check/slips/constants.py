@@ -1,5 +1,5 @@
-"""Slips that are one constant: a factor (2π, r/min, ω of the drive, two crank lengths), the sign, the zero of an
-angle."""
+"""Slips that are one constant: a factor (2π, r/min, ω of the drive,
+two crank lengths), the sign, the zero of an angle."""
 
 from __future__ import annotations
 
@@ -140,8 +140,8 @@ def _drive_factors(truth: Truth) -> Iterator[tuple[float, Slip, Words]]:
 
 
 def _lengths_ratio(column: Column, truth: Truth, factor: float) -> tuple[float, Words]:
-    """At given angles all velocities go with the crank's length: a factor that is no round number may be 26.5/24, and
-    is that then."""
+    """At given angles all velocities go with the crank's length:
+    a factor that is no round number may be 26.5/24, and is that then."""
     length = next((one for one in truth.lengths if one.link == truth.mech.drive.link), None)
     rel = column.target.rel
     if length is None or rel is None or rel.kind not in (Kind.OMEGA, Kind.V) or float(f"{factor:.3g}") == factor:

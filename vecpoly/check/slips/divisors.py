@@ -1,8 +1,7 @@
 """A divisor left out: ω or α of a dyad's link is numerator / determinant, and a program forgot to divide.
 
 The two closed equations of a dyad have the determinant l_j l_k sin γ (RRR), l cos θ (RRP) or the distance of its hinges
-along the
-guide (RPR). All that hangs on the link is computed with the undivided rate, and is wrong too.
+along the guide (RPR). All that hangs on the link is computed with the undivided rate, and is wrong too.
 """
 
 from __future__ import annotations
@@ -27,8 +26,8 @@ _OF = {Kind.OMEGA: "ω", Kind.ALPHA: "α"}
 
 
 def undivided(mech: Mechanism, motion: Motion) -> Iterator[tuple[Kind, Words, Motion]]:
-    """The motion with ω (α then as it is), or α, of one dyad's links not divided by the dyad's determinant; in mm or
-    m."""
+    """The motion with ω (α then as it is), or α, of one dyad's links not divided by the dyad's determinant;
+    in mm or m."""
     if any(isinstance(joint, Rolling) for joint in mech.joints):
         return
     try:

@@ -49,8 +49,8 @@ SIMPLE = (
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Explanation:
-    """A slip with which the column becomes right, and how right; `parameter`: the length (m), factor or angle (rad)
-    that was found."""
+    """A slip with which the column becomes right, and how right; `parameter`:
+    the length (m), factor or angle (rad) that was found."""
 
     slip: Slip
     words: Words
@@ -135,8 +135,8 @@ def accepted(after: Weighing, before: Weighing, noise: float) -> bool:
 
 
 def noise_of(weighed: Sequence[Weighing]) -> float:
-    """Half units of the last digit in which an explained column of this table may scatter: somewhat more than those
-    that are right do."""
+    """Half units of the last digit in which an explained column of this table may scatter:
+    somewhat more than those that are right do."""
     right = [one.spread for one in weighed if one.level <= Level.LAST_DIGIT]
     return max(2.0 * max(right), 1.5) if right else LOOSE
 

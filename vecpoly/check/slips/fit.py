@@ -1,8 +1,7 @@
 """Which value of one length makes a column right? Every length is tried over a range, then refined by Gauss and Newton.
 
 The misfit of a column is the median of its deviations, each divided by the sensitivity of its row: rows typed over do
-not
-count, rows near a dead point count less.
+not count, rows near a dead point count less.
 """
 
 from __future__ import annotations
@@ -42,8 +41,8 @@ class Fit:
 
 
 def fits(columns: Sequence[Column], truth: Truth, model: Model, coarse: bool = False) -> list[list[Fit]]:
-    """For each column the lengths that fit it best, each at its best value, not yet rounded; `coarse` tries fewer
-    starts."""
+    """For each column the lengths that fit it best, each at its best value, not yet rounded;
+    `coarse` tries fewer starts."""
     starts: list[list[tuple[float, Length, float]]] = [[] for _ in columns]
     for length in truth.lengths:
         grid = [*(GRID[::5] if coarse else GRID), *(MIRRORED if length.signed else ())]
@@ -154,8 +153,8 @@ def polished(columns: Sequence[Column], truth: Truth, fit: Fit, model: Model) ->
 
 
 def as_good(units: Reals, best: Reals) -> bool:
-    """Whether deviations (in half units) are no larger than the best ones, but for chance: χ² rises by no more than
-    three sigma, or a tenth."""
+    """Whether deviations (in half units) are no larger than the best ones, but for chance:
+    χ² rises by no more than three sigma, or a tenth."""
     least = float((best**2).sum())
     return bool(np.isfinite(units).all()) and float((units**2).sum()) <= least * (
         1 + max(9 / max(len(best) - 1, 1), 0.1)

@@ -73,8 +73,8 @@ class Slipped:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Variants:
-    """A term with every choice of slips: in x the choice `x[i]`, in y the choice `y[i]`, and by how much the sum then
-    changes."""
+    """A term with every choice of slips:
+    in x the choice `x[i]`, in y the choice `y[i]`, and by how much the sum then changes."""
 
     term: Term
     choices: tuple[frozenset[str], ...]
@@ -135,8 +135,8 @@ class Way:
 
 
 def ways_to(target: Target, motion: Motion) -> list[Way]:
-    """The formulas of a point's velocity or acceleration that go over bars and hinges alone; none for other
-    quantities."""
+    """The formulas of a point's velocity or acceleration that go over bars and hinges alone;
+    none for other quantities."""
     rel = target.rel
     if rel is None or rel.kind not in (Kind.V, Kind.A) or rel.ref is not None:
         return []
@@ -193,8 +193,8 @@ def _each_with_each(left: Points, right: Points) -> Points:
 
 
 def beyond_chance(column: Column, before: Weighing, after: Weighing, tried: int) -> bool:
-    """Whether so close a fit cannot be the luck of so many trials: (deviation left / deviation before)^n × trials <
-    10^-4."""
+    """Whether so close a fit cannot be the luck of so many trials:
+    (deviation left / deviation before)^n × trials < 10^-4."""
     known = column.values[column.there]
     free = min(FREEDOM, len(np.unique(known)) // 3)
     return free * log10(max(before.typical, 1e-3) / max(after.spread, 0.5)) >= log10(max(tried, 1)) + SAFETY

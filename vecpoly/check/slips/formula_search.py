@@ -1,5 +1,5 @@
-"""Columns that no single slip explains: several at once in the formula of the point, at the rates with which the table
-was computed."""
+"""Columns that no single slip explains:
+several at once in the formula of the point, at the rates with which the table was computed."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from .guess import Slip
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rates:
-    """A motion whose rates may have gone into the formula, how it is introduced, and the symbol of the other length in
-    it."""
+    """A motion whose rates may have gone into the formula, how it is introduced,
+    and the symbol of the other length in it."""
 
     motion: Motion
     words: Words

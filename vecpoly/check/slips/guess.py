@@ -33,8 +33,8 @@ class Slip(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Guess:
-    """What the column would hold (SI); `parameter` is the length (m), factor or angle (rad) that was found; `fitted`:
-    by fit.
+    """What the column would hold (SI); `parameter` is the length (m),
+    factor or angle (rad) that was found; `fitted`: by fit.
 
     whole_turns: None compares angles but for whole turns, False does not.
     """

@@ -1,5 +1,5 @@
-"""Slips that are another motion: other assembly, other position of the drive, another quantity, a term left out,
-differences."""
+"""Slips that are another motion: other assembly, other position of the drive,
+another quantity, a term left out, differences."""
 
 from __future__ import annotations
 
@@ -146,8 +146,8 @@ def _number(target: Target, value: np.ndarray[tuple[int, ...], np.dtype[np.compl
 
 
 def differences(column: Column, columns: Sequence[Column], truth: Truth) -> Iterator[Guess]:
-    """Differences of the printed column of which this one is the derivative by time: forward, backward, central; by the
-    angle too."""
+    """Differences of the printed column of which this one is the derivative by time:
+    forward, backward, central; by the angle too."""
     before = integral(column.target)
     base = next((one for one in columns if one.target == before), None)
     drive = truth.mech.drive

@@ -82,8 +82,8 @@ class Loops:
         return Motion(self.mech, bodies, self.shape, 2)
 
     def without(self) -> Iterator[tuple[Words, Motion]]:
-        """The motion with one term left out of the accelerations, or with the wrong sign: ω² of a link, or a Coriolis
-        term."""
+        """The motion with one term left out of the accelerations, or with the wrong sign:
+        ω² of a link, or a Coriolis term."""
         for name in (*self.links, *(drive.link for drive in self.mech.drives)):
             normal = self._normal(name)
             if max(float(np.nanmax(np.abs(part), initial=0.0)) for part in normal) > 1e-12:

@@ -1,5 +1,5 @@
-"""From the cells of a sheet to positions of the drive and columns in SI; units that are not written are found by
-fit."""
+"""From the cells of a sheet to positions of the drive and columns in SI;
+units that are not written are found by fit."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ _STEPS = (15.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.1)  # deg
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Table:
-    """A table in SI: the drive's positions (rad or m) as the oracle counts them, as printed, the columns, and what was
-    found out."""
+    """A table in SI: the drive's positions (rad or m) as the oracle counts them,
+    as printed, the columns, and what was found out."""
 
     name: str
     positions: Reals
@@ -68,8 +68,8 @@ def read_table(sheet: Sheet, problem: Problem, said: Mapping[str, str]) -> Table
 
 
 def _within(positions: Reals, half: Reals, mech: Mechanism) -> Reals:
-    """The positions, those at an end of the drive's range put back inside by what the last digit has rounded them out
-    of it."""
+    """The positions, those at an end of the drive's range put back inside by
+    what the last digit has rounded them out of it."""
     spans, turn = np.array(oracle.spans(mech)), 0.0 if mech.drive.slide else 2 * pi
     if turn and (spans[:, 1] - spans[:, 0] >= turn * (1 - 1e-12)).any():
         return positions

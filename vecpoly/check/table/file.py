@@ -35,8 +35,8 @@ _DAMAGED = (
 
 
 def read_table(path: Path | Held) -> bytes:
-    """All bytes of the file. Raises TableError for what is no regular file (a pipe, a device, a folder) or too
-    large."""
+    """All bytes of the file. Raises TableError for what is no regular file (a pipe,
+    a device, a folder) or too large."""
     if isinstance(path, Held):
         return _not_too_large(path, path.data)
     try:
@@ -68,8 +68,8 @@ def _not_too_large(path: Path | Held, data: bytes) -> bytes:
 
 
 def rows_of_workbook(path: Path | Held) -> Lines:
-    """The rows of the first sheet, numbered from 1. Raises TableError where the file is damaged, or would burst when
-    unpacked."""
+    """The rows of the first sheet, numbered from 1.
+    Raises TableError where the file is damaged, or would burst when unpacked."""
     try:
         from openpyxl import load_workbook
     except ImportError:
@@ -126,8 +126,8 @@ def _unpacks(path: Path | Held, data: bytes) -> None:
 
 
 def counted(lines: Iterator[tuple[int, list[str]]], path: Path | Held) -> Iterator[tuple[int, list[str]]]:
-    """The lines, as long as rows, columns and cells are within their limits; raises TableError for the first that is
-    not."""
+    """The lines, as long as rows, columns and cells are within their limits;
+    raises TableError for the first that is not."""
     for count, (line, cells) in enumerate(lines, 1):
         if count > TABLE_ROWS:
             raise _too_much(path, Words(f"多于 {TABLE_ROWS} 行", f"more than {TABLE_ROWS} rows"))

@@ -56,8 +56,8 @@ class Headings:
 
 
 def read_header(sheet: Sheet, mech: Mechanism, said: Mapping[str, str], loads: Loads | None = None) -> Headings:
-    """Read the header, with what the user says about columns: header → quantity, unit, `quantity[unit]`, or - to leave
-    it out.
+    """Read the header, with what the user says about columns:
+    header → quantity, unit, `quantity[unit]`, or - to leave it out.
 
     Raises TableError for a column that does not exist, for a misspelt quantity, for a unit of another kind, and where
     no column tells the drive's position or nothing is left to compare.

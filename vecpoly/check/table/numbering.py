@@ -1,5 +1,5 @@
-"""A table may number the links otherwise than the problem: its links in order are matched to those whose angles they
-have."""
+"""A table may number the links otherwise than the problem:
+its links in order are matched to those whose angles they have."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ def renumbered(columns: Sequence[Values], mech: Mechanism, motion: Motion) -> di
 
 
 def _misfits(columns: Sequence[Values], way: dict[str, str], motion: Motion) -> dict[str, float]:
-    """By the table's link number: how far its angle is off in the median row; its ω, relatively, where it has no
-    angle."""
+    """By the table's link number: how far its angle is off in the median row;
+    its ω, relatively, where it has no angle."""
     found: dict[str, float] = {}
     for target, values in sorted(columns, key=lambda column: not column[0].is_angle):
         number = target.of_link

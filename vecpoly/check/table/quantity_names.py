@@ -57,8 +57,8 @@ def is_drive(name: str) -> bool:
 
 
 def read_other(name: str, mech: Mechanism, loads: Loads | None) -> Target | None:
-    """A key of the cycle's own columns: s_45, v_45, a_45, gamma_23, M_1, R_12.x, R12x, R12 (its magnitude); None where
-    it is none."""
+    """A key of the cycle's own columns: s_45, v_45, a_45, gamma_23, M_1,
+    R_12.x, R12x, R12 (its magnitude); None where it is none."""
     text = name.translate(_GREEK)
     if m := _REACTION.fullmatch(text):
         text = f"R_{m[1]}.{m[2] or 'abs'}"
@@ -77,8 +77,8 @@ def read_other(name: str, mech: Mechanism, loads: Loads | None) -> Target | None
 
 
 def read_target(name: str) -> Target | None:
-    """phi5, θ5, omega_5, w5, α5, a5, xE, vxE, v_Ex, vE, a_E, l_AB, or a key such as ak_B3B2; None where it is no
-    quantity."""
+    """phi5, θ5, omega_5, w5, α5, a5, xE, vxE, v_Ex, vE, a_E, l_AB, or a key such as ak_B3B2;
+    None where it is no quantity."""
     text = re.sub(
         r"^(p|v|a)_(.+)\.([xy])$", lambda m: f"{m[1].replace('p', '')}{m[3]}_{m[2]}", plain_name(name).translate(_GREEK)
     )

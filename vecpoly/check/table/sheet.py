@@ -75,8 +75,8 @@ def digits(text: str) -> int:
 
 
 def read_sheet(path: Path | Held) -> Sheet:
-    """Read a CSV file (comma, semicolon, tab or spaces; UTF-8, UTF-16 or GB 18030; 3.14 or 3,14) or the first sheet of
-    an XLSX file.
+    """Read a CSV file (comma, semicolon, tab or spaces; UTF-8, UTF-16 or GB 18030;
+    3.14 or 3,14) or the first sheet of an XLSX file.
 
     Raises TableError where the file cannot be read, is ragged, has no header or too few rows.
     """
@@ -138,8 +138,8 @@ def _refuse_ragged(name: str, body: list[tuple[int, list[str]]], width: int) -> 
 
 
 def _is_in_words(lines: list[tuple[int, list[str]]]) -> bool:
-    """Whether the first of three rows without numbers says in words what the second, above the units, says in
-    symbols."""
+    """Whether the first of three rows without numbers says in words what the second,
+    above the units, says in symbols."""
     texts = [cells for _, cells in lines[:3] if not any(is_number(cell) for cell in cells)]
     if len(texts) < 3:
         return False

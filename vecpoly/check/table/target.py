@@ -1,5 +1,5 @@
-"""What a column of a table may hold: an angle, ω, α, a point's speed, a component, what a cycle's table has besides;
-and its exact values."""
+"""What a column of a table may hold: an angle, ω, α, a point's speed,
+a component, what a cycle's table has besides; and its exact values."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ class Other:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
-    """One quantity: `link` alone is an angle φ (rad), `other` a key that the cycle knows, else `rel` and which number
-    of it; all SI."""
+    """One quantity: `link` alone is an angle φ (rad), `other` a key that the cycle knows,
+    else `rel` and which number of it; all SI."""
 
     rel: Rel | None = None
     link: str = ""

@@ -21,8 +21,8 @@ STEP = 1e-6  # relative change of a length, for its derivative
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Truth:
-    """A mechanism solved at the drive's positions (rad or m); `sensitivity` by key of the target, SI per relative
-    change of all lengths."""
+    """A mechanism solved at the drive's positions (rad or m);
+    `sensitivity` by key of the target, SI per relative change of all lengths."""
 
     mech: Mechanism
     positions: Reals

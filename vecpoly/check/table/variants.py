@@ -1,5 +1,5 @@
-"""The variants of a problem: the files beside it that extend the same one, and which of them has a length that was
-found."""
+"""The variants of a problem: the files beside it that extend the same one,
+and which of them has a length that was found."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ ALIKE = 1e-6  # relative difference below which two lengths are the same
 
 
 def whose_lengths(problem: Problem, told: Sequence[tuple[Explanation, ...]]) -> tuple[Words, ...]:
-    """One sentence for each length of which other values than the problem's were found: which variants have these
-    values."""
+    """One sentence for each length of which other values than the problem's were found:
+    which variants have these values."""
     best = [slips[0] for slips in told if slips and slips[0].slip in (Slip.LENGTH, Slip.RATES)]
     family = variants(problem) if best else []
     sentences = []

@@ -60,8 +60,8 @@ class Level(IntEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Column:
-    """A printed column in SI: its quantity, values (NaN where blank), half a unit of each last digit, texts, and
-    unit."""
+    """A printed column in SI: its quantity, values (NaN where blank),
+    half a unit of each last digit, texts, and unit."""
 
     header: str
     target: Target
@@ -78,8 +78,8 @@ class Column:
 
     @property
     def label(self) -> Words:
-        """How the column is called: its symbol; that of the table beside it where the table numbers the links
-        otherwise."""
+        """How the column is called: its symbol;
+        that of the table beside it where the table numbers the links otherwise."""
         symbol = f"${self.target.symbol}$"
         return (
             Words(f"表中 ${self.renumbered}$（即 {symbol}）", f"the table's ${self.renumbered}$ (our {symbol})")
@@ -124,8 +124,8 @@ class Weighing:
 
 
 def weigh(column: Column, expected: Reals, sensitivity: Reals, whole_turns: bool | None = None) -> Weighing:
-    """Compare a column with what it ought to hold (SI); `sensitivity` is the change of the quantity per relative change
-    of the lengths.
+    """Compare a column with what it ought to hold (SI);
+    `sensitivity` is the change of the quantity per relative change of the lengths.
 
     Angles are compared but for whole turns, unless said otherwise. Rows without a number are left out.
     """
@@ -186,8 +186,8 @@ def scale_of(target: Target, values: Reals) -> float:
 
 
 def _outliers(doubt: Reals, units: Reals, there: Mask) -> Mask:
-    """The rows above the lowest gap in the doubts, where few enough lie above it and all these are off by more than
-    their last digit."""
+    """The rows above the lowest gap in the doubts,
+    where few enough lie above it and all these are off by more than their last digit."""
     order = np.argsort(-np.where(there, doubt, -1.0))
     ranked, far, count = doubt[order], units[order], int(there.sum())
     found = np.zeros(len(doubt), np.bool_)

@@ -29,8 +29,8 @@ from .weigh import Column, Level, Weighing
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ColumnCheck:
-    """One column: how it fares with the problem's data (`given`), by which slips it becomes right, and all that in
-    words.
+    """One column: how it fares with the problem's data (`given`),
+    by which slips it becomes right, and all that in words.
 
     `rows`: positions of the drive (deg, or mm) at which it is wrong although it is right elsewhere.
     """
@@ -76,8 +76,8 @@ class TableCheck:
 
 
 def check_table(problem: Problem, path: str | Path | Held, columns: Mapping[str, str] | None = None) -> TableCheck:
-    """Compare each column of a CSV or XLSX table with the exact values; `columns`: header → quantity, unit, or - to
-    leave it out.
+    """Compare each column of a CSV or XLSX table with the exact values;
+    `columns`: header → quantity, unit, or - to leave it out.
 
     Raises TableError where the table cannot be read or has nothing to do with the mechanism.
     """

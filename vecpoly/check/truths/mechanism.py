@@ -61,8 +61,8 @@ class Exact:
         return finite(_kinematic(self.problem, self.motion) | self._central() | self._static())
 
     def _central(self) -> Values:
-        """Places, velocities, ratios, limit positions of instant centres; a centre at infinity by its direction
-        (deg)."""
+        """Places, velocities, ratios, limit positions of instant centres;
+        a centre at infinity by its direction (deg)."""
         mech, keys = (
             self.problem.mechanism,
             [ask.rel.key for ask in self.problem.asks if isinstance(ask, AskNamed) and ask.rel.is_central],

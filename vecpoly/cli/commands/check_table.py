@@ -1,5 +1,5 @@
-"""vecpoly check --table: the columns of a printed table against the oracle, each with its verdict and the slip behind
-it.
+"""vecpoly check --table: the columns of a printed table against the oracle,
+each with its verdict and the slip behind it.
 
 Exit code 0: every column agrees; 1: one is wrong, or wrong in certain rows; 2: the table cannot be read.
 """

@@ -146,8 +146,8 @@ def _plot(drawn: Plot, path: Path) -> None:
 
 
 def _weigh(problem: Problem, lang: Lang, tally: Tally) -> None:
-    """Raise the alarm where the drawing of the problem's own position contradicts the analysis that the cycle goes
-    by."""
+    """Raise the alarm where the drawing of the problem's own position
+    contradicts the analysis that the cycle goes by."""
     from ...solution import solve
 
     with suppress(VecpolyError):  # no method draws it: there is nothing to compare with

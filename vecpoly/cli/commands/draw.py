@@ -63,8 +63,8 @@ def draw(
 ) -> None:
     """Draw a figure or the sheet as SVG, PNG, PDF or DXF.
 
-    1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all). A DXF has layers by what
-    a line is for.
+    1 mm drawn is 1 mm on paper. A second page of a sheet goes to x-2.svg (a PDF has them all).
+    A DXF has layers by what a line is for.
     """
     path = output or Path(f"{Path(name).stem}-{figure.replace(':', '-').replace(' ', '-')}.svg")
     tally = Tally()

@@ -73,8 +73,8 @@ def _plain(rel: Key, value: complex | float) -> dict[str, Any]:
 
 
 def _line(line: ActsAt | None) -> dict[str, Any]:
-    """A point (m) of a reaction's line, the sense of its moment about the pin where it touches a friction circle, a
-    slide's couple (N·m)."""
+    """A point (m) of a reaction's line,
+    the sense of its moment about the pin where it touches a friction circle, a slide's couple (N·m)."""
     if line is None:
         return {}
     couple = {} if line.couple is None else {"couple": line.couple}

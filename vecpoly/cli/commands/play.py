@@ -32,8 +32,8 @@ def play(
 ) -> None:
     """Write a step player: one HTML file for class, phone or desktop, in both languages.
 
-    It shows the construction line by line with the sentence of each step beside it, and the finished figures for every
-    place of the crank.
+    It shows the construction line by line with the sentence of each step beside it,
+    and the finished figures for every place of the crank.
     """
     tally = Tally()
     found = problems([name], tally, allow_outside)

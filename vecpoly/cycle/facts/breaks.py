@@ -19,8 +19,8 @@ LADDER = np.geomspace(HAIR, 1e-3, 54)  # beside a change of slip, next to which 
 
 @lru_cache(maxsize=4)
 def breaks(cycle: Cycle) -> Reals:
-    """Last place before and first place after every break (rows of two), on the turn of the grid and in its order; none
-    without loads."""
+    """Last place before and first place after every break (rows of two),
+    on the turn of the grid and in its order; none without loads."""
     phi = cycle.on_grid(cycle.drive.key)[0].real
     unit = 1.0 if not cycle.mech.drive.slide else cycle.high - cycle.low
     cuts = [one.low for one in duties(cycle)][0 if cycle.whole else 1 :]
@@ -32,8 +32,8 @@ def breaks(cycle: Cycle) -> Reals:
 
 
 def _sides(cycle: Cycle, at: Reals, unit: float) -> Reals:
-    """The nearest places on either side of each at which there is an answer; a hair away where there is none on that
-    side."""
+    """The nearest places on either side of each at which there is an answer;
+    a hair away where there is none on that side."""
     if not at.size:
         return np.empty((0, 2))
     steps = unit * LADDER * np.array([[-1.0], [1.0]])

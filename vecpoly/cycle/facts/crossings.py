@@ -16,8 +16,8 @@ NEWTON = 12
 
 
 def crossings(cycle: Cycle, point: str, phi: Reals, p: Points, closed: bool) -> list[tuple[complex, float, float]]:
-    """Self-intersections of the polygon p, each refined on the mechanism by Newton's method on p(s) = p(t): place, s,
-    t."""
+    """Self-intersections of the polygon p, each refined on the mechanism by Newton's method on p(s) = p(t):
+    place, s, t."""
     found: list[tuple[complex, float, float]] = []
     size = float(np.abs(p - p[0]).max())
     pairs = np.array(list(_pairs(p, closed)), np.intp).reshape(-1, 2)
@@ -43,8 +43,8 @@ def _pairs(p: Points, closed: bool) -> Iterator[tuple[int, int]]:
 
 
 def _refined(cycle: Cycle, point: str, x: Reals) -> Iterator[tuple[complex, float, float]]:
-    """p(s) = p(t) from all pairs (2 × pairs) at once; none of those where the two run together: a touch, or a path
-    swept to and fro."""
+    """p(s) = p(t) from all pairs (2 × pairs) at once; none of those where the two run together:
+    a touch, or a path swept to and fro."""
     for _ in range(NEWTON if x.size else 0):
         here = sample(cycle.mech, None, x.ravel())
         p, v = (

@@ -28,11 +28,11 @@ _NOTHING = 1e-12  # of the greatest power: none
 
 @dataclass(frozen=True, slots=True)
 class Duty:
-    """A stretch low..high of the drive (rad, or m; over a whole turn's end it goes on past it) with the same part for
-    every load.
+    """A stretch low..high of the drive (rad, or m;
+    over a whole turn's end it goes on past it) with the same part for every load.
 
-    cause: why there is no equilibrium, NONE where there is. drives, resists: names of the loads whose power is
-    positive, negative.
+    cause: why there is no equilibrium, NONE where there is. drives, resists:
+    names of the loads whose power is positive, negative.
     """
 
     low: float
@@ -42,18 +42,18 @@ class Duty:
     resists: tuple[str, ...]
 
     def holds(self, phi: float, turn: float, edge: float = 0.0) -> bool:
-        """Whether the position lies in it, or beyond its ends by no more than `edge`; turn: 2π where the drive turns
-        right round, else 0."""
+        """Whether the position lies in it, or beyond its ends by no more than `edge`;
+        turn: 2π where the drive turns right round, else 0."""
         return any(self.low - edge <= phi + k * turn <= self.high + edge for k in ((-1, 0, 1) if turn else (0,)))
 
 
 @dataclass(frozen=True, slots=True)
 class Still:
-    """A position at which two links with friction between them do not move against each other: friction changes its
-    side there.
+    """A position at which two links with friction between them do not move against each other:
+    friction changes its side there.
 
-    who: the links by their printed numbers; letter: of the pin or contact, "" of a slide; turns: the relative motion is
-    a rotation.
+    who: the links by their printed numbers; letter: of the pin or contact, "" of a slide;
+    turns: the relative motion is a rotation.
     """
 
     phi: float

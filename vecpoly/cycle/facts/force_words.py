@@ -1,5 +1,5 @@
-"""What the loads do over a cycle, in words: where they drive and resist, where friction locks, where it changes its
-side."""
+"""What the loads do over a cycle, in words: where they drive and resist,
+where friction locks, where it changes its side."""
 
 from __future__ import annotations
 

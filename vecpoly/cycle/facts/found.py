@@ -1,5 +1,5 @@
-"""What a cycle shows: which links turn and which rock, strokes and quick return, transmission angles, dead points,
-peaks."""
+"""What a cycle shows: which links turn and which rock, strokes and quick return,
+transmission angles, dead points, peaks."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class Stroke:
     """An output that goes to and fro once a turn: its limit positions, and how long it takes there and back.
 
     K = (180° + θ) / (180° - θ), the ratio of the drive's angles of the slow and the quick stroke. forth: the drive's
-    angle (rad) from the
-    lower to the upper limit, back: from the upper to the lower, both in the sense in which the drive turns.
+    angle (rad) from the lower to the upper limit, back:
+    from the upper to the lower, both in the sense in which the drive turns.
     """
 
     key: str
@@ -54,8 +54,8 @@ class Stroke:
 
 @dataclass(frozen=True, slots=True)
 class Peak:
-    """A largest |α| far above its usual size (rms), and what stands beside it: a nearly folded dyad, a short arm of a
-    slotted link."""
+    """A largest |α| far above its usual size (rms), and what stands beside it:
+    a nearly folded dyad, a short arm of a slotted link."""
 
     key: str
     spot: Spot
@@ -66,12 +66,11 @@ class Peak:
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """The facts of one cycle. turns: net turns of each link in one turn of the drive (0: it rocks); None of no whole
-    cycle.
+    """The facts of one cycle. turns: net turns of each link in one turn of the drive (0:
+    it rocks); None of no whole cycle.
 
     laps: turns of the drive after which everything stands as it did, 1 as a rule, None where unknown. unlimited:
-    whether a sliding drive can move on
-    beyond its low, its high end, which then are merely as far as was looked.
+    whether a sliding drive can move on beyond its low, its high end, which then are merely as far as was looked.
     """
 
     ranges: tuple[str, ...]
@@ -147,8 +146,8 @@ def _unlimited(cycle: Cycle) -> tuple[bool, bool]:
 
 
 def outputs_of(cycle: Cycle) -> tuple[str, ...]:
-    """Keys of the links that are pinned to, or slide on, the frame, without the drive: φ of the rockers, s of the
-    sliders."""
+    """Keys of the links that are pinned to, or slide on, the frame, without the drive:
+    φ of the rockers, s of the sliders."""
     mech, turns = cycle.mech, turns_of(cycle) or {}
     pinned = {name for names in hinges(mech).values() if FRAME in names for name in names}
     rockers = [
@@ -179,8 +178,8 @@ def _closes(cycle: Cycle, key: str) -> bool:
 
 
 def _peak(cycle: Cycle, name: str, told: tuple[Transmission, ...], arms: tuple[Extremes, ...]) -> Peak | None:
-    """|α| above 2.5 times its rms, within 20° of a dyad's least angle below 40° or of an arm shorter than a third of
-    its longest."""
+    """|α| above 2.5 times its rms,
+    within 20° of a dyad's least angle below 40° or of an arm shorter than a third of its longest."""
     key = f"alpha_{name}"
     phi, alpha = cycle.on_grid(key)
     known = np.isfinite(alpha)

@@ -127,8 +127,8 @@ def shape_of(p: Points, v: Points, size: float) -> Shape:
 
 
 def _length(cycle: Cycle, point: str, phi: Reals, p: Points, v: Points, still: tuple[Spot, ...]) -> float:
-    """Trapezoid of |dp/dφ| all round, which converges fast on a smooth closed path; between reversals by chords of
-    Simpson's kind elsewhere."""
+    """Trapezoid of |dp/dφ| all round, which converges fast on a smooth closed path;
+    between reversals by chords of Simpson's kind elsewhere."""
     speed = np.abs(v)
     if not np.isfinite(speed).all():
         return float(np.abs(np.diff(p)).sum())
@@ -170,8 +170,8 @@ def _inflections(cycle: Cycle, point: str, phi: Reals) -> tuple[float, ...]:
 
 
 def _kinks(cycle: Cycle, point: str, speeds: Extremes) -> bool:
-    """Whether the velocity jumps somewhere: at a change point the path has a corner, and its tangent no number of
-    turns."""
+    """Whether the velocity jumps somewhere:
+    at a change point the path has a corner, and its tangent no number of turns."""
     phi, v = cycle.on_grid(f"v_{point}")
     step = np.abs(np.diff(v))
     top = speeds.highest.value if speeds.highest is not None else 0.0

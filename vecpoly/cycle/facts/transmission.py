@@ -1,5 +1,5 @@
-"""The transmission angle of a dyad: the angle at which its links hold the inner joint, 90° at best, 0° where it is
-folded."""
+"""The transmission angle of a dyad: the angle at which its links hold the inner joint,
+90° at best, 0° where it is folded."""
 
 from __future__ import annotations
 
@@ -65,8 +65,8 @@ def _along(motion: Motion, joint: Prismatic) -> Points:
 
 
 def is_told(mech: Mechanism, dyad: Dyad) -> bool:
-    """Whether the dyad's transmission angle changes: not where gears roll, nor where a straight slot passes through
-    both pins."""
+    """Whether the dyad's transmission angle changes:
+    not where gears roll, nor where a straight slot passes through both pins."""
     if "G" in dyad.kind:
         return False
     if isinstance(dyad.inner, Prismatic) and dyad.kind == "RPR":

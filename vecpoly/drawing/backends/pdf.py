@@ -74,8 +74,8 @@ def new_canvas(target: Any, width: float, height: float) -> Any:
 
 
 def compress(canvas: Any) -> None:
-    """Compress every stream of this canvas, without Base 85 around it: as reportlab's global switch does, but for one
-    document."""
+    """Compress every stream of this canvas, without Base 85 around it:
+    as reportlab's global switch does, but for one document."""
     from reportlab.pdfbase.pdfdoc import PDFZCompress
 
     canvas._doc.defaultStreamFilters = [PDFZCompress]

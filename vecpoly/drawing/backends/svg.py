@@ -12,8 +12,8 @@ from ..scene import Fill, Item, Scene, Stroke, TextBox
 
 
 def to_svg(scene: Scene, title: str = "", *, outlined: bool = False) -> str:
-    """The scene as a document of its own: its extents are the view box. outlined: letters as outlines, which need no
-    font."""
+    """The scene as a document of its own: its extents are the view box.
+    outlined: letters as outlines, which need no font."""
     from xml.sax.saxutils import escape
 
     e = scene.extents

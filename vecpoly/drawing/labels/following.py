@@ -1,5 +1,5 @@
-"""Letters that follow a moving figure: each keeps its place beside what it names, and looks for another only where it
-would stand on something."""
+"""Letters that follow a moving figure: each keeps its place beside what it names,
+and looks for another only where it would stand on something."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What lettering must keep clear of, and what it costs to stand on it: numpy finds the pairs and clips lines, shapely
-knows areas.
+"""What lettering must keep clear of, and what it costs to stand on it:
+numpy finds the pairs and clips lines, shapely knows areas.
 
 The places for one label lie close together: of the pieces of a figure only those about them are looked at.
 """
@@ -119,8 +119,8 @@ class Obstacles:
         return cls(a, b, half, weight, shapes, solid, Bounds.between(a, b), areas)
 
     def cost(self, centre: Complexes, width: Floats | float, height: Floats | float, own: Own) -> Floats:
-        """What each of many places costs, for one label or for one each; `own`: the line it names, which may be as near
-        as it likes."""
+        """What each of many places costs, for one label or for one each; `own`:
+        the line it names, which may be as near as it likes."""
         total = np.zeros(len(centre))
         wide, high = np.broadcast_to(width, total.shape), np.broadcast_to(height, total.shape)
         reach = GAP + ROOM + float(self.half.max(initial=0.0))

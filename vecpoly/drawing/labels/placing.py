@@ -1,5 +1,5 @@
-"""Lettering finds its places: each label moves about what it names until it stands on nothing, and shrinks only if it
-must."""
+"""Lettering finds its places:
+each label moves about what it names until it stands on nothing, and shrinks only if it must."""
 
 from __future__ import annotations
 
@@ -103,8 +103,8 @@ class _Table:
         frame: Rect | None,
         before: _Table | None = None,
     ) -> _Table:
-        """Every label's candidates, priced against the lines of the figure; those of a label that is as `before` are
-        known."""
+        """Every label's candidates, priced against the lines of the figure;
+        those of a label that is as `before` are known."""
         known = (
             {} if before is None else {i: before.rows[i] for i, want in enumerate(wanted) if want is before.wants[i]}
         )
@@ -129,8 +129,8 @@ class _Table:
         return chosen
 
     def _best(self, i: int, chosen: list[int]) -> int:
-        """The cheapest place of label i among the others where they are; dearer places are not weighed against them at
-        all."""
+        """The cheapest place of label i among the others where they are;
+        dearer places are not weighed against them at all."""
         total, others = self.rows[i].total, [j for j in self.near[i] if chosen[j] >= 0]
         ranked, best, least = np.argsort(total, kind="stable"), -1, np.inf
         for start in range(0, len(ranked), AT_ONCE):

@@ -1,5 +1,5 @@
-"""A label belongs to what it is nearest to: what it costs to stand nearer to another point, link or vector than to
-one's own."""
+"""A label belongs to what it is nearest to:
+what it costs to stand nearer to another point, link or vector than to one's own."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def rivals(want: Want, others: Sequence[Want]) -> tuple[Complexes, Complexes, Fl
 
 
 def misled(want: Want, others: Sequence[Want], centre: Complexes, led: NDArray[np.bool_]) -> Floats:
-    """What each place for the middle of a label costs for the things it could be taken to name; `led`: where a leader
-    tells."""
+    """What each place for the middle of a label costs for the things it could be taken to name;
+    `led`: where a leader tells."""
     a, b, radius = rivals(want, others)
     if not len(a):
         return np.zeros(len(centre))

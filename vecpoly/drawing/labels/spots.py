@@ -53,8 +53,8 @@ def spots(want: Want, middle: complex) -> Spots:
 
 
 def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
-    """One of these places alone, by its number: the middle of the label and the foot of its leader; None where there
-    are not so many."""
+    """One of these places alone, by its number: the middle of the label and the foot of its leader;
+    None where there are not so many."""
     half, all_round = complex(want.width / 2, want.height / 2), want.normals[0] == 0
     sides = len(DIRECTIONS) if all_round else 1 if want.one_sided else 2
     number, rest = divmod(index, len(GAPS) * sides)

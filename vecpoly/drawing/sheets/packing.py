@@ -1,5 +1,5 @@
-"""Where figures stand on a page: in rows and in columns, as they are read; the arrangement with the most even white
-wins."""
+"""Where figures stand on a page: in rows and in columns, as they are read;
+the arrangement with the most even white wins."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ AMPLE = 9.0  # mm of white that leaves nothing to be wished
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Lower left corners of figures on a page of this size, the least white left between them, and how many pairs share
-    a shelf."""
+    """Lower left corners of figures on a page of this size,
+    the least white left between them, and how many pairs share a shelf."""
 
     page: Size
     corners: tuple[complex, ...]
@@ -31,8 +31,8 @@ class Layout:
 def pack(sizes: Sequence[Size], page: Size, pairs: Sequence[Pair] = ()) -> Layout | None:
     """The best arrangement of all figures on one page; the first keeps the upper left place. None: they do not fit.
 
-    pairs: figures that belong side by side. Few figures may leave the order of reading where they fit in no other way;
-    many do not.
+    pairs: figures that belong side by side.
+    Few figures may leave the order of reading where they fit in no other way; many do not.
     """
     if sum((w + CLEAR) * (h + CLEAR) for w, h in sizes) > (page[0] - CLEAR) * (page[1] - CLEAR) + 1e-6:
         return None
@@ -89,8 +89,8 @@ def _shelves(order: tuple[int, ...], lengths: Sequence[float], room: float) -> I
 
 
 def _rows(sizes: Sequence[Size], shelves: Shelves, page: Size, together: int) -> Layout | None:
-    """Shelves from top to bottom; the figures of a shelf stand on one line, so that their titles do, and like shelves
-    in columns."""
+    """Shelves from top to bottom; the figures of a shelf stand on one line,
+    so that their titles do, and like shelves in columns."""
     corners = [0j] * len(sizes)
     down, gap_y = _spread([max(sizes[i][1] for i in shelf) for shelf in shelves], page[1])
     table, gap_table = _spread([max(sizes[i][0] for i in column) for column in zip(*shelves, strict=False)], page[0])

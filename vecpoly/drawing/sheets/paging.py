@@ -1,5 +1,5 @@
-"""Which figures share a page: as few pages as will do, a free body with its polygon, no small drawing alone on one of
-several."""
+"""Which figures share a page: as few pages as will do, a free body with its polygon,
+no small drawing alone on one of several."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ def reading_order(figures: Sequence[Figure]) -> tuple[Figure, ...]:
 
 
 def paged(drawn: tuple[Drawn, ...], way: Way = None) -> list[Page] | None:
-    """The figures in order on the best pages, all of them turned this way where one is wished; None where one fits no
-    page."""
+    """The figures in order on the best pages, all of them turned this way where one is wished;
+    None where one fits no page."""
     best: list[tuple[Cost, list[Page]] | None] = [((0, 0, 0, 0, 0), [])]
     for end in range(1, len(drawn) + 1):
         options: list[tuple[Cost, list[Page]]] = []
@@ -85,8 +85,8 @@ def _paired(a: Drawn, b: Drawn) -> bool:
 
 
 def _cost(drawn: tuple[Drawn, ...], start: int, end: int, layout: Layout) -> Cost:
-    """Of a page: itself with each pair that is torn, those pairs, sparse among several, an unnatural break before it,
-    and crowding."""
+    """Of a page: itself with each pair that is torn, those pairs,
+    sparse among several, an unnatural break before it, and crowding."""
     pairs = sum(_paired(drawn[i - 1], drawn[i]) for i in range(max(start, 1), end))
     torn = pairs - layout.together
     area = sum(w * h for w, h in (one.size for one in drawn[start:end]))

@@ -22,8 +22,8 @@ NO_TITLE = Words.same("")
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A figure on a sheet: its view and name, and where on the page its origin and its extents lie, mm from the lower
-    left."""
+    """A figure on a sheet:
+    its view and name, and where on the page its origin and its extents lie, mm from the lower left."""
 
     view: View
     origin: complex

@@ -1,5 +1,5 @@
-"""How much room a sheet offers: the board chooses its scales from these sizes, the sheet places figures in them. All in
-mm."""
+"""How much room a sheet offers: the board chooses its scales from these sizes,
+the sheet places figures in them. All in mm."""
 
 from __future__ import annotations
 
@@ -48,9 +48,8 @@ FIGURE_SPACE = slots(3)
 def room(view: View, count: int = 1) -> tuple[float, float]:
     """Width and height (mm) that the bare lines of each of `count` figures of a kind should fill.
 
-    The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon,
-    a page being two columns wide:
-    one or two pairs a page, half a page high; three pairs a page where there are more.
+    The mechanism has the width of a page (so may another kind). A free body stands beside its force polygon, a page
+    being two columns wide: one or two pairs a page, half a page high; three pairs a page where there are more.
     """
     width, height = usable()
     wide, half = width - 2 * LETTERING, (width - CLEAR) / 2 - 2 * LETTERING

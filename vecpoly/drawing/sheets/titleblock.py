@@ -1,5 +1,5 @@
-"""The furniture of a sheet: frame, title strip with blanks for the name, and the bar that proves the print true to
-scale."""
+"""The furniture of a sheet: frame, title strip with blanks for the name,
+and the bar that proves the print true to scale."""
 
 from __future__ import annotations
 

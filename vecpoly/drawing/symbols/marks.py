@@ -49,8 +49,8 @@ SQUARE = 2.5  # side of a right-angle square
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """What a symbol must know of its figure: the view, the blocks, the tips of its vectors, its friction circles, the
-    language."""
+    """What a symbol must know of its figure:
+    the view, the blocks, the tips of its vectors, its friction circles, the language."""
 
     view: View
     blocks: tuple[Block, ...] = ()

@@ -1,5 +1,5 @@
-"""What force drawings add to the machine symbols: friction circles, discs, solid bodies, the boxes of a block
-diagram."""
+"""What force drawings add to the machine symbols:
+friction circles, discs, solid bodies, the boxes of a block diagram."""
 
 from __future__ import annotations
 

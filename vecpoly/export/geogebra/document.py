@@ -150,8 +150,8 @@ def _roots(acts: Sequence[done.Act], terms: Numbers) -> Iterator[Term]:
 
 
 def _extent(recording: Recording, view: View) -> tuple[complex, complex] | None:
-    """Lower left and upper right corner of the figure over the range of its input, a little larger at most than as
-    given."""
+    """Lower left and upper right corner of the figure over the range of its input,
+    a little larger at most than as given."""
     spots = [
         recording.terms.parts(act.at)
         for act in recording.desk.board.acts

@@ -1,5 +1,5 @@
-"""What a course report draws beyond what its exercise asks: the rates of the output, where only centres or forces are
-asked for."""
+"""What a course report draws beyond what its exercise asks:
+the rates of the output, where only centres or forces are asked for."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ _MOST = 4  # links
 
 
 def widened(solution: Solution) -> Solution:
-    """The solution with ω, α of the driven links and v, a of the last point, where no rate is asked for; as it is where
-    these cannot be drawn.
+    """The solution with ω, α of the driven links and v, a of the last point,
+    where no rate is asked for; as it is where these cannot be drawn.
 
     With loads only the velocities: the accelerations are drawn where masses need them.
     """

@@ -1,5 +1,5 @@
-"""Links told from their fixed pivots: the angle of a rocker DC counts from D, whichever letter the problem file names
-first."""
+"""Links told from their fixed pivots: the angle of a rocker DC counts from D,
+whichever letter the problem file names first."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from ...mechanism.model import FRAME, Joint, Link, Mechanism, Prismatic, Rack, R
 
 
 def from_pivots(mech: Mechanism) -> Mechanism:
-    """The same mechanism with the axis of every driven link that hangs on the frame by one of its later letters turned
-    to run from that letter.
+    """The same mechanism with the axis of every driven link that hangs on
+    the frame by one of its later letters turned to run from that letter.
 
     Only coordinates within the links change; places, velocities and the angular rates of all links are the same.
     """
@@ -23,8 +23,8 @@ def from_pivots(mech: Mechanism) -> Mechanism:
 
 
 def _pivot(mech: Mechanism, link: Link) -> str:
-    """The fixed hinge of a link that is not its first letter; nothing where the first is fixed, or where blocks slide
-    on it, or it rolls."""
+    """The fixed hinge of a link that is not its first letter;
+    nothing where the first is fixed, or where blocks slide on it, or it rolls."""
     pinned = [letter for letter, names in hinges(mech).items() if FRAME in names and link.name in names]
     rolls = any(isinstance(joint, Rolling) and link.name in (joint.gear.link, joint.on.link) for joint in mech.joints)
     guides = any(isinstance(joint, Prismatic) and link.name == joint.guide for joint in mech.joints)

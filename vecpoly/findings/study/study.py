@@ -74,8 +74,8 @@ class Study:
 
     @cached_property
     def entire(self) -> Cycle:
-        """The cycle from end to end, 20 positions to every row; a range is told on the turn on which the given position
-        lies."""
+        """The cycle from end to end, 20 positions to every row;
+        a range is told on the turn on which the given position lies."""
         found = cycle(replace(self.problem, subject=self.mech), n=36 * PARTS + 1)
         if found.whole or self.mech.drive.slide:
             return found
@@ -167,8 +167,8 @@ class Study:
 
     @property
     def main(self) -> tuple[str, ...]:
-        """Of the outputs the last velocity, acceleration, ω and α: those of the output link and point; and the
-        balancing load."""
+        """Of the outputs the last velocity, acceleration, ω and α:
+        those of the output link and point; and the balancing load."""
         last = {key.partition("_")[0]: key for key in self.outputs}
         return (*last.values(), *self.forces[:1])
 
@@ -207,8 +207,8 @@ class Study:
         return next((c.point for c in self.mech.contacts if c.substitute == link), link)
 
     def name(self, link: str) -> str:
-        """A link as printed: its number, the frame's included; the letter of a contact, or of a pin in a slot, for what
-        stands there instead."""
+        """A link as printed: its number, the frame's included;
+        the letter of a contact, or of a pin in a slot, for what stands there instead."""
         pin = self.mech.slot_pins.get(link)
         return next(
             (c.point for c in self.mech.contacts if c.substitute == link),

@@ -34,8 +34,8 @@ def links_told(problem: Problem, turn: Cycle) -> tuple[str, ...]:
 
 
 def points_told(problem: Problem, whole: Cycle) -> tuple[str, ...]:
-    """The letters asked for (else all that move), those before that are not bound to circles about a frame pivot; at
-    most two."""
+    """The letters asked for (else all that move), those before that are not bound to circles about a frame pivot;
+    at most two."""
     mech = whole.mech
     pinned = {name for names in hinges(mech).values() if FRAME in names for name in names}
     circling = {letter for name in pinned for letter in mech.link(name).points}

@@ -1,5 +1,5 @@
-"""The working range of a drive that cannot turn right round: what lies between its dead points, without their
-neighbourhood."""
+"""The working range of a drive that cannot turn right round:
+what lies between its dead points, without their neighbourhood."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ SOUND = 0.3  # of a group's largest determinant: below, rates run away towards t
 
 
 def working_range(cycle: Cycle, model: Model) -> Cycle:
-    """The cycle cut to the stretch about the given position in which every group keeps three tenths of its largest
-    determinant.
+    """The cycle cut to the stretch about the given position in which every
+    group keeps three tenths of its largest determinant.
 
     A drive that turns right round keeps its whole cycle.
     """

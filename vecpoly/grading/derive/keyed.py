@@ -32,9 +32,8 @@ ZERO = 1e-9
 def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric = USUAL) -> AnswerKey:
     """What is graded of a problem: all that is asked, and every length and value found on the way.
 
-    T = clip(k √(Σ(∂y/∂e σ)² + σ_read²), floor, cap), the root as the scatter of 300 students' hands that draw the
-    whole construction. Raises what `solve` raises, and VecpolyError where an answer is suspect: there is nothing to
-    grade by.
+    T = clip(k √(Σ(∂y/∂e σ)² + σ_read²), floor, cap), the root as the scatter of 300 students' hands that draw the whole
+    construction. Raises what `solve` raises, and VecpolyError where an answer is suspect: there is nothing to grade by.
     """
     solution = solve(problem, by="exact", repeats=0, precise=False)
     if solution.construction.warning is not None:
@@ -81,8 +80,8 @@ class _Found:
         return sorted(steps, key=lambda step: step[0].number)
 
     def on_the_way(self, keys: set[str]) -> dict[int, str]:
-        """Number → key of the acts that compute what is asked: what follows rests on these, and not on the answer
-        written down.
+        """Number → key of the acts that compute what is asked:
+        what follows rests on these, and not on the answer written down.
         """
         return {
             act.number: act.key for act in self.drawn.construction.acts if isinstance(act, Compute) and act.key in keys

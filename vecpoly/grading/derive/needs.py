@@ -37,8 +37,8 @@ def _nearest(acts: Sequence[Act], act: Act, known: Mapping[int, str]) -> set[int
 
 
 def with_lines(graded: Sequence[Graded]) -> list[Graded]:
-    """Each value with the one reading that it is computed from; a reading of which a length (m) is computed has the
-    diagram's scale.
+    """Each value with the one reading that it is computed from;
+    a reading of which a length (m) is computed has the diagram's scale.
     """
     read = {one.key for one in graded if one.kind is Kind.READING}
     metres = {one.needs[0] for one in graded if one.unit == "m" and len(one.needs) == 1}

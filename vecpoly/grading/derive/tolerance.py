@@ -38,8 +38,8 @@ class Scatter:
         return float(np.std(closed)) if closed.size >= (1 - LOST) * found.size else inf
 
     def bounded(self, graded: Sequence[Graded]) -> list[Graded]:
-        """The quantities with T, which for a value without a length of its own is bounded by the lengths that it was
-        computed from.
+        """The quantities with T,
+        which for a value without a length of its own is bounded by the lengths that it was computed from.
         """
         lengths = {one.key: one.mm for one in graded if one.kind is Kind.READING and one.mm}
         largest: dict[str, float] = {}

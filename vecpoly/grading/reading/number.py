@@ -15,8 +15,8 @@ NUMBER = re.compile(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Number:
-    """value: as written, with its sign; signed: whether a sign stood there; last: one unit of the last digit; digits:
-    significant ones.
+    """value: as written, with its sign; signed: whether a sign stood there;
+    last: one unit of the last digit; digits: significant ones.
     """
 
     value: float

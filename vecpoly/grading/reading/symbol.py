@@ -29,8 +29,8 @@ def squeezed(symbol: str) -> str:
 
 
 def keyed(symbol: str, keys: Iterable[str]) -> str:
-    """The key that a typed symbol means. Raises UnknownNameError, with the nearest, where there is none, or more than
-    one.
+    """The key that a typed symbol means. Raises UnknownNameError, with the nearest,
+    where there is none, or more than one.
     """
     known = list(keys)
     want = squeezed(symbol)

@@ -1,5 +1,5 @@
-"""One answer as it was written: the raw text is kept, and what cannot be read says so; blank is not 0, and neither is
-“—”.
+"""One answer as it was written: the raw text is kept, and what cannot be read says so;
+blank is not 0, and neither is “—”.
 """
 
 from __future__ import annotations

@@ -64,8 +64,8 @@ def ratio(mech: Mechanism, a: str, b: str) -> Named:
 
 
 def crank_groups(mech: Mechanism) -> tuple[tuple[str, str, str], ...]:
-    """(pin of the crank, point that is led, rod) where a rod hangs on the crank and the led point runs on a fixed
-    circle or line."""
+    """(pin of the crank, point that is led,
+    rod) where a rod hangs on the crank and the led point runs on a fixed circle or line."""
     try:
         groups = () if mech.drive.slide else decompose(mech)
     except MobilityError:

@@ -43,9 +43,8 @@ def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
     """Links that press on each other in a joint or a contact, as names; each pair once.
 
     At a compound hinge these are the link that carries the pin and each of the others (`seats`). A pin in a slot is
-    told by the slot's
-    link and the block that is thought about the pin, for two pins of one link may press on another; `press_named` has
-    the true links.
+    told by the slot's link and the block that is thought about the pin,
+    for two pins of one link may press on another; `press_named` has the true links.
     """
     thought = {*mech.substitutes, *mech.slot_pins}
     found = [pair for joint in mech.joints if isinstance(joint, Revolute) and not thought & set(pair := ends(joint))]
@@ -59,8 +58,8 @@ def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:
 
 
 def press_named(mech: Mechanism, by: str, on: str) -> Named:
-    """R_12 of two links that press on each other; a block that is only thought about a pin in a slot stands for the
-    pin.
+    """R_12 of two links that press on each other;
+    a block that is only thought about a pin in a slot stands for the pin.
 
     Where two pins of one link run in slots of another, the pin's letter tells the two forces apart: R_12B.
     """

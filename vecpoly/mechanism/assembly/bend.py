@@ -14,11 +14,11 @@ STRAIGHT = 1e-9  # sine of the angle below which the two links are in one line a
 
 
 def bend(mech: Mechanism, drive: Drive) -> tuple[SideOf, ...]:
-    """The branch statement that the angle of a hinge between two moving links implies; none for a slide, or links in
-    one line.
+    """The branch statement that the angle of a hinge between two moving links implies;
+    none for a slide, or links in one line.
 
-    The hinge C lies left of the ray from B (on link `on`) to D (on `link`) where the angle from CB to CD is between 0
-    and 180°.
+    The hinge C lies left of the ray from B (on link `on`) to D (on `link`)
+    where the angle from CB to CD is between 0 and 180°.
     """
     hinge = driven_joint(mech, drive)
     if not isinstance(hinge, Revolute):

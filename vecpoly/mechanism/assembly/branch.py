@@ -15,8 +15,8 @@ _OPPOSITE = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT, Side.ABOVE: Side.BELO
 def nearer(
     guesses: Mapping[str, complex], one: Mapping[str, complex], two: Mapping[str, complex], hair: float
 ) -> int | None:
-    """Which of two assemblies (0 or 1: positions of letters, m) lies nearer to the rough places; None where they do not
-    tell.
+    """Which of two assemblies (0 or 1: positions of letters, m) lies nearer to the rough places;
+    None where they do not tell.
 
     hair: sums of distances (m) that differ by less are the same.
     """
@@ -27,10 +27,9 @@ def nearer(
 def margin(statement: Statement, at: Mapping[str, complex]) -> float:
     """How far (m) the statement is fulfilled at these positions; negative where it is not.
 
-    left/right of a ray: signed distance from the ray's line; above/below a line: signed distance with the line
-    directed to the right; left/right/above/below of a single point: difference of abscissas or ordinates. Of a
-    four-bar:
-    how much nearer its third corner is to its place in the one figure than in the other.
+    left/right of a ray: signed distance from the ray's line; above/below a line: signed distance with the line directed
+    to the right; left/right/above/below of a single point: difference of abscissas or ordinates. Of a four-bar: how
+    much nearer its third corner is to its place in the one figure than in the other.
     """
     match statement:
         case SideOf():

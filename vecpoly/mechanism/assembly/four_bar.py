@@ -1,5 +1,5 @@
-"""Four-bars whose opposite, or adjacent, sides are equal: parallelograms and folded kites keep their figure through
-every change point."""
+"""Four-bars whose opposite, or adjacent, sides are equal:
+parallelograms and folded kites keep their figure through every change point."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ def folded_corner(mech: Mechanism, dyad: Dyad) -> str | None:
 
 
 def fourth_corner(mech: Mechanism, dyad: Dyad) -> str | None:
-    """The hinge A of the two known links on which an RRR dyad B-C-D hangs, where AB = CD and BC = AD; None of any other
-    dyad."""
+    """The hinge A of the two known links on which an RRR dyad B-C-D hangs,
+    where AB = CD and BC = AD; None of any other dyad."""
     return _corner(mech, dyad, crossed=True)
 
 
 def _corner(mech: Mechanism, dyad: Dyad, crossed: bool) -> str | None:
-    """The common hinge from which the known links reach as far as the dyad's arms do; crossed: each as far as the
-    other's arm."""
+    """The common hinge from which the known links reach as far as the dyad's arms do;
+    crossed: each as far as the other's arm."""
     if not (
         isinstance(dyad.outer_j, Revolute) and isinstance(dyad.inner, Revolute) and isinstance(dyad.outer_k, Revolute)
     ):

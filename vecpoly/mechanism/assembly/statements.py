@@ -1,5 +1,5 @@
-"""Which assembly is meant, in a lecturer's words: on which side a point lies, or which figure a four-bar makes all the
-way round."""
+"""Which assembly is meant, in a lecturer's words:
+on which side a point lies, or which figure a four-bar makes all the way round."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from ..dimensions.placements import Side
 
 
 class Form(StrEnum):
-    """What a four-bar with equal opposite sides makes: with sides that stay parallel (平行四边形), or crossed
-    (反平行四边形)."""
+    """What a four-bar with equal opposite sides makes:
+    with sides that stay parallel (平行四边形), or crossed (反平行四边形)."""
 
     PARALLELOGRAM = "parallelogram"
     ANTIPARALLELOGRAM = "antiparallelogram"

@@ -43,8 +43,8 @@ class ByOffsets:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ByAngle:
-    """The point lies at `distance` from base[0], at `angle` counter-clockwise from base[0] -> base[1] (or the
-    guide)."""
+    """The point lies at `distance` from base[0],
+    at `angle` counter-clockwise from base[0] -> base[1] (or the guide)."""
 
     point: str
     base: tuple[str, ...]

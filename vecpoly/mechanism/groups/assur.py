@@ -1,10 +1,9 @@
-"""Which links move together: the mechanism taken apart into Assur groups, in the order of their solution.
-Frame and driving links are known. An Assur group is a smallest set of links whose joints, among themselves
-and to known links, fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and
-six joints (class III or IV), and so on. Once solved, its links are known and the next group follows.
-A hinge of several links is one letter; any two links that carry it are pinned. A rolling joint fixes two
-coordinates (contact and no slip), or one where links hold the gear's centre (`is_held`). Links that a drive joins are
-found together (`rams`).
+"""Which links move together: the mechanism taken apart into Assur groups, in the order of their solution. Frame and
+driving links are known. An Assur group is a smallest set of links whose joints, among themselves and to known links,
+fix all its 3k coordinates: two links and three joints (class II, a dyad), four links and six joints (class III or IV),
+and so on. Once solved, its links are known and the next group follows. A hinge of several links is one letter; any two
+links that carry it are pinned. A rolling joint fixes two coordinates (contact and no slip), or one where links hold the
+gear's centre (`is_held`). Links that a drive joins are found together (`rams`).
 """
 
 from __future__ import annotations
@@ -112,8 +111,8 @@ Pins = Mapping[str, tuple[str, ...]]  # letter of a hinge -> the links pinned th
 def _candidates(
     mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...], pins: Pins, pressing: bool
 ) -> Iterator[Group]:
-    """Groups that the known links determine, the smallest first, in the order of the links; links joined by a drive
-    count as one."""
+    """Groups that the known links determine, the smallest first, in the order of the links;
+    links joined by a drive count as one."""
     for size in range(1, len(rest) + 1):
         for chosen in combinations(rest, size):
             group = _group(mech, tuple(name for unit in chosen for name in unit), known, pins, pressing)
@@ -156,8 +155,8 @@ def _constraints(mech: Mechanism, joint: Joint) -> int:
 def _joints(
     mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pins: Pins, pressing: bool
 ) -> tuple[tuple[Joint, ...], tuple[Outer, ...]]:
-    """Joints within the links, and joints from them to known links; `pins`: the hinges, none where links are joined as
-    they press."""
+    """Joints within the links, and joints from them to known links; `pins`:
+    the hinges, none where links are joined as they press."""
     inner: list[Joint] = []
     outer: list[Outer] = []
     for point, names in pins.items():

@@ -44,8 +44,8 @@ class Group:
     """Links solved together.
 
     kind: RRR RRP RPR PRP RPP (with G where a gear rolls), "gear" and "rack" (one link), "gear train", "class III", ...;
-    with a drive inside
-    "cylinder RR" or "cylinder RP" (a cylinder, a hinge, and the other link on its outer hinge or guide), else "driven".
+    with a drive inside "cylinder RR" or "cylinder RP" (a cylinder, a hinge,
+    and the other link on its outer hinge or guide), else "driven".
     """
 
     kind: str

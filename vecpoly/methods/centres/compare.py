@@ -19,8 +19,8 @@ Exact = Mapping[str, complex | float]
 def comparable(
     readings: Mapping[str, Reading], exact: Exact, spread: Mapping[str, Any]
 ) -> tuple[dict[str, Reading], dict[str, complex | float], dict[str, Any]]:
-    """Readings, exact values and repetitions of which each pair is of one kind; where kinds differed, no error can be
-    promised."""
+    """Readings, exact values and repetitions of which each pair is of one kind;
+    where kinds differed, no error can be promised."""
     drawn, true, errors = dict(readings), dict(exact), dict(spread)
     for key, reading in readings.items():
         value = exact[key]
@@ -36,8 +36,8 @@ def comparable(
 
 
 def _half_turned(direction: Any, near: float) -> Any:
-    """The same directions of lines (deg), each by that of its two numbers which lies nearer: 179.9° and 0.1° are
-    neighbours."""
+    """The same directions of lines (deg), each by that of its two numbers which lies nearer:
+    179.9° and 0.1° are neighbours."""
     return direction - 180.0 * np.round((direction - near) / 180.0)
 
 

@@ -17,8 +17,8 @@ FEW = 4  # links: with more, the letters of the points would crowd those of the 
 
 
 def mechanism_marks(desk: Desk, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Mark]:
-    """Frame and links as in the position diagram, reduced; without their construction lines, and of many links without
-    letters."""
+    """Frame and links as in the position diagram, reduced;
+    without their construction lines, and of many links without letters."""
     scratch = Desk(
         board=desk.board.scratch({View.MECHANISM: paper.scale}),
         mech=desk.mech,

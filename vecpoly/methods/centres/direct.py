@@ -1,5 +1,5 @@
-"""Centres that are read off: the pin, at infinity across the guide, the point where links roll; of a sliding contact
-the common normal."""
+"""Centres that are read off: the pin, at infinity across the guide, the point where links roll;
+of a sliding contact the common normal."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from .geometry import Centre
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Direct:
-    """What is seen of one pair of links: its centre, or the normal on which it lies; `where`: the letter of the pin or
-    contact."""
+    """What is seen of one pair of links: its centre, or the normal on which it lies;
+    `where`: the letter of the pin or contact."""
 
     pair: Pair
     where: str

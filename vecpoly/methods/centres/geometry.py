@@ -1,5 +1,5 @@
-"""Centres and the lines through them, at infinity too: a centre there is a direction, and all of these lie on the line
-at infinity."""
+"""Centres and the lines through them, at infinity too:
+a centre there is a direction, and all of these lie on the line at infinity."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The instant centres of a mechanism: how many, those at sight, the others in order; then what the problem asks of
-them."""
+"""The instant centres of a mechanism: how many, those at sight, the others in order;
+then what the problem asks of them."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""How large the figure of the centres is drawn: μ_l where all fit the paper, else a larger one, and which centres stay
-off the paper."""
+"""How large the figure of the centres is drawn:
+μ_l where all fit the paper, else a larger one, and which centres stay off the paper."""
 
 from __future__ import annotations
 
@@ -75,8 +75,8 @@ def _crossed(lines: tuple[Line, ...]) -> bool:
 
 
 def _paper(desk: Desk, seen: Survey, kept: set[Pair]) -> Paper:
-    """The largest round scale on which everything fits; the farthest centres are left out where the mechanism would
-    become too small."""
+    """The largest round scale on which everything fits;
+    the farthest centres are left out where the mechanism would become too small."""
     low, high = bounds(desk.board.marks(View.MECHANISM))
     middle, size = (low + high) / 2, max(high.real - low.real, high.imag - low.imag)
     mu = desk.board.scales[View.MECHANISM]

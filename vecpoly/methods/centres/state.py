@@ -75,8 +75,8 @@ class CentreFigure:
         return centre
 
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
-        """Letter a centre: a point, or an arrow from `start` towards infinity; one off the paper is lettered at its
-        lines."""
+        """Letter a centre: a point, or an arrow from `start` towards infinity;
+        one off the paper is lettered at its lines."""
         found = self.known.of(*pair)
         if found.endless:
             self.point_out(start, self._outwards(start, found.way()), self.letters(*pair))
@@ -93,8 +93,8 @@ class CentreFigure:
         )
 
     def rule(self, line: Line, here: Centre, *on: Centre, whole: bool = False) -> None:
-        """A thin line through these centres, a little beyond the outermost; towards one off the paper it ends at the
-        edge with an arrow.
+        """A thin line through these centres, a little beyond the outermost;
+        towards one off the paper it ends at the edge with an arrow.
 
         Of many links' lines, unless asked for whole, only the piece at `here`, the centre that they give.
         """

@@ -34,8 +34,8 @@ class Bench:
         acts: LineOfAction | None = None,
         told: bool = True,
     ) -> Quantity:
-        """Read a vector off a polygon: its length × μ, its direction by protractor; written into the step as a formula
-        where it is told."""
+        """Read a vector off a polygon: its length × μ, its direction by protractor;
+        written into the step as a formula where it is told."""
         board, scale = self.board, self.board.scale_of(place)
         on_paper = board.measure(start, end, letters)
         size = on_paper.value * scale.value

@@ -75,8 +75,8 @@ def driven(
     *,
     must_press: bool = True,
 ) -> Closed:
-    """The same for a body that is driven: a force that comes out against its assumed direction, or at no finite size,
-    means self-locking."""
+    """The same for a body that is driven:
+    a force that comes out against its assumed direction, or at no finite size, means self-locking."""
     try:
         closed = balance(bench, place, start, *terms)
     except EquilibriumError:
@@ -104,8 +104,8 @@ def points_along(closed: Closed, term: Term) -> bool:
 def signed(
     bench: Bench, named: Named, place: Pane, ends: tuple[Points, Points], along: Points, letters: str
 ) -> Quantity:
-    """A force measured on a polygon, positive along a direction: of a self-locking device the force that holds comes
-    out negative."""
+    """A force measured on a polygon, positive along a direction:
+    of a self-locking device the force that holds comes out negative."""
     start, end = ends
     if float(nominal(dot(end - start, along))) > -NO_LENGTH:
         return bench.measured(named, place, start, end, letters)

@@ -24,8 +24,8 @@ FLAT = 1e-9  # rad: a friction angle that is none
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Press:
-    """A reaction on a body: who presses, where, the normal into the body, the direction of the reaction, the body's
-    sliding (unit vectors)."""
+    """A reaction on a body: who presses, where, the normal into the body,
+    the direction of the reaction, the body's sliding (unit vectors)."""
 
     symbol: str
     at: Points
@@ -58,8 +58,8 @@ def leaned(normal: Points, motion: Points, phi: Reals) -> Points:
 
 
 def facing(normal: Points, pushed: Points) -> Points:
-    """Of the two faces of a guide the one that the force `pushed` presses the body against: its normal into the
-    body."""
+    """Of the two faces of a guide the one that the force `pushed` presses the body against:
+    its normal into the body."""
     return normal if float(nominal(dot(normal, pushed))) < 0 else -normal
 
 

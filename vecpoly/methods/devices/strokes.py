@@ -1,5 +1,5 @@
-"""The three force polygons of a pair of wedges: driven, without friction, on the way back; each joined from two at
-their common side."""
+"""The three force polygons of a pair of wedges: driven, without friction, on the way back;
+each joined from two at their common side."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from .equilibrium import ALONG_N, OFF_N, frictionless, reversed_way
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """One of the polygons: its title, the force on wedge 1 that it gives, what marks its corners and reactions, how
-    these lie."""
+    """One of the polygons: its title, the force on wedge 1 that it gives,
+    what marks its corners and reactions, how these lie."""
 
     title: Words
     drive: Named
@@ -30,8 +30,8 @@ class Stroke:
 
 
 def strokes(drive: Named, ideal: Named, hold: Named, driven: Words, back: Words) -> tuple[Stroke, Stroke, Stroke]:
-    """The strokes of a device from its forces: driving, ideal, holding; driven, back: what the first and the last are
-    called."""
+    """The strokes of a device from its forces: driving, ideal, holding;
+    driven, back: what the first and the last are called."""
     polygon = Words("力多边形（", "Force polygon, ")
     end = Words("）", "")
     return (

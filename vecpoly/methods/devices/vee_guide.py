@@ -1,5 +1,5 @@
-"""A slide on a flat and a V guide: the load shared by the lever, its share on the V resolved along the normals of the
-flanks."""
+"""A slide on a flat and a V guide: the load shared by the lever,
+its share on the V resolved along the normals of the flanks."""
 
 from __future__ import annotations
 

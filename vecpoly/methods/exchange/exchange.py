@@ -1,5 +1,5 @@
-"""Another link as the driver (假想原动件): a drive between two moving links whose group is no dyad with the cylinder as
-a side.
+"""Another link as the driver (假想原动件):
+a drive between two moving links whose group is no dyad with the cylinder as a side.
 
 A link on the frame is thought to drive. Its position is found by trial: the groups are drawn until the cylinder has the
 given length. Velocities are proportional to its ω (or v): a polygon drawn with the rate 1 gives the factor.
@@ -46,8 +46,8 @@ class Exchange:
 
 @lru_cache(maxsize=128)  # all places of a player's turn, each drawn again at other scales
 def exchanged(mech: Mechanism, stages: tuple[Stage, ...]) -> Exchange:
-    """The mechanism itself where its groups can be drawn as they are; else driven by another link, moved so that the
-    input is as given.
+    """The mechanism itself where its groups can be drawn as they are;
+    else driven by another link, moved so that the input is as given.
 
     Raises NoMethodError, AssemblyError, DeadPointError.
     """

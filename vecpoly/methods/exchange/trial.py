@@ -32,8 +32,8 @@ def driven_by(mech: Mechanism, drive: Drive, other: Drive) -> Mechanism:
 
 @lru_cache(maxsize=4)
 def _structure(mech: Mechanism) -> tuple[tuple[Group, ...], dict[float, float]]:
-    """The groups of a mechanism driven by the other link, and what trials have shown of it so far: neither knows the
-    input's position."""
+    """The groups of a mechanism driven by the other link, and what trials have shown of it so far:
+    neither knows the input's position."""
     return decompose(mech), {}
 
 
@@ -44,8 +44,8 @@ def trial_of(mech: Mechanism, drive: Drive, other: Drive) -> Trial:
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """Trials of one exchange: the mechanism, its own drive, the link that is thought to drive, the groups then, and the
-    input at each trial."""
+    """Trials of one exchange: the mechanism, its own drive,
+    the link that is thought to drive, the groups then, and the input at each trial."""
 
     mech: Mechanism
     drive: Drive

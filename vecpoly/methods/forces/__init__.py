@@ -1,2 +1,2 @@
-"""Graphical statics of mechanisms: groups from the far end, each free body, force polygons to μ_F, friction circles and
-angles."""
+"""Graphical statics of mechanisms: groups from the far end, each free body,
+force polygons to μ_F, friction circles and angles."""

@@ -1,5 +1,5 @@
-"""A force on a link as it is known while forces are being found: its vector on the polygon, where it acts, where it
-stands on paper."""
+"""A force on a link as it is known while forces are being found:
+its vector on the polygon, where it acts, where it stands on paper."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ class Drawn:
 class Acting:
     """A force on a link: its name, its vector on the polygon, a point of its line of action; its two table entries.
 
-    couple: what a slide passes on beside a force of zero (N·m). computed: the size (N) of a force that stands on no
-    polygon.
+    couple: what a slide passes on beside a force of zero (N·m). computed:
+    the size (N) of a force that stands on no polygon.
     """
 
     named: Named

@@ -12,8 +12,8 @@ from .state import Statics
 
 
 def couples_on(st: Statics, link: str, *, within: Collection[str] = ()) -> Iterator[tuple[str, Reals]]:
-    """Symbol and size (N·m, counter-clockwise positive) of the known couples; friction couples of pins are no couples
-    of their own.
+    """Symbol and size (N·m, counter-clockwise positive) of the known couples;
+    friction couples of pins are no couples of their own.
 
     within: links drawn together with this one; what slides pass on between them is an inner couple and left out.
     """

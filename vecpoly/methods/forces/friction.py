@@ -17,8 +17,8 @@ STILL = 1e-9  # of the driver's rate: links that turn or slide slower than this 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Hub:
-    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`; `links` are all that
-    meet there.
+    """A compound hinge whose pin belongs to `carrier`, though the groups hang at it on `hung`;
+    `links` are all that meet there.
 
     blocks: those that are thought about the pin, in the slots in which it runs.
     """
@@ -69,8 +69,8 @@ class Rubbing:
     def moment_sense(self, point: str, by: str, on: str) -> int:
         """Sense (+1 ccw) of the moment of R_by,on about the pin's centre: against the turning of `on` relative to `by`.
 
-        0 where the pin has no friction, or only runs in a slot. Raises NoSlipSenseError where the links do not turn
-        relative to each other.
+        0 where the pin has no friction, or only runs in a slot.
+        Raises NoSlipSenseError where the links do not turn relative to each other.
         """
         if not self.rho(point) or {by, on} & self.mech.slot_pins.keys():
             return 0

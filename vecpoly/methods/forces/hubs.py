@@ -2,11 +2,9 @@
 and is given to its link last.
 
 Which link carries a pin changes no group. While the groups are solved, R_Ci is the force of the pin at C on link i,
-whoever carries it.
-Then every R_Ci is that of the carrier, and a small polygon of the pin gives the force of the link on which the groups
-hung. Friction acts
-between the carrier and each other link: while the groups are solved as couples on the links, found from round to round
-(`settling`).
+whoever carries it. Then every R_Ci is that of the carrier, and a small polygon of the pin gives the force of the link
+on which the groups hung. Friction acts between the carrier and each other link: while the groups are solved as couples
+on the links, found from round to round (`settling`).
 """
 
 from __future__ import annotations
@@ -74,8 +72,8 @@ def say_hubs(st: Statics) -> None:
 
 
 def joined(st: Statics, desk: Desk) -> Statics:
-    """The same pass with every pin in its own link: reactions between the carrier and each of the others. desk: that of
-    the problem's own joints."""
+    """The same pass with every pin in its own link:
+    reactions between the carrier and each of the others. desk: that of the problem's own joints."""
     if not st.hubs:
         return st
     own = replace(st, desk=desk, hubs=(), own=None, acting=dict(st.acting))
@@ -105,8 +103,8 @@ def joined(st: Statics, desk: Desk) -> Statics:
 
 
 def hub_couples(st: Statics, desk: Desk) -> dict[tuple[str, str], Reals]:
-    """Friction couples (N·m) of the carriers on the others, and of these on the carriers: ρ R against the relative
-    turning."""
+    """Friction couples (N·m) of the carriers on the others, and of these on the carriers:
+    ρ R against the relative turning."""
     own, found = replace(st, desk=desk, hubs=(), own=None, rubbing=True), dict[tuple[str, str], Reals]()
     for hub in st.hubs:
         total: Points = 0j

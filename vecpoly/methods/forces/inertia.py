@@ -1,5 +1,5 @@
-"""Inertia forces: F_I = m a_S against the acceleration, M_I = J α against the angular acceleration, joined by h = M_I /
-F_I."""
+"""Inertia forces: F_I = m a_S against the acceleration,
+M_I = J α against the angular acceleration, joined by h = M_I / F_I."""
 
 from __future__ import annotations
 

@@ -15,8 +15,8 @@ from .state import Statics
 
 
 def masses(st: Statics) -> None:
-    """Keep mass (kg) and moment of inertia (kg·m²) of every link as readings; write out how those of bars follow from
-    their section."""
+    """Keep mass (kg) and moment of inertia (kg·m²) of every link as readings;
+    write out how those of bars follow from their section."""
     rods = [mass for mass in st.loads.masses if mass.rod is not None]
     if rods:
         links, links_en = "、".join(mass.link for mass in rods), ", ".join(mass.link for mass in rods)

@@ -1,5 +1,5 @@
-"""In which order a loaded mechanism is taken apart: the link that closes, the groups from the far end, and the links on
-which they hang."""
+"""In which order a loaded mechanism is taken apart:
+the link that closes, the groups from the far end, and the links on which they hang."""
 
 from __future__ import annotations
 
@@ -20,8 +20,7 @@ class Order:
     the pins where the groups hang.
 
     held is None where that link has no fixed pin (or guide, for a force), or where from it the mechanism comes apart
-    into groups above class II
-    though from the driving link it does not: then the groups end at the driving link.
+    into groups above class II though from the driving link it does not: then the groups end at the driving link.
     """
 
     held: Held | None
@@ -43,8 +42,8 @@ def order_of(mech: Mechanism, loads: Loads) -> Order:
 
 
 def order_without(mech: Mechanism, thrust: Force) -> Order:
-    """The order once a cylinder between two moving links has given way to its thrust, which is known: any link on the
-    frame closes."""
+    """The order once a cylinder between two moving links has given way to its thrust, which is known:
+    any link on the frame closes."""
     own = {thrust.link, thrust.against}
     rest = replace(
         mech,
@@ -79,8 +78,8 @@ def _held(mech: Mechanism, drive: Drive) -> Mechanism:
 
 
 def _apart(mech: Mechanism, drive: Drive) -> Order:
-    """The groups when this drive moves the mechanism: with the pins as the problem has them, else where the groups
-    hang."""
+    """The groups when this drive moves the mechanism:
+    with the pins as the problem has them, else where the groups hang."""
     hung, mech = on_groups(mech, drive), _held(mech, drive)
     found = _pressing(mech, drive)
     if found is not None and is_drawn(found):

@@ -1,11 +1,9 @@
-"""The force analysis of a mechanism: inertia forces, groups from the far end, the link with the balancing load; without
-friction, then with it.
+"""The force analysis of a mechanism: inertia forces, groups from the far end,
+the link with the balancing load; without friction, then with it.
 
 With friction the pass without it comes first: it tells on which side every reaction presses, and it gives the ideal
-balancing
-load. The friction pass is tried on scratch paper until every reaction has the sense that was assumed (and the pin
-couples of
-groups solved by moments have settled); then it is drawn.
+balancing load. The friction pass is tried on scratch paper until every reaction has the sense that was assumed (and the
+pin couples of groups solved by moments have settled); then it is drawn.
 """
 
 from __future__ import annotations
@@ -119,8 +117,8 @@ def _are_reactions_drawn(desk: Desk, loads: Loads) -> bool:
 
 
 def _balance_alone(desk: Desk, problem: Problem) -> Statics:
-    """No reaction is asked for, and not all are drawn: virtual power finds the balancing load, and the lever where it
-    is asked for."""
+    """No reaction is asked for, and not all are drawn:
+    virtual power finds the balancing load, and the lever where it is asked for."""
     assert problem.loads is not None
     st = Statics(desk=desk, loads=problem.loads)
     inertia_forces(st)
@@ -134,8 +132,8 @@ def _balance_alone(desk: Desk, problem: Problem) -> Statics:
 
 
 def _power_first(st: Statics) -> Held:
-    """The balancing load acts on a link that hangs on no fixed joint: by virtual power it is known before any reaction;
-    the driving link closes.
+    """The balancing load acts on a link that hangs on no fixed joint:
+    by virtual power it is known before any reaction; the driving link closes.
 
     Raises NoMethodError with friction, of which virtual power knows nothing.
     """
@@ -196,8 +194,8 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
 
 
 def _refuse_locked(ideal: Statics, st: Statics) -> None:
-    """Friction may only lower a resisting load, not through zero: it would have to help. Inertia forces may turn it
-    round."""
+    """Friction may only lower a resisting load, not through zero:
+    it would have to help. Inertia forces may turn it round."""
     before, after = float(nominal(ideal.balance)), float(nominal(st.balance))
     if not st.loads.dynamic and before * after <= 0 and abs(before) > NOTHING * abs(after):
         raise LockedError(

@@ -1,5 +1,5 @@
-"""Against which motion friction acts: relative turning at a pin, relative sliding in a guide or at a contact, read off
-the velocity polygon."""
+"""Against which motion friction acts: relative turning at a pin,
+relative sliding in a guide or at a contact, read off the velocity polygon."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ TURN = {1: Words("逆时针", "counter-clockwise"), -1: Words("顺时针", "cloc
 
 
 def pin_words(st: Statics, point: str, by: str, on: str) -> Words:
-    """Why the reaction touches the friction circle on its side: ω of the one link against the other, and the moment
-    against it."""
+    """Why the reaction touches the friction circle on its side:
+    ω of the one link against the other, and the moment against it."""
     sense = st.moment_sense(point, by, on)
     if not sense:
         return Words.same("")
@@ -48,8 +48,8 @@ def relative_omega(st: Statics, by: str, on: str) -> tuple[str, str]:
 
 
 def velocity_of(st: Statics, link: str, place: Points) -> Points:
-    """Velocity (mm on the velocity polygon) of the point of a link that is at this place of the diagram, from a drawn
-    tip and ω."""
+    """Velocity (mm on the velocity polygon) of the point of a link that is at this place of the diagram,
+    from a drawn tip and ω."""
     desk = st.desk
     if link == FRAME:
         return 0j
@@ -60,8 +60,8 @@ def velocity_of(st: Statics, link: str, place: Points) -> Points:
 
 
 def leaning(st: Statics, normal: Points, slip: Points, phi: float, what: Words | str) -> Points:
-    """Direction of a reaction with normal part along `normal`: turned by φ from it, against the sliding of the link it
-    acts on.
+    """Direction of a reaction with normal part along `normal`:
+    turned by φ from it, against the sliding of the link it acts on.
 
     Raises NoSlipSenseError where nothing slides.
     """

@@ -1,11 +1,9 @@
-"""Successive approximation (逐步逼近) on scratch paper: the sense of every reaction, and the friction couples of pins
-that enter moment equations.
+"""Successive approximation (逐步逼近) on scratch paper:
+the sense of every reaction, and the friction couples of pins that enter moment equations.
 
 A group solved by moments needs the friction couple ρR of each pin before R is known. Passes over the whole mechanism
-give
-couples from couples; between two changes of sense that is a linear relation, so its secant hits the fixed point.
-Friction is
-raised in a few shares, so that the reactions change sides, where they do, one after the other.
+give couples from couples; between two changes of sense that is a linear relation, so its secant hits the fixed point.
+Friction is raised in a few shares, so that the reactions change sides, where they do, one after the other.
 """
 
 from __future__ import annotations
@@ -35,8 +33,8 @@ SETTLED = 1e-12  # change of the couples between two rounds, of the largest coup
 def settled(
     ideal: Statics, groups: tuple[Group, ...], walk: Walk, further: Further
 ) -> tuple[Statics, dict[tuple[str, str], Reals]]:
-    """A pass with friction whose senses and pin couples reproduce themselves, and these couples. further: more couples
-    than those of pins in groups.
+    """A pass with friction whose senses and pin couples reproduce themselves, and these couples.
+    further: more couples than those of pins in groups.
 
     Raises LockedError where none is found: with this friction nothing moves.
     """

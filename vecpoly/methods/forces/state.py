@@ -61,8 +61,8 @@ class Statics(Rubbing):
 
     @property
     def preliminary(self) -> bool:
-        """Whether this is the pass without friction that precedes one with friction: it leaves little on the
-        diagram."""
+        """Whether this is the pass without friction that precedes one with friction:
+        it leaves little on the diagram."""
         return bool(self.loads.friction) and not self.rubbing
 
     @property
@@ -179,8 +179,8 @@ class Statics(Rubbing):
         return [found for other in others if (found := self.push(other, link)) is not None]
 
     def moment(self, link: str) -> Reals:
-        """Sum of the given couples on a link, of those that slides pass on, and of the friction couples of its pins
-        (N·m)."""
+        """Sum of the given couples on a link, of those that slides pass on,
+        and of the friction couples of its pins (N·m)."""
         parts: list[Reals] = [self.size_of(load) for load in self.sized(link) if isinstance(load, Moment)]
         parts += [
             self.inertia_couples.get(link, 0.0),
@@ -204,8 +204,8 @@ class Statics(Rubbing):
         )
 
     def at_joint(self, joint: Joint, line: Line) -> Points:
-        """Where a line of action passes a joint: nearest to the pin, or, if that is on the sheet, the point that the
-        line was laid through."""
+        """Where a line of action passes a joint:
+        nearest to the pin, or, if that is on the sheet, the point that the line was laid through."""
         if isinstance(joint, Revolute):
             return foot(line, self.desk.at[joint.point])
         away = isinstance(joint, Prismatic) and abs(complex(nominal(line.at - self.desk.at[joint.pin]))) > OFF_SHEET

@@ -1,5 +1,5 @@
-"""One side of a velocity or acceleration equation: the way from the pole to the sought point over one link or one
-guide."""
+"""One side of a velocity or acceleration equation:
+the way from the pole to the sought point over one link or one guide."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Normal and tangential component of a relative acceleration that no equation needed: drawn because they are asked
-for."""
+"""Normal and tangential component of a relative acceleration that no equation needed:
+drawn because they are asked for."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _VIEW = View.ACCELERATION
 
 
 def draw_components(desk: Desk, rel: Rel) -> None:
-    """a_CB (or a_C, about the fixed pivot) split: a^n_CB = ω² l from C towards B, a^t_CB from its tip to c'. Nothing
-    where a link is missing."""
+    """a_CB (or a_C, about the fixed pivot) split:
+    a^n_CB = ω² l from C towards B, a^t_CB from its tip to c'. Nothing where a link is missing."""
     link, about = _link(desk, rel)
     to = desk.canonical(rel.to)
     known = (

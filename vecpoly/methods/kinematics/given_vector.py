@@ -1,5 +1,5 @@
-"""Points of a link with a given velocity or acceleration, read back from the polygon (zero: instant centre,
-acceleration pole)."""
+"""Points of a link with a given velocity or acceleration, read back from the polygon (zero:
+instant centre, acceleration pole)."""
 
 from __future__ import annotations
 

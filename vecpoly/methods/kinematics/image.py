@@ -131,8 +131,8 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
 
 
 def _turning_terms(desk: Desk, view: View, link: str, at: At, held: At) -> tuple[Term, ...]:
-    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link, or its point under which another link slides
-    or rolls."""
+    """v_XP = ω l, or a^n_XP and a^t_XP: P is a pivot, a pin of the link,
+    or its point under which another link slides or rolls."""
     p, x, ref = held.point, at.point, ref_at(desk, view, held, link)
     if view is View.VELOCITY:
         rel = Rel(Kind.V, desk.canonical(at), ref)

@@ -9,8 +9,8 @@ from ..desk import POLE, Desk
 
 
 def write_lengths(desk: Desk, view: View, eq: Equation) -> None:
-    """n′ k′ = a^k / μ_a = 11.5 mm of every vector that was computed: its tail is where the known vectors before it have
-    arrived."""
+    """n′ k′ = a^k / μ_a = 11.5 mm of every vector that was computed:
+    its tail is where the known vectors before it have arrived."""
     for chain in (eq.left, eq.right):
         tail = POLE[view]
         for term in chain:
@@ -31,8 +31,8 @@ def write_lengths(desk: Desk, view: View, eq: Equation) -> None:
 
 
 def _head(desk: Desk, view: View, term: Term) -> str:
-    """The letter at the end of a term that is laid off or drawn already; none of one that is sought, or that
-    vanishes."""
+    """The letter at the end of a term that is laid off or drawn already;
+    none of one that is sought, or that vanishes."""
     if term.unknowns or term.magnitude == "0" or not isinstance(term.rel, Rel):
         return ""
     return term.tip or desk.tip_label(view, term.rel.to)

@@ -170,8 +170,8 @@ def _coriolis_words(sign: str, v: str, link: str, w: float, size: float) -> Word
 def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
     """The reference point of a turning link, none where it is a fixed pivot.
 
-    Of a pitch point, whose accelerations differ, it is the link's own; D2, a point of a link that slides over the pivot
-    D, is no pivot.
+    Of a pitch point, whose accelerations differ, it is the link's own;
+    D2, a point of a link that slides over the pivot D, is no pivot.
     """
     own = At(about.point, link)
     if view is View.ACCELERATION and (view, own) in desk.tips:

@@ -1,5 +1,5 @@
-"""ω and α of a link, read off the polygons: magnitude from the length, sense by carrying the vector to the
-mechanism."""
+"""ω and α of a link, read off the polygons: magnitude from the length,
+sense by carrying the vector to the mechanism."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What is asked but was needed by no equation: points given by their vectors, points under which a link only passes,
-components."""
+"""What is asked but was needed by no equation:
+points given by their vectors, points under which a link only passes, components."""
 
 from __future__ import annotations
 

@@ -9,8 +9,8 @@ from ..state import Bodies, Points
 
 
 def touching(mech: Mechanism, bodies: Bodies, contact: Contact) -> tuple[Points, Points]:
-    """The touching point K (m), and the unit normal along which the disc is pressed: from K towards the disc's
-    centre."""
+    """The touching point K (m), and the unit normal along which the disc is pressed:
+    from K towards the disc's centre."""
     disc, on, radius = contact.disc, contact.on, contact.disc.radius
     centre = bodies[disc.link].point(mech.link(disc.link).points[disc.centre])
     if isinstance(on, Rack):

@@ -1,9 +1,8 @@
 """Dyads in closed form: two loci of an inner hinge (RRR, RRP, PRP, and with gears), and RPR.
 
-Every step places its links (`place`), then gives them rates (`move`), and says by how much it fails to close
-(`miss`). Where two assemblies exist, `sign` tells them apart at the problem's own position, and `changes` where they
-change
-sides; `fold` is 0 where they meet.
+Every step places its links (`place`), then gives them rates (`move`), and says by how much it fails to close (`miss`).
+Where two assemblies exist, `sign` tells them apart at the problem's own position,
+and `changes` where they change sides; `fold` is 0 where they meet.
 """
 
 from __future__ import annotations
@@ -37,8 +36,8 @@ def signs(step: Hinged | Swinging, run: Run) -> Reals:
 
 @dataclass(frozen=True, slots=True)
 class Hinged:
-    """Inner joint R: it lies on the locus of link j and on the locus of link k; either may be a driven cylinder's
-    end."""
+    """Inner joint R: it lies on the locus of link j and on the locus of link k;
+    either may be a driven cylinder's end."""
 
     group: Group
     j: Locus | Telescope
@@ -77,8 +76,8 @@ class Hinged:
         return {**moved(self.j, bodies, own_j, v_j, a_j), **moved(self.k, bodies, own_k, v_k, a_k)}
 
     def fold(self, bodies: Bodies) -> Reals:
-        """Square of the sine between both arms, or between the arm and the guide's normal; 1 where a cylinder moves the
-        hinge."""
+        """Square of the sine between both arms, or between the arm and the guide's normal;
+        1 where a cylinder moves the hinge."""
         match self.j, self.k:
             case Arc() as j, Arc() as k:
                 ray = k.base(bodies) - j.base(bodies)

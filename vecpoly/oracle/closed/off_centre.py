@@ -28,8 +28,8 @@ Sides = tuple[str, str, str]  # the hinge, and the two links that meet in it
 
 
 def crossing(mech: Mechanism, group: Group) -> Sides | None:
-    """The hinge inside the group whose two places tell its two assemblies apart at the own position; None where there
-    is none."""
+    """The hinge inside the group whose two places tell its two assemblies apart at the own position;
+    None where there is none."""
     rolls = [joint for joint in (*group.inner, *(out.joint for out in group.outer)) if isinstance(joint, Rolling)]
     if not rolls:
         return None

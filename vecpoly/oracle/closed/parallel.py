@@ -1,5 +1,5 @@
-"""RRR whose links turn as known ones do: a parallelogram ABCD, in which BC stays parallel to AD, or a folded kite, in
-which C stays on A."""
+"""RRR whose links turn as known ones do:
+a parallelogram ABCD, in which BC stays parallel to AD, or a folded kite, in which C stays on A."""
 
 from __future__ import annotations
 

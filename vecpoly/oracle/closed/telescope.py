@@ -19,8 +19,8 @@ from .loci import Locus, Share
 
 @dataclass(frozen=True, slots=True)
 class Telescope:
-    """The cylinder and its rod, pinned at `centre` of the parent; near: the link there, link: the one that carries the
-    inner hinge."""
+    """The cylinder and its rod, pinned at `centre` of the parent; near:
+    the link there, link: the one that carries the inner hinge."""
 
     drive: Drive
     leads: bool  # whether the positions asked for are this drive's

@@ -1,5 +1,5 @@
-"""Exact answers for an eccentric clamp: Newton on the three equations of equilibrium with the pin's friction couple,
-bisection for e."""
+"""Exact answers for an eccentric clamp:
+Newton on the three equations of equilibrium with the pin's friction couple, bisection for e."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def eccentric_clamp(device: EccentricClamp) -> Values:
 
 
 def _press(device: EccentricClamp, f: float) -> complex:
-    """What the work does on the disc while the clamp closes: Q up, f Q against the sliding of the disc's lowest
-    point."""
+    """What the work does on the disc while the clamp closes:
+    Q up, f Q against the sliding of the disc's lowest point."""
     return device.Q.si * complex(-device.turn * f, 1.0)
 
 

@@ -43,8 +43,8 @@ def _moves(alpha: float, f: float, sense: int) -> bool:
 
 
 def _way(alpha: float, f: float, spring: float, sense: int) -> Balance | None:
-    """Equilibrium while 1 goes down (sense 1) or up (−1): 2 to the right of it, 3 to its left, 4 under them, at
-    rest."""
+    """Equilibrium while 1 goes down (sense 1) or up (−1):
+    2 to the right of it, 3 to its left, 4 under them, at rest."""
     up, down = exp(1j * (pi / 2 - alpha)), exp(-1j * (pi / 2 - alpha))  # normals into 2 of the faces under and over it
     faces = (
         Face("2", "1", -down, f),

@@ -1,5 +1,5 @@
-"""Exact answers for a screw jack: the collar by integrating its pressure over rings, the nut by the balance of two
-components."""
+"""Exact answers for a screw jack: the collar by integrating its pressure over rings,
+the nut by the balance of two components."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ def screw_jack(device: ScrewJack) -> Values:
 def _push(lead_per_radius: float, f: float) -> float:
     """Horizontal force per unit of load that moves the nut evenly; f < 0: on its way down.
 
-    Unknown normal force N and push H: along and across the slope of the thread, N (t_perp − f t) balances load and
-    push.
+    Unknown normal force N and push H: along and across the slope of the thread,
+    N (t_perp − f t) balances load and push.
     """
     along = np.array([2 * np.pi, lead_per_radius]) / np.hypot(2 * np.pi, lead_per_radius)
     normal = np.array([-along[1], along[0]])

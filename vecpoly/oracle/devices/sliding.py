@@ -1,9 +1,8 @@
 """Equilibrium of bodies that only translate and press on each other through flat faces with Coulomb friction.
 
 Unknown are the normal forces of the faces and one force. Friction is f times the normal force, against the sliding:
-with the
-velocities given, ΣF = 0 of every body is a linear system, solved for each choice of which face of a two-sided guide
-presses.
+with the velocities given, ΣF = 0 of every body is a linear system,
+solved for each choice of which face of a two-sided guide presses.
 """
 
 from __future__ import annotations
@@ -21,8 +20,8 @@ RESIDUAL = 1e-10  # of the largest force: forces that leave more than this are i
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """Body `by` presses on body `on` with a normal force along `normal` (into `on`); a two-sided guide may also press
-    the other way."""
+    """Body `by` presses on body `on` with a normal force along `normal` (into `on`);
+    a two-sided guide may also press the other way."""
 
     by: str
     on: str
@@ -44,9 +43,8 @@ def equilibrium(
 ) -> Balance | None:
     """ΣF = 0 of every body that has a velocity; None where no normal force that presses will do.
 
-    velocity: of each moving body, to any scale (others rest); known: given force on a body; sought: body and unit
-    direction of the
-    unknown force.
+    velocity: of each moving body, to any scale (others rest); known:
+    given force on a body; sought: body and unit direction of the unknown force.
     """
     for signs in product(*((1.0, -1.0) if face.two_sided else (1.0,) for face in faces)):
         along = [_direction(face, sign, velocity) for face, sign in zip(faces, signs, strict=True)]
@@ -73,8 +71,8 @@ def _solved(
     known: Mapping[str, complex],
     sought: tuple[str, complex],
 ) -> npt.NDArray[np.float64] | None:
-    """Normal forces and the sought one; None where no finite forces balance. Symmetry may make equations say the same
-    thing."""
+    """Normal forces and the sought one; None where no finite forces balance.
+    Symmetry may make equations say the same thing."""
     rows = {body: 2 * i for i, body in enumerate(bodies)}
     matrix, right = np.zeros((2 * len(bodies), len(faces) + 1)), np.zeros(2 * len(bodies))
     entries = [(face.on, j, u) for j, (face, u) in enumerate(zip(faces, along, strict=True))]

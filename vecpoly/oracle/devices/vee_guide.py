@@ -1,5 +1,5 @@
-"""Exact answers for a slide on a flat and a V guide: force and moment balance as linear systems, friction summed over
-the faces."""
+"""Exact answers for a slide on a flat and a V guide:
+force and moment balance as linear systems, friction summed over the faces."""
 
 from __future__ import annotations
 

@@ -80,8 +80,8 @@ def _balancing(result: Equilibrium, load: Reals) -> Reals:
 
 
 def _find(result: Equilibrium, key: str) -> tuple[int | None, int]:
-    """The pair of these links, and +1 where it holds the force on its link b; None: a hinge's links that are pinned
-    through a third."""
+    """The pair of these links, and +1 where it holds the force on its link b;
+    None: a hinge's links that are pinned through a third."""
     for index, pair in enumerate(result.system.pairs):
         if key in pair.keys:
             return index, 1 if key == pair.keys[0] else -1
@@ -111,8 +111,8 @@ def _virtual(result: Equilibrium) -> Reals:
 
 
 def _arm(result: Equilibrium) -> Reals:
-    """|M| / R: the frame's reaction (any reaction where the link has none) and everything else but M make a couple with
-    this arm."""
+    """|M| / R: the frame's reaction (any reaction where the link has none)
+    and everything else but M make a couple with this arm."""
     link = result.loads.unknown.link
     own = [index for index, pair in enumerate(result.system.pairs) if link in (pair.a, pair.b)]
     held = [index for index in own if FRAME in (result.system.pairs[index].a, result.system.pairs[index].b)]

@@ -1,9 +1,8 @@
 """Linear equations at many positions at once: one elimination for all of them, LAPACK where its pivots are weak.
 
 The equations of statics are sparse, and most of their coefficients are the same at all positions (a pin's force enters
-by ±1).
-So an equation is a mapping column -> coefficient, an array of one element where it does not change, and the pivots are
-chosen once: unchanging ones first, then those that stay furthest from zero.
+by ±1). So an equation is a mapping column -> coefficient, an array of one element where it does not change, and the
+pivots are chosen once: unchanging ones first, then those that stay furthest from zero.
 """
 
 from __future__ import annotations
@@ -78,8 +77,8 @@ def _triangle(left: list[Equation], right: list[Equation], count: int) -> tuple[
 
 
 def _pivot(rows: list[tuple[int, Equation]]) -> tuple[int, int] | None:
-    """Equation and column of the next pivot: of the unchanging ones that which spares most, else the one furthest from
-    zero."""
+    """Equation and column of the next pivot:
+    of the unchanging ones that which spares most, else the one furthest from zero."""
     uses: dict[int, int] = {}
     for _, row in rows:
         for column in row:

@@ -43,8 +43,8 @@ class Forces(Equilibrium):
         return line(self, key)
 
     def couple_of(self, key: str) -> Reals:
-        """The couple (N·m, counter-clockwise) beside this reaction where two links slide and pass on no force; 0
-        elsewhere."""
+        """The couple (N·m, counter-clockwise) beside this reaction where two links slide and pass on no force;
+        0 elsewhere."""
         return couple(self, key)
 
 

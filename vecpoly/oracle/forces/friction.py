@@ -1,8 +1,7 @@
 """How hard the joints with friction press, by Newton, with continuation in the friction where it is needed.
 
-Statics is linear in the reactions and in friction's wrenches, so the pressing force of joint k is
-p_k = p0_k + λ Σ_j g_kj u_j with u_j = |p_j|: as many equations as joints with friction. λ = 0 is no friction, 1 all of
-it.
+Statics is linear in the reactions and in friction's wrenches, so the pressing force of joint k is p_k = p0_k + λ Σ_j
+g_kj u_j with u_j = |p_j|: as many equations as joints with friction. λ = 0 is no friction, 1 all of it.
 """
 
 from __future__ import annotations
@@ -42,8 +41,8 @@ def sizes(base: Points, gain: Points) -> tuple[Reals, Reals]:
 
 
 def _contracts(weight: Reals) -> Flags:
-    """Where u -> |p0 + Σ g u| is a contraction in some weighted norm: then its fixed point is the only one, at every
-    λ."""
+    """Where u -> |p0 + Σ g u| is a contraction in some weighted norm:
+    then its fixed point is the only one, at every λ."""
     scale: Reals = np.ones(weight.shape[1:])
     for _ in range(3):
         scale = 1.0 + _apply(weight, scale)
@@ -85,8 +84,8 @@ def _newton(base: Points, gain: Points, lam: Reals, u: Reals, rounds: int) -> tu
 
 
 def _foreseen(u: Reals, rise: Reals) -> Reals:
-    """u a step on: as 1/(c - λ), for it runs off, and comes in from afar, like that; u²/(u - rise), to first order u +
-    rise."""
+    """u a step on: as 1/(c - λ), for it runs off, and comes in from afar, like that;
+    u²/(u - rise), to first order u + rise."""
     share = rise / np.where(u > 0, u, np.inf)
     return np.where(share < 0.9, u / (1 - np.minimum(share, 0.9)) + np.where(u > 0, 0.0, rise), u + rise)
 

@@ -63,8 +63,8 @@ class Pair:
 
 
 def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction) -> tuple[Pair, ...]:
-    """Every pair of bodies that press on each other; `rates` holds the links' velocities (of a unit drive where it
-    rests)."""
+    """Every pair of bodies that press on each other;
+    `rates` holds the links' velocities (of a unit drive where it rests)."""
     thought, slots = mech.substitutes, mech.slot_pins
     found = [_pin(mech, bodies, rates, joint, friction.pins.get(joint.point, 0.0)) for joint in _pins(mech, thought)]
     for joint in mech.joints:
@@ -80,8 +80,8 @@ def pairs_of(mech: Mechanism, bodies: Bodies, rates: Bodies, friction: Friction)
 
 
 def _pins(mech: Mechanism, thought: frozenset[str]) -> Iterator[Revolute]:
-    """The hinges' pins; where a substitute link stands between two bodies at one hinge, they are pinned to each
-    other."""
+    """The hinges' pins; where a substitute link stands between two bodies at one hinge,
+    they are pinned to each other."""
     for joint in mech.joints:
         if isinstance(joint, Revolute) and not {joint.a, joint.b} & {*thought, *mech.slot_pins}:
             yield joint
@@ -128,8 +128,8 @@ def _pin(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Revolute, radius
 
 
 def _slide(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, angle: float) -> Pair:
-    """Force square to the guide and couple, that is a normal force anywhere along the guide; friction tan φ N along
-    it."""
+    """Force square to the guide and couple, that is a normal force anywhere along the guide;
+    friction tan φ N along it."""
     guide, pin = bodies[joint.guide], mech.link(joint.block).points[joint.pin]
     along = guide.unit * complex(np.exp(1j * joint.direction))
     origin, place = guide.point(joint.origin), bodies[joint.block].point(pin)
@@ -182,8 +182,8 @@ def _slotted(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, a
 
 
 def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
-    """Pitch-point force without loss: of any direction, or along the teeth alone where links hold the gear's centre
-    already."""
+    """Pitch-point force without loss:
+    of any direction, or along the teeth alone where links hold the gear's centre already."""
     at, (a, b) = pitch_point(joint, mech, bodies), (joint.on.link, joint.gear.link)
     units: tuple[Wrench, ...] = (Wrench(ONE, NONE), Wrench(1j * ONE, NONE))
     if is_held(mech, joint):

@@ -34,8 +34,8 @@ class Judge:
         return np.asarray(self.causes != Cause.NONE)
 
     def bad(self, mask: Flags, cause: Cause | NDArray[np.int_]) -> int | None:
-        """The first failing position where strict; None where none fails, or where they are only marked, each with its
-        first cause."""
+        """The first failing position where strict;
+        None where none fails, or where they are only marked, each with its first cause."""
         if not mask.any():
             return None
         if self.run.strict:
@@ -149,8 +149,8 @@ class Judge:
         )
 
     def _consumed(self, names: str, load: str, at: int, before: float, after: float) -> Words:
-        """The friction takes more than the driving loads give. before, after: the balancing load's power (W), without
-        friction and with it."""
+        """The friction takes more than the driving loads give. before, after:
+        the balancing load's power (W), without friction and with it."""
         here = self.where(at)
         return Words(
             f"自锁：{here.zh}，{names} 不能驱动机构：无摩擦时 {load} 耗功 "

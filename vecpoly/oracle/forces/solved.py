@@ -22,8 +22,8 @@ _Number = TypeVar("_Number", np.complex128, np.float64)
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """The links' equilibrium, solved. Every answer has the shape of the positions asked for (a number for one
-    position)."""
+    """The links' equilibrium, solved.
+    Every answer has the shape of the positions asked for (a number for one position)."""
 
     mech: Mechanism
     loads: Loads

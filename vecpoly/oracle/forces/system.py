@@ -1,5 +1,5 @@
-"""The equations of equilibrium, three for every body, all positions at once; friction's wrenches as further right-hand
-sides."""
+"""The equations of equilibrium, three for every body, all positions at once;
+friction's wrenches as further right-hand sides."""
 
 from __future__ import annotations
 
@@ -66,8 +66,8 @@ class System:
     count: int  # positions
 
     def solve(self, skip: Flags) -> tuple[Balance, Balance, Reals]:
-        """Without friction, with it, and the share of the friction that could be borne (1: all). skip: positions that
-        stay NaN.
+        """Without friction, with it, and the share of the friction that could be borne (1:
+        all). skip: positions that stay NaN.
 
         Raises EquilibriumError where unknowns and equations differ in number.
         """

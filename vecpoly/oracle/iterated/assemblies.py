@@ -1,5 +1,5 @@
-"""Which assembly of a group that is solved by iteration: the one that the branch statements and the guesses
-describe."""
+"""Which assembly of a group that is solved by iteration:
+the one that the branch statements and the guesses describe."""
 
 from __future__ import annotations
 

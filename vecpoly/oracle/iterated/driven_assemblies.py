@@ -1,5 +1,5 @@
-"""Which assembly of a group with a drive inside: of all there are, the one that the statements, or else the guesses,
-describe."""
+"""Which assembly of a group with a drive inside:
+of all there are, the one that the statements, or else the guesses, describe."""
 
 from __future__ import annotations
 

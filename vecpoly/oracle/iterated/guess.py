@@ -1,5 +1,5 @@
-"""A rough first assembly for Newton: every link of the group laid through the known and guessed places of its
-points."""
+"""A rough first assembly for Newton:
+every link of the group laid through the known and guessed places of its points."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ NOWHERE: Mapping[str, complex] = MappingProxyType({})
 def first_guess(
     mech: Mechanism, group: Group, known: Bodies, about: Mapping[str, complex] = NOWHERE
 ) -> NDArray[np.float64]:
-    """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad). about: places found
-    beforehand.
+    """1 × links × (x, y, φ): the best fit of each link to the places of its points (m, rad).
+    about: places found beforehand.
 
     Raises AssemblyError where a link has no point with a place.
     """
@@ -94,8 +94,8 @@ def _sure(
 
 
 def _anywhere(mech: Mechanism, name: str, known: Bodies, places: dict[str, complex]) -> complex | None:
-    """A place for the pin of a link that only slides on a known guide, where nothing else tells it: beside the points
-    that are known."""
+    """A place for the pin of a link that only slides on a known guide, where nothing else tells it:
+    beside the points that are known."""
     joint = next((j for j in mech.joints if isinstance(j, Prismatic) and j.block == name and j.guide in known), None)
     if joint is None or not places:
         return None
@@ -116,8 +116,8 @@ def _slide(mech: Mechanism, start: Start, known: Bodies, places: dict[str, compl
 def _unit(
     mech: Mechanism, name: str, told: dict[str, Start], places: dict[str, complex], poses: dict[str, complex]
 ) -> complex | None:
-    """e^{iφ} of the link: as told, from two of its points, or from its guide or block; None where nothing of it is
-    known."""
+    """e^{iφ} of the link: as told, from two of its points, or from its guide or block;
+    None where nothing of it is known."""
     link, start = mech.link(name), told.get(name)
     if start is not None and not start.slide and set(start.ray) <= set(places):
         ray = places[start.ray[1]] - places[start.ray[0]] if start.ray else 1 + 0j
@@ -151,8 +151,8 @@ def _unit(
 
 
 def _tangent(joint: Rolling, rack: Rack, pin: complex, ray: complex) -> complex | None:
-    """e^{iφ} of a rack hinged at `pin` that touches a gear whose centre lies at `ray` from there, ahead along the
-    rack."""
+    """e^{iφ} of a rack hinged at `pin` that touches a gear whose centre lies at `ray` from there,
+    ahead along the rack."""
     beside = (np.exp(-1j * rack.direction) * (pin - rack.origin)).imag
     left = (1 if joint.side is Side.LEFT else -1) * joint.gear.radius - beside
     if abs(ray) <= abs(left):
@@ -161,8 +161,8 @@ def _tangent(joint: Rolling, rack: Rack, pin: complex, ray: complex) -> complex 
 
 
 def _pose(mech: Mechanism, group: Group, name: str, places: dict[str, complex], unit: complex) -> list[float]:
-    """The link laid through its known points; without rolling, a link that has none starts in the middle of all that
-    are known."""
+    """The link laid through its known points;
+    without rolling, a link that has none starts in the middle of all that are known."""
     link = mech.link(name)
     seen = [p for p in link.points if p in places]
     if not seen and any(isinstance(joint, Rolling) for joint in (*group.inner, *(out.joint for out in group.outer))):

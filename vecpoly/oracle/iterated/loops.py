@@ -34,8 +34,8 @@ class Loops:
         object.__setattr__(self, "size", self.mech.scale)
 
     def solve(self, seed: States, known: Bodies, ref: States | None, ago: Bodies, patience: int = PATIENCE) -> States:
-        """Newton's iteration; without reference (at the own position) what is told of the links' places stands for no
-        slip. NaN where it fails."""
+        """Newton's iteration; without reference (at the own position) what is
+        told of the links' places stands for no slip. NaN where it fails."""
         states, loose, left = seed.copy(), ref is None, np.arange(len(seed))
         past, here, watch = (
             {**ago, **self.bodies_at(seed if ref is None else ref)},

@@ -16,8 +16,8 @@ class AskRel:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AskPoint:
-    """The point `name` of the link with this velocity (m/s) or acceleration (m/s²), or the slowest on the line of two
-    points; one is given.
+    """The point `name` of the link with this velocity (m/s) or acceleration (m/s²),
+    or the slowest on the line of two points; one is given.
 
     `name` is letter and link number, as in the textbook: M2 is the point M of link 2.
     """

@@ -8,8 +8,8 @@ from ..problem import Problem
 
 
 def nothing_asked(problem: Problem) -> Words:
-    """'nothing is asked; write e.g. find: [v_C, omega_3]' with letters and links of this problem; empty where something
-    is."""
+    """'nothing is asked; write e.g. find: [v_C, omega_3]' with letters and links of this problem;
+    empty where something is."""
     if problem.asks:
         return Words.same("")
     keys = ", ".join(_worth(problem.subject) if isinstance(problem.subject, Mechanism) else ()) or "v_C, omega_3"

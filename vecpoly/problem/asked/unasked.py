@@ -14,8 +14,8 @@ from .asks import AskNamed
 
 
 def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> tuple[AskNamed, ...]:
-    """What is asked where the file does not say: the unknown load, with friction also without it and η, and every
-    reaction.
+    """What is asked where the file does not say:
+    the unknown load, with friction also without it and η, and every reaction.
 
     Of gears and of groups above class II the reactions are not drawn: there the load alone.
     """

@@ -23,8 +23,8 @@ CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant c
 
 
 def read_find(spec: str | FindSpec, bodies: Bodies, named: Iterable[At], forces: Mapping[str, Named]) -> Ask:
-    """One entry of `find`; `named` are points the problem itself names, such as M2; `forces` what may be asked of its
-    loads."""
+    """One entry of `find`; `named` are points the problem itself names, such as M2;
+    `forces` what may be asked of its loads."""
     if isinstance(spec, str):
         key = read_any(spec, bodies, named, forces)
         return AskNamed(rel=key) if isinstance(key, Named) else AskRel(rel=key)
@@ -153,8 +153,8 @@ def read_key(text: str, bodies: Bodies, named: Iterable[At] = ()) -> Rel:
 
 
 def _lettered(at: At, bodies: Bodies) -> At:
-    """S2 is the letter S2 where there is one, not a point S thought on link 2; the frame has the number after the
-    highest."""
+    """S2 is the letter S2 where there is one, not a point S thought on link 2;
+    the frame has the number after the highest."""
     if str(at) in bodies.letters():
         return At(str(at))
     return At(at.point, FRAME, at.link) if at.point and at.link == frame_number(bodies) else at

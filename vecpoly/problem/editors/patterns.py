@@ -21,8 +21,8 @@ _SYMBOL = (
 
 
 def quantity(dim: Dim, *others: str) -> Schema:
-    """A quantity with its unit, or one of the other ways of writing (patterns without anchors); a bare 0 may be a
-    number."""
+    """A quantity with its unit, or one of the other ways of writing (patterns without anchors);
+    a bare 0 may be a number."""
     texts = "|".join([pattern(dim), *(f"^ *({other}) *$" for other in others)])
     return {"anyOf": [{"type": "string", "pattern": texts}, {"const": 0}]}
 

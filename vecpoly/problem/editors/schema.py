@@ -1,5 +1,5 @@
-"""The JSON Schema of problem and assignment files: pydantic's, with patterns, descriptions, and what YAML writes as
-numbers or null."""
+"""The JSON Schema of problem and assignment files:
+pydantic's, with patterns, descriptions, and what YAML writes as numbers or null."""
 
 from __future__ import annotations
 
@@ -114,8 +114,8 @@ def _with_devices(schema: Schema) -> None:
 
 
 def _with_assignments(schema: Schema) -> None:
-    """A file that lists problems is an assignment; any other needs an id and says what it is about, or extends
-    another."""
+    """A file that lists problems is an assignment;
+    any other needs an id and says what it is about, or extends another."""
     sheet = AssignmentSpec.model_json_schema()["properties"]
     changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
     schema["properties"] |= {
@@ -139,8 +139,8 @@ def _with_assignments(schema: Schema) -> None:
 
 
 def _finish(spec: Schema, name: str) -> None:
-    """Patterns and descriptions of the keys; every key may be null, which takes it away from what is extended, and no
-    key is a must there."""
+    """Patterns and descriptions of the keys;
+    every key may be null, which takes it away from what is extended, and no key is a must there."""
     if name not in ("Problem", "PrintedSpec", "FindSpec", "Slot", "Item"):
         spec.pop("required", None)
     for group in ("properties", "patternProperties"):

@@ -1,5 +1,5 @@
-"""An input between two moving links: ``{cylinder: 2-3, length: 800 mm, v: 0.1 m/s}``, or one link's motion ``on``
-another."""
+"""An input between two moving links: ``{cylinder: 2-3, length: 800 mm, v:
+0.1 m/s}``, or one link's motion ``on`` another."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Branch statements in a lecturer's words: `C left of BD`, `C 在 AD 上方`, `ABCD parallelogram`, `ABCD
-为平行四边形`."""
+"""Branch statements in a lecturer's words: `C left of BD`, `C 在 AD 上方`,
+`ABCD parallelogram`, `ABCD 为平行四边形`."""
 
 from __future__ import annotations
 

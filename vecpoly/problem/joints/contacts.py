@@ -30,8 +30,8 @@ def is_contact(text: object) -> bool:
 
 
 def read_contact(text: str, bodies: Bodies) -> tuple[Joint, ...]:
-    """One contact: it is kept in the bodies, which get its substitute link too; the joints which that link needs beyond
-    pins."""
+    """One contact: it is kept in the bodies, which get its substitute link too;
+    the joints which that link needs beyond pins."""
     m = _TOUCHES.fullmatch(text)
     if m is None:
         raise FaultError(

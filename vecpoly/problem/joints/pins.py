@@ -12,8 +12,8 @@ from ..schema.faults import Faults
 
 
 def read_pins(spec: Mapping[str, str], mech: Mechanism, faults: Faults) -> dict[str, str]:
-    """Letter → link; the frame by its printed number. Notes a fault where the letter is no compound hinge, or the link
-    is not there."""
+    """Letter → link; the frame by its printed number.
+    Notes a fault where the letter is no compound hinge, or the link is not there."""
     found: dict[str, str] = {}
     for letter, number in spec.items():
         with faults.at("pins", letter):

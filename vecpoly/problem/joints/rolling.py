@@ -1,5 +1,5 @@
-"""Gears that roll: ``4 rolls on 3 at H``, ``2 rolls inside circle about A of 90 mm at P``, ``3 rolls on y = 0 mm at
-D``."""
+"""Gears that roll: ``4 rolls on 3 at H``, ``2 rolls inside circle about A of 90 mm at P``,
+``3 rolls on y = 0 mm at D``."""
 
 from __future__ import annotations
 

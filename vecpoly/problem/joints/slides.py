@@ -1,5 +1,5 @@
-"""Sliding joints in words: ``4 slides in 5``, ``2 passes through 3``, ``B runs in 3``; which link is the guide, and
-beside what it passes."""
+"""Sliding joints in words: ``4 slides in 5``, ``2 passes through 3``, ``B runs in 3``;
+which link is the guide, and beside what it passes."""
 
 from __future__ import annotations
 
@@ -64,8 +64,8 @@ def _slide(m: re.Match[str], bodies: Bodies) -> Prismatic:
 
 
 def _is_rod(m: re.Match[str], bodies: Bodies) -> bool:
-    """Whether '2 slides on 3' means that the rod (or slot) 2 passes through the block 3, which has no line of its
-    own."""
+    """Whether '2 slides on 3' means that the rod (or slot) 2 passes through the block 3,
+    which has no line of its own."""
     if not re.fullmatch(LINK, m["guide"]):
         return False
     led, on = bodies.draft(m["block"]), bodies.draft(m["guide"])
@@ -140,8 +140,8 @@ def _not_reversed(guide: Draft, block: Draft) -> None:
 
 
 def _beside(line: Line, guide: Draft, letter: str, left: float) -> complex:
-    """Where the line starts whose direction leaves the letter so far (m) to its left; refused where the link says
-    otherwise."""
+    """Where the line starts whose direction leaves the letter so far (m) to its left;
+    refused where the link says otherwise."""
     along = cmath.exp(1j * line.direction)
     stands = (along.conjugate() * (guide.points[letter] - line.origin)).imag
     own = (along.conjugate() * (guide.points[line.through] - line.origin)).imag

@@ -36,8 +36,8 @@ class Bodies:
 
     @property
     def numbers(self) -> tuple[str, ...]:
-        """The moving links that the file names, without those that are only thought about pins in slots and at
-        contacts."""
+        """The moving links that the file names,
+        without those that are only thought about pins in slots and at contacts."""
         return tuple(name for name, draft in self.drafts.items() if draft.shape is not Shape.PIN)
 
     def free(self, name: str) -> str:

@@ -25,8 +25,8 @@ ANGLE_FROM = re.compile(rf"(.+?) from (line|{LETTER}{LETTER})")
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A guide line on a link, in its coordinates; `through` is the letter from which it is set out, `towards` that to
-    which it runs."""
+    """A guide line on a link, in its coordinates;
+    `through` is the letter from which it is set out, `towards` that to which it runs."""
 
     origin: complex
     direction: float

@@ -1,5 +1,5 @@
-"""Links as written (``BC: 350 mm``, ``block: F``, ``slot: G``): their first points, guide lines, gears, discs and
-faces."""
+"""Links as written (``BC: 350 mm``, ``block: F``, ``slot: G``):
+their first points, guide lines, gears, discs and faces."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Whether a file tells where gears, arms and racks stand, wherever rolling leaves it open, and nowhere else; whether
-gears fit."""
+"""Whether a file tells where gears, arms and racks stand, wherever rolling leaves it open, and nowhere else;
+whether gears fit."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ TURN = 1e-9  # rad
 
 
 def geared(mech: Mechanism, spec: ProblemSpec, faults: Faults) -> Mechanism:
-    """The mechanism with working pitch circles and the sides of its racks; gears that do not fit are noted at their
-    joint."""
+    """The mechanism with working pitch circles and the sides of its racks;
+    gears that do not fit are noted at their joint."""
     texts = {pitch_letter(text): (i, text) for i, text in enumerate(spec.joints) if is_rolling(text)}
     joints = list(mech.joints)
     for n, joint in enumerate(joints):

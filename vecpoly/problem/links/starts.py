@@ -1,5 +1,5 @@
-"""Where links stand in the given position because gears leave it open: a link's ``phi`` or ``s``, the angle of a point
-of a gear."""
+"""Where links stand in the given position because gears leave it open:
+a link's ``phi`` or ``s``, the angle of a point of a gear."""
 
 from __future__ import annotations
 
@@ -85,8 +85,8 @@ def is_phased(draft: Draft, text: str) -> bool:
 
 
 def phased(draft: Draft, point: str, key: str, length: Value, text: str) -> complex:
-    """A point of a gear at `length` from its centre, in the given position at an angle from the x axis or from a line
-    of other points.
+    """A point of a gear at `length` from its centre,
+    in the given position at an angle from the x axis or from a line of other points.
 
     Gives the point in the gear's coordinates, whose x axis is that line. Raises FaultError.
     """

@@ -15,8 +15,8 @@ from ..schema.models import FrictionSpec
 
 
 def pins_of(mech: Mechanism) -> tuple[str, ...]:
-    """Letters of the pins that turn in a link; those of the substitutes of contacts do not exist, and one may only run
-    in a slot."""
+    """Letters of the pins that turn in a link;
+    those of the substitutes of contacts do not exist, and one may only run in a slot."""
     thought = {*mech.substitutes, *mech.slot_pins}
     return tuple(letter for letter, names in hinges(mech).items() if len(set(names) - thought) > 1)
 
@@ -70,8 +70,8 @@ def _journal(name: str, spec: FrictionSpec) -> tuple[Datum, float]:
 
 
 def _shortest(name: str, mech: Mechanism) -> tuple[float, str]:
-    """The shortest distance, on the moving links at a pin, from it to another pin or to the link's other first
-    point."""
+    """The shortest distance, on the moving links at a pin,
+    from it to another pin or to the link's other first point."""
     pins, found = pins_of(mech), [(math.inf, "")]
     for link in (mech.link(one) for one in mech.links_at(name) if one in mech.bodies):
         base = (*[p for p in link.points if p in pins], *list(link.points)[:2])

@@ -1,5 +1,5 @@
-"""Loads as written: forces ``F: {on: 3, at: C, size: 1000 N, direction: 180 deg}``, moments ``M_1: {on: 1, size:
-"?"}``."""
+"""Loads as written: forces ``F: {on: 3, at: C, size: 1000 N, direction:
+180 deg}``, moments ``M_1: {on: 1, size: "?"}``."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ def acts(spec: ProblemSpec) -> bool:
 
 
 def read_loads(spec: ProblemSpec, bodies: Bodies, masses: tuple[Mass, ...], faults: Faults) -> Loads | None:
-    """All that acts but friction; None where the file knows no loads. Exactly one load is unknown, and something must
-    act."""
+    """All that acts but friction; None where the file knows no loads.
+    Exactly one load is unknown, and something must act."""
     found: list[Load] = []
     for name, load in spec.loads.items():
         with faults.at("loads", name):

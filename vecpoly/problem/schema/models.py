@@ -21,8 +21,8 @@ class Spec(BaseModel):
 
 
 class InputSpec(Spec):
-    """The input: turning (phi, omega, alpha) or sliding (s, v, a), against the frame or on another moving link; or a
-    cylinder."""
+    """The input: turning (phi, omega, alpha) or sliding (s, v, a),
+    against the frame or on another moving link; or a cylinder."""
 
     link: Name | None = None
     on: Name | None = Field(
@@ -41,8 +41,8 @@ class InputSpec(Spec):
 
 
 class LoadSpec(Spec):
-    """A force (with point and direction) or a moment on a link, or the thrust of a cylinder; the size of one load is
-    '?'."""
+    """A force (with point and direction) or a moment on a link, or the thrust of a cylinder;
+    the size of one load is '?'."""
 
     on: Name | None = None
     cylinder: Name | None = Field(
@@ -91,8 +91,8 @@ class ScalesSpec(_GivenScales):  # type: ignore[misc]
 
 
 class FindSpec(Spec):
-    """A point with a given velocity or acceleration, the slowest point of a line, or the question for a Coriolis
-    term."""
+    """A point with a given velocity or acceleration, the slowest point of a line,
+    or the question for a Coriolis term."""
 
     point: str | None = None
     on: Name | None = None

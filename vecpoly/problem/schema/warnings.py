@@ -1,5 +1,5 @@
-"""What is accepted but hardly meant: `phi: 75 rad`, a coefficient of friction above 1. Told, with its place, and not
-refused."""
+"""What is accepted but hardly meant: `phi: 75 rad`, a coefficient of friction above 1.
+Told, with its place, and not refused."""
 
 from __future__ import annotations
 

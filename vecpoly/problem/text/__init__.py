@@ -1,2 +1,2 @@
-"""The text of a problem file before it is YAML: full-width signs made narrow, and what the YAML reader refuses, in
-words."""
+"""The text of a problem file before it is YAML:
+full-width signs made narrow, and what the YAML reader refuses, in words."""

@@ -1,8 +1,8 @@
-"""Characters that no problem file needs: control signs, signs that turn the direction of writing, halves of a
-character.
+"""Characters that no problem file needs:
+control signs, signs that turn the direction of writing, halves of a character.
 
-They would steer the terminal that prints them, or show another text than the file holds; so they are refused, with
-their column.
+They would steer the terminal that prints them, or show another text than the file holds;
+so they are refused, with their column.
 """
 
 from __future__ import annotations

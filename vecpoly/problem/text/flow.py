@@ -1,5 +1,5 @@
-"""A collection in brackets, sign by sign: which full-width signs are its punctuation, and which belong to a text in
-it."""
+"""A collection in brackets, sign by sign:
+which full-width signs are its punctuation, and which belong to a text in it."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _WORD = re.compile(r"[\w.'′＿．－-]+")
 
 @dataclass(slots=True)
 class Frame:
-    """One pair of brackets: what closes it, the key before the value being read, the value's text so far, and what
-    stood in quotes there."""
+    """One pair of brackets: what closes it, the key before the value being read,
+    the value's text so far, and what stood in quotes there."""
 
     closer: str
     key: str = ""

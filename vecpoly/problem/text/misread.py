@@ -1,5 +1,5 @@
-"""What the YAML reader refuses, in words a lecturer knows, at the line where the mistake is rather than where it was
-noticed."""
+"""What the YAML reader refuses, in words a lecturer knows,
+at the line where the mistake is rather than where it was noticed."""
 
 from __future__ import annotations
 

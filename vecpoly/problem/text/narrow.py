@@ -43,8 +43,8 @@ def narrowed(text: str, name: str) -> Narrowed:
 
 
 class _Lines:
-    """Walks the lines and keeps what is open: keys by their indents, a flow collection, a quoted text, a spoken
-    text."""
+    """Walks the lines and keeps what is open:
+    keys by their indents, a flow collection, a quoted text, a spoken text."""
 
     def __init__(self, name: str) -> None:
         self.name, self.faults, self.spaces = name, list[Fault](), dict[int, list[int]]()

@@ -9,8 +9,8 @@ from .source import Tree, Value
 
 
 def overlay(base: Tree, over: Tree) -> Tree:
-    """`over` laid on `base`: mappings merged key by key, all else replaced; null takes a key away. The base's text
-    follows the other's."""
+    """`over` laid on `base`: mappings merged key by key, all else replaced;
+    null takes a key away. The base's text follows the other's."""
     places = dict(base.places)
     text = f"{over.text.rstrip()}\n\n# ----- {PurePath(base.name).name} -----\n{base.text}"
     return Tree(

@@ -46,8 +46,8 @@ def read_text(path: FilePath) -> str:
 
 
 def decoded(data: bytes, name: str) -> str:
-    """The text of these bytes, UTF-8 with or without a byte order mark; raises ProblemFileError for other bytes, or too
-    many."""
+    """The text of these bytes, UTF-8 with or without a byte order mark;
+    raises ProblemFileError for other bytes, or too many."""
     _not_too_large(len(data), name)
     try:
         return data.decode("utf-8-sig")

@@ -28,8 +28,8 @@ class Shape(StrEnum):
 class Datum:
     """One given quantity: its symbol (`l_AB`, `φ_1`, `ω_1`), SI value, and the value as written (`30 mm`).
 
-    Where no symbol is usual, the symbol is empty and `words` say it all. Words with a symbol have a gap `{}` for the
-    value.
+    Where no symbol is usual, the symbol is empty and `words` say it all.
+    Words with a symbol have a gap `{}` for the value.
     """
 
     symbol: str = ""
@@ -61,8 +61,8 @@ def as_printed(text: str, lang: Lang) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Given:
-    """What is printed after 已知: lengths in order, the input's data, what acts (or a device's data), how the links
-    look."""
+    """What is printed after 已知: lengths in order, the input's data,
+    what acts (or a device's data), how the links look."""
 
     lengths: tuple[Datum, ...] = ()
     motion: tuple[Datum, ...] = ()

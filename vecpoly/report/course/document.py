@@ -27,8 +27,8 @@ KIND = Words("机械原理课程大作业", "Theory of machines: course assignme
 
 
 def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
-    """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without
-    a closed form."""
+    """The chapters of one problem's course report.
+    Raises NotAskedError for a device, NoMethodError for a group without a closed form."""
     subject = study(solution)
     press = Press(lang, objects)
     stations = comparison.compared(subject)

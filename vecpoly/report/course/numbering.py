@@ -24,8 +24,8 @@ TINY = Style(size=7.5, leading=8.8, after=0.0, align="left")
 
 @dataclass(slots=True)
 class Press:
-    """Makes numbered figures and tables and keeps them for the template. chapter: the number of the chapter being
-    made."""
+    """Makes numbered figures and tables and keeps them for the template.
+    chapter: the number of the chapter being made."""
 
     lang: Lang
     objects: Objects

@@ -16,8 +16,8 @@ from .wrong_rows import Told
 
 
 def of_whole(table: Table, weighed: Sequence[Weighing], told: Told) -> tuple[Words, ...]:
-    """The verdict on the table: what is right, what was computed with other lengths, what nothing explains, which rows
-    are wrong."""
+    """The verdict on the table: what is right, what was computed with other lengths,
+    what nothing explains, which rows are wrong."""
     columns = table.columns
     right = [i for i, one in enumerate(weighed) if one.level < Level.LOW and not told[i]]
     low = [i for i, one in enumerate(weighed) if one.level is Level.LOW and not told[i]]

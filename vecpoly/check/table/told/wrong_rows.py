@@ -62,8 +62,8 @@ def closing(table: Table, column: Column) -> Words:
 
 
 def typed_over(table: Table, i: int, rows: Sequence[int], weighed: Sequence[Weighing], told: Told) -> Words:
-    """Other columns of the same link that are right, or wrong by one rule, in just these rows show that only the number
-    was changed."""
+    """Other columns of the same link that are right, or wrong by one rule,
+    in just these rows show that only the number was changed."""
     link = table.columns[i].target.of_link
     for j, column in enumerate(table.columns):
         best = told[j][0].after if told[j] else weighed[j]

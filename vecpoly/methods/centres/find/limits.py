@@ -1,5 +1,5 @@
-"""Positions of the crank in which the led point stands still: P falls on it where crank and rod are in one line
-(极限位置)."""
+"""Positions of the crank in which the led point stands still:
+P falls on it where crank and rod are in one line (极限位置)."""
 
 from __future__ import annotations
 
@@ -95,8 +95,8 @@ def _path(desk: Desk, rod: str, led: str) -> tuple[Revolute | Prismatic, str]:
 
 
 def _sense(desk: Desk, led: str, rod: str, c: Points, b: Points) -> bool:
-    """On which side of the rod the rocker's pin lies, or to which side along the guide the led point: what tells one
-    assembly from the other."""
+    """On which side of the rod the rocker's pin lies, or to which side along the guide the led point:
+    what tells one assembly from the other."""
     joint, _ = _path(desk, rod, led)
     if isinstance(joint, Prismatic):
         return bool(nominal((np.conj(desk.guide_line(joint).along) * (c - b)).real) > 0)

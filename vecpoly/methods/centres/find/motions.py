@@ -1,5 +1,5 @@
-"""Angular velocities from centres: at P_ij both links have one velocity, ω_i · P_ik P_ij = ω_j · P_jk P_ij, k being the
-frame."""
+"""Angular velocities from centres: at P_ij both links have one velocity,
+ω_i · P_ik P_ij = ω_j · P_jk P_ij, k being the frame."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ CLOSE = 1e-4  # mm: a centre so near an absolute one gives no ratio
 
 @dataclass(slots=True)
 class Motions:
-    """What is known of the links' motion: ω of those that turn (rad/s), the velocity of those that translate (m/s),
-    lettered places."""
+    """What is known of the links' motion: ω of those that turn (rad/s),
+    the velocity of those that translate (m/s), lettered places."""
 
     fig: CentreFigure
     turns: dict[str, Reals] = field(default_factory=dict)

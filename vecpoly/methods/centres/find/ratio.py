@@ -50,8 +50,8 @@ def _alike(fig: CentreFigure, pair: Pair, name: Named) -> tuple[Reals, Expr]:
 
 
 def _measured(fig: CentreFigure, pair: Pair, name: Named) -> tuple[Reals, Expr]:
-    """The ratio with its sign, and its size from the figure. Raises NoMethodError where either link translates, or
-    P_ij falls on P_ik."""
+    """The ratio with its sign, and its size from the figure.
+    Raises NoMethodError where either link translates, or P_ij falls on P_ik."""
     i, j = pair
     if fig.known.of(i, FRAME).endless or fig.known.of(j, FRAME).endless:
         raise NoMethodError(

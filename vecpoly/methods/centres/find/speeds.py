@@ -122,8 +122,8 @@ def _turning(motions: Motions, link: str, spot: Spot, blank: Reading) -> tuple[R
 
 
 def _where(motions: Motions, at: At) -> tuple[str, Points]:
-    """The link on which a point is thought, and its place on the figure; the driver first, then links whose centre is
-    at hand."""
+    """The link on which a point is thought, and its place on the figure;
+    the driver first, then links whose centre is at hand."""
     fig = motions.fig
     if str(at) in motions.places:
         return at.link, motions.places[str(at)]

@@ -1,5 +1,5 @@
-"""Lengths between centres and points: given by the problem, measured on the figure, or found by proportion where a
-centre is off the paper."""
+"""Lengths between centres and points: given by the problem, measured on the figure,
+or found by proportion where a centre is off the paper."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ STRIP, SHORTEST = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Spot:
-    """A place on the figure with its letter; `pin`: the letter of the mechanism that stands there; `off`: the centre,
-    where off the paper."""
+    """A place on the figure with its letter; `pin`: the letter of the mechanism that stands there;
+    `off`: the centre, where off the paper."""
 
     letter: str
     at: Points
@@ -95,11 +95,11 @@ def measured(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
 
 
 def _by_proportion(fig: CentreFigure, p: Spot, q: Spot) -> Quantity:
-    """PQ = s d_1 / (d_1 − d_2): d_1 and d_2 are the offsets, s mm apart on the line PQ, from another line that leads to
-    Q.
+    """PQ = s d_1 / (d_1 − d_2): d_1 and d_2 are the offsets, s mm apart on the line PQ,
+    from another line that leads to Q.
 
-    The second offset lies between P and the edge of the paper; where that is too near, s mm behind P: PQ = s d_1 / (d_2
-    − d_1).
+    The second offset lies between P and the edge of the paper;
+    where that is too near, s mm behind P: PQ = s d_1 / (d_2 − d_1).
     """
     other = another_line(fig, p, q)
     way = unit(q.at - p.at)

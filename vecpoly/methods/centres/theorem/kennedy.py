@@ -1,5 +1,5 @@
-"""The theorem of three centres (三心定理): the three centres of any three links lie on one line; two such lines give
-the one sought."""
+"""The theorem of three centres (三心定理): the three centres of any three links lie on one line;
+two such lines give the one sought."""
 
 from __future__ import annotations
 

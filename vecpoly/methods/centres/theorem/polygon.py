@@ -1,5 +1,5 @@
-"""The polygon of centres (瞬心多边形): links are the vertices on a circle, centres the lines between them; the sought
-ones are dashed."""
+"""The polygon of centres (瞬心多边形): links are the vertices on a circle,
+centres the lines between them; the sought ones are dashed."""
 
 from __future__ import annotations
 

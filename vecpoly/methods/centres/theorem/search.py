@@ -1,5 +1,5 @@
-"""The order of search: always a centre whose side of the polygon closes two triangles of known centres
-(Kennedy–Aronhold)."""
+"""The order of search:
+always a centre whose side of the polygon closes two triangles of known centres (Kennedy–Aronhold)."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ GOOD = 0.26  # sine (15°) from which a meeting is certain
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Way:
-    """A line on which a centre lies: through its two centres with the link `via`, or the common normal of a contact
-    (via "").
+    """A line on which a centre lies: through its two centres with the link `via`,
+    or the common normal of a contact (via "").
 
     `at`: the two centres are one, and the one sought is there too.
     """

@@ -1,12 +1,10 @@
-"""A centre of a link none of whose centres lies on two known lines (Ⅲ级杆组): one trial triangle gives the line that is
-missing.
+"""A centre of a link none of whose centres lies on two known lines (Ⅲ级杆组):
+one trial triangle gives the line that is missing.
 
 P_ka, P_kb, P_kc lie on one known line each, and P_ab, P_bc, P_ac, which are known, lie on one line. Triangles with two
-corners on the
-lines of P_ka and P_kb and with sides through P_ab, P_ac, P_bc have their third corner on a fixed line (Desargues); it
-passes through the
-meeting of the lines of P_ka and P_kb, the triangle that has shrunk to a point. So one trial gives this line, and it
-cuts the line of P_kc in P_kc.
+corners on the lines of P_ka and P_kb and with sides through P_ab, P_ac, P_bc have their third corner on a fixed line
+(Desargues); it passes through the meeting of the lines of P_ka and P_kb, the triangle that has shrunk to a point. So
+one trial gives this line, and it cuts the line of P_kc in P_kc.
 """
 
 from __future__ import annotations
@@ -33,8 +31,8 @@ OFFSETS = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Trial:
-    """P_kc is sought; lines: on which P_ka, P_kb, P_kc lie; corners: x, y, z of the trial triangle; start: where the
-    first two lines meet."""
+    """P_kc is sought; lines: on which P_ka, P_kb, P_kc lie; corners:
+    x, y, z of the trial triangle; start: where the first two lines meet."""
 
     link: str
     others: tuple[str, str, str]

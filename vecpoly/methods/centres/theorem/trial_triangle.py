@@ -1,5 +1,5 @@
-"""The trial triangle drawn: the three known lines, a triangle with its sides through three known centres, the line of
-its third corner."""
+"""The trial triangle drawn:
+the three known lines, a triangle with its sides through three known centres, the line of its third corner."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""An eccentric clamp: three forces through one point, the pin's reaction tangent to its friction circle; self-locking
-as geometry."""
+"""An eccentric clamp: three forces through one point, the pin's reaction tangent to its friction circle;
+self-locking as geometry."""
 
 from __future__ import annotations
 

@@ -16,8 +16,8 @@ from .sketch import PLANE, on_plane
 
 
 def limit_slope(bench: Bench, phi: Quantity) -> None:
-    """The slope on which the reaction against the weight alone leans by just φ: normal and plane set out from the
-    vertical."""
+    """The slope on which the reaction against the weight alone leans by just φ:
+    normal and plane set out from the vertical."""
     board = bench.board
     board.section(Words("自锁条件（去掉 $F$）", "Self-locking: $F$ removed"))
     place = board.open_pane(View.BODY, "limit", Words("自锁极限", "Limit of self-locking"))

@@ -133,8 +133,8 @@ def _closed(
     reaction: tuple[Named, Points],
     corner: str,
 ) -> tuple[Points, Points]:
-    """Q + F + R = 0; gives the corners b and c. Raises LockedError where the reaction, or a driving force, would have
-    to pull."""
+    """Q + F + R = 0; gives the corners b and c.
+    Raises LockedError where the reaction, or a driving force, would have to pull."""
     named, drives = drive[0], drive[0] is not HOLD
     terms = weight, sought(*drive, ALONG_F), sought(*reaction, ALONG_N if named is IDEAL else OFF_N)
     refusal = device.locked if drives else device.stuck

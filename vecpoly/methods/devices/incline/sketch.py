@@ -42,8 +42,8 @@ def sketch(bench: Bench, along: Points, force: Points) -> None:
 
 
 def draw_drive(bench: Bench, place: View | Pane, middle: Points, along: Points, force: Points) -> complex:
-    """Draw F through the block as a pull, or as a push where a pull would point into the plane; gives the side of its
-    arrow, 1 or −1."""
+    """Draw F through the block as a pull, or as a push where a pull would point into the plane;
+    gives the side of its arrow, 1 or −1."""
     pulls = float(nominal((force / along).imag)) > STEEP
     haul(bench, place, middle if pulls else middle - force * ARM, force, "F", ARM)
     return 1 + 0j if pulls else -1 + 0j

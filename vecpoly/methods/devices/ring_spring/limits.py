@@ -15,8 +15,8 @@ from ..inclined import between, gauged, ray, row_of
 
 
 def limits(bench: Bench, device: RingSpring, phi: Quantity) -> None:
-    """Pushing: the reactions are vertical, none of them against Q. Releasing: they are horizontal, none of them against
-    F."""
+    """Pushing: the reactions are vertical, none of them against Q. Releasing:
+    they are horizontal, none of them against F."""
     board = bench.board
     board.section(Words("不自锁的条件", "Conditions against self-locking"))
     place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))

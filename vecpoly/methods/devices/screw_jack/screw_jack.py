@@ -1,5 +1,5 @@
-"""A screw jack: the thread unrolled is an inclined plane, its force polygon gives the moment; the collar adds its
-own."""
+"""A screw jack: the thread unrolled is an inclined plane, its force polygon gives the moment;
+the collar adds its own."""
 
 from __future__ import annotations
 

@@ -84,8 +84,8 @@ def sketch(bench: Bench, device: EccentricClamp) -> Clamp:
 
 
 def draw_disc(bench: Bench, place: Pane, clamp: Clamp) -> None:
-    """The disc with its centre, its pin and the friction circle (larger than true where it would not be seen), and the
-    point of contact."""
+    """The disc with its centre, its pin and the friction circle (larger than true where it would not be seen),
+    and the point of contact."""
     o, k, rho = complex(nominal(clamp.o)), complex(nominal(clamp.k)), float(nominal(clamp.rho))
     bench.board.mark(
         place,
@@ -146,8 +146,8 @@ def free_body(bench: Bench, place: Pane, clamp: Clamp, meet: Points, up: Points,
 
 
 def draw_released(bench: Bench, place: Pane, clamp: Clamp, back: Points, near: Points) -> None:
-    """About the pin, larger: the line of R'_21, its arm, the friction circle; of the disc the arc that presses on the
-    work."""
+    """About the pin, larger: the line of R'_21, its arm, the friction circle;
+    of the disc the arc that presses on the work."""
     o, k, c, u = (complex(nominal(z)) for z in (clamp.o, clamp.k, near, back))
     rho, radius = float(nominal(clamp.rho)), float(nominal(clamp.mm_r))
     board, beside = bench.board, 1.2 * (c / abs(c) if abs(c) > NO_LENGTH else 1 + 0j)  # A and C may lie close together

@@ -43,8 +43,8 @@ Flows = dict[int, Flow]  # by id of the part that takes it; under MINUS the part
 
 
 def draw_train(board: Board, place: Pane, train: PowerTrain, into: Flows, out: Flows) -> None:
-    """Draw the motor and all that it drives; into, out: the power that a part takes, and that an end delivers, by id of
-    the part."""
+    """Draw the motor and all that it drives; into, out:
+    the power that a part takes, and that an end delivers, by id of the part."""
     y = _middle(train.train, 0.0)
     board.mark(place, Cell(at=complex(BOX / 2, y), width=BOX, height=HEIGHT, words=NAMES[""]))
     board.mark(place, *_row(train, train.train, complex(BOX, y), 0.0, into, out))

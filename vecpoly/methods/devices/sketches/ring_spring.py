@@ -23,8 +23,8 @@ REACH, WALL, GAP = (
 class Faces:
     """Directions as drawn, of the faces of the right side wedge 2; those of wedge 3 are their mirror images.
 
-    over, under: normals into 2 of the faces that 1 and 4 press on; slides_over, slides_under: the sliding of 2 on 1 and
-    on 4 while it moves out.
+    over, under: normals into 2 of the faces that 1 and 4 press on;
+    slides_over, slides_under: the sliding of 2 on 1 and on 4 while it moves out.
     """
 
     over: Points

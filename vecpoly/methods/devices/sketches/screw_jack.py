@@ -1,5 +1,5 @@
-"""How a screw jack is drawn: the thread unrolled, the nut by itself, the nut under the load alone, the ring of the
-collar."""
+"""How a screw jack is drawn: the thread unrolled, the nut by itself,
+the nut under the load alone, the ring of the collar."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ NUT = 10.0  # mm: half the length of the nut as sketched
 
 
 def unrolled(bench: Bench, place: Pane, mean: float, lead: float, rise: str) -> Points:
-    """Draw the unrolled thread (mean diameter and lead in mm) to scale with the nut on it: the direction of the slope
-    as drawn."""
+    """Draw the unrolled thread (mean diameter and lead in mm) to scale with the nut on it:
+    the direction of the slope as drawn."""
     board = bench.board
     base, height = (board.to_paper(place, mm / 1e3) for mm in (pi * mean, lead))
     foot = board.lay_off(0j, 1 + 0j, base)

@@ -27,9 +27,8 @@ class Shapes:
     """The wedges as drawn, to no scale: the middle of the face between them is the origin.
 
     face: unit vector up along that face; guide: along the guide of wedge 1; one, two: corners (1: thin end, thick end,
-    [stem
-    above,] below, thin end; 2: left, right, right top, left top); held: whether the upper side of the guide holds wedge
-    1 down.
+    [stem above,] below, thin end; 2: left, right, right top, left top); held:
+    whether the upper side of the guide holds wedge 1 down.
     """
 
     face: Points

@@ -1,5 +1,5 @@
-"""How the links of a structural sketch are drawn (GB/T 4460): bars, plates, cams, rollers, gears, guides. Places on
-paper in mm."""
+"""How the links of a structural sketch are drawn (GB/T 4460):
+bars, plates, cams, rollers, gears, guides. Places on paper in mm."""
 
 from __future__ import annotations
 
@@ -119,8 +119,8 @@ def hull(points: list[complex]) -> tuple[complex, ...]:
 
 
 def _rod(at: complex, u: complex, half: float, points: list[complex]) -> Iterator[Segment]:
-    """A guide that moves, or a flat face: a rod through its block or contact, on to its hinges; a hinge beside it is
-    joined to it at right angles."""
+    """A guide that moves, or a flat face: a rod through its block or contact, on to its hinges;
+    a hinge beside it is joined to it at right angles."""
     aside = [p for p in points if abs((u.conjugate() * (p - at)).imag) > NEAR]
     along = [(u.conjugate() * (p - at)).real for p in points]
     back, ahead = min([-half, *along]), max([half, *along])
@@ -130,8 +130,8 @@ def _rod(at: complex, u: complex, half: float, points: list[complex]) -> Iterato
 
 
 def profile(pair: Pair, link: str, paper: Paper) -> Iterator[Mark]:
-    """The profile of a link at a high pair: a gear's pitch circle, a disc, a hollow arc, a flat face; of the frame
-    hatched."""
+    """The profile of a link at a high pair: a gear's pitch circle, a disc,
+    a hollow arc, a flat face; of the frame hatched."""
     centre, radius = _round(pair, link, paper)
     at = paper.mm(pair.at)
     if pair.form is Form.G:

@@ -1,5 +1,5 @@
-"""Counting, as a lecturer counts: links, pairs, compound hinges, rollers that turn idly, parts that repeat a
-constraint."""
+"""Counting, as a lecturer counts: links, pairs, compound hinges,
+rollers that turn idly, parts that repeat a constraint."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ SAME = 5e-5  # share of the sketch within which two places are one
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Roller:
-    """A link pinned once that touches once, its profile round about its pin: it may turn without anything else
-    moving."""
+    """A link pinned once that touches once, its profile round about its pin:
+    it may turn without anything else moving."""
 
     link: str
     pin: Pair
@@ -29,8 +29,8 @@ class Roller:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Count:
-    """What was found: in the chain as given, and the chain left when rollers are welded and repeated parts taken
-    away."""
+    """What was found:
+    in the chain as given, and the chain left when rollers are welded and repeated parts taken away."""
 
     given: Chain
     compound: tuple[Pair, ...]

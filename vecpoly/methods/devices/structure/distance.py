@@ -1,5 +1,5 @@
-"""Redundant constraints of bars between two points that keep their distance without them (距离不变), and of links that
-stand twice."""
+"""Redundant constraints of bars between two points that keep their distance without them (距离不变),
+and of links that stand twice."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Assur groups taken off, on topology alone: from the link furthest from the driver, two links at a time, more where
-two will not do."""
+"""Assur groups taken off, on topology alone:
+from the link furthest from the driver, two links at a time, more where two will not do."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ ROMAN = {1: "Ⅰ", 2: "Ⅱ", 3: "Ⅲ", 4: "Ⅳ", 5: "Ⅴ", 6: "Ⅵ"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Group:
-    """An Assur group: its links, the pairs among them and those to the rest, its class, its letters (RRR ...; empty
-    above class II)."""
+    """An Assur group: its links, the pairs among them and those to the rest,
+    its class, its letters (RRR ...; empty above class II)."""
 
     links: tuple[str, ...]
     inner: tuple[Pair, ...]
@@ -31,8 +31,8 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Taken:
-    """The groups in the order in which they were taken off, and what was left: the drivers and the frame, if all is
-    well."""
+    """The groups in the order in which they were taken off, and what was left:
+    the drivers and the frame, if all is well."""
 
     groups: tuple[Group, ...]
     left: Chain
@@ -44,8 +44,8 @@ class Taken:
 
     @property
     def rank(self) -> int:
-        """The class of the mechanism: that of its highest group; drivers alone are class I; 0 where it could not be
-        taken apart."""
+        """The class of the mechanism: that of its highest group;
+        drivers alone are class I; 0 where it could not be taken apart."""
         return max((group.rank for group in self.groups), default=1) if self.complete else 0
 
 
@@ -90,8 +90,8 @@ def _lost(chain: Chain, part: tuple[str, ...]) -> int:
 
 
 def _group(chain: Chain, links: tuple[str, ...]) -> Group | None:
-    """The group of just these links: 3k = 2p, hanging together, no part of it a structure or loose; None where it is
-    not one."""
+    """The group of just these links: 3k = 2p, hanging together, no part of it a structure or loose;
+    None where it is not one."""
     if 2 * _lost(chain, links) != 3 * len(links):
         return None
     smaller = (part for count in range(1, len(links)) for part in combinations(links, count))

@@ -1,5 +1,5 @@
-"""Redundant constraints of a symmetric half (对称部分): two equal and opposite trains that move one slide, coupled a
-second time."""
+"""Redundant constraints of a symmetric half (对称部分):
+two equal and opposite trains that move one slide, coupled a second time."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from .parallel import Found
 
 
 def mirrored(chain: Chain, near: float, drivers: tuple[str, ...]) -> Iterator[Found]:
-    """The half without the driver, where the whole chain is its own mirror image in the line of a slide on the
-    frame."""
+    """The half without the driver,
+    where the whole chain is its own mirror image in the line of a slide on the frame."""
     for slide in chain.pairs:
         if slide.form is not Form.P or FRAME not in slide.links:
             continue
@@ -64,8 +64,8 @@ def _alike(mine: tuple[Pair, ...], its: tuple[Pair, ...], slide: Pair, near: flo
 
 
 def _is_image(p: Pair, q: Pair, slide: Pair, near: float) -> bool:
-    """Whether a pair is the mirror image of another: the same form at the mirrored place, slides along the mirrored
-    line."""
+    """Whether a pair is the mirror image of another:
+    the same form at the mirrored place, slides along the mirrored line."""
     if p.form is not q.form or abs(_mirror(p.at, slide) - q.at) > near:
         return False
     turned = slide.along**2 * p.along.conjugate()

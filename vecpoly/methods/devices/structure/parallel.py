@@ -40,10 +40,8 @@ def parallel(chain: Chain, near: float, drivers: tuple[str, ...]) -> Iterator[Fo
     """Bars that move like other links, shifted by one and the same vector: the ends keep their distances without them.
 
     Every hinge of the part lies at the shift from a hinge of the rest; each of its bars is parallel and equal to a link
-    of the rest,
-    or lies along the shift; and where the part is pinned to the rest it is pinned to a link that never turns, which
-    carries both hinges.
-    The largest part comes first: with it go all links that only follow.
+    of the rest, or lies along the shift; and where the part is pinned to the rest it is pinned to a link that never
+    turns, which carries both hinges. The largest part comes first: with it go all links that only follow.
     """
     candidates = [bar for bar in bars(chain) if bar.link not in drivers and _has_twin(chain, bar, near)]
     for count in range(MOST, 0, -1):

@@ -1,5 +1,5 @@
-"""What to change in a chain that cannot move: a hinge between two moving links asks too much, and is given one freedom
-more."""
+"""What to change in a chain that cannot move:
+a hinge between two moving links asks too much, and is given one freedom more."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Redundant constraints by the textbook's marks: a part that only repeats what others see to already, as long as the
-sizes are exact.
+"""Redundant constraints by the textbook's marks:
+a part that only repeats what others see to already, as long as the sizes are exact.
 
 p′ = 2p_L′ + p_H′ − 3n′ of the part: as many constraints as it brings beyond the freedoms of its own links.
 """
@@ -47,8 +47,8 @@ class Repeated:
 
 
 def repeated(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | None:
-    """The first part that repeats constraints, without a driver; None where nothing does. near: places closer than this
-    (m) are one."""
+    """The first part that repeats constraints, without a driver;
+    None where nothing does. near: places closer than this (m) are one."""
     for pair, why in _twice(chain, near):
         return Repeated(
             links=(),
@@ -76,8 +76,8 @@ def repeated(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | 
 
 
 def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
-    """Two pairs of a kind between the same two links: guides with one direction, hinges with one axis, contacts with
-    one normal."""
+    """Two pairs of a kind between the same two links:
+    guides with one direction, hinges with one axis, contacts with one normal."""
     for one, two in combinations(chain.pairs, 2):
         if set(one.links) != set(two.links) or one.form is not two.form or len(one.links) > 2:
             continue
@@ -111,8 +111,8 @@ def _twice(chain: Chain, near: float) -> Iterator[tuple[Pair, Words]]:
 
 
 def _same_profiles(one: Pair, two: Pair, near: float) -> bool:
-    """Whether two contacts are of profiles about the same centres, or of opposite flat faces: a cam of constant
-    breadth."""
+    """Whether two contacts are of profiles about the same centres, or of opposite flat faces:
+    a cam of constant breadth."""
     pairs = [(one.about[one.links.index(link)], two.about[two.links.index(link)]) for link in one.links]
     return all((a is None and b is None) or (a is not None and b is not None and abs(a - b) < near) for a, b in pairs)
 
@@ -135,8 +135,8 @@ def _reached(start: str, edges: list[tuple[str, ...]]) -> set[str]:
 
 
 def _common(chain: Chain, near: float, drivers: tuple[str, ...]) -> Repeated | None:
-    """A ring of slides alone (a pair of wedges): no link of it turns, and one of the slides, far from the driver, need
-    not see to it."""
+    """A ring of slides alone (a pair of wedges):
+    no link of it turns, and one of the slides, far from the driver, need not see to it."""
     far = distance(chain, drivers) | {FRAME: len(chain.links)}
     pair = max(_slides_round(chain), key=lambda pair: min(far[link] for link in pair.links), default=None)
     if pair is None:

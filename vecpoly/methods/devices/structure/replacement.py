@@ -1,5 +1,5 @@
-"""Replacement of high pairs by links (高副低代): a link between the two centres of curvature, pinned there; on a flat
-face it slides."""
+"""Replacement of high pairs by links (高副低代):
+a link between the two centres of curvature, pinned there; on a flat face it slides."""
 
 from __future__ import annotations
 

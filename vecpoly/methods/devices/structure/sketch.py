@@ -50,8 +50,8 @@ def draw_chain(board: Board, place: Pane, device: Structure, chain: Chain, drive
 def draw_apart(
     board: Board, place: Pane, device: Structure, chain: Chain, links: tuple[str, ...], frame: bool = False
 ) -> None:
-    """These links alone, with the halves of the joints by which they hang on the rest; `frame`: with the frame where
-    they stand on it."""
+    """These links alone, with the halves of the joints by which they hang on the rest;
+    `frame`: with the frame where they stand on it."""
     board.mark(place, *_all(chain, links, paper_of(board, place, device), frame))
 
 

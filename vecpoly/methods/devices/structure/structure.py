@@ -1,5 +1,5 @@
-"""The structure of a mechanism: kinematic diagram, degree of freedom, replacement of high pairs, Assur groups,
-class."""
+"""The structure of a mechanism: kinematic diagram, degree of freedom,
+replacement of high pairs, Assur groups, class."""
 
 from __future__ import annotations
 

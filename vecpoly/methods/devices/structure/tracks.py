@@ -1,10 +1,9 @@
-"""Redundant constraints where a point runs on the track that a link prescribes without that link (轨迹重合): the Cardan
-circle of a trammel.
+"""Redundant constraints where a point runs on the track that a link prescribes without that link (轨迹重合):
+the Cardan circle of a trammel.
 
 A rod whose middle C is led on a circle about O, and one of whose points X, as far from C as O is, slides on a line
-through O, is a rod of
-an elliptic trammel: every other point at this distance from C runs on a straight line through O, and C on a circle
-about O, by itself.
+through O, is a rod of an elliptic trammel:
+every other point at this distance from C runs on a straight line through O, and C on a circle about O, by itself.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""A clamping wedge, self-locking shown three ways: two opposite reactions, the force that holds, the efficiency of
-slipping out."""
+"""A clamping wedge, self-locking shown three ways:
+two opposite reactions, the force that holds, the efficiency of slipping out."""
 
 from __future__ import annotations
 

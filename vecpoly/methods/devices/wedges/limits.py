@@ -1,5 +1,5 @@
-"""The limits of self-locking of a wedge pair, from the normals of its faces: two reactions in one line, each leaning by
-φ."""
+"""The limits of self-locking of a wedge pair, from the normals of its faces:
+two reactions in one line, each leaning by φ."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ RAY, LINE = 34.0, 46.0  # mm: normals, lines of the two reactions
 
 
 def limits(bench: Bench, it: Shapes, phi: Mapping[str, float]) -> None:
-    """With the same φ on all faces: half the angle between n_12 and −n_32 locks the drive, half of that between n_12
-    and n_31 the way back."""
+    """With the same φ on all faces:
+    half the angle between n_12 and −n_32 locks the drive, half of that between n_12 and n_31 the way back."""
     board = bench.board
     board.section(Words("自锁条件", "Self-locking"))
     place = board.open_pane(View.BODY, "limits", Words("自锁极限", "Limits of self-locking"))

@@ -1,5 +1,5 @@
-"""Two wedges, 1 lifting 2: the wedge with two unknowns first, then the other; both force polygons share the side
-R_12."""
+"""Two wedges, 1 lifting 2: the wedge with two unknowns first, then the other;
+both force polygons share the side R_12."""
 
 from __future__ import annotations
 
@@ -94,8 +94,8 @@ def _given_angles(device: Wedges) -> tuple[Quantity, Quantity]:
 
 
 def _less(whole: Quantity | Sum, one: Quantity, other: Quantity, also: bool) -> Quantity | Sum:
-    """An angle less both friction angles: less 2φ where they are the same; where a guide presses from its other face,
-    the second is added."""
+    """An angle less both friction angles: less 2φ where they are the same;
+    where a guide presses from its other face, the second is added."""
     if one.node != other.node:
         return whole - one - other if also else whole - one + other
     return whole - Times(2, one) if also else whole

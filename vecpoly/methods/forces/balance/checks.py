@@ -1,5 +1,5 @@
-"""The frictionless balancing load found in two more ways where they are asked for: virtual power and the Zhukovsky
-lever."""
+"""The frictionless balancing load found in two more ways where they are asked for:
+virtual power and the Zhukovsky lever."""
 
 from __future__ import annotations
 

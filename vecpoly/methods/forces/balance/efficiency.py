@@ -1,5 +1,5 @@
-"""Mechanical efficiency from the balancing load with and without friction: η = F_0 / F (driving) or M / M_0
-(resisting)."""
+"""Mechanical efficiency from the balancing load with and without friction:
+η = F_0 / F (driving) or M / M_0 (resisting)."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ ETA = Named("eta", "η", "")
 
 
 def read_efficiency(st: Statics) -> None:
-    """Keep η; 1 without friction. With several loads: η = P_out / P_in of all of them. Where nothing does work it is
-    0/0, undefined.
+    """Keep η; 1 without friction. With several loads: η = P_out / P_in of all of them.
+    Where nothing does work it is 0/0, undefined.
 
     Raises LockedError where it is not in [0, 1].
     """
@@ -65,8 +65,8 @@ def largest(st: Statics) -> float:
 
 
 def _turned(st: Statics, ideal: Statics) -> bool:
-    """Whether friction turned the balancing load round: inertia forces drive, and without friction it would have braked
-    them."""
+    """Whether friction turned the balancing load round:
+    inertia forces drive, and without friction it would have braked them."""
     return float(nominal(ideal.balance)) * float(nominal(st.balance)) < 0 and not _vanishes(st, ideal.balance)
 
 
@@ -87,8 +87,8 @@ def _undefined(st: Statics) -> None:
 
 
 def _of_loads(st: Statics, without: Statics, *, drives: bool) -> None:
-    """η = F_0 / F where the balancing load drives, M / M_0 where it resists: the only other load has the same power in
-    both."""
+    """η = F_0 / F where the balancing load drives, M / M_0 where it resists:
+    the only other load has the same power in both."""
     ideal, real = without.unknown_named, st.unknown_named
     zero, actual = (
         magnitude(ideal.symbol, np.abs(without.balance), ideal.unit),

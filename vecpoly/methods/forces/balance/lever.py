@@ -1,9 +1,8 @@
-"""The Zhukovsky lever (速度多边形杠杆法): all forces on the velocity polygon turned by 90°, their moments about the
-pole sum to zero.
+"""The Zhukovsky lever (速度多边形杠杆法):
+all forces on the velocity polygon turned by 90°, their moments about the pole sum to zero.
 
 The polygon is turned clockwise, so that the moment of a force about the pole is its power divided by μ_v. A couple M
-becomes two
-opposite forces M / l, square to the line of two points of its link and applied at their tips.
+becomes two opposite forces M / l, square to the line of two points of its link and applied at their tips.
 """
 
 from __future__ import annotations
@@ -38,8 +37,8 @@ Tips = dict[At, Points]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Arm:
-    """A force or a pair of forces on the lever: its arm about the pole (mm) and the sense of its moment by all
-    hands."""
+    """A force or a pair of forces on the lever:
+    its arm about the pole (mm) and the sense of its moment by all hands."""
 
     mm: Quantity
     sign: Reals
@@ -60,8 +59,8 @@ class Arm:
 def balancing_by_lever(st: Statics, load: Load | None) -> None:
     """Σ M_p = 0 about the pole of the turned velocity polygon gives the balancing load (N, or N·m), friction left out.
 
-    Raises EquilibriumError where the balancing load has no arm, NoMethodError where a couple's link has one lettered
-    point only.
+    Raises EquilibriumError where the balancing load has no arm,
+    NoMethodError where a couple's link has one lettered point only.
     """
     load = load or st.unknown
     pane = st.board.open_pane(

@@ -1,5 +1,5 @@
-"""The balancing load asked for alone: virtual power gives it for every mechanism whose velocities are drawn, without a
-single reaction."""
+"""The balancing load asked for alone:
+virtual power gives it for every mechanism whose velocities are drawn, without a single reaction."""
 
 from __future__ import annotations
 

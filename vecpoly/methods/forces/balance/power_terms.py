@@ -1,5 +1,5 @@
-"""The power of every load, read off the velocity polygon: a force by the component of its point's velocity along it, a
-couple by ω."""
+"""The power of every load, read off the velocity polygon:
+a force by the component of its point's velocity along it, a couple by ω."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from ..state import Statics
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rate:
-    """How fast a load's place moves along it: v (m/s) or ω (rad/s) as measured, its sign by all hands, and where it was
-    measured."""
+    """How fast a load's place moves along it: v (m/s) or ω (rad/s) as measured,
+    its sign by all hands, and where it was measured."""
 
     expr: Expr
     sign: Reals
@@ -96,8 +96,8 @@ def turning(st: Statics, link: str) -> Rate:
 
 
 def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:
-    """The component of a point's velocity along a force, measured from the pole to the foot of the perpendicular from
-    the tip."""
+    """The component of a point's velocity along a force,
+    measured from the pole to the foot of the perpendicular from the tip."""
     board, desk = st.board, st.desk
     tip = found_tip(desk, View.VELOCITY, at)
     part = dot(along, tip)
@@ -112,8 +112,8 @@ def along_force(st: Statics, at: At, along: Points, symbol: str) -> Rate:
 
 
 def lengthening(st: Statics, thrust: Force) -> Rate:
-    """How fast a cylinder grows longer: the part along it of the velocity of its rod's pin against that of its
-    barrel's."""
+    """How fast a cylinder grows longer:
+    the part along it of the velocity of its rod's pin against that of its barrel's."""
     board, desk = st.board, st.desk
     along = desk.towards(thrust.foot, thrust.point)
     head, base = (

@@ -1,5 +1,5 @@
-"""The balancing load by virtual power: Σ F·v + Σ M ω = 0, velocities measured on the drawn velocity polygon; no
-reaction appears."""
+"""The balancing load by virtual power: Σ F·v + Σ M ω = 0, velocities measured on the drawn velocity polygon;
+no reaction appears."""
 
 from __future__ import annotations
 

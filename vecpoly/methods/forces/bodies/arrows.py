@@ -1,5 +1,5 @@
-"""Where the arrows of a free body stand: on its line of action each force may end or start at its point; the freest
-place is taken."""
+"""Where the arrows of a free body stand: on its line of action each force may end or start at its point;
+the freest place is taken."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ class Arrow:
 
 
 def place_arrows(forces: Sequence[Acting], points: Sequence[complex], pressing: Collection[str] = ()) -> list[Arrow]:
-    """All arrows of one body, as far from each other and from the body as their lines allow; `pressing`: those that
-    rather end at their point."""
+    """All arrows of one body, as far from each other and from the body as their lines allow;
+    `pressing`: those that rather end at their point."""
     shown = [f for f in forces if abs(nominal(f.vector)) > 1e-9 and not is_far(f, points)]
     if not shown:
         return []
@@ -75,8 +75,8 @@ def say_far(st: Statics, forces: Sequence[Acting], points: Sequence[complex]) ->
 
 
 def _options(force: Acting, largest: float, presses: bool) -> tuple[Arrow, ...]:
-    """Pulling away from the point, or pressing towards it; or the same farther out on the line, where another force
-    stands already."""
+    """Pulling away from the point, or pressing towards it;
+    or the same farther out on the line, where another force stands already."""
     vector, at = complex(nominal(force.vector)), complex(nominal(force.at))
     u = vector / abs(vector)
     length = LENGTH * max(0.5, abs(vector) / largest)

@@ -1,5 +1,5 @@
-"""Each link drawn apart (取分离体) at its place and scale: friction circles, forces at their lines of action, normals
-with φ, couples."""
+"""Each link drawn apart (取分离体) at its place and scale:
+friction circles, forces at their lines of action, normals with φ, couples."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The given loads on the kinematic diagram: arrows at their points, curved arrows for moments, the balancing load's
-symbol."""
+"""The given loads on the kinematic diagram:
+arrows at their points, curved arrows for moments, the balancing load's symbol."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The force polygon of one link: its known forces head to tail, the unknown ones closing it, letters a b c ... at the
-corners."""
+"""The force polygon of one link: its known forces head to tail,
+the unknown ones closing it, letters a b c ... at the corners."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def pane_of(st: Statics, link: str) -> Pane:
 def draw_polygon(
     st: Statics, link: str, load: Resultant, unknown: Sequence[Term], figure: Pane | None = None
 ) -> dict[str, Drawn]:
-    """ΣF = 0 drawn into the step that is open: where every unknown force stands, by its key. figure: another than the
-    link's."""
+    """ΣF = 0 drawn into the step that is open: where every unknown force stands, by its key.
+    figure: another than the link's."""
     pane, n = figure or pane_of(st, link), len(load.forces)
     known = [
         Term(

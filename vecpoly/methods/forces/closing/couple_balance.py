@@ -30,8 +30,8 @@ _SOURCE = "机械原理, equilibrium of a link under a couple"
     title=Words("受力偶的构件：R = M / h", "Link under a couple: R = M / h"),
 )
 def balance_couple(st: Statics, about: tuple[Held, Line, str]) -> None:
-    """R of `by` along its known line, −R of the parent tangent to the friction circle of its pin; R h balances the
-    couple M.
+    """R of `by` along its known line, −R of the parent tangent to the friction circle of its pin;
+    R h balances the couple M.
 
     The line's sense is kept where friction counts: where the arm would have to change sides the link is locked.
     Raises LockedError there, EquilibriumError where the line passes through the pin.
@@ -74,8 +74,8 @@ def _taken(st: Statics, held: Held, load: Resultant, by: str) -> Words:
 
 
 def _check(st: Statics, held: Held, by: str, turning: Reals, moment: Reals) -> None:
-    """Refuse a line through the pin (EquilibriumError), or on the side where its force turns with the couple
-    (LockedError)."""
+    """Refuse a line through the pin (EquilibriumError),
+    or on the side where its force turns with the couple (LockedError)."""
     assert isinstance(held.joint, Revolute)
     number, pin, one = st.mech.number(held.link), held.joint.point, st.named(by, held.link)
     if abs(float(nominal(turning))) < NO_LENGTH:

@@ -1,5 +1,5 @@
-"""A link on a fixed pin with a balancing force of given line: three forces through one point; moments where they do not
-meet."""
+"""A link on a fixed pin with a balancing force of given line:
+three forces through one point; moments where they do not meet."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ _SOURCE = "机械原理, three forces through one point"
 def force_on_crank(st: Statics, held: Held) -> None:
     """P + F + R_frame = 0: P and F meet in a point, R_frame passes through it, tangent to the friction circle.
 
-    Where P is parallel to F, or a couple: F b = P a, or F b = M, about the point where R_frame touches the friction
-    circle.
+    Where P is parallel to F, or a couple:
+    F b = P a, or F b = M, about the point where R_frame touches the friction circle.
     """
     load, force = resultant(st, held.link), st.unknown
     assert isinstance(force, Force) and isinstance(held.joint, Revolute)

@@ -38,8 +38,8 @@ ROOM = 12.0  # mm: beside a shorter arm a right angle is only clutter
     title=Words("曲柄：平衡力矩 M = R h", "Crank: balancing moment M = R h"),
 )
 def moment_on_crank(st: Statics, held: Held) -> None:
-    """R_frame = −P (P: resultant of the forces on the link), tangent to the friction circle; M_b = P h against their
-    couple."""
+    """R_frame = −P (P: resultant of the forces on the link), tangent to the friction circle;
+    M_b = P h against their couple."""
     assert isinstance(held.joint, Revolute) and isinstance(st.unknown, Moment)
     load, number, pin = resultant(st, held.link), st.mech.number(held.link), held.joint.point
     if load.is_couple:
@@ -160,8 +160,8 @@ def _leave(st: Statics, line: Line, at: Points, across: Points, symbol: str) -> 
 
 
 def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
-    """Only couples act: the balancing moment is their sum turned round, the pin is unloaded. Nothing acts: both are
-    zero."""
+    """Only couples act: the balancing moment is their sum turned round, the pin is unloaded.
+    Nothing acts: both are zero."""
     if not nominal(load.couple):
         nothing_acts(st, held)
         return
@@ -181,8 +181,8 @@ def _pure_couple(st: Statics, held: Held, load: Resultant) -> None:
 
 
 def _by_sum(st: Statics, held: Held, at: Points) -> None:
-    """The couples outweigh the forces so far that their one line is off the sheet: ΣM about the frame's reaction
-    instead."""
+    """The couples outweigh the forces so far that their one line is off the sheet:
+    ΣM about the frame's reaction instead."""
     named = st.unknown_named
     st.board.remark(
         Words(

@@ -1,5 +1,5 @@
-"""The driving link where the balancing load acts elsewhere and is known already: the frame alone answers what acts on
-it."""
+"""The driving link where the balancing load acts elsewhere and is known already:
+the frame alone answers what acts on it."""
 
 from __future__ import annotations
 

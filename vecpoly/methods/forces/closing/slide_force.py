@@ -1,5 +1,5 @@
-"""A link on a fixed guide with a balancing force: the guide's reaction is inclined by φ, the polygon closes with two
-magnitudes."""
+"""A link on a fixed guide with a balancing force:
+the guide's reaction is inclined by φ, the polygon closes with two magnitudes."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A cylinder whose links carry nothing else is a two-force member: its thrust acts on the moved link along the line of
-the two pins."""
+"""A cylinder whose links carry nothing else is a two-force member:
+its thrust acts on the moved link along the line of the two pins."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from ..state import Statics
 
 
 def as_outer_forces(desk: Desk, loads: Loads) -> Loads:
-    """The loads with every thrust as a force on the link at the rod's end, and an opposite one on that at the barrel's,
-    if it moves.
+    """The loads with every thrust as a force on the link at the rod's end,
+    and an opposite one on that at the barrel's, if it moves.
 
     Raises NoMethodError where a thrust is no such force.
     """
@@ -37,8 +37,8 @@ def as_outer_forces(desk: Desk, loads: Loads) -> Loads:
 
 
 def from_the_frame(mech: Mechanism, loads: Loads) -> Loads:
-    """The loads with the foot of every thrust on the frame, where one end of its cylinder is: cylinder and piston may
-    stand either way round."""
+    """The loads with the foot of every thrust on the frame, where one end of its cylinder is:
+    cylinder and piston may stand either way round."""
     return replace(loads, forces=tuple(_turned(mech, force) if force.against else force for force in loads.forces))
 
 
@@ -54,8 +54,8 @@ def is_outer(mech: Mechanism, loads: Loads, force: Force) -> bool:
 
 
 def opposite_name(force: Force) -> str:
-    """F_c′: what a thrust does at the barrel's end; another name than that of the rod's end, for both may stand in one
-    polygon."""
+    """F_c′: what a thrust does at the barrel's end;
+    another name than that of the rod's end, for both may stand in one polygon."""
     return f"{force.name}′"
 
 
@@ -72,8 +72,8 @@ def floating_unknown(mech: Mechanism, loads: Loads) -> Force | None:
 
 
 def as_moved(mech: Mechanism, force: Force) -> Force:
-    """The thrust as a load on the link at the rod's end, its direction left open: enough to know which link it
-    balances."""
+    """The thrust as a load on the link at the rod's end, its direction left open:
+    enough to know which link it balances."""
     return replace(force, link=_beside(mech, force, force.point)[0], against="", foot="")
 
 

@@ -1,5 +1,5 @@
-"""A group drawn apart, with the forces on it at their lines of action and the arms about the points of its moment
-equations."""
+"""A group drawn apart, with the forces on it at their lines of action and
+the arms about the points of its moment equations."""
 
 from __future__ import annotations
 
@@ -54,8 +54,8 @@ def draw_arm(st: Statics, pane: Place, about: Points, end: Points, force: Acting
 
 
 def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Acting]) -> None:
-    """All outer forces and couples on the group, as far apart as their lines allow; once, for later rounds only repeat
-    them."""
+    """All outer forces and couples on the group, as far apart as their lines allow;
+    once, for later rounds only repeat them."""
     if any(isinstance(m, Vector) and m.label in {force.named.symbol for force in forces} for m in st.board.marks(pane)):
         return
     spots = [complex(nominal(st.desk.at[p])) for link in links for p in st.mech.link(link).points if p in st.desk.at]

@@ -16,8 +16,8 @@ from ..state import Statics
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reaction:
-    """A reaction whose tangential part (mm along i·line, from moments) is known, and whose part along `line` is
-    sought."""
+    """A reaction whose tangential part (mm along i·line, from moments) is known,
+    and whose part along `line` is sought."""
 
     by: str
     on: str
@@ -63,8 +63,8 @@ class Reaction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Corners:
-    """The polygon's letters and points: start and end of R_pj, end of the forces of j (J), of k (K), and the corner
-    X."""
+    """The polygon's letters and points:
+    start and end of R_pj, end of the forces of j (J), of k (K), and the corner X."""
 
     pane: Pane
     p: tuple[tuple[str, Points], tuple[str, Points]]

@@ -59,8 +59,8 @@ def _direct(st: Statics, two: TwoForce, held: Held) -> bool:
 
 
 def _is_met(st: Statics, two: TwoForce, held: Held, load: Resultant) -> bool:
-    """Whether the load's line meets that of the two-force link; a couple, whether a link under a couple alone bears
-    it."""
+    """Whether the load's line meets that of the two-force link;
+    a couple, whether a link under a couple alone bears it."""
     if not load.is_couple:
         return not _parallel(st, load, two)
     slotted = two.link in st.mech.slot_pins  # no block: nothing can be taken apart from the loaded link

@@ -1,10 +1,9 @@
-"""One force polygon for a whole class II group: both links' forces in turn, then the reactions; every reaction is a
-side or a diagonal.
+"""One force polygon for a whole class II group: both links' forces in turn, then the reactions;
+every reaction is a side or a diagonal.
 
 Vertices: the polygon starts with R^t of link j's parent, goes on with the forces of link j (to J), the forces of link k
-and R^t of its
-parent (to K), and meets in the corner X. Then R_pj joins X to the end of its R^t, R_kj joins J to X, and R_qk is the
-rest.
+and R^t of its parent (to K), and meets in the corner X.
+Then R_pj joins X to the end of its R^t, R_kj joins J to X, and R_qk is the rest.
 """
 
 from __future__ import annotations
@@ -69,8 +68,8 @@ def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corne
 
 
 def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corners:
-    """ΣF = 0 of link k alone, from J over its forces to K, closed by R_qk and R_jk; then the forces of link j, which
-    end in J."""
+    """ΣF = 0 of link k alone, from J over its forces to K, closed by R_qk and R_jk;
+    then the forces of link j, which end in J."""
     if _free(st, d):
         return _nothing(st, d)
     pane = _begin(st, d, d.link_k)

@@ -1,5 +1,5 @@
-"""Reactions of a PRP group: both slides' reactions have known directions, one polygon gives them; moments about the pin
-their lines."""
+"""Reactions of a PRP group: both slides' reactions have known directions, one polygon gives them;
+moments about the pin their lines."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Reactions of a group as sides of its polygon, and where they act: a pin's touches its friction circle, a slide's lies
-where moments put it."""
+"""Reactions of a group as sides of its polygon, and where they act:
+a pin's touches its friction circle, a slide's lies where moments put it."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
 
 
 def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tuple[str, Turning]) -> None:
-    """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it: h = Σ M / R from the point of
-    moments.
+    """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it:
+    h = Σ M / R from the point of moments.
 
     Where no force is left the slide still passes on the couple −Σ M: the line has gone to infinity.
     """

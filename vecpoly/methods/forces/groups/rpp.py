@@ -1,5 +1,5 @@
-"""Reactions of an RPP group (sine mechanism): link k is held by two slides of known directions, link j's pin closes its
-own polygon."""
+"""Reactions of an RPP group (sine mechanism):
+link k is held by two slides of known directions, link j's pin closes its own polygon."""
 
 from __future__ import annotations
 

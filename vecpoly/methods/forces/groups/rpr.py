@@ -1,5 +1,5 @@
-"""Reactions of an RPR group: ΣM of the whole group about one outer pin gives R^t at the other, then link j closes
-alone."""
+"""Reactions of an RPR group:
+ΣM of the whole group about one outer pin gives R^t at the other, then link j closes alone."""
 
 from __future__ import annotations
 

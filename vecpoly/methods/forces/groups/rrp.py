@@ -1,5 +1,5 @@
-"""Reactions of an RRP group loaded on both links: R^t at the outer pin from ΣM_C, the slide's reaction along its known
-direction."""
+"""Reactions of an RRP group loaded on both links:
+R^t at the outer pin from ΣM_C, the slide's reaction along its known direction."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _SOURCE = "机械原理, dynamic-static analysis of Assur groups"
     title=Words("RRP 杆组的动态静力分析", "Forces in an RRP group"),
 )
 def forces_rrp(st: Statics, d: Dyad) -> None:
-    """R^t_pj + ΣF_j + ΣF_k + R_qk + R^n_pj = 0, R_qk normal to its guide (or at φ to that); ΣM_C of the slide gives its
-    line."""
+    """R^t_pj + ΣF_j + ΣF_k + R_qk + R^n_pj = 0, R_qk normal to its guide (or at φ to that);
+    ΣM_C of the slide gives its line."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
     p, c = d.outer_j.point, d.inner.point
     first = split(st, d, d.parent_j, d.link_j, (p, c))

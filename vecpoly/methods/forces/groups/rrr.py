@@ -1,5 +1,5 @@
-"""Reactions of an RRR group loaded on both links: ΣM_C of either link gives R^t at its outer pin, one polygon of the
-group the rest."""
+"""Reactions of an RRR group loaded on both links:
+ΣM_C of either link gives R^t at its outer pin, one polygon of the group the rest."""
 
 from __future__ import annotations
 

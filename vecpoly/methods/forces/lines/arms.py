@@ -1,5 +1,5 @@
-"""Moments about a lettered point: arms measured from the point square to the lines of action, F × μ_l h, and couples as
-they are."""
+"""Moments about a lettered point:
+arms measured from the point square to the lines of action, F × μ_l h, and couples as they are."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from .letters import arm_about_point
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Turning:
-    """The sum of moments about a point: its terms with their senses, and its value (N·m, counter-clockwise
-    positive)."""
+    """The sum of moments about a point: its terms with their senses,
+    and its value (N·m, counter-clockwise positive)."""
 
     terms: tuple[Expr, ...]
     signs: tuple[int, ...]

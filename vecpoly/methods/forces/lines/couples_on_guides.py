@@ -35,8 +35,8 @@ def keep_couple(st: Statics, by: str, on: str, at: Points, couple: Reals) -> Non
 
 
 def couple_on_guide(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
-    """A couple on a link that slides on its parent: two forces in lines that are not parallel cannot sum to zero, so
-    the guide bears it alone."""
+    """A couple on a link that slides on its parent:
+    two forces in lines that are not parallel cannot sum to zero, so the guide bears it alone."""
     assert isinstance(held.joint, Prismatic)
     i, j = st.mech.number(held.parent), st.mech.number(held.link)
     one, two = st.named(by, held.link).symbol, st.named(held.parent, held.link).symbol

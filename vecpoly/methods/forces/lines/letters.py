@@ -1,5 +1,5 @@
-"""Letters that follow from a load's symbol: its arms, the foot of a velocity on it, the pair of forces that stands for
-a couple, its power."""
+"""Letters that follow from a load's symbol:
+its arms, the foot of a velocity on it, the pair of forces that stands for a couple, its power."""
 
 from __future__ import annotations
 

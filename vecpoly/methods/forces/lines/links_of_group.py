@@ -13,8 +13,8 @@ from ..state import Statics
 class TwoForce:
     """The unloaded link `link` between the loaded link `on` (joint `inner`) and its parent `by` (joint `outer`).
 
-    contact: the higher pair for which the link is only the substitute; then the parent presses on the loaded link
-    directly.
+    contact: the higher pair for which the link is only the substitute;
+    then the parent presses on the loaded link directly.
     """
 
     link: str

@@ -1,5 +1,5 @@
-"""Where three forces meet (汇交点): their lines of action and the resultant of several known forces on the diagram,
-lettered."""
+"""Where three forces meet (汇交点):
+their lines of action and the resultant of several known forces on the diagram, lettered."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ LONGEST = 260.0  # mm: a line of action longer than this is drawn at its pin onl
 
 
 def meeting_letter(st: Statics, x: Points, pin: Points) -> str:
-    """A letter for a meeting point that nothing else on the diagram bears; none off the sheet and in the pass without
-    friction."""
+    """A letter for a meeting point that nothing else on the diagram bears;
+    none off the sheet and in the pass without friction."""
     if st.preliminary or abs(complex(nominal(x - pin))) > OFF_SHEET:
         return ""
     taken = {mark.label for mark in st.board.marks(View.MECHANISM) if isinstance(mark, Point)} | set(st.desk.at)
@@ -28,8 +28,8 @@ def meeting_letter(st: Statics, x: Points, pin: Points) -> str:
 def draw_meeting(
     st: Statics, x: Points, others: tuple[Points, Points], third: tuple[Points, Points], labels: tuple[str, str]
 ) -> None:
-    """The meeting point, and the lines that pass through it, on the diagram: the reaction's from the meeting point to
-    its pin.
+    """The meeting point, and the lines that pass through it, on the diagram:
+    the reaction's from the meeting point to its pin.
 
     labels: the meeting point's letter, and the reaction's symbol.
     """

@@ -27,9 +27,8 @@ class Pair:
 def pair_of(st: Statics, link: str) -> Pair | None:
     """The first two lettered points of a link; None where the link never turns, so that a couple on it does no work.
 
-    A link with one letter lends its couple to the link with which it forms a sliding pair: both turn alike. Raises
-    NoMethodError
-    where that has one letter too.
+    A link with one letter lends its couple to the link with which it forms a sliding pair:
+    both turn alike. Raises NoMethodError where that has one letter too.
     """
     if link == FRAME or st.desk.turns[omega(link)].never:
         return None

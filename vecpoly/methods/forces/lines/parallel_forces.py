@@ -1,5 +1,5 @@
-"""A link whose load does not meet the force of known line, being parallel to it or a couple: moments take the place of
-the meeting point."""
+"""A link whose load does not meet the force of known line, being parallel to it or a couple:
+moments take the place of the meeting point."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ ROUNDS = 40  # of trying where a friction circle is touched
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Balanced:
-    """The force of known line (signed along it, N) and the pin's force: its vector (mm), where it touches the friction
-    circle, its sense."""
+    """The force of known line (signed along it, N) and the pin's force:
+    its vector (mm), where it touches the friction circle, its sense."""
 
     size: Reals
     rest: Points
@@ -51,8 +51,8 @@ def off_sheet(load: Resultant, line: Line, pin: Points) -> bool:
 
 
 def balance_parallel(st: Statics, held: Held, load: Resultant, line: Line, by: str) -> None:
-    """Pin: ΣM about the point where the parent's force touches the friction circle, R = P a / b. Guide: R = −P, the
-    guide bears the couple."""
+    """Pin: ΣM about the point where the parent's force touches the friction circle, R = P a / b.
+    Guide: R = −P, the guide bears the couple."""
     number, one, parallel = (
         st.mech.number(held.link),
         st.named(by, held.link),
@@ -158,8 +158,8 @@ def _about(st: Statics, held: Held, pin: str, sense: int) -> Words:
 
 
 def _touching(st: Statics, held: Held, load: Resultant, line: Line, sense: int) -> Points:
-    """The pin's centre, or the point of its friction circle that the parent's force touches: tried until force and
-    point agree."""
+    """The pin's centre, or the point of its friction circle that the parent's force touches:
+    tried until force and point agree."""
     assert isinstance(held.joint, Revolute)
     pin, u = held.joint.point, line.along
     if not sense:

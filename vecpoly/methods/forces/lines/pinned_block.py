@@ -26,8 +26,7 @@ def line_of_block(st: Statics, two: TwoForce) -> Line:
     """Line of the force of the block on the loaded link, along that force.
 
     The slide gives its direction (normal of the guide, inclined by φ against the sliding), the pin its place: tangent
-    to the
-    friction circle, the moment against the turning of the block in its pin.
+    to the friction circle, the moment against the turning of the block in its pin.
     """
     slide, pin = (two.inner, two.outer) if isinstance(two.inner, Prismatic) else (two.outer, two.inner)
     assert isinstance(slide, Prismatic) and isinstance(pin, Revolute)
@@ -54,8 +53,8 @@ def line_of_block(st: Statics, two: TwoForce) -> Line:
 
 
 def _isolated(st: Statics, block: str) -> Words:
-    """Why the line is known: two forces on a block; or, where there is no block, the side of a slot presses on a
-    pin."""
+    """Why the line is known: two forces on a block;
+    or, where there is no block, the side of a slot presses on a pin."""
     pin = st.mech.slot_pins.get(block)
     if pin is None:
         number = st.mech.number(block)

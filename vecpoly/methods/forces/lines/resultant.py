@@ -1,5 +1,5 @@
-"""The known forces of a link joined into one: meeting point of two lines of action, a couple displacing a force by h =
-M / F."""
+"""The known forces of a link joined into one:
+meeting point of two lines of action, a couple displacing a force by h = M / F."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A link under three forces (三力汇交): known load, a reaction of known line, a third through their meeting point; ΣF =
-0 closes the polygon."""
+"""A link under three forces (三力汇交): known load, a reaction of known line,
+a third through their meeting point; ΣF = 0 closes the polygon."""
 
 from __future__ import annotations
 

@@ -27,8 +27,7 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
     """Line of the force of the link on the loaded link, along that force.
 
     Without friction the line passes through both pins. With friction the reaction at each pin has a moment about it
-    against
-    the relative turning there; of the four common tangents of the friction circles this leaves one.
+    against the relative turning there; of the four common tangents of the friction circles this leaves one.
     """
     assert isinstance(two.inner, Revolute) and isinstance(two.outer, Revolute)
     p, q = two.inner.point, two.outer.point
@@ -66,8 +65,8 @@ def line_of_two_pins(st: Statics, two: TwoForce) -> Line:
 
 
 def _exerted(st: Statics, two: TwoForce) -> Points:
-    """The force of the link on the loaded one in a finished pass: it pushes away from the far pin where the link is
-    compressed."""
+    """The force of the link on the loaded one in a finished pass:
+    it pushes away from the far pin where the link is compressed."""
     found = st.push(two.link, two.on)
     return 0j if found is None else found.vector
 
@@ -96,8 +95,8 @@ def _pressed(st: Statics, two: TwoForce, compressed: bool, pins: tuple[str, str]
 
 
 def _tangent(st: Statics, one: tuple[str, int], two: tuple[str, int]) -> Words:
-    """Which common tangent it is: the forces at the ends are opposite, so equal senses of their moments mean opposite
-    sides."""
+    """Which common tangent it is: the forces at the ends are opposite,
+    so equal senses of their moments mean opposite sides."""
     (p, sense_p), (q, sense_q) = one, two
     if sense_p and sense_q:
         kind, kind_en = ("内", "inner") if sense_p == sense_q else ("外", "outer")

@@ -1,8 +1,7 @@
 """All assemblies of a class III group: the orientations of the central link in which its three loci meet in one point.
 
-For a trial orientation two loci fix the link; what the third misses by, the gap, is a function of the orientation
-whose zeros are the assemblies. Each pair of loci serves once: where one stands at the end of its range another does
-not.
+For a trial orientation two loci fix the link; what the third misses by, the gap, is a function of the orientation whose
+zeros are the assemblies. Each pair of loci serves once: where one stands at the end of its range another does not.
 """
 
 from __future__ import annotations
@@ -30,8 +29,8 @@ Grid = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Assembly:
-    """Orientation (rad) and origin (mm) of the central link; the legs that placed it (the third checks), on which
-    side."""
+    """Orientation (rad) and origin (mm) of the central link;
+    the legs that placed it (the third checks), on which side."""
 
     theta: float
     at: complex
@@ -141,8 +140,8 @@ def _range_ends(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, mi
 
 
 def _dips(desk: Desk, star: Star, legs: Three, first: bool, grid: Grid, misses: Grid) -> tuple[Grid, Grid, Grid]:
-    """Where the gap comes down to zero and back between two trials, near a dead point: before, at the lowest,
-    behind."""
+    """Where the gap comes down to zero and back between two trials, near a dead point:
+    before, at the lowest, behind."""
     near = np.abs(misses)
     lowest = (
         (near[1:-1] <= near[:-2])

@@ -1,8 +1,8 @@
 """Where the central link may lie in a given orientation: every leg leaves its origin a circle or a straight line.
 
 The orientation is the unit vector u of the link's x axis; a point with the local coordinates b then lies at X + u b
-(mm).
-A hinged leg keeps B on its circle, a guided one on its guide; a slotted leg keeps Q at its distance from the slide.
+(mm). A hinged leg keeps B on its circle, a guided one on its guide;
+a slotted leg keeps Q at its distance from the slide.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""A class III group located by trial (试凑法): the central link is turned, held by two legs, until the third fits
-too."""
+"""A class III group located by trial (试凑法): the central link is turned,
+held by two legs, until the third fits too."""
 
 from __future__ import annotations
 

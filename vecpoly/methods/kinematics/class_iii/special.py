@@ -1,7 +1,7 @@
 """The special point (Assur point) of a central link: where the axes of two of its legs meet.
 
-Across both axes its vector has one unknown each, so that one equation gives it; the third leg then gives a second point
-of the link.
+Across both axes its vector has one unknown each, so that one equation gives it;
+the third leg then gives a second point of the link.
 """
 
 from __future__ import annotations

@@ -135,8 +135,8 @@ def _leg(outer: Outer, inner: list[Joint]) -> Leg | None:
 
 
 def letters_on_legs(group: Group) -> dict[str, str]:
-    """Letters at which points of several links of a class III group coincide, and the leg whose point is meant
-    first."""
+    """Letters at which points of several links of a class III group coincide,
+    and the leg whose point is meant first."""
     if not group.kind.startswith("class III"):
         return {}
     inner = {name: [joint for joint in group.inner if name in ends(joint)] for name in group.links}

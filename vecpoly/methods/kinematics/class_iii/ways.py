@@ -1,5 +1,5 @@
-"""The equations of a class III group: from known points over a leg to the central link, and on it to its special
-point."""
+"""The equations of a class III group:
+from known points over a leg to the central link, and on it to its special point."""
 
 from __future__ import annotations
 

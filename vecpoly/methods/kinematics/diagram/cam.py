@@ -17,8 +17,8 @@ from ...registry import Stage
 
 
 def say_replaced(desk: Desk, stage: Stage, group: Group) -> None:
-    """A step for each contact that the group's motion depends on: what stands for it, and that its accelerations are
-    the same."""
+    """A step for each contact that the group's motion depends on:
+    what stands for it, and that its accelerations are the same."""
     for name in group.links:
         contact = contact_replaced(desk.mech, name)
         if contact is not None and stage is Stage.POSITION:

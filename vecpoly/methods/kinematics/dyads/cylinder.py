@@ -1,8 +1,7 @@
 """Velocity and acceleration of a driven cylinder and the link that it moves.
 
 C is on the rod; the point of the cylinder's other link that lies under C (the link expanded, 扩大构件) is called C_n.
-The relative
-motion along the cylinder is the input:
+The relative motion along the cylinder is the input:
     v_C = v_D + v_CnD + v_CCn,    a_C = a_D + a^n_CnD + a^t_CnD + a^k_CCn + a^r_CCn,
 with v_CCn and a^r_CCn known, v_CnD and a^t_CnD perpendicular to DC, and C led by the link that is moved.
 """

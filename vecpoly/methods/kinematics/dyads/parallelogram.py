@@ -1,5 +1,5 @@
-"""A parallelogram ABCD: the coupler BC stays parallel to AD and CD to AB, so that no equation is needed, not even in
-one line with A."""
+"""A parallelogram ABCD: the coupler BC stays parallel to AD and CD to AB,
+so that no equation is needed, not even in one line with A."""
 
 from __future__ import annotations
 

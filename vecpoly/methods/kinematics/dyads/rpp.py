@@ -1,5 +1,5 @@
-"""Velocity and acceleration of an RPP group: a pinned block in the slot of a link that itself slides (sine
-mechanism)."""
+"""Velocity and acceleration of an RPP group:
+a pinned block in the slot of a link that itself slides (sine mechanism)."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Velocity and acceleration of an RPR group: a guide that swings about Q and a block on the pin P; coincident points at
-P.
+"""Velocity and acceleration of an RPR group: a guide that swings about Q and a block on the pin P;
+coincident points at P.
 
 The guide's own point under P (on the link, or on the expanded link 扩大构件 where the guide passes P at an offset) is
-called
-P_g, the block's P_b:  v_Pg = v_Q + v_PgQ = v_Pb + v_PgPb,  a_Q + a^n + a^t = a_Pb + a^k + a^r,  a^k = 2 ω_g v_PgPb.
+called P_g, the block's P_b:  v_Pg = v_Q + v_PgQ = v_Pb + v_PgPb,
+ a_Q + a^n + a^t = a_Pb + a^k + a^r,  a^k = 2 ω_g v_PgPb.
 """
 
 from __future__ import annotations

@@ -48,8 +48,8 @@ def _polygon(desk: Desk, view: View, d: Dyad) -> None:
 
 
 def slider_polygon(desk: Desk, view: View, c: str, slide: tuple[Prismatic, str, str], arm: tuple[str, str]) -> None:
-    """The vector of C of a slider (joint, link, what it slides along) and of a link that turns about a known point
-    (point, link)."""
+    """The vector of C of a slider (joint, link,
+    what it slides along) and of a link that turns about a known point (point, link)."""
     (joint, slider, parent), (p, link) = slide, arm
     base = coincident_tip(desk, view, c, parent)
     desk.board.step(opening(view, c, link, slider), view)

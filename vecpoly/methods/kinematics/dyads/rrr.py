@@ -82,8 +82,8 @@ def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: s
 
 
 def opening(view: View, c: str, *links: str) -> Words:
-    """The sentence before an equation; links that are only thought (the substitute of a contact, a pin in a slot) have
-    no number."""
+    """The sentence before an equation;
+    links that are only thought (the substitute of a contact, a pin in a slot) have no number."""
     links = tuple(name for name in links if name[0].isdigit())
     kind, kind_en = QUANTITY[view].zh, QUANTITY[view].en
     plural = "s" if len(links) > 1 else ""

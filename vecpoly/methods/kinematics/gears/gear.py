@@ -1,5 +1,5 @@
-"""A gear whose centre other links hold: at the pitch point it has the velocity, and the tangential acceleration, of
-what it rolls on."""
+"""A gear whose centre other links hold: at the pitch point it has the velocity,
+and the tangential acceleration, of what it rolls on."""
 
 from __future__ import annotations
 
@@ -54,8 +54,8 @@ def velocity_gear(desk: Desk, group: Group) -> None:
     title=Words("齿轮（行星轮）的加速度", "Acceleration of a gear on a held centre"),
 )
 def acceleration_gear(desk: Desk, group: Group) -> None:
-    """a_C + a^n_HC + a^t_HC = a_Hm + a_HkHm (along the line of centres): the tangential accelerations agree, which
-    gives α."""
+    """a_C + a^n_HC + a^t_HC = a_Hm + a_HkHm (along the line of centres):
+    the tangential accelerations agree, which gives α."""
     view, gear = View.ACCELERATION, group.links[0]
     joint, c = _pair(group)
     h, own = joint.point, At(joint.point, gear)

@@ -1,8 +1,8 @@
-"""The acceleration at a pitch point of which both bodies' motions are led: the tangential parts agree, the rest is
-along the common normal.
+"""The acceleration at a pitch point of which both bodies' motions are led:
+the tangential parts agree, the rest is along the common normal.
 
-a_Hk (as the link k is led) = a_Hm + a_HkHm,    a_HkHm along the line of centres, or perpendicular to a rack's pitch
-line
+a_Hk (as the link k is led) = a_Hm + a_HkHm,    a_HkHm along the line of centres,
+or perpendicular to a rack's pitch line
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from .pitch import along_normal, normal_words, partner_acceleration
 
 
 def mesh(desk: Desk, joint: Rolling, link: str, led: Callable[[], tuple[Term, ...]], asked: Words) -> Closed:
-    """Write and draw the equation; `led` gives the terms of the link's own point, `asked` ends the sentence of the
-    step."""
+    """Write and draw the equation; `led` gives the terms of the link's own point,
+    `asked` ends the sentence of the step."""
     view, own = View.ACCELERATION, At(joint.point, link)
     base = partner_acceleration(desk, joint, link)
     desk.board.step(_tangents_agree(joint) + asked, view)

@@ -1,5 +1,5 @@
-"""The pitch point of two bodies that roll: one velocity for both, and accelerations that differ only along the common
-normal.
+"""The pitch point of two bodies that roll:
+one velocity for both, and accelerations that differ only along the common normal.
 
 With H of link k and H of link m, both at the pitch point, and C the centre of gear k,
     v_Hk = v_Hm,    a_Hk = a_Hm + a_HkHm,    a_HkHm = ω_km² ρ  from H towards C,
@@ -84,8 +84,8 @@ def pitch_velocity(desk: Desk, joint: Rolling, link: str) -> None:
 
 
 def normal_words(joint: Rolling) -> Words:
-    """The line along which the accelerations at a pitch point differ: the line of centres, or the normal of a rack's
-    pitch line."""
+    """The line along which the accelerations at a pitch point differ:
+    the line of centres, or the normal of a rack's pitch line."""
     if isinstance(joint.on, Rack):
         return Words("垂直于节线的", "perpendicular to the pitch line")
     return Words(
@@ -203,8 +203,8 @@ def _curved(joint: Rolling) -> Expr:
 
 
 def _normal(joint: Rolling, link: str) -> tuple[str, str]:
-    """Two letters along the relative acceleration of the link's point: towards its own centre; of a ring or a rack away
-    from the gear's."""
+    """Two letters along the relative acceleration of the link's point:
+    towards its own centre; of a ring or a rack away from the gear's."""
     mine, other = (joint.gear, joint.on) if joint.gear.link == link else (joint.on, joint.gear)
     if isinstance(mine, Circle) and (not joint.internal or isinstance(other, Rack) or mine.radius < other.radius):
         return joint.point, mine.centre

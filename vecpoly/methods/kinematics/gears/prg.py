@@ -1,5 +1,5 @@
-"""A hinge between a slider and a rolling gear: the gear turns about its pitch point as about a hinge, the slider is
-led."""
+"""A hinge between a slider and a rolling gear:
+the gear turns about its pitch point as about a hinge, the slider is led."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""A hinge between a link and a rolling gear, or between two gears: the gear turns about its pitch point as about a
-hinge."""
+"""A hinge between a link and a rolling gear, or between two gears:
+the gear turns about its pitch point as about a hinge."""
 
 from __future__ import annotations
 

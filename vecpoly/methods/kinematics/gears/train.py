@@ -1,11 +1,9 @@
-"""A gear train solved as one group: every gear turns about its pitch points as about hinges, so the train is a linkage
-at this instant.
+"""A gear train solved as one group:
+every gear turns about its pitch points as about hinges, so the train is a linkage at this instant.
 
 Link after link: a link of which two points are known has the others by its image; two links that share a point, of
-which one point
-each is known, are closed by two perpendiculars. Pitch points count as points; the accelerations of the two bodies at
-one differ by
-ω² ρ along the common normal (see `pitch`).
+which one point each is known, are closed by two perpendiculars. Pitch points count as points; the accelerations of the
+two bodies at one differ by ω² ρ along the common normal (see `pitch`).
 """
 
 from __future__ import annotations
@@ -92,8 +90,8 @@ def _solved(desk: Desk, view: View, group: Group) -> None:
 
 
 def _seats(desk: Desk, view: View, group: Group, link: str, waiting: list[str]) -> None:
-    """The vectors of the link's pitch points on bodies whose motion is known; of accelerations only once the link's ω
-    is."""
+    """The vectors of the link's pitch points on bodies whose motion is known;
+    of accelerations only once the link's ω is."""
     for joint in rolling_in((*group.inner, *(outer.joint for outer in group.outer))):
         both = {joint.gear.link, joint.on.link}
         if link in both and not (both - {link}) & set(waiting):

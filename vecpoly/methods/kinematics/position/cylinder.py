@@ -1,5 +1,5 @@
-"""A driven cylinder in its given length: its end lies on the circle of that length, and on the circle or the guide of
-the link that it moves."""
+"""A driven cylinder in its given length:
+its end lies on the circle of that length, and on the circle or the guide of the link that it moves."""
 
 from __future__ import annotations
 

@@ -45,8 +45,8 @@ def position_crank(desk: Desk, drive: Drive) -> None:
 
 
 def _said(desk: Desk, drive: Drive, pivot: str, others: list[str]) -> Words:
-    """The fixed points, and how the driving link is set out: at its angle, or as a pitch circle where it has no further
-    point."""
+    """The fixed points, and how the driving link is set out:
+    at its angle, or as a pitch circle where it has no further point."""
     first = fixed_points(desk) + Words("；", "; ")
     if desk.thought:
         return first + _at_angle(drive, pivot, others, "")

@@ -143,8 +143,8 @@ def position_rpp(desk: Desk, d: Dyad) -> None:
 
 
 def _slid_words(d: Dyad, inner: Prismatic, b: str, r: str) -> Words:
-    """How the sliding link is found: its own slot brought over the pin, or the guide that is pinned there drawn in its
-    direction."""
+    """How the sliding link is found: its own slot brought over the pin,
+    or the guide that is pinned there drawn in its direction."""
     if inner.guide == d.link_k:
         on = Words.same("") if d.parent_k == FRAME else Words(f"相对构件 {d.parent_k} ", f" on link {d.parent_k}")
         return Words(

@@ -1,5 +1,5 @@
-"""A gear whose centre other links hold, or a rack that a gear drives: it touches what it rolls on at the pitch
-point."""
+"""A gear whose centre other links hold, or a rack that a gear drives:
+it touches what it rolls on at the pitch point."""
 
 from __future__ import annotations
 
@@ -44,8 +44,8 @@ def position_gear(desk: Desk, group: Group) -> None:
     title=Words("齿条的位置", "Position of a driven rack"),
 )
 def position_rack(desk: Desk, group: Group) -> None:
-    """The rack's travel along its guide is given; the pitch point is the foot of the gear's centre on its pitch
-    line."""
+    """The rack's travel along its guide is given;
+    the pitch point is the foot of the gear's centre on its pitch line."""
     joint, rack = rolling_of(group), group.links[0]
     slide = next(outer.joint for outer in group.outer if isinstance(outer.joint, Prismatic))
     travel = next((one.value for one in desk.mech.starts if one.link == rack and one.slide), 0.0)

@@ -19,8 +19,8 @@ Places = dict[str, complex]
 def choose_way(
     desk: Desk, joint: Prismatic, q: str, p: str, ways: tuple[Points, Points]
 ) -> tuple[Points, Statement | None]:
-    """Of two directions of the guide pinned at Q, whose block is pinned at P, the one that is meant, and the statement
-    that decided.
+    """Of two directions of the guide pinned at Q, whose block is pinned at P,
+    the one that is meant, and the statement that decided.
 
     Raises AssemblyError where neither fulfils the statements, or nothing tells them apart.
     """
@@ -81,8 +81,8 @@ def _with_way(desk: Desk, joint: Prismatic, q: str, p: str, way: complex) -> Pla
 
 
 def _travel(desk: Desk, joint: Prismatic, q: str, p: str, way: complex) -> float:
-    """How far (mm) the sliding pin lies ahead of the letter from which the guide's line is set out; else of the guide's
-    pivot."""
+    """How far (mm) the sliding pin lies ahead of the letter from which the guide's line is set out;
+    else of the guide's pivot."""
     guide, block = (desk.mech.link(link).points for link in (joint.guide, joint.block))
     (_, _, turned), (_, _, axis) = _poses(joint, q, p, way)
     start = joint.origin - guide[q] if joint.through else 0j

@@ -1,5 +1,5 @@
-"""A rack hinged to a known link and a pinion hinged to another: the pitch line touches the pitch circle, the rack's
-hinge lies beside it."""
+"""A rack hinged to a known link and a pinion hinged to another:
+the pitch line touches the pitch circle, the rack's hinge lies beside it."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from .standing import said_standing, standing
     title=Words("齿条—齿轮杆组的位置", "Position of a group of a hinged rack and a pinion"),
 )
 def position_rgr(desk: Desk, d: Dyad) -> None:
-    """The tangent from the rack's hinge to the pitch circle is the pitch line; where the hinge lies beside it, to the
-    circle of r ± e."""
+    """The tangent from the rack's hinge to the pitch circle is the pitch line;
+    where the hinge lies beside it, to the circle of r ± e."""
     joint = d.inner
     assert isinstance(joint, Rolling) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
     pins = {d.link_j: d.outer_j.point, d.link_k: d.outer_k.point}

@@ -42,8 +42,8 @@ Locus = Round | Line
     title=Words("齿轮（纯滚动）杆组的位置", "Position of a group with a rolling gear"),
 )
 def position_rrg(desk: Desk, d: Dyad) -> None:
-    """The gear's centre keeps its distance from the rack or from the other gear's centre, the hinge that from the
-    link's other hinge."""
+    """The gear's centre keeps its distance from the rack or from the other gear's centre,
+    the hinge that from the link's other hinge."""
     _located(desk, d)
 
 
@@ -124,8 +124,8 @@ def locus_of(desk: Desk, joint: Joint, link: str, c: str) -> Locus:
 
 
 def _rolled(desk: Desk, joint: Rolling, link: str, c: str) -> Locus:
-    """The path that contact leaves the gear's centre, shifted to the hinge; turned with the line of centres where the
-    gear's angle counts from it."""
+    """The path that contact leaves the gear's centre, shifted to the hinge;
+    turned with the line of centres where the gear's angle counts from it."""
     mine = wheel(joint, link)
     if not isinstance(mine, Circle):
         raise NoMethodError(

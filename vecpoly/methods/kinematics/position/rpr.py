@@ -28,8 +28,8 @@ _SOURCE = "机械原理, kinematic diagrams by Assur groups"
     title=Words("RPR 杆组的位置", "Position of an RPR group"),
 )
 def position_rpr(desk: Desk, d: Dyad) -> None:
-    """The guide passes its pivot Q and leaves the block's pin P at the offset e: join QP, or draw the tangent from
-    Q."""
+    """The guide passes its pivot Q and leaves the block's pin P at the offset e:
+    join QP, or draw the tangent from Q."""
     joint = d.inner
     assert isinstance(joint, Prismatic) and isinstance(d.outer_j, Revolute) and isinstance(d.outer_k, Revolute)
     pins = {d.link_j: d.outer_j.point, d.link_k: d.outer_k.point}
@@ -69,8 +69,8 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
 
 
 def _directions(ray: Points, offset: float) -> tuple[Points, Points]:
-    """Both directions u of a line through Q that leaves P so far (mm) to its left, ray = QP: u (σ + ie) = QP with σ =
-    ±√(QP² - e²)."""
+    """Both directions u of a line through Q that leaves P so far (mm) to its left, ray = QP:
+    u (σ + ie) = QP with σ = ±√(QP² - e²)."""
     lean = np.exp(1j * np.arcsin(offset / np.abs(ray)))
     return unit(ray) * np.conj(lean), -unit(ray) * lean
 

@@ -1,5 +1,5 @@
-"""A gear train solved as one group located link by link: arms from their given angles, gears about their centres, bars
-by arcs."""
+"""A gear train solved as one group located link by link:
+arms from their given angles, gears about their centres, bars by arcs."""
 
 from __future__ import annotations
 

@@ -1,11 +1,9 @@
-"""Assur groups by matching: every coordinate is given a constraint of its own; coordinates that wait for each other are
-one group.
+"""Assur groups by matching: every coordinate is given a constraint of its own;
+coordinates that wait for each other are one group.
 
 Unknowns are the links (3 each) and the hinge points (2 each). A pin gives two equations between a point and a link, a
-slide two between
-two links. In a matching of equations to unknowns each unknown depends on those in its equations; the strongly connected
-parts of that
-graph are the Assur groups (Dulmage and Mendelsohn).
+slide two between two links. In a matching of equations to unknowns each unknown depends on those in its equations; the
+strongly connected parts of that graph are the Assur groups (Dulmage and Mendelsohn).
 """
 
 from __future__ import annotations
@@ -98,8 +96,8 @@ def _reached(depends: Graph, start: str) -> set[str]:
 
 
 def rank_of(chain: Chain, links: tuple[str, ...]) -> int:
-    """Class of a group: 2 of two links; else the sides of its longest contour without a chord, and 3 where there is
-    none."""
+    """Class of a group: 2 of two links;
+    else the sides of its longest contour without a chord, and 3 where there is none."""
     if len(links) == 2:
         return 2
     beside: Graph = {link: set() for link in links}

@@ -1,8 +1,7 @@
 """Degree of freedom by rank: F = 3n − rank J − idle turns, in the given position and in one a little further on.
 
 A constraint that is redundant only in the given position (a singular one: dead point, stretched links) becomes
-independent when the
-chain has moved; one that is redundant by its sizes stays so.
+independent when the chain has moved; one that is redundant by its sizes stays so.
 """
 
 from __future__ import annotations
@@ -41,8 +40,7 @@ class Ranks:
         """F = 3n − rank − F′ of a chain that moves.
 
         One that cannot (what the rank leaves is a play of the second order) is a truss: its surplus of constraints
-        makes F negative, and of
-        these only such count as redundant as two links have twice.
+        makes F negative, and of these only such count as redundant as two links have twice.
         """
         if self.moved:
             return self.coordinates - self.onward - len(self.idle)
@@ -144,8 +142,8 @@ def _twice(chain: Chain) -> int:
 
 
 def dependent(chain: Chain) -> tuple[str, ...]:
-    """Letters of the pairs whose constraints depend on each other in every position: where the left null space of the
-    Jacobian reaches."""
+    """Letters of the pairs whose constraints depend on each other in every position:
+    where the left null space of the Jacobian reaches."""
     here = Rows(chain, _size(chain), np.zeros(3 * len(chain.links)))
     positions = [rows for seed in range(TRIES) if (rows := _onward(here, seed)) is not None] or [here]
     jac = max((rows.jacobian() for rows in positions), key=rank)

@@ -13,11 +13,11 @@ PART = 4  # links of a part that may be redundant
 
 
 def removable(chain: Chain, surplus: int, drivers: set[str]) -> Chain:
-    """The chain without what brings its surplus of constraints: pairs that repeat another between the same links, then
-    parts of joined links.
+    """The chain without what brings its surplus of constraints:
+    pairs that repeat another between the same links, then parts of joined links.
 
-    The smallest parts that bring a share of it, else parts that bring all; at last single pairs. As it is where none
-    does.
+    The smallest parts that bring a share of it, else parts that bring all;
+    at last single pairs. As it is where none does.
     """
     if surplus == 0:
         return chain
@@ -42,8 +42,8 @@ def _without_double(chain: Chain) -> Iterator[Chain]:
 
 
 def _without_part(chain: Chain, surplus: int, drivers: set[str]) -> Iterator[Chain]:
-    """Joined links less, which bring the whole surplus: of bars as many as do, with those that only follow; else the
-    smallest part."""
+    """Joined links less, which bring the whole surplus:
+    of bars as many as do, with those that only follow; else the smallest part."""
     free = [link for link in chain.links if link not in drivers]
     bars = [link for link in free if len(chain.at(link)) == 2 and all(pair.form is Form.R for pair in chain.at(link))]
     for links, counts in ((bars, range(PART, 0, -1)), (free, range(1, PART + 1))):
@@ -109,8 +109,8 @@ def _steps(chain: Chain, drivers: set[str]) -> dict[str, int]:
 
 
 def _whole(chain: Chain, part: tuple[str, ...]) -> bool:
-    """Whether no links of the part could go by themselves, as an Assur group that the surplus has nothing to do
-    with."""
+    """Whether no links of the part could go by themselves,
+    as an Assur group that the surplus has nothing to do with."""
     for count in range(2, len(part), 2):
         for some in combinations(part, count):
             rest = chain.without(some)
@@ -125,8 +125,8 @@ def _sound(chain: Chain) -> bool:
 
 
 def _hangs(chain: Chain, part: tuple[str, ...]) -> bool:
-    """Whether the links of the part are joined among themselves, and not by slides alone (a wedge repeats nothing but
-    what keeps it from turning)."""
+    """Whether the links of the part are joined among themselves,
+    and not by slides alone (a wedge repeats nothing but what keeps it from turning)."""
     if all(pair.form is Form.P for pair in chain.pairs if pair.touches(part)):
         return False
     reached = {part[0]}

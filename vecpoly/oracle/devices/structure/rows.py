@@ -1,5 +1,5 @@
-"""Constraints of a planar chain as rows of a Jacobian: 3 coordinates a link (displacement and turn from the given
-position).
+"""Constraints of a planar chain as rows of a Jacobian:
+3 coordinates a link (displacement and turn from the given position).
 
 Row by row a constraint is a wrench: its force f at a place p of a link adds f_x, f_y, p × f to the three columns of
 that link. All lengths are divided by the size of the chain.
@@ -82,8 +82,8 @@ class Rows:
         ]
 
     def _touching(self, pair: Pair) -> tuple[Floats, float]:
-        """Two profiles keep the distance of their centres; a profile on a flat face keeps its centre's distance from
-        it."""
+        """Two profiles keep the distance of their centres;
+        a profile on a flat face keeps its centre's distance from it."""
         (a, b), (one, two) = pair.links, pair.about
         if one is None or two is None:
             round_, flat, centre = (b, a, two) if one is None else (a, b, one)

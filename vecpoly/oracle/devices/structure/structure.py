@@ -1,5 +1,5 @@
-"""Exact answers about a structure: n, p_L, p_H from the shape of the Jacobian, F, F′, p′ from its rank, groups by
-matching."""
+"""Exact answers about a structure: n, p_L, p_H from the shape of the Jacobian,
+F, F′, p′ from its rank, groups by matching."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def structure(device: Structure) -> Values:
 
 
 def surplus(device: Structure) -> tuple[int, tuple[str, ...], tuple[str, ...]]:
-    """How many constraints are redundant by rank; the pairs whose constraints depend on each other; links that may go
-    without the motion changing."""
+    """How many constraints are redundant by rank; the pairs whose constraints depend on each other;
+    links that may go without the motion changing."""
     found = ranks(device.chain)
     rest = reduced(device.chain, found, {link for drivers in device.drive_sets for link in drivers})
     gone = tuple(link for link in device.chain.links if link not in rest.links and link not in found.idle)

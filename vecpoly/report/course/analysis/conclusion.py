@@ -31,8 +31,8 @@ def conclusion(
     """What a reader takes home: what was asked at the given position, forces, structure, output links, points,
     conditioning, printed tables, drawn against exact.
 
-    tables: the printed tables as checked; mending: the number of the section that tells better dimensions, nothing
-    where none does.
+    tables: the printed tables as checked; mending:
+    the number of the section that tells better dimensions, nothing where none does.
     """
     yield from stated(study)
     yield from force_analysis.conclusion(study)

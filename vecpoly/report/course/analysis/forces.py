@@ -1,5 +1,5 @@
-"""Chapters 8 and 9, the forces: jumps, self-locking, dead points and transmission of the load that drives; what was
-asked for."""
+"""Chapters 8 and 9, the forces: jumps, self-locking, dead points and transmission of the load that drives;
+what was asked for."""
 
 from __future__ import annotations
 
@@ -64,8 +64,8 @@ def _angle(study: Study, phi: float) -> str:
 
 
 def _driven(study: Study, found: Driven) -> Words:
-    """The link that drives the forces is not the one whose position is the variable: its own dead points and
-    transmission angle."""
+    """The link that drives the forces is not the one whose position is the variable:
+    its own dead points and transmission angle."""
     link, names = found.link, listed(found.names)
     dead = "、".join(_angle(study, phi) for phi in found.dead)
     drive = study.mech.drive.link

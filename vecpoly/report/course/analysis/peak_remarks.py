@@ -20,8 +20,8 @@ _SWIFT = 60.0  # degrees of the drive within which α goes from one peak to the 
 
 
 def remarks(study: Study, told: list[Cause]) -> Iterator[Words]:
-    """What the table shows: different causes of one quantity's peaks, a swift reversal of α, and that no jump
-    occurs."""
+    """What the table shows: different causes of one quantity's peaks,
+    a swift reversal of α, and that no jump occurs."""
     for key in dict.fromkeys(one.key for one in told if one.key.startswith("omega_")):
         own = [one for one in told if one.key == key]
         if {"large numerator", "small divisor"} <= {one.words.en for one in own}:

@@ -1,5 +1,5 @@
-"""Chapter 8.2, why the peaks of the rates stand where they stand: numerator and determinant of the formula by which
-each was computed."""
+"""Chapter 8.2, why the peaks of the rates stand where they stand:
+numerator and determinant of the formula by which each was computed."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ _HEADER = {
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """A peak of a rate, the determinant in its formula, and determinant and numerator there, each over its own rms in
-    the cycle."""
+    """A peak of a rate, the determinant in its formula, and determinant and numerator there,
+    each over its own rms in the cycle."""
 
     key: str
     spot: Spot
@@ -53,8 +53,8 @@ class Cause:
 
 
 def causes(study: Study, groups: list[Conditioning]) -> list[Cause]:
-    """The peaks of the rates: all of the output links', of the others asked for the greatest; in the order of
-    solution."""
+    """The peaks of the rates: all of the output links', of the others asked for the greatest;
+    in the order of solution."""
     found = []
     for key, by, is_own in _told(study, groups):
         spots, usual = tops(study, study.extremes(key)), rms(study, study.turn.real(key))
@@ -69,8 +69,8 @@ def causes(study: Study, groups: list[Conditioning]) -> list[Cause]:
 
 
 def _told(study: Study, groups: list[Conditioning]) -> Iterator[tuple[str, Conditioning, bool]]:
-    """Keys with the group by whose determinant each is divided, those of the output links last; whether it is one of
-    these."""
+    """Keys with the group by whose determinant each is divided, those of the output links last;
+    whether it is one of these."""
     asked = [key for key in study.outputs if key.startswith(("omega_", "alpha_"))] or [
         f"{stem}_{link}" for link in study.links for stem in ("omega", "alpha") if study.varies(f"{stem}_{link}")
     ]
@@ -101,8 +101,8 @@ def flat(study: Study, groups: list[Conditioning]) -> Iterator[Words]:
 
 
 def tops(study: Study, found: Extremes) -> list[Spot]:
-    """The greatest absolute value, and other peaks of nearly half of it, of either sign; in order of the drive's
-    position."""
+    """The greatest absolute value, and other peaks of nearly half of it, of either sign;
+    in order of the drive's position."""
     every = [
         s
         for s in (*(s for s in found.maxima if s.value > 0), *(s for s in found.minima if s.value < 0))

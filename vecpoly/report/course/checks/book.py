@@ -13,8 +13,8 @@ from ..numbering import SMALL, Press
 
 
 def chapter(study: Study, press: Press) -> dict[str, Any]:
-    """The table of printed answers with a verdict on each, and what is said of them; empty where the book gives
-    none."""
+    """The table of printed answers with a verdict on each, and what is said of them;
+    empty where the book gives none."""
     checked = check_problem(study.given.problem)
     made = printed_table(checked.answers, press.lang) if checked.answers else None
     table = (

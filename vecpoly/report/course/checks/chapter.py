@@ -1,5 +1,5 @@
-"""Chapter 7, the model checked: against an independent solver, and by differences of its own results; and how it
-depends on the dimensions."""
+"""Chapter 7, the model checked: against an independent solver, and by differences of its own results;
+and how it depends on the dimensions."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def _power(value: float) -> str:
 
 
 def _checked(study: Study, press: Press) -> str:
-    """Of every rate told: the model less the solver, and the model's rate less the difference quotient of what it is
-    the rate of."""
+    """Of every rate told: the model less the solver,
+    and the model's rate less the difference quotient of what it is the rate of."""
     rows = []
     for symbol, own, exact, base in _rates(study):
         size = float(np.nanmax(np.abs(exact)))
@@ -78,8 +78,8 @@ def _percent(share: float) -> str:
 
 
 def _rates(study: Study) -> Iterator[tuple[str, Reals, Reals, Reals | None]]:
-    """Symbol, model, solver, and the model's own antiderivative, of ω and α of the links and the parts of v and a of
-    the points."""
+    """Symbol, model, solver, and the model's own antiderivative,
+    of ω and α of the links and the parts of v and a of the points."""
     env = study.env
     for link in study.links[-2:] if study.dense else study.links:
         name = study.model_name(link)

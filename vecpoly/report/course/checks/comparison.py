@@ -142,8 +142,8 @@ def _table(study: Study, press: Press, found: Compared) -> str:
 
 
 def _by_hand(study: Study, key: str) -> str:
-    """Three standard deviations of the drawings by an unsteady hand at the given position, and their share of the value
-    there."""
+    """Three standard deviations of the drawings by an unsteady hand at the given position,
+    and their share of the value there."""
     answer = study.solution.answers.get(key)
     if answer is None or not answer.expected_error:
         return "—"

@@ -26,11 +26,11 @@ Span = tuple[float, float]  # of the drive
 
 @dataclass(frozen=True, slots=True)
 class Influence:
-    """What a dimension larger by CHANGE does to each quantity of the output (SI, at most over the cycle), unless
-    positions are lost.
+    """What a dimension larger by CHANGE does to each quantity of the output (SI,
+    at most over the cycle), unless positions are lost.
 
-    least, most: changes (m, rad) at which the cycle can no longer be run through, and where on it; None where REACH
-    changes do no harm.
+    least, most: changes (m, rad) at which the cycle can no longer be run through, and where on it;
+    None where REACH changes do no harm.
     """
 
     dimension: Dimension
@@ -46,8 +46,8 @@ class Influence:
 
 
 def targets(study: Study) -> tuple[str, ...]:
-    """Keys of the output: place, speed and acceleration of the last output link; of a mechanism without one, of its
-    last point."""
+    """Keys of the output: place, speed and acceleration of the last output link;
+    of a mechanism without one, of its last point."""
     for link in reversed(ends(study)):
         if keys := motions(study, link):
             pair = keys[0].partition("_")[2]
@@ -79,8 +79,8 @@ def influences(study: Study) -> tuple[Influence, ...]:
 
 
 def _greatest(study: Study, changed: Mechanism, keys: tuple[str, ...]) -> tuple[float, ...]:
-    """The largest |changed − given| of each quantity over the cycle: the largest on the grid, sought more closely
-    between its neighbours."""
+    """The largest |changed − given| of each quantity over the cycle:
+    the largest on the grid, sought more closely between its neighbours."""
     phi = study.turn.phi
     after = sample(changed, None, phi)
     tops = [int(np.nanargmax(np.abs(_gap(key, study.turn.real(key), np.asarray(after.value(key)))))) for key in keys]
@@ -134,8 +134,8 @@ def _stands(mech: Mechanism, phi: Reals) -> NDArray[np.bool_]:
 
 
 def _edge(mech: Mechanism, phi: Reals, inside: int, outside: int) -> float:
-    """The end of a range that can be assembled, between two positions of the grid; the grid's own end where there is
-    none."""
+    """The end of a range that can be assembled, between two positions of the grid;
+    the grid's own end where there is none."""
     if not 0 <= inside < len(phi):
         return float(phi[outside])
     low, high = float(phi[inside]), float(phi[outside])
@@ -146,8 +146,8 @@ def _edge(mech: Mechanism, phi: Reals, inside: int, outside: int) -> float:
 
 
 def _limit(study: Study, one: Dimension, unit: float) -> tuple[float, float] | None:
-    """The least change of this sign at which positions are lost, by halving, and the position first lost; None within
-    REACH changes."""
+    """The least change of this sign at which positions are lost, by halving,
+    and the position first lost; None within REACH changes."""
     # loops solved by Newton's method: too slow to try
     high, low, where = (REACH * unit, 0.0, lost_range(study, one, REACH * unit) if study.model.closed else None)
     if where is None:

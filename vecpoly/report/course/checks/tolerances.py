@@ -1,5 +1,5 @@
-"""Section 7.3, how the output depends on the given dimensions: each a little larger than given, and how far it may
-go."""
+"""Section 7.3, how the output depends on the given dimensions:
+each a little larger than given, and how far it may go."""
 
 from __future__ import annotations
 
@@ -95,8 +95,8 @@ def _signed(d: Dimension, change: float) -> str:
 
 
 def judged(study: Study, keys: tuple[str, ...], found: tuple[Influence, ...]) -> Iterator[Words]:
-    """Which dimensions matter most and least for the acceleration of the output, and which lose positions when they
-    change by little."""
+    """Which dimensions matter most and least for the acceleration of the output,
+    and which lose positions when they change by little."""
     idle = [one.dimension.name for one in found if not one.matters]
     if idle:
         yield Words(

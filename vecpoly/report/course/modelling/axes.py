@@ -92,8 +92,8 @@ def _gear(study: Study, link: str) -> bool:
 
 
 def _guided(study: Study, link: str, letter: str) -> Words:
-    """The axis of a link with one letter: parallel to the link whose angle it keeps, else the guide's positive
-    direction."""
+    """The axis of a link with one letter:
+    parallel to the link whose angle it keeps, else the guide's positive direction."""
     joint = next(
         (j for j in study.mech.joints if isinstance(j, Prismatic) and link == j.block and j.guide != FRAME), None
     )

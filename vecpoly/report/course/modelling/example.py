@@ -1,5 +1,5 @@
-"""The last section of chapter 4, the model evaluated at the given position: with numbers put in, or as a table where
-there are many formulas."""
+"""The last section of chapter 4, the model evaluated at the given position:
+with numbers put in, or as a table where there are many formulas."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def section(study: Study, press: Press) -> dict[str, Any]:
 
 
 def by_group(study: Study) -> list[dict[str, float]]:
-    """All variables at the given position as each group has them: auxiliary names such as A_0 mean something else in
-    another group."""
+    """All variables at the given position as each group has them:
+    auxiliary names such as A_0 mean something else in another group."""
     env = {
         k: float(np.asarray(v).ravel()[0]) for k, v in study.model.values(np.array([study.mech.drive.position])).items()
     }

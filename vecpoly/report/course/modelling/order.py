@@ -1,5 +1,5 @@
-"""The order in which the model is solved at every position of the drive: what each group takes over, and what it
-gives."""
+"""The order in which the model is solved at every position of the drive:
+what each group takes over, and what it gives."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def order(study: Study, press: Press) -> str:
 
 
 def _coordinates(group: GroupModel) -> Iterator[str]:
-    """The angles and travels that the group's formulas give, in order; a piston on a fixed guide has no angle to be
-    found."""
+    """The angles and travels that the group's formulas give, in order;
+    a piston on a fixed guide has no angle to be found."""
     own = [
         *(group.loops.unknowns if group.loops else ()),
         *(

@@ -43,8 +43,8 @@ class Drawn:
 
 
 def chosen(study: Study, lang: Lang) -> list[Drawn]:
-    """The given position, then those of extreme values of what is asked for, as far as they can be drawn; none where
-    there is no method."""
+    """The given position, then those of extreme values of what is asked for,
+    as far as they can be drawn; none where there is no method."""
     if not study.drawn:
         return []
     given = study.mech.drive.position
@@ -161,8 +161,8 @@ def _why(study: Study, one: Drawn) -> Words:
 
 
 def _others(study: Study, press: Press, drawn: list[Drawn]) -> list[str]:
-    """The readings at the other positions, in one table where all have the same columns; without the expected errors of
-    the given one."""
+    """The readings at the other positions, in one table where all have the same columns;
+    without the expected errors of the given one."""
     made = [(study.where(one.phi), _readings(study, one, press)) for one in drawn]
     rows: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
     for where, table in made:

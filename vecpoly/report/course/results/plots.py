@@ -1,5 +1,5 @@
-"""Curves of a course report: each with its title, of half the width where there are many, so that two stand beside each
-other."""
+"""Curves of a course report: each with its title, of half the width where there are many,
+so that two stand beside each other."""
 
 from __future__ import annotations
 

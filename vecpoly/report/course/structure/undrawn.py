@@ -1,5 +1,5 @@
-"""The solution of a mechanism for which no drawing method is on file (a class III group): a sketch from the computed
-places, and no answers."""
+"""The solution of a mechanism for which no drawing method is on file (a class III group):
+a sketch from the computed places, and no answers."""
 
 from __future__ import annotations
 
