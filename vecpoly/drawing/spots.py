@@ -25,6 +25,11 @@ class Spots:
     centre: Complexes
     cost: Floats
     foot: Complexes
+    near: int  # so many of them, the first, stand beside what is named, the others on a leader
+
+    def part(self, some: slice) -> Spots:
+        """Some of them."""
+        return Spots(self.centre[some], self.cost[some], self.foot[some], self.near)
 
 
 def spots(want: Want, middle: complex) -> Spots:
@@ -43,7 +48,7 @@ def spots(want: Want, middle: complex) -> Spots:
     return Spots(
         np.concatenate([near.ravel(), led.ravel()]),
         np.concatenate([(base[:, None] + PER_DISTANCE * gap).ravel(), np.broadcast_to(LEADER + PER_DISTANCE * far, led.shape).ravel()]),
-        np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]))
+        np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]), near.size)
 
 
 def spot(want: Want, index: int) -> tuple[complex, complex | None] | None:
