@@ -20,7 +20,6 @@ from .asks import Ask, AskNamed
 from .bodies import Bodies
 from .branches import read_branches
 from .contacts import is_contact, read_contact
-from .devices import about_device, build_device
 from .draft import LETTER, refuse_frame
 from .faults import Faults, Place, meant
 from .friction import read_friction
@@ -50,8 +49,8 @@ ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
     faults = Faults(tree.name, tree.places)
-    if about_device(tree):
-        return build_device(tree, path)
+    if (device := _device(tree, path)) is not None:
+        return device
     spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
@@ -85,6 +84,15 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         warnings=warnings_of(tree),
         written=written_of(tree),
     )
+
+
+def _device(tree: Tree, path: Path | None) -> Problem | None:
+    """The problem, where it is about a device: of these a mechanism needs none."""
+    if not {"device", "data"} & tree.data.keys():
+        return None
+    from .devices import about_device, build_device
+
+    return build_device(tree, path) if about_device(tree) else None
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
