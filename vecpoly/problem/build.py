@@ -49,7 +49,7 @@ ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
     faults = Faults(tree.name, tree.places)
-    if (device := _device(tree, path)) is not None:
+    if {"device", "data"} & tree.data.keys() and (device := _device(tree, path)) is not None:
         return device
     spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
     bodies = _bodies(spec, faults)
@@ -87,10 +87,8 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
 
 
 def _device(tree: Tree, path: Path | None) -> Problem | None:
-    """The problem, where it is about a device: of these a mechanism needs none."""
-    if not {"device", "data"} & tree.data.keys():
-        return None
-    from .devices import about_device, build_device
+    """The problem, where it is about a device."""
+    from .devices import about_device, build_device  # late: a mechanism needs none of it
 
     return build_device(tree, path) if about_device(tree) else None
 
