@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from math import cos, degrees, pi, radians, sqrt
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.cycle import cycle, path, path_sentences
 from vecpoly.mechanism.model import Mechanism
@@ -23,15 +23,10 @@ from vecpoly.report.course.grashof import full_rotation
 from vecpoly.report.course.limits import limit
 from vecpoly.report.course.motion_words import motion
 from vecpoly.report.course.output import ends
-from vecpoly.report.course.study import Study, study
+from vecpoly.report.course.study import study
 from vecpoly.solution import solve
 
 NONE = Compared((), (), ())
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def said(name: str) -> str:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from math import radians
 
 import numpy as np
 import pytest
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.cycle import cycle, extremes, facts
 from vecpoly.problem.load import load, loads
@@ -18,15 +18,10 @@ from vecpoly.report.course.comparison import Compared
 from vecpoly.report.course.conclusion import conclusion
 from vecpoly.report.course.conditioning import conditioning
 from vecpoly.report.course.motion_words import motion
-from vecpoly.report.course.study import Study, study
+from vecpoly.report.course.study import study
 from vecpoly.solution import solve
 
 NONE = Compared((), (), ())
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def said(name: str) -> str:

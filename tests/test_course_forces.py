@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
 from itertools import pairwise
 from math import degrees, pi, radians
 from typing import Any
@@ -12,6 +11,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.studies import studied
 from tests.test_oracle_forces_models import slider_crank
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.duties import Cause, duties, idle, stills
@@ -25,15 +25,9 @@ from vecpoly.report.course.force_drive import driven
 from vecpoly.report.course.force_modelling import forces_group
 from vecpoly.report.course.force_words import one_sided, refusals, results, role_note
 from vecpoly.report.course.model.force_balance import ForceModel, force_model
-from vecpoly.report.course.study import Study, study
-from vecpoly.solution import solve
+from vecpoly.report.course.study import Study
 
 LOADED = ["4-3a", "4-3c", "4-4", "4-5", "4-5-circles", "4-6", "4-7", "C-inertia", "six-bar-dynamic", "slider-crank-dynamic"]
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 @st.composite

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.cycle import cycle
 from vecpoly.formula import Frac, Node, Power, Root, Row, Txt, plain
@@ -38,11 +39,6 @@ from vecpoly.solution import solve
 
 _NUMBER = re.compile(r"(\d+(?:\.\d+)?)(?:×10\^\{(−?\d+)\})?(°?)")
 _CALCULATOR: dict[str, Any] = {"cos": cos, "sin": sin, "sqrt": sqrt, "radians": radians, "angle": lambda y, x: degrees(atan2(y, x))}
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 @cache

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdf.generic import DictionaryObject
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.errors import NotAskedError
 from vecpoly.formula import plain
@@ -30,18 +31,13 @@ from vecpoly.report.course.conditioning import conditioning
 from vecpoly.report.course.model.expr import ONE, ZERO, Const, Num, Sum, Var
 from vecpoly.report.course.model.functions import cos, sin
 from vecpoly.report.course.positions import at_position
-from vecpoly.report.course.study import Study, study
+from vecpoly.report.course.study import Study
 from vecpoly.report.document import write_report
 from vecpoly.solution import Solution, solve
 
 CLOSED = {"RRR", "RRP", "RPR", "PRP", "RPP", "RRG", "gear"}
 MECHANISMS = [e.id for e in library() if e.path.parent.name in ("ch3", "ch4", "homework") and isinstance(load(e.id).subject, Mechanism)
               and {group.kind for group in decompose(load(e.id).mechanism)} <= CLOSED]
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def test_the_library_has_every_kind_of_dyad_and_a_held_gear() -> None:
@@ -213,7 +209,7 @@ def test_the_report_says_where_the_largest_acceleration_is(report: Path) -> None
 
 
 def test_the_same_course_report_is_the_same_bytes(tmp_path: Path) -> None:
-    one, two = (write_report([solved("3-11")], tmp_path / f"{i}.pdf", lang="en", style="course") for i in "ab")
+    one, two = (write_report([solve(load("3-11"))], tmp_path / f"{i}.pdf", lang="en", style="course") for i in "ab")
     assert one.read_bytes() == two.read_bytes()
 
 

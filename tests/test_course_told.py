@@ -10,6 +10,7 @@ from math import degrees
 import numpy as np
 import pytest
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.board.marks import AngleMark, Point, Vector
 from vecpoly.curves.over import curves
@@ -19,17 +20,10 @@ from vecpoly.report.course.axes import _added, _origin
 from vecpoly.report.course.comparison import Compared
 from vecpoly.report.course.conclusion import conclusion
 from vecpoly.report.course.conditioning import conditioning
-from vecpoly.report.course.study import Study, study
 from vecpoly.report.picture import picture
-from vecpoly.solution import solve
 from vecpoly.words import Words
 
 NAMES = ("3-9", "B-24")
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 @cache

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
+from tests.studies import studied
 from tests.texts import CRANK
 from vecpoly.check.follow import _as_printed
 from vecpoly.check.verdict import check_printed
@@ -26,18 +26,12 @@ from vecpoly.report.course import symbols
 from vecpoly.report.course.modelling import _constants
 from vecpoly.report.course.motion_words import _range
 from vecpoly.report.course.numbering import Press
-from vecpoly.report.course.study import Study, study
+from vecpoly.report.course.study import Study
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.values import called
-from vecpoly.solution import solve
 from vecpoly.words import Lang, Words
 
 COURSES = ("3-9", "A-27", "A-26", "3-12", "D-1")
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 # -- the command line ---------------------------------------------------------------------------------------------------

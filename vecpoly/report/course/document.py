@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from ...solution import REPEATS, Solution
@@ -24,18 +25,39 @@ from . import (
     structure,
 )
 from .numbering import Press, drawn
-from .study import study
+from .study import Study, study
 from .symbols import symbols
 
 _COVER = (130.0, 95.0)  # mm
 KIND = Words("机械原理课程大作业", "Theory of machines: course assignment")
 
 
+class _Same:
+    """A solution as a key: the very same object."""
+
+    __slots__ = ("solution",)
+
+    def __init__(self, solution: Solution) -> None:
+        self.solution = solution
+
+    def __hash__(self) -> int:
+        return id(self.solution)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.solution is self.solution
+
+
+@lru_cache(maxsize=2)
+def _studied(key: _Same) -> tuple[Study, comparison.Compared]:
+    """What is found before it is told: the same in both languages."""
+    subject = study(key.solution)
+    return subject, comparison.compared(subject)
+
+
 def course(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """The chapters of one problem's course report. Raises NotAskedError for a device, NoMethodError for a group without a closed form."""
-    subject = study(solution)
+    subject, stations = _studied(_Same(solution))
     press = Press(lang, objects)
-    stations = comparison.compared(subject)
     return {
         "id": subject.problem.id, "assumed": statement.assumed(subject).of(lang), "title": subject.problem.title.of(lang), "kind": KIND.of(lang), "cover": _cover(solution, lang, objects),
         "hand": solution.construction.hand, "repeats": REPEATS, "drive": subject.where(subject.mech.drive.position).split(" = ")[0],
