@@ -57,7 +57,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     figure = _parallelogram(mech, step)
     if figure is not None and _is_said(mech, figure):
         return parallel(mech, step.group, figure.corners[0])
-    options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
+    options = [_signed(step, sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     where = run.text(float(run.q[-1]))
     _check_dead_point(mech, step, after, where)
@@ -105,6 +105,11 @@ def _either(step: Step) -> Words:
         f"构件 {step.group.told.zh} 在运动副 {step.joint} 处有两种装配方式",
         f"links {step.group.told.en} can be assembled in two ways at joint {step.joint}",
     )
+
+
+def _signed(step: Step, sign: float) -> Step:
+    """The step with this sign; one that has it is kept with the assembly that it found."""
+    return step if step.sign == sign else replace(step, sign=sign)
 
 
 def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:

@@ -15,7 +15,6 @@ from ..units.reading import Dim, read
 from ..words import Words
 from .asked.sought import read_wanted
 from .asked.tables import read_tables
-from .devices import about_device, build_device
 from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
@@ -46,8 +45,8 @@ from .values.written import written_of
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
     faults = Faults(tree.name, tree.places)
-    if about_device(tree):
-        return build_device(tree, path)
+    if {"device", "data"} & tree.data.keys() and (device := _device(tree, path)) is not None:
+        return device
     spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
@@ -55,15 +54,9 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
-    ranges, gate, tables = (
-        read_ranges(spec.vary, tree.data, faults),
-        read_gate(spec.gate, faults),
-        read_tables(spec, tree, faults),
-    )
-    faults.settle()
-    _check_mobility(mechanism, tree)
-    check_starts(mechanism, faults)
-    faults.settle()
+    ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
+    tables = read_tables(spec, tree, faults)
+    _settle(mechanism, tree, faults)
     return Problem(
         id=spec.id,
         title=spec.title,
@@ -87,6 +80,21 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         warnings=warnings_of(tree),
         written=written_of(tree),
     )
+
+
+def _settle(mechanism: Mechanism, tree: Tree, faults: Faults) -> None:
+    """Tell every fault of the file; then whether the mechanism moves as it must, and stands where it is told to."""
+    faults.settle()
+    _check_mobility(mechanism, tree)
+    check_starts(mechanism, faults)
+    faults.settle()
+
+
+def _device(tree: Tree, path: Path | None) -> Problem | None:
+    """The problem, where it is about a device."""
+    from .devices import about_device, build_device  # late: a mechanism needs none of it
+
+    return build_device(tree, path) if about_device(tree) else None
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:
