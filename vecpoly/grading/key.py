@@ -44,6 +44,9 @@ class Points:
         return self.method + self.accuracy + self.sense
 
 
+NOTHING = Points()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Graded:
     """One quantity of a key.
@@ -72,7 +75,7 @@ class Graded:
     allowed: float = 0.0
     demoted: bool = False
     asked: bool = False
-    points: Points = Points()
+    points: Points = NOTHING
 
     @property
     def letters(self) -> str:
