@@ -75,7 +75,7 @@ def test_the_yield_is_told_and_what_cannot_be_drawn_well_is_demoted_aloud() -> N
 
 
 @pytest.mark.parametrize(("text", "gate", "relax"), [
-    ("phi: 160 deg .. 200 deg by 5 deg", "", "alike"), ("phi: 0 deg .. 355 deg by 5 deg", "gate: {vectors: 100 mm}", "gate.vectors"),
+    ("phi: 160 deg .. 200 deg by 5 deg", "", "alike"), ("phi: 0 deg .. 355 deg by 5 deg", "gate: {deviation: 0.1 %}", "gate.deviation"),
 ])
 def test_a_yield_below_one_in_a_hundred_is_refused_with_what_to_relax(text: str, gate: str, relax: str) -> None:
     problem = vecpoly.loads(f"{TEXT.partition('vary:')[0]}vary: {{{text}}}\n{gate}")

@@ -113,7 +113,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
 
         return course(solution, lang, objects)
     drawn = picture(solution.problem, solution.construction, *PICTURE)
-    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else ""}
+    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else ""}
     if style == "question":
         blank = frames(solution.construction)
         return common | {
@@ -128,12 +128,13 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang), "cautions": cautions(solution, lang),
-        "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
+        "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
     }
 
 
-def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+def sketch_of(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+    """A figure as a block of the text."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
     alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)
