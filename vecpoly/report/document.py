@@ -21,7 +21,7 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
-from .flow.doc import Metadata, ReportDoc, SheetPage
+from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table
@@ -57,8 +57,9 @@ def write_report(
 def report_bytes(
     solutions: Sequence[Solution], *, lang: Lang = "zh", style: str = "solution",
     fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+    stamp: Stamp | None = None,
 ) -> bytes:
-    """The PDF that `write_report` writes."""
+    """The PDF that `write_report` writes; stamp: draws on every page."""
     known_language(lang)
     solutions = [of_kind(one, Solution, _SOLVED) for one in of_kind(solutions, Sequence, Words("若干解答的列表", "a list of solutions"))]
     if not solutions:
@@ -67,7 +68,7 @@ def report_bytes(
     head = (title or _title(solutions)).of(lang)
     story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
-    return ReportDoc(story, meta).made()[0]
+    return ReportDoc(story, meta, stamp).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:

@@ -52,6 +52,11 @@ def furniture(canvas: Any, tags: tuple[int, ...], code: str, lang: Lang) -> None
     _bar(canvas, lang)
 
 
+def code_squares(canvas: Any, code: str, at: Spot, side: float) -> None:
+    """A QR code with its lower left corner at a place."""
+    canvas._code.append(_cells(_qr(code), at, side))
+
+
 def _bar(canvas: Any, lang: Lang) -> None:
     x, y = BAR_AT
     canvas.setStrokeColorRGB(0, 0, 0)
