@@ -25,6 +25,7 @@ from .schema import schema
 from .solve import solve
 from .terminal import speak_utf8
 from .tongue import speak, tongue
+from .variants import variants
 
 
 class Commands(TyperGroup):
@@ -77,7 +78,7 @@ def vecpoly(
 
 COMMANDS: dict[str, Callable[..., None]] = {
     "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "export": export, "list": listing, "play": play,
-    "new": new, "schema": schema, "demo": demo,
+    "new": new, "variants": variants, "schema": schema, "demo": demo,
 }  # fmt: skip
 for _name, _command in COMMANDS.items():
     app.command(_name, cls=Command)(_command)

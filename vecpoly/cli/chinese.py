@@ -40,7 +40,12 @@ HELP = {
     "Print the JSON Schema of a problem file.": "输出题目文件的 JSON Schema。",
     "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.":
         "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。",
+    "Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some variants.":
+        "试一试题目的 vary 和 gate：合格的比例、不合格的原因、降为连带评分的量，并列出几组数据。",
     # arguments
+    "A problem or an assignment with `vary`.": "含 vary 的题目或作业。",
+    "How many variants to draw.": "列出几组数据。",
+    "Another text gives other numbers.": "换一个文本就换一批数据。",
     "Problems or assignments: ids such as 3-9, or files.": "题目或作业：3-9 之类的题号，或文件。",
     "A problem or an assignment: an id such as A-27, or a file.": "题目或作业：A-27 之类的题号，或文件。",
     "A problem or an assignment: an id such as 3-9, or a file.": "题目或作业：3-9 之类的题号，或文件。",

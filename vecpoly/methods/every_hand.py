@@ -43,8 +43,11 @@ def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amend
 def _value(desk: Desk, key: Key) -> Points | Reals:
     if not isinstance(key, Rel) or key.key in desk.board.readings:
         return named_answer(desk, key)[1]
-    if not key.is_vector or key.kind is Kind.P:
+    if not key.is_vector:
         return answer(desk, key)[1]
+    if key.kind is Kind.P:
+        place: Points = desk.at[str(key.to)] if str(key.to) in desk.at else desk.at[key.to.point]
+        return place * desk.board.scale_of(View.MECHANISM).value
     view, start, end, _ = standing(desk, key)
     vector, known = (end - start) * desk.board.scale_of(view).value, computed(desk, key)
     if known is None:

@@ -21,7 +21,7 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
-from .flow.doc import Metadata, ReportDoc, SheetPage
+from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table
@@ -57,8 +57,9 @@ def write_report(
 def report_bytes(
     solutions: Sequence[Solution], *, lang: Lang = "zh", style: str = "solution",
     fields: Mapping[str, str] | None = None, title: Words | None = None, templates: Path | None = None,
+    stamp: Stamp | None = None,
 ) -> bytes:
-    """The PDF that `write_report` writes."""
+    """The PDF that `write_report` writes; stamp: draws on every page."""
     known_language(lang)
     solutions = [of_kind(one, Solution, _SOLVED) for one in of_kind(solutions, Sequence, Words("若干解答的列表", "a list of solutions"))]
     if not solutions:
@@ -67,7 +68,7 @@ def report_bytes(
     head = (title or _title(solutions)).of(lang)
     story = [*alarms(solutions, lang), *to_flowables(document, objects.named, lang)]
     meta = Metadata(title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang)
-    return ReportDoc(story, meta).made()[0]
+    return ReportDoc(story, meta, stamp).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
@@ -113,7 +114,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
 
         return course(solution, lang, objects)
     drawn = picture(solution.problem, solution.construction, *PICTURE)
-    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else ""}
+    common = {**statement(solution, lang), "repeats": REPEATS, "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else ""}
     if style == "question":
         blank = frames(solution.construction)
         return common | {
@@ -128,12 +129,13 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "graphical": any(c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang), "conclusions": conclusions(solution, lang), "cautions": cautions(solution, lang),
-        "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
+        "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": [] if blocks else [objects.add("sheet", _page(s, solution, lang)) for s in sheets(solution.construction, lang=lang, title=solution.problem.title, way=solution.problem.orientation)],
     }
 
 
-def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+def sketch_of(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+    """A figure as a block of the text."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
     alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)

@@ -69,7 +69,7 @@ def _with_assignments(schema: Schema) -> None:
     """A file that lists problems is an assignment; any other needs an id and says what it is about, or extends another."""
     sheet = AssignmentSpec.model_json_schema()["properties"]
     changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
-    schema["properties"] |= {"title_block": sheet["title_block"], "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}}}
+    schema["properties"] |= {"title_block": sheet["title_block"], "salt": _loose(sheet["salt"]), "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}}}
     schema["required"] = ["title"]
     about = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
     asked = {"properties": {"find": {"type": ["array", "null"], "items": {"anyOf": [patterns.symbols(), {"$ref": "#/$defs/FindSpec"}]}}}}

@@ -41,6 +41,7 @@ KEYS = {
     "GateSpec.alike": Words("转向与作图动作是否须与原题相同（yes/no，默认 yes）", "must senses and acts be those of the problem itself (yes, where nothing is said)"),
     "Problem.device": Words("机械装置的种类：不是连杆机构而是斜面、螺旋等", "a device instead of a mechanism: a wedge, a screw, a train of machines"),
     "Problem.data": Words("机械装置的已知数据", "the data of the device"),
+    "Problem.salt": Words("换一个文本，全班的数据就都不同", "another text gives everybody other numbers"),
     "Problem.title_block": Words("作业的标题栏：课程、班级、姓名", "title block of an assignment: course, class, name"),
     "Problem.problems": Words("作业中的题目：题号、文件，或 {problem: 3-9, ...}", "the problems of an assignment: ids, files, or {problem: 3-9, ...}"),
     "Item.problem": Words("题号或文件", "id or file of the problem"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -29,6 +29,7 @@ from .style import BODY, GREY
 MARGIN = 20 * MM
 _SMALL = 8.5 / MM
 _TOTAL = "vecpoly-total"
+Stamp = Callable[[Any], None]  # draws on the canvas of every page
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,8 +105,8 @@ class _Canvas(Canvas):  # type: ignore[misc]
 class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
     """A report built from flowables; `write` makes the file in one move, or not at all."""
 
-    def __init__(self, story: Sequence[Any], metadata: Metadata) -> None:
-        self.story, self.metadata = list(story), metadata
+    def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
+        self.story, self.metadata, self._stamp = list(story), metadata, stamp
         self._entries, self._level = 0, -1
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
@@ -151,6 +152,8 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         canvas.translate(width / 2, y)
         canvas.doForm(_TOTAL)
         canvas.restoreState()
+        if self._stamp is not None:
+            self._stamp(canvas)
 
     def afterFlowable(self, flowable: Any) -> None:
         """Bookmark headings and sheets."""
