@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from ...words import Words
 from ..key import NOTHING, Points
 from ..reading.written import Written
 from ..told.message import Message
@@ -25,6 +26,11 @@ class Outcome(StrEnum):
     AMBIGUOUS = "ambiguous"
 
     @property
+    def words(self) -> Words:
+        """In a word."""
+        return _WORDS[self]
+
+    @property
     def is_right(self) -> bool:
         """Whether the number is right."""
         return self in (Outcome.RIGHT, Outcome.CLOSE, Outcome.UNSAID)
@@ -38,6 +44,20 @@ class Outcome(StrEnum):
     def answered(self) -> bool:
         """Whether there is something to compare."""
         return self.is_right or self in (Outcome.SENSE, Outcome.DIRECTION, Outcome.WRONG)
+
+
+_WORDS = {
+    Outcome.RIGHT: Words("正确", "right"),
+    Outcome.CLOSE: Words("接近", "close"),
+    Outcome.SENSE: Words("转向或符号错", "wrong sense"),
+    Outcome.UNSAID: Words("正确，缺转向", "right, no sense"),
+    Outcome.DIRECTION: Words("方向错", "wrong direction"),
+    Outcome.WRONG: Words("错误", "wrong"),
+    Outcome.BLANK: Words("未答", "blank"),
+    Outcome.NONE: Words("未答", "none"),
+    Outcome.UNREADABLE: Words("无法识别", "unreadable"),
+    Outcome.AMBIGUOUS: Words("自相矛盾", "ambiguous"),
+}
 
 
 class Basis(StrEnum):

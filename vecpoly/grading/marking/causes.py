@@ -51,6 +51,9 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
     settled = {name for name in found.given if name in why.said or name in why.source}
     for pool in (set(found.given) - settled, _near(found, root, open_ones)):
         explained = explain(found.key, found.given, pool, mutants)
+        if explained.mutant is not None and _of_two(found, root, open_ones):
+            why.said[root.key] = message(Told.TWO_SLIPS)
+            return
         if explained.mutant is not None:
             why.said[root.key], why.slips[root.key] = told_of(explained.mutant.slip), explained.mutant.slip
             _spread(found, why, root.key, open_ones, explained.mutant)
@@ -58,6 +61,13 @@ def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mu
         if explained.several:
             why.said[root.key] = message(Told.TWO_SLIPS)
             return
+
+
+def _of_two(found: Verdicts, root: Graded, open_ones: Collection[str]) -> bool:
+    """Whether a single wrong value has another explanation too."""
+    if len(open_ones) > 1 or found.outcome[root.key] is not Outcome.WRONG:
+        return False
+    return bool(explanations(root, found.given[root.key], target_of(root), found.key))
 
 
 def _a_single_sense(found: Verdicts, root: Graded) -> bool:

@@ -69,7 +69,7 @@ def _kin(one: Graded, other: Graded) -> bool:
         return one.mu == other.mu and bool(set(_ends(one.letters)) & set(_ends(other.letters)))
     mine, theirs = _rel(one.key), _rel(other.key)
     if mine is None or theirs is None:
-        return one.key.partition("_")[0] == other.key.partition("_")[0] and one.key.startswith("R_")
+        return one.key.partition("_")[0] == other.key.partition("_")[0]  # R_12 and R_32, M and M_0
     if not mine.kind.is_vector:
         return mine.kind is theirs.kind
     return mine.to.point == theirs.to.point and mine.kind.stem[0] == theirs.kind.stem[0]
