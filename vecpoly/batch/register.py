@@ -95,7 +95,7 @@ class Register:
     def as_bytes(self) -> bytes:
         """The file, the same for the same class."""
         data = _adapter().dump_python(self, mode="json")
-        return (json.dumps(data, ensure_ascii=False, indent=1, sort_keys=True) + "\n").encode()
+        return (json.dumps(data, ensure_ascii=False, indent=1) + "\n").encode()
 
 
 def read_register(path: Path) -> Register:

@@ -17,19 +17,19 @@ QR_AT: Spot = (193.0, 3.0)
 SIDE = 13.0
 
 
-def solution_bytes(solutions: Sequence[Solution], register: Register, sheet: Sheet) -> bytes:
+def solution_bytes(solutions: Sequence[Solution], register: Register, whose: Sheet) -> bytes:
     """The PDF of a student's solutions."""
     lang: Lang = "zh" if register.lang == "zh" else "en"
     labels = ("班级", "姓名", "学号") if lang == "zh" else ("Class", "Name", "Student no.")
-    fields = dict(zip(labels, (sheet.student.team, sheet.student.name, sheet.student.number), strict=True))
-    code = f"VP1-{short(register.assignment, 4)}-{sheet.sheet}-S"
-    said = f"{sheet.student.name} {sheet.student.number}  {code}"
+    fields = dict(zip(labels, (whose.student.team, whose.student.name, whose.student.number), strict=True))
+    code = f"VP1-{short(register.assignment, 4)}-{whose.sheet}-S"
+    said = f"{whose.student.name} {whose.student.number}  {code}"
 
-    def stamp(canvas: Any) -> None:
+    def stamp(canvas: Any, sheet: bool) -> None:
         canvas.saveState()
         canvas.setFillColorRGB(0, 0, 0)
         write(canvas, said, (20.0, 4.5), TINY)
-        if canvas._pagesize[0] < canvas._pagesize[1]:
+        if not sheet:  # its frame leaves no room
             code_squares(canvas, code, QR_AT, SIDE)
         canvas.restoreState()
 

@@ -35,7 +35,7 @@ class Store:
 
     def put(self, address: str, result: object, files: Mapping[str, int]) -> None:
         """Keep a result, and the names and sizes of the files that were written with it."""
-        data = json.dumps({"result": result, "files": dict(files)}, ensure_ascii=False, sort_keys=True)
+        data = json.dumps({"result": result, "files": dict(files)}, ensure_ascii=False)
         write_whole(self._file(address), data.encode())
 
     def _file(self, address: str) -> Path:

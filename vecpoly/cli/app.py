@@ -9,6 +9,7 @@ import typer
 from typer.core import TyperGroup
 
 from .check import check
+from .classes import classes
 from .cycle import cycle
 from .demo import demo
 from .draw import draw
@@ -78,7 +79,7 @@ def vecpoly(
 
 COMMANDS: dict[str, Callable[..., None]] = {
     "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "export": export, "list": listing, "play": play,
-    "new": new, "variants": variants, "schema": schema, "demo": demo,
+    "new": new, "variants": variants, "class": classes, "schema": schema, "demo": demo,
 }  # fmt: skip
 for _name, _command in COMMANDS.items():
     app.command(_name, cls=Command)(_command)

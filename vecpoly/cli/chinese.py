@@ -4,7 +4,7 @@ from __future__ import annotations
 
 LABELS = {  # what stands in place of a value, in the order in which it is looked for
     "COMMAND [ARGS]...": "命令 [参数]...", "OPTIONS": "选项", "ID_OR_FILE": "题号或文件", "ID_OR_PATH": "题号或文件", "SYMBOL=VALUE": "符号=值",
-    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
+    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "ASSIGNMENT": "作业文件", "ADDRESS": "地址", "I/N": "I/N", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
     "what": "内容", "folder": "文件夹", "<int range>": "整数", "<float range>": "数", "<int>": "整数", "<float>": "数", "<str>": "", "<list[str]>": "", "<path>": "", "<place>": "", "<Path>": "文件夹",
 }  # fmt: skip
 
@@ -43,7 +43,16 @@ HELP = {
         "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。",
     "Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some variants.":
         "试一试题目的 vary 和 gate：合格的比例、不合格的原因、降为连带评分的量，并列出几组数据。",
+    "Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, Moodle questions.\n\n"
+    "Killed at any moment, it goes on where it was when it is started again.":
+        "给名单上的每个人一组数据：题目与解答 PDF、登记表、答案键、答案录入表、Moodle 题目。\n\n随时中断，再次运行即从中断处继续。",
     # arguments
+    "The assignment: a YAML file that lists problems.": "作业：列有题目的 YAML 文件。",
+    "Numbers, names and classes: XLSX or CSV.": "学号、姓名、班级：XLSX 或 CSV。",
+    "Processes; as many as there are processors where 0 is said.": "进程数；0 则与处理器数相同。",
+    "Write only every Nth sheet, from the Ith (0/4 ... 3/4); a run without it completes the folder.": "只写每 N 份中的一份，从第 I 份起（0/4 …… 3/4）；最后不带此选项再运行一次即成。",
+    "Let a Dask cluster do the work: the address of its scheduler.": "由 Dask 集群来做：写调度器的地址。",
+    "Also a table with the columns of another platform, as this YAML file says.": "另按此 YAML 文件写出其他平台所需的表。",
     "A problem or an assignment with `vary`.": "含 vary 的题目或作业。",
     "How many variants to draw.": "列出几组数据。",
     "Another text gives other numbers.": "换一个文本就换一批数据。",

@@ -37,7 +37,7 @@ def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amend
     drawn = replace(problem, subject=exchange.mech)
     with np.errstate(all="ignore"):
         desk = draw(drawn, Board(by, scales, amended), exchange.said)
-        return {ask.rel.key: np.asarray(bare(_value(desk, ask.rel))) for ask in problem.asks}
+        return {ask.rel.key: np.asarray(bare(_drawn(_value(desk, ask.rel)))) for ask in problem.asks}
 
 
 def _value(desk: Desk, key: Key) -> Points | Reals:
@@ -51,10 +51,10 @@ def _value(desk: Desk, key: Key) -> Points | Reals:
     view, start, end, _ = standing(desk, key)
     vector, known = (end - start) * desk.board.scale_of(view).value, computed(desk, key)
     if known is None:
-        return _drawn(vector)
-    return _drawn(np.where(vector == 0, 0.0, known.value * np.exp(1j * np.angle(vector))))
+        return vector
+    return np.where(vector == 0, 0.0, known.value * np.exp(1j * np.angle(vector)))
 
 
-def _drawn(vector: Points) -> Points:
+def _drawn(value: Points | Reals) -> Points | Reals:
     """NaN where parallel lines met very far away: on paper they do not."""
-    return np.where(np.abs(vector) < np.abs(nominal(vector)) * FAR, vector, np.nan) if nominal(vector) else vector
+    return np.where(np.abs(value) < np.abs(nominal(value)) * FAR, value, np.nan) if nominal(value) else value

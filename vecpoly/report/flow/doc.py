@@ -29,7 +29,7 @@ from .style import BODY, GREY
 MARGIN = 20 * MM
 _SMALL = 8.5 / MM
 _TOTAL = "vecpoly-total"
-Stamp = Callable[[Any], None]  # draws on the canvas of every page
+Stamp = Callable[[Any, bool], None]  # draws on the canvas of every page; whether that is a sheet
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -136,13 +136,13 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
         ink.flush()
         canvas.restoreState()
-        self._number(canvas, width, 11 * MM)
+        self._number(canvas, width, 11 * MM, sheet=False)
 
     def _foot(self, canvas: Any, _: Any) -> None:
         """The page number under the frame of a sheet."""
-        self._number(canvas, canvas._pagesize[0], 4.5 * MM)
+        self._number(canvas, canvas._pagesize[0], 4.5 * MM, sheet=True)
 
-    def _number(self, canvas: Any, width: float, y: float) -> None:
+    def _number(self, canvas: Any, width: float, y: float, *, sheet: bool) -> None:
         """Page n / N in the middle of the foot."""
         canvas.saveState()
         canvas.setFillColorRGB(*GREY)
@@ -153,7 +153,7 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         canvas.doForm(_TOTAL)
         canvas.restoreState()
         if self._stamp is not None:
-            self._stamp(canvas)
+            self._stamp(canvas, sheet)
 
     def afterFlowable(self, flowable: Any) -> None:
         """Bookmark headings and sheets."""
