@@ -15,7 +15,9 @@ from ..board.acts import Act, Compute, Measure
 from ..board.acts import Answer as Wrote
 from ..board.amended import Amended
 from ..board.hand import steady
+from ..mechanism.model import Mechanism
 from ..methods.drawn import Drawn
+from ..methods.plan import drawn_otherwise
 from ..problem.problem import Problem, Scales
 from ..solution import constructed
 from .key import AnswerKey, Graded, Kind
@@ -32,7 +34,9 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended) -> ByHand:
     Raises what drawing the nominal sheet raises.
     """
     many = len(amended.each) + len(amended.own)
-    drawn = constructed(replace(problem, scales=Scales(dict(key.scales))), steady(many), amended)
+    scaled = replace(problem, scales=Scales(dict(key.scales)))
+    linkage = isinstance(problem.subject, Mechanism)
+    drawn = drawn_otherwise(scaled, steady(many), amended) if linkage else constructed(scaled, steady(many), amended)
     found: dict[str, NDArray[Any]] = {}
     for one in key.quantities:
         act = _act(drawn, one)
