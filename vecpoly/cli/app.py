@@ -16,6 +16,7 @@ from .draw import draw
 from .errors import REFUSED, tell, tell_as, told
 from .exact import exact
 from .export import export
+from .grade import grade
 from .help import Command, in_chinese
 from .listing import listing
 from .new import new
@@ -79,7 +80,7 @@ def vecpoly(
 
 COMMANDS: dict[str, Callable[..., None]] = {
     "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "export": export, "list": listing, "play": play,
-    "new": new, "variants": variants, "class": classes, "schema": schema, "demo": demo,
+    "new": new, "variants": variants, "class": classes, "grade": grade, "schema": schema, "demo": demo,
 }  # fmt: skip
 for _name, _command in COMMANDS.items():
     app.command(_name, cls=Command)(_command)

@@ -47,7 +47,7 @@ def classes(assignment: Sheet, roster: RosterOption, output: OutOption, lang: La
     part = _shard(shard)
     people = read_roster(roster)
     order = Order(assignment=load_assignment(assignment, allow_outside=allow_outside), students=people.students, out=output, lang=lang, version=__version__)
-    with _bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
+    with progress_bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
         made = make_class(order, run, told, part)
         if part is None:
             _bundle(made, output, profile, told)
@@ -90,7 +90,7 @@ def _report(made: Made) -> None:
 
 
 @contextmanager
-def _bar() -> Iterator[Told]:
+def progress_bar() -> Iterator[Told]:
     """A bar on stderr where somebody watches."""
     if not sys.stderr.isatty():
         yield lambda doing, done, of: None
