@@ -48,7 +48,7 @@ def mutants_of(name: str) -> tuple[Mutant, ...]:
 
 def marked(name: str, cells: dict[str, str], rules: Rules = USUAL_RULES) -> Marked:
     """A sheet with its marks."""
-    return mark(problem_of(name), key_of(name), mutants_of(name), sheet_of(key_of(name), cells), rules)
+    return mark(problem_of(name), key_of(name), lambda: mutants_of(name), sheet_of(key_of(name), cells), rules)
 
 
 def told(sheet: Marked, key: str) -> list[str]:

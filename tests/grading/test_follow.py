@@ -35,7 +35,7 @@ def golden_key() -> AnswerKey:
 
 def golden(cells: dict[str, str], rules: Rules | None = None) -> Marked:
     sheet = sheet_of(golden_key(), cells)
-    return mark(problem_of("golden"), golden_key(), mutants_of("golden"), sheet, rules or Rules())
+    return mark(problem_of("golden"), golden_key(), lambda: mutants_of("golden"), sheet, rules or Rules())
 
 
 def test_in_the_golden_example_the_misread_length_is_the_only_loss() -> None:

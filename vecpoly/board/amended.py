@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from ..frozen import FrozenMap
-from ..plane import Points, Reals
+from ..plane import Points, Reals, nominal
 from ..plane.traced import acts_of, bare, traced
 from .place import Place, named
 from .slip import Slip
@@ -30,7 +30,7 @@ class Own:
 class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its place in mm.
 
-    values: key of what is computed on the way → somebody's own result (SI, with its sign), with which all that follows is computed.
+    values: key of what is computed on the way → the size of somebody's own result (SI), negative where its sense is the other one.
     A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
     by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes none.
     own: the readings and values of further hands, each with its own.
@@ -58,8 +58,12 @@ class Amended:
     def value(self, place: Place | None, key: str, found: Reals) -> Reals:
         """The result to go on with."""
         own = _of(self.values, place, key)
-        found = found if own is None else _moved(found, own)
-        return self.altered(found, self._by_others([one.values for one in self.own], place, key))
+        if own is None and not self.own:
+            return found
+        sense = -1.0 if nominal(found) < 0 else 1.0
+        found = found if own is None else _moved(found, sense * own)
+        mine = self._by_others([one.values for one in self.own], place, key)
+        return self.altered(found, ((hand, sense * size) for hand, size in mine))
 
     def _by_others(self, given: Sequence[Mapping[str, float]], place: Place | None, *names: str) -> Iterator[tuple[int, float]]:
         """The numbers of the hands that have their own under one of these names, each with it."""

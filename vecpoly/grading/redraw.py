@@ -39,19 +39,19 @@ def by_hands(problem: Problem, key: AnswerKey, amended: Amended) -> ByHand:
     drawn = drawn_otherwise(scaled, steady(many), amended) if linkage else constructed(scaled, steady(many), amended)
     found: dict[str, NDArray[Any]] = {}
     for one in key.quantities:
-        act = _act(drawn, one)
+        act = act_of(drawn, one)
         if act is not None:
-            found[one.key] = np.broadcast_to(_values(drawn, act), (many + 1,))[1:]
+            found[one.key] = np.broadcast_to(values_of(drawn, act), (many + 1,))[1:]
     return found
 
 
-def _act(drawn: Drawn, one: Graded) -> Act | None:
+def act_of(drawn: Drawn, one: Graded) -> Act | None:
     """The act that gave a quantity."""
     sort = Measure if one.kind is Kind.READING else Wrote if one.asked else Compute
     return next((act for act in drawn.construction.acts if isinstance(act, sort) and one.letters in act.names), None)
 
 
-def _values(drawn: Drawn, act: Act) -> Any:
+def values_of(drawn: Drawn, act: Act) -> Any:
     found: Any = drawn.hands.get(act.number)
     if found is not None:
         return found

@@ -16,7 +16,8 @@ class Rules:
     the method mark where a mistake is named. turned: of the method mark where a direction is wrong. unit: points lost
     once a problem where units are missing or wrong; printed: whether the sheet prints them. independent: nothing is
     continued from these. first: nothing is continued from others while these are not answered. reach: own values
-    farther off than this factor are not continued from.
+    farther off than this factor are not continued from. open: answers may be handed in again, so that no feedback tells
+    the right values.
     """
 
     close: float = 0.5
@@ -31,6 +32,7 @@ class Rules:
     few_digits: int = 2
     many_digits: int = 4
     following: bool = True
+    open: bool = False
 
 
 USUAL_RULES = Rules()

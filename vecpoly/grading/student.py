@@ -76,7 +76,7 @@ def check_answers(problem: Problem, answers: Mapping[str, str | float] | Iterabl
     given = _split(answers)
     key, problem = _key_for(problem, tuple(given))
     sheet = sheet_of(key, given)
-    return Checked(problem=problem, marked=mark(problem, key, mutants(problem, key), sheet))
+    return Checked(problem=problem, marked=mark(problem, key, lambda: mutants(problem, key), sheet))
 
 
 def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str | float | None]:

@@ -36,8 +36,11 @@ class Measured:
 _ANGLE = "angle 1 "
 
 
-def measured(written: Written, graded: Graded) -> Measured | None:
-    """The value in the quantity's unit; None where nothing was read, or not what can be compared with it."""
+def measured(written: Written, graded: Graded, scale: float | None = None) -> Measured | None:
+    """The value in the quantity's unit; None where nothing was read, or not what can be compared with it.
+
+    scale: SI per mm, by which a length on paper stands for a vector.
+    """
     if written.state is State.NONE and graded.exact == 0:
         return Measured(value=0.0, yes=False)  # “none” is the right answer where there is none
     if written.state is not State.READ or (written.yes is None) is (graded.kind is Kind.YES_NO):
@@ -45,6 +48,8 @@ def measured(written: Written, graded: Graded) -> Measured | None:
     if (written.at is None) is (graded.kind is Kind.PLACE):
         return None
     factor, fault = _factor(written, graded)
+    if fault is UnitFault.DIMENSION and scale and graded.kind is Kind.VECTOR and written.unit == unit("mm"):
+        factor, fault = scale, None
     sense = written.sense or (1 if written.signed else 0) * (-1 if written.value < 0 else 1)
     at = None if written.at is None else (written.at[0] * factor, written.at[1] * factor)
     return Measured(

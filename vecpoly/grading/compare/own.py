@@ -22,12 +22,13 @@ from .measured import Measured, UnitFault
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Followed:
-    """What follows for one quantity; target: None where no figure closes. sources: the own values that it was
-    continued from.
+    """What follows for one quantity: `target` from its nearest own values, None where no figure closes; `deep` from all
+    own values below it, which turn its direction too. sources: the nearest own values.
     """
 
     target: Target | None
     sources: tuple[str, ...]
+    deep: Target | None = None
 
 
 @dataclass(slots=True)
@@ -47,21 +48,26 @@ class Follower:
     key: AnswerKey
     given: Mapping[str, Measured]
     rules: Rules
+    trusted: frozenset[str] = frozenset()  # right by own values, however far from the exact ones
 
     def follow(self, steps: Sequence[Graded]) -> dict[str, Followed]:
         """For each step that rests on an own value that can be used: what follows from it; all in one drawing."""
-        inputs = {one.key: self._inputs(one) for one in steps}
-        chosen = [one for one in steps if inputs[one.key].sources]
-        if not chosen or not self.rules.following or any(not self._answered(first) for first in self.rules.first):
+        near = {one.key: self._inputs(one, deep=False) for one in steps}
+        chosen = [one for one in steps if near[one.key].sources]
+        if not chosen or not self.rules.following or any(first not in self.given for first in self.rules.first):
             return {}
-        hands = [inputs[one.key] for one in chosen]
+        hands = [near[one.key] for one in chosen] + [self._inputs(one, deep=True) for one in chosen]
         own = tuple(Own(readings=FrozenMap(one.readings), values=FrozenMap(one.values)) for one in hands)
         try:
             found = by_hands(self.problem, self.key, Amended(own=own))
         except VecpolyError:
-            return {one.key: Followed(target=None, sources=tuple(inputs[one.key].sources)) for one in chosen}
+            return {one.key: Followed(target=None, sources=tuple(near[one.key].sources)) for one in chosen}
         return {
-            one.key: Followed(target=self._target(one, found[one.key][i]), sources=tuple(hands[i].sources))
+            one.key: Followed(
+                target=self._target(one, found[one.key][i]),
+                deep=self._target(one, found[one.key][i + len(chosen)]),
+                sources=tuple(near[one.key].sources),
+            )
             for i, one in enumerate(chosen)
             if one.key in found
         }
@@ -75,22 +81,20 @@ class Follower:
             return False
         if not mine.value or not one.exact or one.kind in (Kind.PLACE, Kind.YES_NO):
             return False
-        return 1 / self.rules.reach <= abs(mine.value / one.exact) <= self.rules.reach
+        return one.key in self.trusted or 1 / self.rules.reach <= abs(mine.value / one.exact) <= self.rules.reach
 
     def refused(self, one: Graded) -> tuple[str, ...]:
         """The own values below a step that are there and may not be continued from."""
         return tuple(name for name in one.needs if name in self.given and not self.usable(self.key[name]))
 
-    def _answered(self, name: str) -> bool:
-        return name in self.given
-
-    def _inputs(self, step: Graded) -> _Inputs:
+    def _inputs(self, step: Graded, *, deep: bool) -> _Inputs:
         found = _Inputs()
-        self._collect(step.needs, found, {step.key})
+        self._collect(step.needs, found, {step.key}, deep)
         return found
 
-    def _collect(self, needs: Sequence[str], found: _Inputs, seen: set[str]) -> None:
-        """Own values of the needs; of those that were not written, the own values below them."""
+    def _collect(self, needs: Sequence[str], found: _Inputs, seen: set[str], deep: bool) -> None:
+        """Own values of the needs; of those that were not written, or of all where `deep`, the own values below them.
+        """
         for name in needs:
             if name in seen:
                 continue
@@ -101,8 +105,10 @@ class Follower:
             elif stands_for is not None:
                 found.readings[one.letters] = abs(self.given[stands_for.key].value) / self.key.scales[one.mu]
                 found.sources.append(stands_for.key)
-            elif name not in self.given and name not in self.rules.independent:
-                self._collect(one.needs, found, seen)
+            elif name in self.given or name in self.rules.independent:
+                continue
+            if deep or not (self.usable(one) or stands_for):
+                self._collect(one.needs, found, seen, deep)
 
     def _standing_for(self, name: str, seen: set[str]) -> Graded | None:
         """The value that was written in place of a reading: v_C for pc; of several found from it the first."""
@@ -117,8 +123,8 @@ class Follower:
         if one.kind is Kind.READING:
             found.readings[one.letters] = abs(mine.value)
         else:
-            sign = mine.sense or (1 if one.exact > 0 else -1)
-            found.values[one.key] = sign * abs(mine.value) if one.kind is Kind.SIGNED else abs(mine.value)
+            other = one.kind is Kind.SIGNED and mine.sense != 0 and (mine.sense > 0) is not (one.exact > 0)
+            found.values[one.key] = -abs(mine.value) if other else abs(mine.value)
         found.sources.append(one.key)
 
     def _target(self, one: Graded, found: Any) -> Target | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import isfinite, log10
 
 from ...problem.problem import Problem
@@ -22,25 +22,26 @@ from .causes import Causes, causes
 from .drawn import paid_by_length
 from .marked import Marked
 from .points import earned
-from .scaled import at_own_scales
+from .scaled import at_own_scales, mutants_at
 from .tell import sentences, source_of
 from .verdict import Verdicts, verdicts
 
+Mutants = Callable[[], Sequence[Mutant]]
 BLANK = Written(raw="", state=State.BLANK)
 ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 
 
-def mark(
-    problem: Problem, key: AnswerKey, mutants: Sequence[Mutant], sheet: Sheet, rules: Rules = USUAL_RULES
-) -> Marked:
+def mark(problem: Problem, key: AnswerKey, mutants: Mutants, sheet: Sheet, rules: Rules = USUAL_RULES) -> Marked:
     """The marks of a sheet, with a reason for each.
 
-    problem: the student's own variant, to be drawn anew with own values; mutants: of `slips.mutants`. The same sheet
-    has the same marks whatever is marked before it, and never fewer with follow-through than without.
+    problem: the student's own variant, to be drawn anew with own values; mutants: gives those of `slips.mutants`, asked
+    only where something is wrong. The same sheet has the same marks whatever is marked before it, and never fewer with
+    follow-through than without.
     """
-    key, mutants = at_own_scales(paid_by_length(key, sheet), mutants, sheet.scales)
+    paid = paid_by_length(key, sheet)
+    key = at_own_scales(paid, sheet.scales)
     found = verdicts(problem, key, sheet, rules)
-    why = causes(found, mutants)
+    why = causes(found, mutants_at(paid, mutants(), sheet.scales)) if found.roots() else Causes()
     named = {name for name, said in why.said.items() if said.id is not Told.TWO_SLIPS}
     findings = tuple(_finding(found, why, one, named, rules) for one in key.quantities if _shown(one, sheet))
     stated = {mu: points for mu, points in key.stated.items() if mu in sheet.stated}

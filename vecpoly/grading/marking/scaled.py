@@ -9,16 +9,25 @@ from ..key import AnswerKey, Graded, Kind
 from ..slips.mutants import Mutant, Value
 
 
-def at_own_scales(
-    key: AnswerKey, mutants: Sequence[Mutant], own: Mapping[str, float]
-) -> tuple[AnswerKey, tuple[Mutant, ...]]:
+def at_own_scales(key: AnswerKey, own: Mapping[str, float]) -> AnswerKey:
     """The same exact values as other lengths on paper; on a smaller drawing T is as many mm, and so more."""
-    ratio = {mu: value / key.scales[mu] for mu, value in own.items() if mu in key.scales}
-    if all(abs(k - 1) < 1e-9 for k in ratio.values()):
-        return key, tuple(mutants)
-    quantities = tuple(_scaled(one, key, ratio) for one in key.quantities)
+    ratio = _ratios(key, own)
+    if not ratio:
+        return key
     scales = {mu: own.get(mu, value) for mu, value in key.scales.items()}
-    return replace(key, quantities=quantities, scales=scales), tuple(_mutant(one, key, ratio) for one in mutants)
+    return replace(key, quantities=tuple(_scaled(one, key, ratio) for one in key.quantities), scales=scales)
+
+
+def mutants_at(key: AnswerKey, mutants: Sequence[Mutant], own: Mapping[str, float]) -> tuple[Mutant, ...]:
+    """The mutants of a key, at a student's own scales."""
+    ratio = _ratios(key, own)
+    return tuple(_mutant(one, key, ratio) for one in mutants) if ratio else tuple(mutants)
+
+
+def _ratios(key: AnswerKey, own: Mapping[str, float]) -> dict[str, float]:
+    """Own scale over the key's, of those that differ."""
+    found = {mu: value / key.scales[mu] for mu, value in own.items() if mu in key.scales}
+    return {mu: k for mu, k in found.items() if abs(k - 1) > 1e-9}
 
 
 def _scaled(one: Graded, key: AnswerKey, ratio: Mapping[str, float]) -> Graded:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ...problem.problem import Problem
 from ..compare.band import target_of, weigh
@@ -11,10 +11,11 @@ from ..compare.measured import Measured, UnitFault, measured
 from ..compare.outcome import Basis, Outcome
 from ..compare.own import Followed, Follower
 from ..key import AnswerKey, Graded
-from ..reading.written import State
+from ..reading.written import State, Written
 from ..rules import Rules
 from ..sheet import Sheet
 
+ROUNDS = 3  # in which far values are gone on from
 _UNREAD = {
     State.BLANK: Outcome.BLANK,
     State.NONE: Outcome.NONE,
@@ -48,7 +49,7 @@ class Verdicts:
 
 def verdicts(problem: Problem, key: AnswerKey, sheet: Sheet, rules: Rules) -> Verdicts:
     """Weigh every answer; what is not right by the exact value is held against what follows from own values."""
-    given = {name: it for name, text in sheet.answers.items() if (it := measured(text, key[name])) is not None}
+    given = {name: it for name, text in sheet.answers.items() if (it := _measured(text, key, name)) is not None}
     exact = {name: _UNREAD[text.state] for name, text in sheet.answers.items() if name not in given}
     for name, mine in given.items():
         exact[name] = weigh(mine, key[name], target_of(key[name]), key.allowance)
@@ -60,7 +61,26 @@ def verdicts(problem: Problem, key: AnswerKey, sheet: Sheet, rules: Rules) -> Ve
     )  # fmt: skip
     for one in doubtful:
         _better(found, one)
+    return _trusting(found)
+
+
+def _trusting(found: Verdicts) -> Verdicts:
+    """Go on from own values that are right by own values, though far from the exact ones, until nothing more is right.
+    """
+    for _ in range(ROUNDS):
+        trusted = frozenset(name for name, basis in found.basis.items() if basis is Basis.OWN)
+        waiting = [one for one in found.roots() if found.follower.refused(one)]
+        if not waiting or trusted <= found.follower.trusted:
+            break
+        found.follower = replace(found.follower, trusted=trusted)
+        found.followed = {**found.followed, **found.follower.follow(waiting)}
+        for one in waiting:
+            _better(found, one)
     return found
+
+
+def _measured(text: Written, key: AnswerKey, name: str) -> Measured | None:
+    return measured(text, key[name], key.scales.get(key[name].mu))
 
 
 def _better(found: Verdicts, one: Graded) -> None:
@@ -68,7 +88,8 @@ def _better(found: Verdicts, one: Graded) -> None:
     followed, mine = found.followed.get(one.key), found.given[one.key]
     if followed is None or followed.target is None or mine.fault is UnitFault.DIMENSION:
         return
-    own = weigh(mine, one, followed.target, found.key.allowance)
-    was = found.exact[one.key]
-    if own.is_right and (not was.is_right or (was is Outcome.CLOSE and own is Outcome.RIGHT)):
-        found.outcome[one.key], found.basis[one.key] = own, Basis.OWN
+    was, targets = found.exact[one.key], (followed.target, followed.deep)
+    for own in (weigh(mine, one, target, found.key.allowance) for target in targets if target is not None):
+        if own.is_right and (not was.is_right or (was is Outcome.CLOSE and own is Outcome.RIGHT)):
+            found.outcome[one.key], found.basis[one.key] = own, Basis.OWN
+            return

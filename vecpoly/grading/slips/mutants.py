@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -11,13 +12,15 @@ import numpy as np
 from pydantic import TypeAdapter
 
 from ...answer import bearing
-from ...board.amended import Amended
-from ...board.slip import Slip
+from ...board.amended import Amended, Own
+from ...board.slip import Mistake, Slip
+from ...errors import VecpolyError
 from ...mistakes import slips
 from ...problem.problem import Problem
 from ..key import AnswerKey, Graded, Kind
 from ..redraw import ByHand, by_hands
 
+TURNING = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.OTHER_MEETING)  # by which a motion may turn round
 FAR = 1e3  # times the exact value: no paper is so large
 SAME = 0.25  # of T: two values nearer than this are one
 
@@ -39,13 +42,22 @@ class Mutant:
 
 
 def mutants(problem: Problem, key: AnswerKey, of: Sequence[Slip] | None = None) -> tuple[Mutant, ...]:
-    """Every slip that changes something and leaves a drawing; all in one drawing, each made by a hand of its own."""
+    """Every slip that changes something and leaves a drawing.
+
+    All in one drawing, each made by a hand of its own; but where friction follows the senses of a motion that a slip
+    changes, that slip is drawn by itself.
+    """
     made = tuple(slips(problem) if of is None else of)
-    if not made:
-        return ()
-    found = by_hands(problem, key, Amended(each=made))
-    each = (Mutant(slip=slip, values=_changed(key, found, i)) for i, slip in enumerate(made))
-    return tuple(one for one in each if one.values)
+    alone = tuple(one for one in made if problem.loads is not None and one.mistake in TURNING)
+    together = tuple(one for one in made if one not in alone)
+    found: dict[Slip, dict[str, Value]] = {}
+    if together:
+        by_all = by_hands(problem, key, Amended(each=together))
+        found |= {slip: _changed(key, by_all, i) for i, slip in enumerate(together)}
+    for slip in alone:
+        with suppress(VecpolyError):  # nothing can be drawn by this mistake
+            found[slip] = _changed(key, by_hands(problem, key, Amended(slip=slip, own=(Own(),))), 0)
+    return tuple(Mutant(slip=slip, values=found[slip]) for slip in made if found.get(slip))
 
 
 def _changed(key: AnswerKey, found: ByHand, hand: int) -> dict[str, Value]:

@@ -12,6 +12,7 @@ from ..compare.outcome import Outcome
 from ..key import AnswerKey, Graded
 from .mutants import Mutant
 
+LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
 MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
 
 
@@ -57,12 +58,15 @@ def mutated(one: Graded, mutant: Mutant, rule: Allowance) -> Target:
 
 def _score(key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str], mutant: Mutant) -> float | None:
     """Sum of squares over σ; None where a value does not agree."""
-    total = 0.0
+    total, moved = 0.0, [name for name in pool if name in mutant.values]
     for name in pool:
         one, mine = key[name], given[name]
         if not agrees(one, mine, mutant, key.allowance):
             return None
         target = mutated(one, mutant, key.allowance)
         if target.allowed and mine.at is None and mine.yes is None:
-            total += (key.allowance.k * gap(mine.value, one, target) / target.allowed) ** 2
+            off = abs(gap(mine.value, one, target)) / target.allowed
+            if moved == [name] and off > LONE:
+                return None
+            total += (key.allowance.k * off) ** 2
     return total

@@ -49,6 +49,10 @@ class Told(StrEnum):
     NONE = "none"
     UNREADABLE = "unreadable"
     AMBIGUOUS = "ambiguous"
+    RIGHT = "right"
+    NEARLY = "nearly"
+    NOT_RIGHT = "not_right"
+    TURNED = "turned"
 
 
 SENTENCES: Mapping[Told, Words] = {
@@ -107,11 +111,11 @@ SENTENCES: Mapping[Told, Words] = {
     ),
     Told.SLIP: Words("与“${what}$ {mistake}”的结果一致", "Matches what follows when ${what}$ is {mistake}"),
     Told.CORIOLIS: Words(
-        "与漏掉哥氏加速度 2ω·v_r（${what}$）的结果一致",
-        "Matches the result without the Coriolis term 2ω·v_r (${what}$)",
+        "与漏掉哥氏加速度 2$ω$·$v_r$（${what}$）的结果一致",
+        "Matches the result without the Coriolis term 2$ω$·$v_r$ (${what}$)",
     ),
     Told.CORIOLIS_2: Words(
-        "与哥氏加速度 ${what}$ = 2ω·v_r 漏乘 2 的结果一致", "Matches the 2 of ${what}$ = 2ω·v_r left out"
+        "与哥氏加速度 ${what}$ = 2$ω$·$v_r$ 漏乘 2 的结果一致", "Matches the 2 of ${what}$ = 2$ω$·$v_r$ left out"
     ),
     Told.TWO_SLIPS: Words(
         "不止一种错误能得到这些结果，不能断定原因",
@@ -153,4 +157,8 @@ SENTENCES: Mapping[Told, Words] = {
     Told.AMBIGUOUS: Words(
         "“{raw}”自相矛盾，已转人工批改：{why}", "'{raw}' contradicts itself; sent to manual marking: {why}"
     ),
+    Told.RIGHT: Words("正确", "Correct"),
+    Told.NEARLY: Words("接近，作图或量取不够准确", "Close; drawing or reading not accurate enough"),
+    Told.NOT_RIGHT: Words("不正确", "Not correct"),
+    Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
 }
