@@ -70,8 +70,10 @@ def test_only_what_scatters_by_more_than_its_share_is_demoted(problem: str) -> N
 
 def test_a_pencil_hand_stays_within_the_tolerance_nineteen_times_in_twenty() -> None:
     problem, key = load("3-9"), key_of("3-9")
-    seen = [[abs(answer.drawn - answer.exact) <= key[answer.key].allowed for answer in solution.answers.values()]
-            for solution in (solve(problem, by="pencil", seed=seed, repeats=0, precise=False) for seed in range(40))]
+    seen = [
+        [abs(answer.drawn - answer.exact) <= key[answer.key].allowed for answer in solution.answers.values()]
+        for solution in (solve(problem, by="pencil", seed=seed, repeats=0, precise=False) for seed in range(40))
+    ]
     share = np.mean(seen)
     assert share >= 0.95
 
@@ -96,7 +98,10 @@ def test_a_reading_keeps_the_unit_of_paper_and_knows_its_scale() -> None:
 
 def test_the_usual_rubric_gives_eight_points_for_velocities_and_twelve_for_accelerations() -> None:
     key = key_of("3-9")
-    totals = {block: sum(one.points.total for one in key.quantities if one.block == block) for block in ("velocity", "acceleration")}
+    totals = {
+        block: sum(one.points.total for one in key.quantities if one.block == block)
+        for block in ("velocity", "acceleration")
+    }
     assert totals["velocity"] + key.stated["mu_v"] == pytest.approx(8)
     assert totals["acceleration"] + key.stated["mu_a"] == pytest.approx(12)
 

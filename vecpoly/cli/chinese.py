@@ -20,10 +20,11 @@ HELP = {
     "Check printed answers, or a printed table, against exact values.\n\n"
     "Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and assemblies\n"
     "are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are compared.\n"
-    "Answers may stand behind the problem: check 3-12 v_D=0.49 \"omega_3=2.1 rad/s\".\n\n"
+    "Answers of one's own may stand behind the problem: check 3-12 v_D=0.49 ω5=4.72 \"α3=12 rad/s² cw\". Each is right, close,\n"
+    "or wrong with the reason, where one slip alone explains it.\n\n"
     "Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.":
         "将书中答案或数据表与精确值核对。\n\n每个答案给出结论，错误的给出可解释它的差错；有多个错误时，试遍各曲柄转角和装配方式，看这些数是否可能出现。"
-        "用 --table 时逐列比较一个运动循环的数据表。答案也可写在题号之后：check 3-12 v_D=0.49 \"omega_3=2.1 rad/s\"。\n\n退出码：0 全部相符，1 有错误，2 无法核对。",
+        "用 --table 时逐列比较一个运动循环的数据表。自己的答案可写在题号之后：check 3-12 v_D=0.49 ω5=4.72 \"α3=12 rad/s² 顺\"，逐个判为正确、接近或错误，只有一种差错能解释时说明缘由。\n\n退出码：0 全部相符，1 有错误，2 无法核对。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.":
         "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。",
     "Draw a figure or the sheet as SVG, PNG, PDF or DXF.\n\n"
@@ -58,7 +59,7 @@ HELP = {
     "Problems or assignments: ids such as 3-9, or files.": "题目或作业：3-9 之类的题号，或文件。",
     "A problem or an assignment: an id such as A-27, or a file.": "题目或作业：A-27 之类的题号，或文件。",
     "A problem or an assignment: an id such as 3-9, or a file.": "题目或作业：3-9 之类的题号，或文件。",
-    "The problems, and printed answers such as v_D=0.49.": "题目，以及 v_D=0.49 之类的书中答案。",
+    "The problems, and answers such as v_D=0.49.": "题目，以及 v_D=0.49 之类的答案。",
     "What to list.": "列出什么。",
     "The file to write; .yaml is added where it has no ending.": "要写的文件；没有扩展名时加 .yaml。",
     # options

@@ -9,16 +9,20 @@ import numpy as np
 
 from ..board.hand import Hand, Skill
 
-UNIFORM_TWICE = sqrt(6.0)  # graduation over σ of what is read by it: jitter and rounding, each uniform over one graduation
+UNIFORM_TWICE = sqrt(
+    6.0
+)  # graduation over σ of what is read by it: jitter and rounding, each uniform over one graduation
 REPEATS = 300
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Allowance:
-    """σ of plotting (mm), of a direction (deg), of a reading (mm); T = k σ, at least `floor` (mm), at most `cap` (mm) and `share`.
+    """σ of plotting (mm), of a direction (deg), of a reading (mm); T = k σ, at least `floor` (mm), at most `cap` (mm)
+    and `share`.
 
-    A value beyond `wrong` T is wrong; direction: what a vector's direction may be off (deg), where it is at least `short` mm long.
-    arithmetic: share of a value that is found by formula alone. reading: ruler (mm), of own mm × own μ.
+    A value beyond `wrong` T is wrong; direction: what a vector's direction may be off (deg), where it is at least
+    `short` mm long. arithmetic: share of a value that is found by formula alone. reading: ruler (mm), of own mm × own
+    μ.
     """
 
     plot: float = 0.25
@@ -36,8 +40,12 @@ class Allowance:
 
     def hand(self, repeats: int = REPEATS) -> Hand:
         """An exact hand, and beside it as many students' hands."""
-        student = Skill(reading=UNIFORM_TWICE * self.read, protractor=UNIFORM_TWICE * radians(self.set_square),
-                        dividers=self.plot, square=radians(self.set_square))
+        student = Skill(
+            reading=UNIFORM_TWICE * self.read,
+            protractor=UNIFORM_TWICE * radians(self.set_square),
+            dividers=self.plot,
+            square=radians(self.set_square),
+        )
         exact = Skill(reading=0, protractor=0, dividers=0, square=0)
         return Hand("exact", exact, student, repeats, np.random.Generator(np.random.PCG64(0)))
 

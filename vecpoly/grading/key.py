@@ -1,4 +1,6 @@
-"""The key of a problem: every quantity that may be graded, with its exact value, its tolerance, what it needs, its points."""
+"""The key of a problem: every quantity that may be graded, with its exact value, its tolerance, what it needs, its
+points.
+"""
 
 from __future__ import annotations
 
@@ -42,15 +44,19 @@ class Points:
         return self.method + self.accuracy + self.sense
 
 
+NOTHING = Points()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Graded:
     """One quantity of a key.
 
-    key, symbol: ``v_C2B``, ``v_{C2B}``; a reading has its letters (``bc2``, with its figure where two have them). exact: SI, a reading
-    in mm; a size for vectors, signed for the rest. mm, degrees: of the exact vector on paper, from +x. mu: the scale it is drawn with
-    (``mu_v``); line: the reading that it is computed from. needs: the graded quantities that it rests on directly. sigma: what a
-    student's hand scatters by; allowed: T, both in the unit of `exact`. demoted: too badly conditioned to be held against the exact
-    value; it is graded by what it was computed from. points: nothing for a step on the way.
+    key, symbol: ``v_C2B``, ``v_{C2B}``; a reading has its letters (``bc2``, with its figure where two have them).
+    exact: SI, a reading in mm; a size for vectors, signed for the rest. mm, degrees: of the exact vector on paper,
+    from +x. mu: the scale it is drawn with (``mu_v``); line: the reading that it is computed from. needs: the graded
+    quantities that it rests on directly. sigma: what a student's hand scatters by; allowed: T, both in the unit of
+    `exact`. demoted: too badly conditioned to be held against the exact value; it is graded by what it was computed
+    from. points: nothing for a step on the way.
     """
 
     key: str
@@ -69,7 +75,7 @@ class Graded:
     allowed: float = 0.0
     demoted: bool = False
     asked: bool = False
-    points: Points = Points()
+    points: Points = NOTHING
 
     @property
     def letters(self) -> str:
@@ -86,7 +92,8 @@ class Graded:
 class AnswerKey:
     """The key of one problem, or of one student's variant of it.
 
-    scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit. allowance: the σ's behind the tolerances.
+    scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit. allowance: the σ's behind
+    the tolerances.
     """
 
     problem: str
@@ -100,7 +107,9 @@ class AnswerKey:
         """The quantity of this key. Raises UnknownNameError."""
         if (found := self.find(key)) is not None:
             return found
-        raise UnknownNameError(Words(f"题 {self.problem} 的答案中没有 {key}", f"the key of {self.problem} has no {key}"))
+        raise UnknownNameError(
+            Words(f"题 {self.problem} 的答案中没有 {key}", f"the key of {self.problem} has no {key}")
+        )
 
     def find(self, key: str) -> Graded | None:
         """The quantity of this key; None where there is none."""
@@ -124,9 +133,14 @@ class AnswerKey:
         except ValidationError as error:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"]))
-            raise VecpolyError(Words(f"这不是答案键：{where} {first['msg']}；请用 vecpoly 重新生成",
-                                     f"this is no answer key: {where}: {first['msg']}; have vecpoly write it again"),
-                               code="no-key", numbers={"path": where}) from None
+            raise VecpolyError(
+                Words(
+                    f"这不是答案键：{where} {first['msg']}；请用 vecpoly 重新生成",
+                    f"this is no answer key: {where}: {first['msg']}; have vecpoly write it again",
+                ),
+                code="no-key",
+                numbers={"path": where},
+            ) from None
 
 
 @cache

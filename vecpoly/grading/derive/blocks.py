@@ -5,7 +5,15 @@ from __future__ import annotations
 from ...board.place import View
 
 DIAGRAM, VELOCITY, ACCELERATION, FORCE, OTHER = "diagram", "velocity", "acceleration", "force", "other"
-_OF_UNIT = {"m": DIAGRAM, "m/s": VELOCITY, "rad/s": VELOCITY, "m/s^2": ACCELERATION, "rad/s^2": ACCELERATION, "N": FORCE, "N·m": FORCE}
+_OF_UNIT = {
+    "m": DIAGRAM,
+    "m/s": VELOCITY,
+    "rad/s": VELOCITY,
+    "m/s^2": ACCELERATION,
+    "rad/s^2": ACCELERATION,
+    "N": FORCE,
+    "N·m": FORCE,
+}
 
 
 def block_of(view: View | None, unit: str = "") -> str:

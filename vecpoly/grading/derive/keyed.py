@@ -32,23 +32,29 @@ ZERO = 1e-9
 def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric = USUAL) -> AnswerKey:
     """What is graded of a problem: all that is asked, and every length and value found on the way.
 
-    T = clip(k √(Σ(∂y/∂e σ)² + σ_read²), floor, cap), the root as the scatter of 300 students' hands that draw the whole construction.
-    Raises what `solve` raises, and VecpolyError where an answer is suspect: there is nothing to grade by.
+    T = clip(k √(Σ(∂y/∂e σ)² + σ_read²), floor, cap), the root as the scatter of 300 students' hands that draw the
+    whole construction. Raises what `solve` raises, and VecpolyError where an answer is suspect: there is nothing to
+    grade by.
     """
     solution = solve(problem, by="exact", repeats=0, precise=False)
     if solution.construction.warning is not None:
-        raise VecpolyError(Words("不能据此批改：", "no key to grade by: ") + solution.construction.warning, code="suspect")
+        raise VecpolyError(
+            Words("不能据此批改：", "no key to grade by: ") + solution.construction.warning, code="suspect"
+        )
     drawn = constructed(problem, allowance.hand(), AS_DRAWN)
     found = _Found(solution, drawn)
     steps = found.steps()
-    known = {act.number: one.key for act, one in steps}
+    known = {act.number: one.key for act, one in steps} | found.on_the_way({one.key for _, one in steps})
     scales = scales_of(drawn.construction).given
     scatter = Scatter(drawn, allowance, scales)
     once: dict[str, tuple[Act, Graded]] = {}
-    for act, one in steps:
+    first = {key: number for number, key in sorted(known.items(), reverse=True)}
+    for act, one in sorted(steps, key=lambda step: first[step[1].key]):
         once.setdefault(one.key, (act, one))  # a length that is read again is the same length
-    graded = [with_tolerance(replace(one, needs=needs(drawn.construction.acts, act, known)), act, scatter)
-              for act, one in once.values()]
+    graded = [
+        with_tolerance(replace(one, needs=needs(drawn.construction.acts, act, known, one.key)), act, scatter)
+        for act, one in once.values()
+    ]
     graded = with_lines(graded)
     quantities, stated = shared(rubric, scatter.bounded(graded), scales)
     return AnswerKey(problem=problem.id, quantities=quantities, scales=dict(scales), stated=stated, allowance=allowance)
@@ -74,6 +80,14 @@ class _Found:
         steps += [(act, self._asked(self.solution.answers[key])) for key, act in asked.items()]
         return sorted(steps, key=lambda step: step[0].number)
 
+    def on_the_way(self, keys: set[str]) -> dict[int, str]:
+        """Number → key of the acts that compute what is asked: what follows rests on these, and not on the answer
+        written down.
+        """
+        return {
+            act.number: act.key for act in self.drawn.construction.acts if isinstance(act, Compute) and act.key in keys
+        }
+
     def _asked(self, answer: Answer) -> Graded:
         kind, unit = _kind(answer), answer.reading.unit
         scale = next((v.mu.key for v in views() if v.mu.symbol == answer.reading.scale and v.mu.unit == unit), "")
@@ -81,8 +95,14 @@ class _Found:
         place = answer.exact_vector if kind is Kind.PLACE else None
         vector = answer.exact_vector if kind is Kind.VECTOR and abs(answer.exact) > ZERO else None
         return Graded(
-            key=answer.key, symbol=answer.reading.symbol, kind=kind, unit=unit,
-            block=block_of(None, unit), exact=answer.exact, asked=True, mu=scale,
+            key=answer.key,
+            symbol=answer.reading.symbol,
+            kind=kind,
+            unit=unit,
+            block=block_of(None, unit),
+            exact=answer.exact,
+            asked=True,
+            mu=scale,
             mm=abs(answer.exact) / mu if mu and kind is Kind.VECTOR else None,
             degrees=bearing(vector) if vector is not None else None,
             at=(place.real, place.imag) if place is not None else None,
@@ -102,7 +122,9 @@ def _kind(answer: Answer) -> Kind:
 
 def _computed(act: Compute) -> Graded:
     kind = Kind.SIGNED if act.unit in TURNING else Kind.SCALAR
-    return Graded(key=act.key, symbol=_symbol(act.key), kind=kind, unit=act.unit, block=block_of(None, act.unit), exact=act.value)
+    return Graded(
+        key=act.key, symbol=_symbol(act.key), kind=kind, unit=act.unit, block=block_of(None, act.unit), exact=act.value
+    )
 
 
 def _symbol(key: str) -> str:
@@ -125,8 +147,17 @@ def _of_place(act: Measure, places: set[str]) -> bool:
 
 def _reading(act: Measure, name: str) -> Graded:
     view = _view(act)
-    return Graded(key=name, symbol=act.key, kind=Kind.READING, unit="mm", block=block_of(view), exact=act.mm, mm=act.mm,
-                  degrees=bearing(act.b - act.a), mu=view.mu.key if view else "")
+    return Graded(
+        key=name,
+        symbol=act.key,
+        kind=Kind.READING,
+        unit="mm",
+        block=block_of(view),
+        exact=act.mm,
+        mm=act.mm,
+        degrees=bearing(act.b - act.a),
+        mu=view.mu.key if view else "",
+    )
 
 
 def _name(act: Measure, read: Sequence[Measure], taken: set[str]) -> str:

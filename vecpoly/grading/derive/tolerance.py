@@ -38,7 +38,9 @@ class Scatter:
         return float(np.std(closed)) if closed.size >= (1 - LOST) * found.size else inf
 
     def bounded(self, graded: Sequence[Graded]) -> list[Graded]:
-        """The quantities with T, which for a value without a length of its own is bounded by the lengths that it was computed from."""
+        """The quantities with T, which for a value without a length of its own is bounded by the lengths that it was
+        computed from.
+        """
         lengths = {one.key: one.mm for one in graded if one.kind is Kind.READING and one.mm}
         largest: dict[str, float] = {}
         for one in graded:
@@ -55,7 +57,9 @@ class Scatter:
         if one.kind is Kind.YES_NO:
             return one
         if size <= COMPUTED * largest or one.kind is Kind.PLACE or (one.unit == "deg" and spread):
-            return replace(one, allowed=max(spread, floor) if isfinite(spread) else largest)  # no share of what has no size
+            return replace(
+                one, allowed=max(spread, floor) if isfinite(spread) else largest
+            )  # no share of what has no size
         if spread > rule.share * size:
             return replace(one, allowed=max(min(spread, size), floor), demoted=True)
         cap = min(rule.cap / mm if mm else inf, rule.share) * size
