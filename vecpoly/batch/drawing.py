@@ -23,7 +23,7 @@ from .store import Store, digest
 from .tasks import SEVERAL, Draw, cut
 
 BATCH = 10  # students of one task
-ROUNDS = 24  # in which somebody may be too near to another
+ROUNDS = 48  # in which somebody may be too near to another
 READINGS = 2  # in which two students differ
 Told = Callable[[str, int, int], None]  # what is being done, how much of it, of how much
 

@@ -25,7 +25,7 @@ from .solved import solution_bytes
 from .store import Store, digest
 from .student import Student
 
-SEVERAL = 4  # variants that are found at once for somebody whose first is too near to another's
+SEVERAL = 2  # variants that are found at once for somebody whose first is too near to another's
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

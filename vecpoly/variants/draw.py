@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from ..errors import VecpolyError
@@ -37,7 +37,7 @@ class Trial:
 
     attempt: int
     swept: Swept
-    drawn: tuple[tuple[Mapping[str, str], Look | Condition], ...]
+    drawn: Iterable[tuple[Mapping[str, str], Look | Condition]]  # one after another, as they are asked for
 
 
 def variants(problem: Problem, seed: Seed, standard: Standard) -> Iterator[Variant]:
@@ -60,7 +60,7 @@ def tried(problem: Problem, seed: Seed, attempt: int, standard: Standard, graded
     except VecpolyError:
         return Trial(attempt=attempt, swept=Swept((), Counter({Condition.REFUSED: 1})), drawn=())
     places = stream.shuffled(swept.passed)[:TRIALS]
-    drawn = tuple(_drawn(problem, values | {along.name: along.at(number)}, standard) for number in places)
+    drawn = (_drawn(problem, values | {along.name: along.at(number)}, standard) for number in places)
     return Trial(attempt=attempt, swept=swept, drawn=drawn)
 
 

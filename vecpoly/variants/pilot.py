@@ -38,7 +38,7 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
     """Draw some variants that nobody gets. Raises VecpolyError where too few draws pass, with what fails most and what to relax."""
     problem = replace(problem, printed=(), tables=())
     first = _standard(problem)
-    trials = [tried(problem, seed, attempt, first, frozenset()) for attempt in range(SETS)]
+    trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
     asked = tuple(ask.rel.key for ask in problem.asks)
     standard = _with_slips(_with_demoted(first, looks, asked), looks)
@@ -49,6 +49,11 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
         raise _too_few(problem.id, passed, failed)
     slips = max((len(look.slips) for look in looks), default=0)
     return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips)
+
+
+def _whole(trial: Trial) -> Trial:
+    """With all that is to be drawn, drawn."""
+    return replace(trial, drawn=tuple(trial.drawn))
 
 
 def _standard(problem: Problem) -> Standard:
@@ -100,8 +105,9 @@ def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[C
         total += left + sum(trial.swept.failed.values())
         for condition, count in trial.swept.failed.items():
             failed[condition] += count
-        weight = left / len(trial.drawn) if trial.drawn else 0.0
-        for _, look in trial.drawn:
+        drawn = tuple(trial.drawn)
+        weight = left / len(drawn) if drawn else 0.0
+        for _, look in drawn:
             verdict = failing(look, standard) if isinstance(look, Look) else look
             if verdict is None:
                 passed += weight
