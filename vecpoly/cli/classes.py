@@ -88,7 +88,7 @@ def _report(made: Made) -> None:
             for line in (*told(name, found), *demoted(found)):
                 say(told_in(line))
     count = len(made.register.sheets)
-    say(told_in(Words(f"{count} 份作业", f"{count} sheets")))
+    say(told_in(Words(f"{count} 份作业", f"{count} sheet{'' if count == 1 else 's'}")))
 
 
 @contextmanager
