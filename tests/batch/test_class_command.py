@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 from tests.batch.homework import TEXT
 from vecpoly.batch.register import read_register
 from vecpoly.cli import app
+from vecpoly.problem.assignment import load_assignment
 
 ROSTER = "学号,姓名,班级\n20230001,王小明,1\n,无号,1\n20230003,李雷,1\n"
 
@@ -41,3 +42,11 @@ def test_the_yield_is_shown_before_anything_is_printed(folder: Path) -> None:
 def test_a_wrong_option_is_refused_in_a_sentence(folder: Path, extra: list[str], says: str) -> None:
     done = CliRunner().invoke(app, ["class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1", *extra])
     assert done.exit_code == 2 and says in done.stderr and "Traceback" not in done.stderr
+
+
+def test_the_assignment_of_the_manual_is_one(tmp_path: Path) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+    first = text.partition("```yaml\n")[2].partition("```")[0]
+    (tmp_path / "hw3.yaml").write_text(first, encoding="utf-8")
+    found = load_assignment(tmp_path / "hw3.yaml")
+    assert [bool(problem.ranges) for problem in found.problems] == [True, False] and found.id == "hw3"

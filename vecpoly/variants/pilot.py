@@ -10,6 +10,7 @@ from itertools import combinations
 from ..board.slip import Slip
 from ..errors import VecpolyError
 from ..problem.problem import Problem
+from ..solution import scales_of
 from ..words import Words
 from .conditions import Condition
 from .draw import Trial, tried
@@ -60,7 +61,7 @@ def _standard(problem: Problem) -> Standard:
     """The problem as it stands: its work, and the senses of its answers. Vectors are looked at later, one by one."""
     sketch = sketch_of(problem)
     look = Look(scaled(problem, sketch) or problem, sketch)
-    return Standard(work=work(sketch.acts), signs=signs(look), demoted=frozenset(one.key for one in look.key.quantities))
+    return Standard(work=work(sketch.acts), signs=signs(look), scales=scales_of(sketch), demoted=frozenset(one.key for one in look.key.quantities))
 
 
 def _with_demoted(standard: Standard, looks: Sequence[Look], asked: Sequence[str]) -> Standard:
