@@ -28,7 +28,7 @@ problems:
     vary: {AB: 24 mm .. 40 mm by 2 mm, x_C: -120 mm .. -80 mm by 5 mm, phi: 0 deg .. 355 deg by 5 deg}
   - problem: 3-7a
     scales: null
-    vary: {phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s ccw .. 12 rad/s ccw by 0.5 rad/s}
+    vary: {AB: 40 mm .. 60 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s ccw .. 12 rad/s ccw by 0.5 rad/s}
 """
 
 

@@ -115,6 +115,13 @@ def run(folder: Path, out: str) -> subprocess.Popen[bytes]:
     return subprocess.Popen(command, cwd=folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
+def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
+    few = TEXT.replace("vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s cw by 0.5 rad/s}",
+                       "vary: {phi: 20 deg .. 70 deg by 5 deg}")
+    with pytest.raises(VecpolyError, match=r"of 11 sets of values some \d+ pass, for 60 students"):
+        made(tmp_path / "hw", people(range(60)), few)
+
+
 def test_values_are_spread_over_their_ranges(whole: tuple[Path, Made]) -> None:
     register: Register = whole[1].register
     drawn = {tuple(part.values.values()) for sheet in register.sheets for part in sheet.parts}

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from tests.batch.homework import TEXT
+from tests.batch.homework import TEXT, files
 from vecpoly.batch.register import read_register
 from vecpoly.cli import app
 from vecpoly.problem.assignment import load_assignment
@@ -30,6 +30,23 @@ def test_one_bad_row_never_stops_the_rest(folder: Path) -> None:
     made = {path.name for path in (folder / "hw").iterdir()}
     assert {"questions", "solutions", "register.json", "key.xlsx", "answers.xlsx", "questions.pdf", "questions.zip", "moodle-cloze.xml"} <= made
     assert "% of the draws pass" in done.stderr
+
+
+def test_a_second_run_changes_no_byte(folder: Path) -> None:
+    def made() -> dict[str, bytes]:
+        CliRunner().invoke(app, ["class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1"])
+        return files(folder / "hw")
+
+    first = made()
+    assert len(first) >= 12 and made() == first
+    (folder / "hw" / "questions" / "20230001_王小明.pdf").unlink()
+    assert made() == first
+
+
+def test_a_statement_that_tells_a_varied_value_is_named(folder: Path) -> None:
+    Path("hw3.yaml").write_text(TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n"), encoding="utf-8")
+    done = CliRunner().invoke(app, ["variants", "hw3.yaml", "-n", "0"])
+    assert "the statement says AB = 30 mm" in done.stdout
 
 
 def test_the_yield_is_shown_before_anything_is_printed(folder: Path) -> None:

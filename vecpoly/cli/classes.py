@@ -81,11 +81,11 @@ def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> No
 
 def _report(made: Made) -> None:
     """Yield and what is demoted, problem by problem."""
-    from ..variants.told import demoted, told
+    from ..variants.told import demoted, said_already, told
 
     for name, found in made.pilots.items():
         if found.standard.work:
-            for line in (*told(name, found), *demoted(found)):
+            for line in (*told(name, found), *demoted(found), *said_already(made.register.exercise(name).problem)):
                 say(told_in(line))
     count = len(made.register.sheets)
     say(told_in(Words(f"{count} 份作业", f"{count} sheet{'' if count == 1 else 's'}")))

@@ -40,10 +40,10 @@ class Trial:
     drawn: Iterable[tuple[Mapping[str, str], Look | Condition]]  # one after another, as they are asked for
 
 
-def variants(problem: Problem, seed: Seed, standard: Standard) -> Iterator[Variant]:
-    """The variants of a student, one after another, until so many attempts are used up: the first is given unless it is too near to another's."""
+def variants(problem: Problem, seed: Seed, standard: Standard, start: int = 0) -> Iterator[Variant]:
+    """The variants of a student from this attempt on, until so many are used up: the first is given unless it is too near to another's."""
     graded = frozenset(ask.rel.key for ask in problem.asks) - standard.demoted
-    for attempt in range(ATTEMPTS):
+    for attempt in range(start, start + ATTEMPTS):
         for values, look in tried(problem, seed, attempt, standard, graded).drawn:
             if isinstance(look, Look) and failing(look, standard) is None:
                 yield Variant(seed=seed, attempt=attempt, values=values, problem=look.problem, key=look.key)

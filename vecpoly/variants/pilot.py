@@ -19,7 +19,7 @@ from .judge import Standard, deviation, failing, long_enough, signs, told_apart,
 from .look import Look, sketch_of, work
 from .seeds import Seed
 
-SETS = 16  # of values that are tried
+SETS = 12  # of values that are tried
 MOST = 0.5  # a quantity that fails in more of the drawings than this is demoted
 LEAST = 0.01  # yield below which the ranges are refused
 
