@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from . import (
     chains,
+    class_sheets,
     cold_start,
     course_report,
     cycle,
@@ -19,5 +20,5 @@ from . import (
 )
 
 if __name__ == "__main__":
-    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, lettering, chains, redraw, printed_tables, player, cold_start, course_report, memory):
+    for module in (oracle_sixbar, cycle, oracle_forces, pencil_hands, report_pages, lettering, chains, redraw, printed_tables, player, cold_start, course_report, class_sheets, memory):
         print(module.run(), flush=True)

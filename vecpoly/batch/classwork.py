@@ -16,7 +16,7 @@ from ..problem.vary import data_of
 from ..variants.pilot import Pilot, pilot
 from ..variants.seeds import Seed
 from ..words import Lang, Words
-from .drawing import Course, drawn, fingerprint, finished
+from .drawing import Course, drawn, fingerprint, finished, refuse_too_few
 from .keyed import key_for
 from .register import NAME, Exercise, Part, Register, Sheet, read_register
 from .runners import Runner
@@ -64,6 +64,8 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
     for problem in map(_bare, order.assignment.problems):
         found = _pilot(order, problem)
         pilots[problem.id] = found
+        if problem.ranges:
+            refuse_too_few(problem, found.passed, len(order.students))
         exercises.append(_exercise(order, problem, found))
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
     parts, refused = _drawn(order, courses, old, run, told)
@@ -143,7 +145,7 @@ def _same(course: Course) -> Part:
 
 
 def _no_twin_sheets(register: Register) -> None:
-    """Raise where two students' numbers have one sheet id, which happens to one class of 300 in 24,000."""
+    """Raise where two students' numbers have one sheet id, which happens to one class of 300 in 24 million."""
     seen: dict[str, str] = {}
     for sheet in register.sheets:
         other = seen.setdefault(sheet.sheet, sheet.student.number)

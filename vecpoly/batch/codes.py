@@ -15,8 +15,8 @@ def short(text: str, length: int) -> str:
 
 
 def sheet_id(assignment: str, salt: str, number: str) -> str:
-    """The six letters of a student's sheet, from which nobody reads the student's number."""
-    return short(f"{SCHEME}|sheet|{assignment}|{salt}|{number}", 6)
+    """The eight letters of a student's sheet, from which nobody reads the student's number."""
+    return short(f"{SCHEME}|sheet|{assignment}|{salt}|{number}", 8)
 
 
 def page_code(assignment: str, sheet: str, page: int, layout: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +21,10 @@ from ..words import Words
 from .register import Part
 from .runners import Runner, Task
 from .store import Store, digest
-from .tasks import SEVERAL, Draw, cut
+from .tasks import Draw, cut
 
 BATCH = 10  # students of one task
-ROUNDS = 24  # in which somebody may be too near to another
+ROUNDS = 48  # in which somebody may be too near to another
 READINGS = 2  # in which two students differ
 Told = Callable[[str, int, int], None]  # what is being done, how much of it, of how much
 
@@ -69,29 +70,28 @@ def drawn(course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: 
     apart, parts = Apart(course.problem.gate.apart), dict(kept)
     for number in sorted(kept):
         apart.takes(kept[number].key)
-    waiting = sorted((seed for seed in seeds if seed.student not in kept), key=lambda seed: seed.stream(-1).below(1 << 60))
-    refused: dict[str, VecpolyError] = {}
-    after = 0
+    first = sorted((seed for seed in seeds if seed.student not in kept), key=lambda seed: seed.stream(-1).below(1 << 60))
+    waiting, refused = [(seed, 0) for seed in first], dict[str, VecpolyError]()
     for _ in range(ROUNDS):
-        left: list[Seed] = []
-        for seed, found in _found(course, waiting, after, run, out, told):
+        left: list[tuple[Seed, int]] = []
+        for seed, found in _found(course, waiting, run, out, told):
             good = next((part for part in found if apart.takes(part.key)), None)
             if good is not None:
                 parts[seed.student] = good
             elif not found:
                 refused[seed.student] = _no_variant(course, Condition.REFUSED)
             else:
-                left.append(seed)
-        waiting, after = left, after + (SEVERAL if after else 1)
+                left.append((seed, found[-1].attempt + 1))
+        waiting = left
         if not waiting:
             break
-    return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed in waiting}
+    return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed, _ in waiting}
 
 
-def _found(course: Course, seeds: Sequence[Seed], after: int, run: Runner, out: Path, told: Told) -> Iterator[tuple[Seed, list[Part]]]:
-    """The variants of each, in the order of the seeds."""
-    tasks = [Draw(problem=course.problem, fingerprint=course.fingerprint, standard=course.standard, seeds=tuple(piece), after=after)
-             for piece in cut(seeds, BATCH)]
+def _found(course: Course, waiting: Sequence[tuple[Seed, int]], run: Runner, out: Path, told: Told) -> Iterator[tuple[Seed, list[Part]]]:
+    """The variants of each from an attempt on, in this order."""
+    tasks = [Draw(problem=course.problem, fingerprint=course.fingerprint, standard=course.standard,
+                  seeds=tuple(seed for seed, _ in piece), starts=tuple(start for _, start in piece)) for piece in cut(waiting, BATCH)]
     results = finished(tasks, run, out, lambda done, of: told(course.problem.id, done, of))
     for task, result in zip(tasks, results, strict=True):
         for seed, found in zip(task.seeds, result, strict=True):
@@ -108,6 +108,18 @@ def finished(tasks: Sequence[Task], run: Runner, out: Path, told: Callable[[int,
         results[todo[number]] = result
         told(len(tasks) - len(todo) + count, len(tasks))
     return results
+
+
+def refuse_too_few(problem: Problem, passed: float, students: int) -> None:
+    """Raise VecpolyError where the grids hold fewer good values than there are students, who are to be told apart."""
+    count = prod(one.count for one in problem.ranges)
+    good = int(count * passed)
+    if problem.gate.apart and good < students:
+        raise VecpolyError(
+            Words(f"题 {problem.id}：{count} 组数据中约 {good} 组合格，而学生有 {students} 名；请{Condition.APART.remedy.zh}，如 0",
+                  f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} students; {Condition.APART.remedy.en}, say to 0"),
+            code="too-few", numbers={"good": good, "students": students},
+        )
 
 
 def _no_variant(course: Course, why: Condition) -> VecpolyError:

@@ -9,7 +9,7 @@ from ..files import write_whole
 from ..words import Words
 from .bundles import merged, zipped
 from .moodle.quiz import cloze_bytes, numerical_bytes
-from .profile import read_profile, table_bytes
+from .profile import Profile, table_bytes
 from .register import NAME, Register
 from .tasks import question_file
 from .workbooks import answers_bytes, key_bytes
@@ -17,7 +17,7 @@ from .workbooks import answers_bytes, key_bytes
 Told = Callable[[Words, int, int], None]
 
 
-def outputs(register: Register, out: Path, profile: Path | None, told: Told) -> Iterator[Path]:
+def outputs(register: Register, out: Path, profile: Profile | None, told: Told) -> Iterator[Path]:
     """Write the forms and bundles, and name each file when it is there."""
     plan: list[tuple[str, Callable[[], bytes]]] = [
         ("key.xlsx", lambda: key_bytes(register)),
@@ -29,8 +29,7 @@ def outputs(register: Register, out: Path, profile: Path | None, told: Told) -> 
         ("questions.zip", lambda: zipped([out / question_file(sheet.student) for sheet in register.sheets], out)),
     ]
     if profile is not None:
-        found = read_profile(profile)
-        plan.append((found.file, lambda: table_bytes(register, found)))
+        plan.append((profile.file, lambda: table_bytes(register, profile)))
     doing = Words("汇总", "bundling")
     for count, (name, made) in enumerate(plan):
         told(doing, count, len(plan))

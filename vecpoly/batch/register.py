@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +38,13 @@ class Exercise:
     @property
     def problem(self) -> Problem:
         """The problem as the lecturer wrote it."""
-        return made(self.data, name=self.id)
+        return _problem(self.id, json.dumps(self.data, ensure_ascii=False))
+
+
+@lru_cache(maxsize=64)
+def _problem(name: str, data: str) -> Problem:
+    """The problem of these data, made once."""
+    return made(json.loads(data), name=name)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

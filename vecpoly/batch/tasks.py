@@ -25,28 +25,27 @@ from .solved import solution_bytes
 from .store import Store, digest
 from .student import Student
 
-SEVERAL = 4  # variants that are found at once for somebody whose first is too near to another's
+SEVERAL = 2  # variants that are found at once for somebody whose first is too near to another's
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Draw:
-    """Find variants of a problem for some students: for each those after so many that were refused."""
+    """Find variants of a problem for some students, for each from an attempt on."""
 
     problem: Problem
     fingerprint: str
     standard: Standard
     seeds: tuple[Seed, ...]
-    after: int = 0
+    starts: tuple[int, ...]
 
     @property
     def address(self) -> str:
-        return digest(["draw", self.fingerprint, [asdict(seed) for seed in self.seeds], self.after])
+        return digest(["draw", self.fingerprint, [asdict(seed) for seed in self.seeds], self.starts])
 
     def run(self, out: Path) -> list[list[dict[str, Any]]]:
         """For each student the variants that were found, as plain data."""
-        count = SEVERAL if self.after else 1
-        found = [[_plain(one, self.standard) for one in islice(variants(self.problem, seed, self.standard), self.after, self.after + count)]
-                 for seed in self.seeds]
+        found = [[_plain(one, self.standard) for one in islice(variants(self.problem, seed, self.standard, start), SEVERAL if start else 1)]
+                 for seed, start in zip(self.seeds, self.starts, strict=True)]
         Store(out).put(self.address, found, {})
         return found
 

@@ -21,6 +21,7 @@ from .tongue import told_in
 
 if TYPE_CHECKING:
     from ..batch.classwork import Made
+    from ..batch.profile import Profile
 
 Told = Callable[[Words, int, int], None]
 Sheet = Annotated[Path, typer.Argument(metavar="ASSIGNMENT", help="The assignment: a YAML file that lists problems.", show_default=False)]
@@ -40,17 +41,18 @@ def classes(assignment: Sheet, roster: RosterOption, output: OutOption, lang: La
     """
     from .. import __version__
     from ..batch.classwork import Order, make_class
+    from ..batch.profile import read_profile
     from ..batch.roster import read_roster
     from ..batch.runners import runner
     from ..problem.assignment import load_assignment
 
-    part = _shard(shard)
+    part, columns = _shard(shard), read_profile(profile) if profile else None
     people = read_roster(roster)
     order = Order(assignment=load_assignment(assignment, allow_outside=allow_outside), students=people.students, out=output, lang=lang, version=__version__)
     with progress_bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
         made = make_class(order, run, told, part)
         if part is None:
-            _bundle(made, output, profile, told)
+            _bundle(made, output, columns, told)
     _report(made)
     errors: list[Exception] = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in people.faults]
     errors += [error.led_by(Words(f"{number}：", f"{number}: ")) for number, error in sorted(made.refused.items())]
@@ -70,7 +72,7 @@ def _shard(text: str) -> tuple[int, int] | None:
     return int(found[1]), int(found[2])
 
 
-def _bundle(made: Made, output: Path, profile: Path | None, told: Told) -> None:
+def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> None:
     from ..batch.outputs import outputs
 
     for path in outputs(made.register, output, profile, told):
@@ -79,14 +81,14 @@ def _bundle(made: Made, output: Path, profile: Path | None, told: Told) -> None:
 
 def _report(made: Made) -> None:
     """Yield and what is demoted, problem by problem."""
-    from ..variants.told import demoted, told
+    from ..variants.told import demoted, said_already, told
 
     for name, found in made.pilots.items():
         if found.standard.work:
-            for line in (*told(name, found), *demoted(found)):
+            for line in (*told(name, found), *demoted(found), *said_already(made.register.exercise(name).problem)):
                 say(told_in(line))
     count = len(made.register.sheets)
-    say(told_in(Words(f"{count} 份作业", f"{count} sheets")))
+    say(told_in(Words(f"{count} 份作业", f"{count} sheet{'' if count == 1 else 's'}")))
 
 
 @contextmanager

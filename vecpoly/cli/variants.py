@@ -38,13 +38,13 @@ def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) 
     from ..variants.draw import variants as drawn
     from ..variants.pilot import pilot
     from ..variants.seeds import Seed
-    from ..variants.told import demoted, told
+    from ..variants.told import demoted, said_already, told
 
     if not problem.ranges:
         typer.echo(Words(f"{problem.id}：没有 vary，所有学生的数据相同", f"{problem.id}: no vary, the same numbers for everybody").of(lang))
         return
     first: Pilot = pilot(problem, Seed(assignment=assignment, problem=problem.id, student="", salt=f"{salt}/pilot"))
-    for line in (*told(problem.id, first), *demoted(first)):
+    for line in (*told(problem.id, first), *demoted(first), *said_already(problem)):
         typer.echo(line.of(lang))
     for number in range(1, count + 1):
         seed = Seed(assignment=assignment, problem=problem.id, student=f"{number}", salt=salt)

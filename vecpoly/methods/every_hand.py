@@ -9,7 +9,7 @@ import numpy as np
 
 from ..board.amended import Amended
 from ..board.board import Board
-from ..board.construction import Construction, Scale
+from ..board.construction import Construction, Figure, Scale
 from ..board.hand import Hand
 from ..board.place import View
 from ..names import Key, Kind, Rel
@@ -28,16 +28,21 @@ FAR = 1e6  # times the nominal length
 
 
 def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amended) -> Mapping[str, Points | Reals]:
-    """Asked quantity -> its value by every hand (SI; of a velocity or acceleration the vector), at the scales of a drawing.
+    """Asked quantity -> its value by every hand (SI; of a velocity or acceleration the vector), at the given scales, or else those of a drawing.
 
     A hand whose polygon does not close has NaN. Raises what drawing the nominal sheet raises.
     """
-    scales: dict[View, Scale] = scale_symbols() | {figure.view: figure.scale for figure in like.figures if not figure.aside}
+    scales: dict[View, Scale] = scale_symbols() | {figure.view: _scale(problem, figure) for figure in like.figures if not figure.aside}
     exchange = exchanged(problem.mechanism, stages(problem))
     drawn = replace(problem, subject=exchange.mech)
     with np.errstate(all="ignore"):
         desk = draw(drawn, Board(by, scales, amended), exchange.said)
         return {ask.rel.key: np.asarray(bare(_drawn(_value(desk, ask.rel)))) for ask in problem.asks}
+
+
+def _scale(problem: Problem, figure: Figure) -> Scale:
+    """The scale that the problem gives, or else that of the figure."""
+    return Scale.of(figure.view, problem.scales.of(figure.view.mu) or figure.scale.value)
 
 
 def _value(desk: Desk, key: Key) -> Points | Reals:

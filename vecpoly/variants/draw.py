@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from ..errors import VecpolyError
@@ -37,13 +37,13 @@ class Trial:
 
     attempt: int
     swept: Swept
-    drawn: tuple[tuple[Mapping[str, str], Look | Condition], ...]
+    drawn: Iterable[tuple[Mapping[str, str], Look | Condition]]  # one after another, as they are asked for
 
 
-def variants(problem: Problem, seed: Seed, standard: Standard) -> Iterator[Variant]:
-    """The variants of a student, one after another, until so many attempts are used up: the first is given unless it is too near to another's."""
+def variants(problem: Problem, seed: Seed, standard: Standard, start: int = 0) -> Iterator[Variant]:
+    """The variants of a student from this attempt on, until so many are used up: the first is given unless it is too near to another's."""
     graded = frozenset(ask.rel.key for ask in problem.asks) - standard.demoted
-    for attempt in range(ATTEMPTS):
+    for attempt in range(start, start + ATTEMPTS):
         for values, look in tried(problem, seed, attempt, standard, graded).drawn:
             if isinstance(look, Look) and failing(look, standard) is None:
                 yield Variant(seed=seed, attempt=attempt, values=values, problem=look.problem, key=look.key)
@@ -60,7 +60,7 @@ def tried(problem: Problem, seed: Seed, attempt: int, standard: Standard, graded
     except VecpolyError:
         return Trial(attempt=attempt, swept=Swept((), Counter({Condition.REFUSED: 1})), drawn=())
     places = stream.shuffled(swept.passed)[:TRIALS]
-    drawn = tuple(_drawn(problem, values | {along.name: along.at(number)}, standard) for number in places)
+    drawn = (_drawn(problem, values | {along.name: along.at(number)}, standard) for number in places)
     return Trial(attempt=attempt, swept=swept, drawn=drawn)
 
 

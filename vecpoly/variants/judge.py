@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..board.slip import Slip
 from ..errors import VecpolyError
 from ..grading.key import Graded, Kind
-from ..problem.problem import Problem
+from ..problem.problem import Problem, Scales
 from .conditions import Condition
 from .frames import scaled
 from .look import Look, least_meeting, sizes_mm, sketch_of, work
@@ -25,13 +25,14 @@ Table = NDArray[np.float64]
 class Standard:
     """What all variants of a problem are held to.
 
-    work: the acts of the problem as it stands; signs: the senses of its answers. demoted: what is asked and too badly
-    conditioned in most variants, graded by follow-through only. hidden, twins: slips, and pairs of slips, that do not show in most
-    variants, and so are asked of none.
+    work: the acts of the problem as it stands; signs: the senses of its answers; scales: those it was drawn at. demoted: what is
+    asked and too badly conditioned in most variants, graded by follow-through only. hidden, twins: slips, and pairs of slips, that
+    do not show in most variants, and so are asked of none.
     """
 
     work: tuple[tuple[str, str], ...]
     signs: Mapping[str, float]
+    scales: Scales = field(default_factory=Scales)
     demoted: frozenset[str] = frozenset()
     hidden: frozenset[Slip] = frozenset()
     twins: frozenset[frozenset[Slip]] = field(default_factory=frozenset)
@@ -40,7 +41,7 @@ class Standard:
 def looked_at(problem: Problem, standard: Standard) -> Look | Condition:
     """The drawing at round scales that fit the frames, or what it fails on before it is weighed."""
     try:
-        sketch = sketch_of(problem)
+        sketch = sketch_of(problem, standard.scales)
         if problem.gate.alike and work(sketch.acts) != standard.work:
             return Condition.ACTS
         framed = scaled(problem, sketch)

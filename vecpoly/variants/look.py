@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import asin, pi
 
@@ -20,9 +20,10 @@ from ..grading.derive.keyed import answer_key
 from ..grading.key import AnswerKey, Graded, Kind
 from ..mechanism.model import Mechanism
 from ..methods.every_hand import by_every_hand
+from ..methods.plan import drawn_alone
 from ..mistakes import slips_of
 from ..plane.geometry import cross
-from ..problem.problem import Problem
+from ..problem.problem import Problem, Scales
 from ..solution import constructed
 from ..task import task_of
 
@@ -62,8 +63,11 @@ class Look:
         return np.array(columns, dtype=np.complex128).reshape(-1, count).T
 
 
-def sketch_of(problem: Problem) -> Construction:
-    """The construction by an exact hand."""
+def sketch_of(problem: Problem, like: Scales | None = None) -> Construction:
+    """The construction by an exact hand; like: scales for a drawing of which only the proportions are of use."""
+    if like is not None and isinstance(problem.subject, Mechanism):
+        given = Scales({**like.given, **problem.scales.given})
+        return drawn_alone(replace(problem, scales=given), hand("exact"))
     return constructed(problem, hand("exact"), AS_DRAWN).construction
 
 

@@ -10,6 +10,7 @@ from itertools import combinations
 from ..board.slip import Slip
 from ..errors import VecpolyError
 from ..problem.problem import Problem
+from ..solution import scales_of
 from ..words import Words
 from .conditions import Condition
 from .draw import Trial, tried
@@ -18,7 +19,7 @@ from .judge import Standard, deviation, failing, long_enough, signs, told_apart,
 from .look import Look, sketch_of, work
 from .seeds import Seed
 
-SETS = 16  # of values that are tried
+SETS = 12  # of values that are tried
 MOST = 0.5  # a quantity that fails in more of the drawings than this is demoted
 LEAST = 0.01  # yield below which the ranges are refused
 
@@ -38,7 +39,7 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
     """Draw some variants that nobody gets. Raises VecpolyError where too few draws pass, with what fails most and what to relax."""
     problem = replace(problem, printed=(), tables=())
     first = _standard(problem)
-    trials = [tried(problem, seed, attempt, first, frozenset()) for attempt in range(SETS)]
+    trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
     asked = tuple(ask.rel.key for ask in problem.asks)
     standard = _with_slips(_with_demoted(first, looks, asked), looks)
@@ -51,11 +52,16 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
     return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips)
 
 
+def _whole(trial: Trial) -> Trial:
+    """With all that is to be drawn, drawn."""
+    return replace(trial, drawn=tuple(trial.drawn))
+
+
 def _standard(problem: Problem) -> Standard:
     """The problem as it stands: its work, and the senses of its answers. Vectors are looked at later, one by one."""
     sketch = sketch_of(problem)
     look = Look(scaled(problem, sketch) or problem, sketch)
-    return Standard(work=work(sketch.acts), signs=signs(look), demoted=frozenset(one.key for one in look.key.quantities))
+    return Standard(work=work(sketch.acts), signs=signs(look), scales=scales_of(sketch), demoted=frozenset(one.key for one in look.key.quantities))
 
 
 def _with_demoted(standard: Standard, looks: Sequence[Look], asked: Sequence[str]) -> Standard:
@@ -100,8 +106,9 @@ def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[C
         total += left + sum(trial.swept.failed.values())
         for condition, count in trial.swept.failed.items():
             failed[condition] += count
-        weight = left / len(trial.drawn) if trial.drawn else 0.0
-        for _, look in trial.drawn:
+        drawn = tuple(trial.drawn)
+        weight = left / len(drawn) if drawn else 0.0
+        for _, look in drawn:
             verdict = failing(look, standard) if isinstance(look, Look) else look
             if verdict is None:
                 passed += weight

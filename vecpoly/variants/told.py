@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ..problem.problem import Problem
+from ..problem.vary import parameters
 from ..words import Words
 from .pilot import Pilot
 
@@ -17,6 +19,18 @@ def told(name: str, pilot: Pilot) -> Iterator[Words]:
         f"{name}：随机取值的 {100 * pilot.passed:.1f} % 合格" + (f"；不合格的原因：{zh}" if zh else ""),
         f"{name}: {100 * pilot.passed:.1f} % of the draws pass" + (f"; the others fail: {en}" if en else ""),
     )
+
+
+def said_already(problem: Problem) -> Iterator[Words]:
+    """Where the text of the problem tells a value that now differs from student to student."""
+    known = parameters(problem)
+    for one in problem.ranges:
+        written = known.get(one.name, "")
+        if len(written) > 1 and any(written.replace(" ", "") in text.replace(" ", "") for text in (problem.statement.zh, problem.statement.en)):
+            yield Words(
+                f"{problem.id}：题目正文中写有 {one.name} = {written}，而它现在因人而异；请从 statement 中删去",
+                f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to student; take it out",
+            )
 
 
 def demoted(pilot: Pilot) -> Iterator[Words]:

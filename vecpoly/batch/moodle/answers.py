@@ -53,7 +53,8 @@ def _by_slips(problem: Problem) -> dict[str, tuple[tuple[float, Words], ...]]:
     look = Look(problem, sketch_of(problem))
     found: dict[str, list[tuple[float, Words]]] = {}
     for column, one in enumerate(look.asked):
-        values = look.places[1:, column] * one.allowed
+        with np.errstate(invalid="ignore"):
+            values = look.places[1:, column] * one.allowed
         for slip, value in zip(look.slips, values, strict=True):
             size = abs(value) if one.kind is Kind.VECTOR else float(value.real)
             if np.isfinite(size):

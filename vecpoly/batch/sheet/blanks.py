@@ -54,9 +54,10 @@ def draw_blank(canvas: Any, blank: Blank) -> None:
     if blank.length:
         end = _figures(canvas, (x + _PAPER, y - 1.6))
         write(canvas, "mm", (end + 1.2, y), SMALL)
-    write(canvas, "=", (x + _VALUE - 5.0, y), SMALL)
-    line(canvas, (x + _VALUE, y - 1.4), (x + _VALUE + 24.0, y - 1.4))
-    write(canvas, written_unit(blank.unit), (x + _VALUE + 25.5, y), SMALL)
+    value = x + (_PAPER + 5.0 if blank.plain else _VALUE)
+    write(canvas, "=", (value - 5.0, y), SMALL)
+    line(canvas, (value, y - 1.4), (value + 24.0, y - 1.4))
+    write(canvas, written_unit(blank.unit), (value + 25.5, y), SMALL)
     if blank.direction:
         end = _figures(canvas, (x + _WAY, y - 1.6))
         write(canvas, "°", (end + 1.0, y), SMALL)

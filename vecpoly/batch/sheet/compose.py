@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...board.construction import Figure
 from ...figures import View
@@ -89,10 +89,20 @@ def _belongs(one: Graded, figure: Figure, *, last: bool) -> bool:
 
 
 def _blanks(asked: Sequence[Graded], top: float) -> tuple[tuple[Blank, ...], Sequence[Graded]]:
-    """The rows that have room below a height, and the answers that have none."""
-    room = max(0, int((top - BOTTOM) / ROW) + 1)
-    rows = tuple(_blank(one, (LEFT, round(top - i * ROW, 3))) for i, one in enumerate(asked[:room]))
-    return rows, asked[room:]
+    """The rows that have room below a height, plain numbers two in a row, and the answers that have none."""
+    rows: list[Blank] = []
+    y, beside = top, False
+    for i, one in enumerate(asked):
+        blank = _blank(one, (LEFT, round(y, 3)))
+        if beside and blank.plain and rows[-1].plain:
+            rows.append(replace(blank, at=((LEFT + RIGHT) / 2, rows[-1].at[1])))
+            beside = False
+        elif y < BOTTOM:
+            return tuple(rows), asked[i:]
+        else:
+            rows.append(blank)
+            y, beside = y - ROW, True
+    return tuple(rows), ()
 
 
 def _blank(one: Graded, at: tuple[float, float]) -> Blank:

@@ -44,6 +44,11 @@ class Blank:
     direction: bool
     sense: bool
 
+    @property
+    def plain(self) -> bool:
+        """Whether a number is all that is asked, so that two go beside each other."""
+        return not (self.length or self.direction or self.sense)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Page:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import segno
@@ -43,7 +43,7 @@ def box(canvas: Any, at: Spot, width: float, height: float) -> None:
 def furniture(canvas: Any, tags: tuple[int, ...], code: str, lang: Lang) -> None:
     """The eight tags, the code twice as QR and twice in letters, the bar."""
     for tag, at in zip(tags, corners_of_tags(), strict=True):
-        canvas._code.append(_cells(_tag(tag), at, TAG))
+        canvas._code.append(_squares(tag, at))
     for at in QR_AT:
         canvas._code.append(_cells(_qr(code), at, QR))
     (right, _), (left, low) = QR_AT
@@ -89,6 +89,11 @@ def _cells(rows: tuple[tuple[bool, ...], ...], at: Spot, side: float) -> str:
 
 
 @cache
+def _squares(tag: int, at: Spot) -> str:
+    return _cells(_tag(tag), at, TAG)
+
+
+@cache
 def _tag(number: int) -> tuple[tuple[bool, ...], ...]:
     """The black cells of a tag, its black border of one cell with them."""
     code, wide = CODES[number], CELLS + 2
@@ -96,6 +101,7 @@ def _tag(number: int) -> tuple[tuple[bool, ...], ...]:
     return tuple(tuple(inner.get((r, c), True) for c in range(wide)) for r in range(wide))
 
 
+@lru_cache(maxsize=4)
 def _qr(code: str) -> tuple[tuple[bool, ...], ...]:
     """The modules of a QR code of level Q."""
     made = segno.make(code, error="q", micro=False, boost_error=False)
