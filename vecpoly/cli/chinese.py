@@ -4,8 +4,8 @@ from __future__ import annotations
 
 LABELS = {  # what stands in place of a value, in the order in which it is looked for
     "COMMAND [ARGS]...": "命令 [参数]...", "OPTIONS": "选项", "ID_OR_FILE": "题号或文件", "ID_OR_PATH": "题号或文件", "SYMBOL=VALUE": "符号=值",
-    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "ASSIGNMENT": "作业文件", "ADDRESS": "地址", "I/N": "I/N", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
-    "what": "内容", "folder": "文件夹", "<int range>": "整数", "<float range>": "数", "<int>": "整数", "<float>": "数", "<str>": "", "<list[str]>": "", "<path>": "", "<place>": "", "<Path>": "文件夹",
+    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "ASSIGNMENT": "作业文件", "ANSWERS": "答案", "ADDRESS": "地址", "I/N": "I/N", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
+    "what": "内容", "folder": "文件夹", "<int range>": "整数", "<float range>": "数", "<int>": "整数", "<float>": "数", "<str>": "", "<list[str]>": "", "<list[Path]>": "", "<path>": "", "<place>": "", "<Path>": "文件夹",
 }  # fmt: skip
 
 HELP = {
@@ -46,7 +46,19 @@ HELP = {
     "Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, Moodle questions.\n\n"
     "Killed at any moment, it goes on where it was when it is started again.":
         "给名单上的每个人一组数据：题目与解答 PDF、登记表、答案键、答案录入表、Moodle 题目。\n\n随时中断，再次运行即从中断处继续。",
+    "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for what a person must see.\n\n"
+    "Right within what a drawing may be off by, or right by one's own earlier values; each mistake costs once, and is\n"
+    "named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what changed.\n\n"
+    "Exit code: 0 all was marked, 2 something could not be read (the rest is marked all the same).":
+        "批改全班的答案：成绩、每人一份反馈、逐题分析、待人工批改的清单。\n\n在作图允许误差之内为正确，按自己前面的结果算对的也为正确；"
+        "每个错误只扣一次，只有一种差错能解释时说明原因。同样的答案再批一次，成绩相同；--diff 列出与前次的不同。\n\n"
+        "退出码：0 全部批改，2 有读不出的内容（其余照常批改）。",
     # arguments
+    "The folder that 'vecpoly class' wrote.": "vecpoly class 写出的文件夹。",
+    "Answers: the form, CSV, YAML or JSON.": "答案：生成的答案表、CSV、YAML 或 JSON。",
+    "Rules and points, as YAML.": "评分规则和分值（YAML）。",
+    "Tell what is marked otherwise than there.": "列出与该文件夹中批改结果的不同。",
+    "Write a feedback sheet for everybody.": "为每人写一份反馈。",
     "The assignment: a YAML file that lists problems.": "作业：列有题目的 YAML 文件。",
     "Numbers, names and classes: XLSX or CSV.": "学号、姓名、班级：XLSX 或 CSV。",
     "Processes; as many as there are processors where 0 is said.": "进程数；0 则与处理器数相同。",

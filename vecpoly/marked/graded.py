@@ -12,6 +12,7 @@ from ..errors import Fault
 from ..files import write_whole
 from ..grading.key import AnswerKey
 from ..words import Lang, Words
+from .foreign import own_work
 from .intake.read import read_answers
 from .intake.returned import Returned
 from .out.items import items
@@ -52,7 +53,8 @@ def grade(order: Order, told: Told) -> Graded:
     register = order.register
     before = None if order.before is None else read_record(order.before)
     returned = gathered(register, order.files)
-    results = tuple(_counted(mark_class(register, returned, order.scheme, order.jobs), len(register.sheets), told))
+    marked = mark_class(register, returned, order.scheme, order.jobs)
+    results = tuple(own_work(register, one, order.scheme) for one in _counted(marked, len(register.sheets), told))
     faults = tuple(returned.faults)
     changed = None if before is None else differences(before, record(results, register.assignment))
     files = list(_tables(order, results, faults, changed))
