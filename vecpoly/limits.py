@@ -25,6 +25,7 @@ ROUGH = 1.0  # coefficient of friction above which nothing slides on anything in
 
 # Variants
 GRID = 10_000  # values of one range
+ROSTER = 200_000  # students of one assignment
 
 # Drawings
 SMALL = 20.0  # mm that the mechanism should measure on paper at least

@@ -101,11 +101,13 @@ class Board(Instruments):
     def keep(self, reading: Reading, value: Reals) -> None:
         """Keep an answer, as it is read and by every hand."""
         self.readings[reading.key], self.found[reading.key] = reading, value
-        self.answer(reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value)
+        self.answer(
+            reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value, each=value
+        )
 
-    def answer(self, key: str, value: complex, unit: str, *found: Points | Reals) -> None:
-        """Write down what was found of a quantity (SI), and from what."""
-        self.log(done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
+    def answer(self, key: str, value: complex, unit: str, *found: Points | Reals, each: Points | Reals) -> None:
+        """Write down what was found of a quantity (SI), and from what; each: the same by every hand."""
+        self.gave(each, done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
     def conclude(self, key: str, value: Reals, unit: str) -> Reals:
         """A value follows from others (SI): ω of a link, with its sense;

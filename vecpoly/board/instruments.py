@@ -37,6 +37,7 @@ class Instruments(Strokes):
         self.amended = amended
         self.spots: dict[tuple[Place, str], Points] = {}  # what has a letter
         self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
+        self._laid: set[tuple[Place | None, str]] = set()  # a vector laid off wrongly is gone along as it stands
         self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
 
     def locate(self, view: Place, letter: str, at: Points) -> Points:
@@ -56,7 +57,8 @@ class Instruments(Strokes):
 
     def follow(self, view: Place, vector: Points, key: str) -> Points:
         """Go along a vector that stands on the polygon already."""
-        vector = self._wrongly(view, key, vector)
+        if (view, key) not in self._laid:
+            vector = self._wrongly(view, key, vector)
         return traced(vector, self.log(done.Follow(head=self.head(vector, on=view, key=key), by=spot(vector))))
 
     def transfer(self, view: Place, vector: Points, key: str) -> Points:
@@ -67,6 +69,7 @@ class Instruments(Strokes):
     def lay_off(self, start: Points, along: Points, mm: Reals, *, key: str = "") -> Points:
         """Lay off a length from a point in a direction carried by set square."""
         along = self._wrongly(self.here, key, along)
+        self._laid.add((self.here, key))
         at = start + self.hand.tilt(along) * self.hand.carry(mm)
         act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))

@@ -44,6 +44,9 @@ class Points:
         return self.method + self.accuracy + self.sense
 
 
+NOTHING = Points()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Graded:
     """One quantity of a key.
@@ -52,8 +55,8 @@ class Graded:
     exact: SI, a reading in mm; a size for vectors, signed for the rest. mm, degrees: of the exact vector on paper,
     from +x. mu: the scale it is drawn with (``mu_v``); line: the reading that it is computed from. needs: the graded
     quantities that it rests on directly. sigma: what a student's hand scatters by; allowed: T, both in the unit of
-    `exact`. demoted: too badly conditioned to be held against the exact value; it is graded by what it was computed
-    from. points: nothing for a step on the way.
+    `exact`; turned: what it scatters by in direction (deg). demoted: too badly conditioned to be held against the
+    exact value; it is graded by what it was computed from. points: nothing for a step on the way.
     """
 
     key: str
@@ -70,9 +73,10 @@ class Graded:
     needs: tuple[str, ...] = ()
     sigma: float = 0.0
     allowed: float = 0.0
+    turned: float = 0.0
     demoted: bool = False
     asked: bool = False
-    points: Points = Points()
+    points: Points = NOTHING
 
     @property
     def letters(self) -> str:

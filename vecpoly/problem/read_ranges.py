@@ -9,7 +9,7 @@ from decimal import Decimal
 from ..errors import FaultError
 from ..limits import GRID
 from ..units.patterns import NUMBER, SENSE
-from ..units.reading import Dim, pure, read
+from ..units.reading import pure, read
 from ..words import Words
 from .meaning import meant_by
 from .ranges import Range
@@ -64,7 +64,7 @@ def _read(name: str, text: str, slot: Slot) -> Range:
         raise FaultError(
             Words(f"“{text}”不是范围；如写 {_EXAMPLE}", f"'{text}' is no range; write e.g. {_EXAMPLE}"), code="spelling"
         )
-    (low, unit), (high, same), (step, by) = (_part(found[key], slot.dim) for key in ("low", "high", "step"))
+    (low, unit), (high, same), (step, by) = (_part(found[key], slot) for key in ("low", "high", "step"))
     if same != unit or by not in (unit, _TURNING.sub("", unit)):
         raise FaultError(
             Words(
@@ -76,12 +76,12 @@ def _read(name: str, text: str, slot: Slot) -> Range:
     return Range(name=name, first=low, step=step, count=_count(text, low, high, step), unit=unit)
 
 
-def _part(text: str, dim: Dim | None) -> tuple[Decimal, str]:
-    """The number and its unit; raises FaultError for what is no such quantity."""
-    if dim is None:
+def _part(text: str, slot: Slot) -> tuple[Decimal, str]:
+    """The number and its unit; raises FaultError for what is no such quantity. A device reads its own data later."""
+    if slot.dim is not None:
+        read(text, slot.dim)
+    elif slot.path[0] != "data":
         pure(text, "0.1")
-    else:
-        read(text, dim)
     found = _PART.fullmatch(text.replace("−", "-"))
     if found is None:
         raise FaultError(

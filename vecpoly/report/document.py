@@ -23,7 +23,7 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
-from .flow.doc import Metadata, ReportDoc, SheetPage
+from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table
@@ -72,8 +72,9 @@ def report_bytes(
     fields: Mapping[str, str] | None = None,
     title: Words | None = None,
     templates: Path | None = None,
+    stamp: Stamp | None = None,
 ) -> bytes:
-    """The PDF that `write_report` writes."""
+    """The PDF that `write_report` writes; stamp: draws on every page."""
     known_language(lang)
     solutions = [
         of_kind(one, Solution, _SOLVED)
@@ -90,7 +91,7 @@ def report_bytes(
     meta = Metadata(
         title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
     )
-    return ReportDoc(story, meta).made()[0]
+    return ReportDoc(story, meta, stamp).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
@@ -155,7 +156,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,
-        "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else "",
+        "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
     }
     if style == "question":
         return common | {
@@ -186,7 +187,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "verdicts": verdicts(solution, checked, lang),
         "conclusions": conclusions(solution, lang),
         "cautions": cautions(solution, lang),
-        "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
+        "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": [] if blocks else _pages(solution.construction, solution, lang, objects),
     }
 
@@ -198,7 +199,8 @@ def _pages(construction: Construction, solution: Solution, lang: Lang, objects: 
     return [objects.add("sheet", _page(sheet, solution, lang)) for sheet in made]
 
 
-def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+def sketch_of(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+    """A figure as a block of the text."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
     alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)

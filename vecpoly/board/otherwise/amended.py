@@ -3,14 +3,14 @@ somebody's own readings and points, with which the construction goes on."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
 
 from ...foundation.frozen import FrozenMap
-from ...plane import Points, Reals
+from ...plane import Points, Reals, nominal
 from ...plane.traced import acts_of, bare, traced
 from ..place import Place, named
 from .slip import Slip
@@ -20,13 +20,24 @@ V = TypeVar("V", Points, Reals)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Own:
+    """What somebody goes on with: lengths read (mm) by their letters, results computed (SI) by their keys."""
+
+    readings: Mapping[str, float] = FrozenMap({})
+    values: Mapping[str, float] = FrozenMap({})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm;
     points: a letter → its place in mm.
 
-    values: key of what is computed on the way → somebody's own result (SI, with its sign), with which all that follows
-    is computed. A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake, by
-    every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes none.
+    values: key of what is computed on the way → the size of somebody's own result (SI), negative where its sense is the
+    other one.
+    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
+    by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes
+    none.
+    own: the readings and values of further hands, each with its own.
     """
 
     readings: Mapping[str, float] = FrozenMap({})
@@ -34,11 +45,14 @@ class Amended:
     values: Mapping[str, float] = FrozenMap({})
     slip: Slip | None = None
     each: tuple[Slip, ...] = ()
+    own: tuple[Own, ...] = ()
 
     def reading(self, place: Place | None, letters: str, read: Reals) -> Reals:
         """The length to go on with."""
-        own = _of(self.readings, place, plain_letters(letters), plain_letters(" ".join(reversed(letters.split()))))
-        return read if own is None else _moved(read, own)
+        names = plain_letters(letters), plain_letters(" ".join(reversed(letters.split())))
+        own = _of(self.readings, place, *names)
+        read = read if own is None else _moved(read, own)
+        return self.altered(read, self._by_others([one.readings for one in self.own], place, *names))
 
     def point(self, place: Place, letter: str, at: Points) -> Points:
         """The point to go on with."""
@@ -48,7 +62,20 @@ class Amended:
     def value(self, place: Place | None, key: str, found: Reals) -> Reals:
         """The result to go on with."""
         own = _of(self.values, place, key)
-        return found if own is None else _moved(found, own)
+        if own is None and not self.own:
+            return found
+        sense = -1.0 if nominal(found) < 0 else 1.0
+        found = found if own is None else _moved(found, sense * own)
+        mine = self._by_others([one.values for one in self.own], place, key)
+        return self.altered(found, ((hand, sense * size) for hand, size in mine))
+
+    def _by_others(
+        self, given: Sequence[Mapping[str, float]], place: Place | None, *names: str
+    ) -> Iterator[tuple[int, float]]:
+        """The numbers of the hands that have their own under one of these names, each with it."""
+        for hand, mine in enumerate(given, 1 + len(self.each)):
+            if (own := _of(mine, place, *names)) is not None:
+                yield hand, own
 
     def wrong(self, place: Place | None, key: str) -> tuple[tuple[int | None, Slip], ...]:
         """Who makes a mistake with this quantity, and which: the number of the hand, None for all of them."""
@@ -65,7 +92,7 @@ class Amended:
             if hand is None:
                 value = other
                 continue
-            every = np.array(np.broadcast_to(bare(value), (len(self.each) + 1,)))
+            every = np.array(np.broadcast_to(bare(value), (1 + len(self.each) + len(self.own),)))
             every[hand] = bare(other)[hand] if np.ndim(bare(other)) else bare(other)
             value = traced(every, acts_of(value, other))
         return value

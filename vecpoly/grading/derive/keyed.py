@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -148,7 +149,7 @@ def _reading(act: Measure, name: str) -> Graded:
     view = _view(act)
     return Graded(
         key=name,
-        symbol=act.key,
+        symbol=_lettered(act.key),
         kind=Kind.READING,
         unit="mm",
         block=block_of(view),
@@ -157,6 +158,15 @@ def _reading(act: Measure, name: str) -> Graded:
         degrees=bearing(act.b - act.a),
         mu=view.mu.key if view else "",
     )
+
+
+def _lettered(letters: str) -> str:
+    """The letters of a length as they are printed: n2'c2' → n_{2}^′c_{2}^′."""
+    return re.sub(r"([A-Za-z])(\d*)('?)", _letter, letters)
+
+
+def _letter(found: re.Match[str]) -> str:
+    return found[1] + (f"_{{{found[2]}}}" if found[2] else "") + ("^′" if found[3] else "")
 
 
 def _name(act: Measure, read: Sequence[Measure], taken: set[str]) -> str:

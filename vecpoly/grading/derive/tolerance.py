@@ -37,6 +37,14 @@ class Scatter:
         closed = found[np.isfinite(found)]
         return float(np.std(closed)) if closed.size >= (1 - LOST) * found.size else inf
 
+    def turned(self, act: Act) -> float:
+        """σ of the direction of a vector (deg); 0 where its direction by every hand is not known."""
+        repeats: Any = self.drawn.hands.get(act.number)
+        if not isinstance(act, Wrote) or repeats is None or not np.iscomplexobj(repeats) or not repeats[0]:
+            return 0.0
+        off = np.angle(repeats[1:] / repeats[0])
+        return float(np.degrees(np.std(off[np.isfinite(off)])))
+
     def bounded(self, graded: Sequence[Graded]) -> list[Graded]:
         """The quantities with T,
         which for a value without a length of its own is bounded by the lengths that it was computed from.
@@ -79,4 +87,4 @@ class Scatter:
 
 def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:
     """The quantity with the scatter of the act that gave it."""
-    return replace(one, sigma=scatter.sigma(act))
+    return replace(one, sigma=scatter.sigma(act), turned=scatter.turned(act))

@@ -120,6 +120,7 @@ def _with_assignments(schema: Schema) -> None:
     changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
     schema["properties"] |= {
         "title_block": sheet["title_block"],
+        "salt": _loose(sheet["salt"]),
         "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}},
     }
     schema["required"] = ["title"]

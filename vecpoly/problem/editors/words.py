@@ -76,6 +76,7 @@ KEYS = {
         "a device instead of a mechanism: a wedge, a screw, a train of machines",
     ),
     "Problem.data": Words("机械装置的已知数据", "the data of the device"),
+    "Problem.salt": Words("换一个文本，全班的数据就都不同", "another text gives everybody other numbers"),
     "Problem.title_block": Words("作业的标题栏：课程、班级、姓名", "title block of an assignment: course, class, name"),
     "Problem.problems": Words(
         "作业中的题目：题号、文件，或 {problem: 3-9, ...}",

@@ -187,5 +187,9 @@ class AssignmentSpec(Spec):
     """An assignment file: title, title block, problems."""
 
     title: Text
+    id: str | None = Field(
+        None, pattern=ID, description="of the assignment in codes and seeds; the file's name where nothing is said"
+    )
+    salt: str = Field("", description="another text gives everybody other numbers")
     title_block: dict[str, str] = {}
     problems: list[str | dict[str, Any]] = Field(min_length=1)
