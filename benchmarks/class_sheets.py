@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from vecpoly.batch.classwork import Made, Order, Told, make_class
-from vecpoly.batch.runners import Here
+from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.words import Words

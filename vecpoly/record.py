@@ -48,6 +48,8 @@ _MODULES = (
     "problem.asked.asks",
     "problem.text.held",
     "problem.values.written",
+    "problem.gate",
+    "problem.ranges",
     "problem.problem",
     "check.alarm",
     "answer",

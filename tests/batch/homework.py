@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vecpoly.batch.classwork import Made, Order, make_class
-from vecpoly.batch.runners import Here
+from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
 from vecpoly.problem.assignment import load_assignment
 

@@ -10,7 +10,7 @@ from distributed import LocalCluster
 
 from tests.batch.homework import TEXT, files, made, people
 from vecpoly.batch.classwork import Order, make_class
-from vecpoly.batch.runners import Cluster, runner
+from vecpoly.batch.run.runners import Cluster, runner
 from vecpoly.problem.assignment import load_assignment
 from vecpoly.words import Words
 

@@ -14,13 +14,13 @@ from pypdf import PdfReader
 
 from tests.batch.homework import TEXT, made
 from vecpoly.batch.bundles import merged, zipped
-from vecpoly.batch.columns import columns_of
+from vecpoly.batch.forms.columns import columns_of
+from vecpoly.batch.forms.profile import read_profile, table_bytes
+from vecpoly.batch.forms.workbooks import answers_bytes, key_bytes
 from vecpoly.batch.moodle.quiz import cloze_bytes, numerical_bytes
-from vecpoly.batch.profile import read_profile, table_bytes
 from vecpoly.batch.register import Register
+from vecpoly.batch.run.tasks import question_file
 from vecpoly.batch.student import Student
-from vecpoly.batch.tasks import question_file
-from vecpoly.batch.workbooks import answers_bytes, key_bytes
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.key import Kind
 

@@ -10,7 +10,7 @@ from zipfile import ZIP_STORED, ZipFile, ZipInfo
 from pypdf import PdfReader, PdfWriter
 
 from .register import Register
-from .tasks import question_file, solution_file
+from .run.tasks import question_file, solution_file
 
 _FIRST = (1980, 1, 1, 0, 0, 0)
 

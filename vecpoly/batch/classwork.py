@@ -19,10 +19,10 @@ from ..words import Lang, Words
 from .drawing import Course, drawn, fingerprint, finished, refuse_too_few
 from .keyed import key_for
 from .register import NAME, Exercise, Part, Register, Sheet, read_register
-from .runners import Runner
-from .store import digest
+from .run.runners import Runner
+from .run.store import digest
+from .run.tasks import Print, bare, cut, laid_out, own
 from .student import Student
-from .tasks import Print, bare, cut, laid_out, own
 from .unvaried import same_for_all
 
 PAGES = 10  # students of one task

@@ -19,9 +19,9 @@ from ..variants.look import MEASURED
 from ..variants.seeds import Seed
 from ..words import Words
 from .register import Part
-from .runners import Runner, Task
-from .store import Store, digest
-from .tasks import Draw, cut
+from .run.runners import Runner, Task
+from .run.store import Store, digest
+from .run.tasks import Draw, cut
 
 BATCH = 10  # students of one task
 ROUNDS = 48  # in which somebody may be too near to another

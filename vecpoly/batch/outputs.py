@@ -8,11 +8,11 @@ from pathlib import Path
 from ..foundation.files import write_whole
 from ..words import Words
 from .bundles import merged, zipped
+from .forms.profile import Profile, table_bytes
+from .forms.workbooks import answers_bytes, key_bytes
 from .moodle.quiz import cloze_bytes, numerical_bytes
-from .profile import Profile, table_bytes
 from .register import NAME, Register
-from .tasks import question_file
-from .workbooks import answers_bytes, key_bytes
+from .run.tasks import question_file
 
 Told = Callable[[Words, int, int], None]
 

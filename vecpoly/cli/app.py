@@ -8,7 +8,9 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
-from .classes import classes
+from .classes.classes import classes
+from .classes.grade import grade
+from .classes.variants import variants
 from .commands.check import check
 from .commands.cycle import cycle
 from .commands.demo import demo
@@ -22,12 +24,10 @@ from .commands.report import report
 from .commands.schema import schema
 from .commands.solve import solve
 from .errors import REFUSED, tell, tell_as, told
-from .grade import grade
 from .help import Command, in_chinese
 from .options import ErrorsOption, SaidLang
 from .terminal import speak_utf8
 from .tongue import speak, tongue
-from .variants import variants
 
 
 class Commands(TyperGroup):

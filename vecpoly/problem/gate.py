@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import radians
+from typing import TYPE_CHECKING
 
 from ..errors import FaultError
 from ..units.reading import Dim, pure, read
 from ..words import Words
 from .schema.faults import Faults
-from .schema.models import GateSpec
+
+if TYPE_CHECKING:
+    from .schema.models import GateSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gate:
-    """vectors: mm that a graded vector measures at least; meetings, dead_point:
-    rad between ruled lines, and from a dead point.
+    """What every variant must be like.
 
-    deviation: 2σ of a graded quantity over its size, at most. slips, apart: how many tolerances T the readings of
-    somebody
-    who makes a slip, and those of two students (in two readings), must differ at least; 0: not asked for.
+    vectors: mm that a graded vector measures at least; meetings, dead_point: rad between ruled lines, and from a dead
+    point; deviation: 2σ of a graded quantity over its size, at most. slips, apart: how many tolerances T the readings
+    of somebody who makes a slip, and those of two students (in two readings), must differ at least; 0: not asked for.
     alike: whether senses and acts must be those of the problem as it stands.
     """
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from math import isfinite
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from ...names import written_unit
 from ...words import Words, bare
-from ..check_claims import check_claims, claims_among
+from ..classes.claims import check_claims, claims_among
 from ..completion import ids
 from ..errors import DISAGREES, Tally, about
 from ..files import STDOUT, spared, write_json
@@ -53,12 +54,9 @@ def check(
     """Check printed answers, or a printed table, against exact values.
 
     Each gets a verdict and, if wrong, the slip that explains it; where several are wrong, all crank angles and
-    assemblies
-    are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are
-    compared.
-    Answers of one's own may stand behind the problem: check 3-12 v_D=0.49 ω5=4.72 "α3=12 rad/s² cw". Each is right,
-    close,
-    or wrong with the reason, where one slip alone explains it.
+    assemblies are tried, to see whether the numbers are possible at all. With --table, the columns of a table over
+    the cycle are compared. Answers of one's own may stand behind the problem: check 3-12 v_D=0.49 ω5=4.72
+    "α3=12 rad/s² cw". Each is right, close, or wrong with the reason, where one slip alone explains it.
 
     Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """
@@ -73,6 +71,11 @@ def check(
         tally.settle()
         check_table_of(found, table_file, said, json, lang)
         return
+    _check_printed(found, tally, json, lang)
+
+
+def _check_printed(found: list[Problem], tally: Tally, json: Path | None, lang: Lang) -> None:
+    """The printed answers of each problem; leaves with an exit code of its own where one is wrong."""
     from ...check.printed.answers import check_problem
     from ...check.printed.verdict import Verdict
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import xlsxwriter
 
-from ...batch.profile import guarded
+from ...batch.forms.profile import guarded
 from ...grading.marking.marked import Marked
 from ...words import Lang, Words
 from ..work import Result

@@ -9,7 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from ..foundation.files import write_whole
+from ...foundation.files import write_whole
 
 FOLDER = ".work"
 

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import VecpolyError
-from ..words import Words
+from ...errors import VecpolyError
+from ...words import Words
+from ..errors import REFUSED, tell
+from ..options import LangOption, place
+from ..terminal import say, wrote
+from ..tongue import told_in
 from .classes import progress_bar
-from .errors import REFUSED, tell
-from .options import LangOption, place
-from .terminal import say, wrote
-from .tongue import told_in
 
 if TYPE_CHECKING:
-    from ..marked.graded import Graded
+    from ...marked.graded import Graded
 
 Class = Annotated[
     Path, typer.Argument(metavar="FOLDER", help="The folder that 'vecpoly class' wrote.", show_default=False)
@@ -62,10 +62,10 @@ def grade(
 
     Exit code: 0 all was marked, 2 something could not be read (the rest is marked all the same).
     """
-    from ..batch.register import read_register
-    from ..marked.graded import Order
-    from ..marked.graded import grade as graded
-    from ..marked.scheme import read_scheme
+    from ...batch.register import read_register
+    from ...marked.graded import Order
+    from ...marked.graded import grade as graded
+    from ...marked.scheme import read_scheme
 
     register = read_register(folder)
     order = Order(

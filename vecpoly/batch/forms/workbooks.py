@@ -9,11 +9,11 @@ from typing import Any
 
 import xlsxwriter
 
-from ..grading.key import Graded, Kind
-from ..names import written_unit
-from ..words import Words
+from ...grading.key import Graded, Kind
+from ...names import written_unit
+from ...words import Words
+from ..register import Part, Register, Sheet
 from .columns import IDENTITY, Column, What, columns_of
-from .register import Part, Register, Sheet
 
 _CREATED = datetime(2000, 1, 1)
 _SENSES = ("顺", "逆", "↻", "↺", "cw", "ccw")

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..words import Words
-from .completion import ids
-from .errors import Tally, about
-from .jobs import jobs
-from .options import LangOption, OutsideOption
+from ...words import Words
+from ..completion import ids
+from ..errors import Tally, about
+from ..jobs import jobs
+from ..options import LangOption, OutsideOption
 
 if TYPE_CHECKING:
-    from ..problem.problem import Problem
-    from ..variants.pilot import Pilot
-    from ..words import Lang
+    from ...problem.problem import Problem
+    from ...variants.pilot import Pilot
+    from ...words import Lang
 
 Name = Annotated[
     str,
@@ -43,10 +43,10 @@ def variants(
 
 
 def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) -> None:
-    from ..variants.draw import variants as drawn
-    from ..variants.pilot import pilot
-    from ..variants.seeds import Seed
-    from ..variants.told import demoted, said_already, told
+    from ...variants.draw import variants as drawn
+    from ...variants.pilot import pilot
+    from ...variants.seeds import Seed
+    from ...variants.told import demoted, said_already, told
 
     if not problem.ranges:
         typer.echo(

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from ..grading.key import Graded, Kind
-from ..names import written_unit
-from .register import Register
+from ...grading.key import Graded, Kind
+from ...names import written_unit
+from ..register import Register
 
 
 class What(StrEnum):

@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from ..errors import UnknownNameError
-from ..words import Lang, Words, bare
-from .errors import DISAGREES, Tally
-from .files import STDOUT, spared, write_json
-from .jobs import problems
-from .options import JSON
-from .terminal import add, show, table
+from ...errors import UnknownNameError
+from ...words import Lang, Words, bare
+from ..errors import DISAGREES, Tally
+from ..files import STDOUT, spared, write_json
+from ..jobs import problems
+from ..options import JSON
+from ..terminal import add, show, table
 
 if TYPE_CHECKING:
-    from ..grading.student import Checked
+    from ...grading.student import Checked
 
 _COLUMNS = {"zh": ("量", "所写", "结论", "缘由"), "en": ("quantity", "written", "verdict", "reason")}
 
@@ -50,7 +50,7 @@ def check_claims(
             )
         )
     spared(json, JSON, found)
-    from ..grading.student import check_answers
+    from ...grading.student import check_answers
 
     checked = check_answers(found[0], claims)
     if json != STDOUT:

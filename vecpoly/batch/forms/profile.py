@@ -8,10 +8,10 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..errors import VecpolyError
-from ..problem.text.source import read
-from ..words import Words
-from .register import Register, Sheet
+from ...errors import VecpolyError
+from ...problem.text.source import read
+from ...words import Words
+from ..register import Register, Sheet
 
 _OF_STUDENT = ("number", "name", "class", "sheet")
 

@@ -12,16 +12,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..errors import VecpolyError
-from ..words import Words
-from .errors import REFUSED, tell
-from .options import LangOption, OutsideOption, place
-from .terminal import say, wrote
-from .tongue import told_in
+from ...errors import VecpolyError
+from ...words import Words
+from ..errors import REFUSED, tell
+from ..options import LangOption, OutsideOption, place
+from ..terminal import say, wrote
+from ..tongue import told_in
 
 if TYPE_CHECKING:
-    from ..batch.classwork import Made
-    from ..batch.profile import Profile
+    from ...batch.classwork import Made
+    from ...batch.forms.profile import Profile
+    from ...batch.roster import Roster
 
 Told = Callable[[Words, int, int], None]
 Sheet = Annotated[
@@ -84,12 +85,12 @@ def classes(
 
     Killed at any moment, it goes on where it was when it is started again.
     """
-    from .. import __version__
-    from ..batch.classwork import Order, make_class
-    from ..batch.profile import read_profile
-    from ..batch.roster import read_roster
-    from ..batch.runners import runner
-    from ..problem.assignment import load_assignment
+    from ... import __version__
+    from ...batch.classwork import Order, make_class
+    from ...batch.forms.profile import read_profile
+    from ...batch.roster import read_roster
+    from ...batch.run.runners import runner
+    from ...problem.assignment import load_assignment
 
     part, columns = _shard(shard), read_profile(profile) if profile else None
     people = read_roster(roster)
@@ -105,6 +106,11 @@ def classes(
         if part is None:
             _bundle(made, output, columns, told)
     _report(made)
+    _refused(people, made)
+
+
+def _refused(people: Roster, made: Made) -> None:
+    """Tell every row and every student for whom nothing could be made; the rest was made all the same."""
     errors: list[Exception] = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in people.faults]
     errors += [error.led_by(Words(f"{number}：", f"{number}: ")) for number, error in sorted(made.refused.items())]
     for error in errors:
@@ -129,7 +135,7 @@ def _shard(text: str) -> tuple[int, int] | None:
 
 
 def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> None:
-    from ..batch.outputs import outputs
+    from ...batch.outputs import outputs
 
     for path in outputs(made.register, output, profile, told):
         wrote(path)
@@ -137,7 +143,7 @@ def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> No
 
 def _report(made: Made) -> None:
     """Yield and what is demoted, problem by problem."""
-    from ..variants.told import demoted, said_already, told
+    from ...variants.told import demoted, said_already, told
 
     for name, found in made.pilots.items():
         if found.standard.work:

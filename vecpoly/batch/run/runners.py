@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-from ..errors import MissingPackageError
-from ..words import Words
+from ...errors import MissingPackageError
+from ...words import Words
 
 Done = tuple[int, Any]  # the number of a task, and its result
 RETRIES = 3
@@ -105,7 +105,7 @@ def runner(jobs: int, dask: str | None = None) -> Iterator[Runner]:
     else:
         context = multiprocessing.get_context("forkserver" if hasattr(os, "fork") else "spawn")
         if hasattr(os, "fork"):
-            context.set_forkserver_preload(["vecpoly.batch.tasks"])
+            context.set_forkserver_preload(["vecpoly.batch.run.tasks"])
         with ProcessPoolExecutor(jobs, mp_context=context, initializer=_leave_with, initargs=(os.getpid(),)) as pool:
             try:
                 yield Processes(pool)

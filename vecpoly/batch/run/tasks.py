@@ -8,22 +8,22 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from ..errors import VecpolyError
-from ..foundation.files import write_whole
-from ..problem.problem import Problem
-from ..solution import solve
-from ..variants.draw import Variant, variants
-from ..variants.judge import Standard
-from ..variants.seeds import Seed
-from ..words import Lang
-from .codes import sheet_id
-from .keyed import key_for
-from .register import Part, Register, Sheet
-from .sheet.compose import composed, layout_of
-from .sheet.write import sheet_bytes
-from .solved import solution_bytes
+from ...errors import VecpolyError
+from ...foundation.files import write_whole
+from ...problem.problem import Problem
+from ...solution import solve
+from ...variants.draw import Variant, variants
+from ...variants.judge import Standard
+from ...variants.seeds import Seed
+from ...words import Lang
+from ..codes import sheet_id
+from ..keyed import key_for
+from ..register import Part, Register, Sheet
+from ..sheet.compose import composed, layout_of
+from ..sheet.write import sheet_bytes
+from ..solved import solution_bytes
+from ..student import Student
 from .store import Store, digest
-from .student import Student
 
 SEVERAL = 2  # variants that are found at once for somebody whose first is too near to another's
 
@@ -151,7 +151,7 @@ def cut(items: Sequence[Any], size: int) -> Iterator[Sequence[Any]]:
 
 def laid_out(sheets: Sequence[Sheet], layouts: Mapping[str, Any]) -> tuple[Sheet, ...]:
     """The sheets with their layouts, those without one left out."""
-    from .register import layout_from
+    from ..register import layout_from
 
     done = []
     for sheet in sheets:

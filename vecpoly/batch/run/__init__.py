@@ -1,0 +1,1 @@
+"""The work shared out and kept: processes, clusters, what was done already."""

@@ -1,0 +1,1 @@
+"""The commands of a class: variants, sheets, answers checked and marked."""
