@@ -1,4 +1,4 @@
-"""Which files run on one worker, for they share what is made once; and which come first, so that all workers end together."""
+"""Which files run on one worker, for they share what is made; which come first, so that all workers end together."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ import pytest
 
 MADE = ("tests.drawn_library", "tests.studies")  # who imports from one of these wants what it has made already
 FAMILIES = ("test_course", "test_printed_tables")  # files of one name solve the same problems
-LONGEST = ("test_course", "test_generated", "test_printed_tables", "tests.drawn_library", "test_player", "test_no_key_is_ignored",
-           "test_labels", "test_export_geogebra", "test_fuzz", "test_cli_process", "test_centres_hard", "test_solution",
-           "test_nothing_is_skipped", "test_centres", "test_cycle_breaks", "test_force_report", "test_plugins", "test_architecture")
+LONGEST = (
+    "test_course", "test_generated", "test_printed_tables", "tests.drawn_library", "test_player", "test_no_key_is_ignored",
+    "test_labels", "test_export_geogebra", "test_fuzz", "test_cli_process", "test_centres_hard", "test_solution",
+    "test_nothing_is_skipped", "test_centres", "test_cycle_breaks", "test_force_report", "test_plugins", "test_architecture",
+)
 
 
 def group(item: pytest.Item) -> str:
