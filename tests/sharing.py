@@ -9,10 +9,11 @@ import pytest
 MADE = ("tests.drawn_library", "tests.studies")  # who imports from one of these wants what it has made already
 FAMILIES = ("test_course", "test_printed_tables")  # files of one name solve the same problems
 LONGEST = (
-    "test_course", "test_generated", "test_printed_tables", "tests.drawn_library", "test_player",
-    "test_no_key_is_ignored", "test_labels", "test_export_geogebra", "test_fuzz", "test_cli_process", "test_centres_hard",
-    "test_solution", "test_nothing_is_skipped", "test_centres", "test_cycle_breaks", "test_force_report", "test_plugins",
-    "test_architecture",
+    "test_course", "test_generated", "test_printed_tables", "tests.drawn_library",
+    "test_player", "test_no_key_is_ignored", "test_labels", "test_export_geogebra",
+    "test_fuzz", "test_cli_process", "test_centres_hard", "test_solution",
+    "test_nothing_is_skipped", "test_centres", "test_cycle_breaks", "test_force_report",
+    "test_plugins", "test_architecture",
 )
 
 
