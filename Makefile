@@ -1,6 +1,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+SHARED := -n 2 --dist loadgroup --no-loadscope-reorder  # tests that share what they make on one worker: tests/sharing.py
 
 .PHONY: demo test soak bench clean
 
@@ -10,12 +11,12 @@ demo: $(VENV)/installed
 test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
 	$(BIN)/mypy
-	$(BIN)/pytest -n 2 --dist loadfile  # a file on one worker: what its tests keep is made once
+	$(BIN)/pytest $(SHARED)
 
 soak: $(VENV)/installed-dev
 	$(BIN)/python -m tests.generators --count 300 --seed 1 --jobs 2
 	$(BIN)/python -m tests.fuzz --files 20000 --kills 200 --seed 1
-	HYPOTHESIS_PROFILE=soak $(BIN)/pytest -n 2 --dist loadfile  # every law twenty times as long as in `make test`
+	HYPOTHESIS_PROFILE=soak $(BIN)/pytest $(SHARED)  # every law twenty times as long as in `make test`
 
 bench: $(VENV)/installed-dev
 	$(BIN)/python -m benchmarks

@@ -24,6 +24,14 @@ ASSERTED: set[str] = set()  # test functions that reached an assertion, for one 
 LAST = pytest.StashKey[bool]()
 
 
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Where several workers run groups of tests, those that share what they make are a group."""
+    if config.getoption("loadgroup", False):
+        from tests.sharing import arrange
+
+        arrange(items)
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]

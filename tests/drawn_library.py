@@ -12,13 +12,14 @@ import pytest
 
 from vecpoly.board.construction import Construction, Figure, View
 from vecpoly.devices.base import Device
+from vecpoly.errors import VecpolyError
 from vecpoly.methods import draw as drawing
 from vecpoly.methods import plan
 from vecpoly.methods.desk import Desk
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
-from vecpoly.solution import solve
+from vecpoly.solution import Solution, solve
 from vecpoly.words import Words
 
 IDS = tuple(entry.id for entry in library())
@@ -52,6 +53,15 @@ def drawn(name: str) -> Drawn:
         patch.setattr(plan, "draw", watched)
         solution = solve(problem, by="exact", repeats=0, precise=False)
     return Drawn(problem, solution.construction, desks[-1] if desks else None)
+
+
+@cache
+def drafted(name: str) -> Solution | None:
+    """The problem of this id drawn as on paper, with all repeated hands; None where no method on file draws it."""
+    try:
+        return solve(load(name))
+    except VecpolyError:
+        return None
 
 
 @cache

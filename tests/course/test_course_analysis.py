@@ -4,13 +4,13 @@ of the mechanism."""
 from __future__ import annotations
 
 import re
-from functools import cache
 from math import cos, degrees, pi, radians, sqrt
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.cycle import cycle, path, path_sentences
 from vecpoly.findings.advice import advice
@@ -19,7 +19,7 @@ from vecpoly.findings.grashof import full_rotation
 from vecpoly.findings.limits import limit
 from vecpoly.findings.motion import motion
 from vecpoly.findings.output_links import ends
-from vecpoly.findings.study.study import Study, study
+from vecpoly.findings.study.study import study
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
@@ -28,11 +28,6 @@ from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.solution import solve
 
 NONE = Compared((), (), ())
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def said(name: str) -> str:

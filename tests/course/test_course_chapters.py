@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdfium2 import PdfDocument
 
+from tests.studies import solved, studied
 from tests.texts import CLASS_III
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
@@ -34,12 +35,6 @@ from vecpoly.report.course.statement import assumed
 from vecpoly.report.course.structure.undrawn import undrawn
 from vecpoly.report.document import write_report
 from vecpoly.report.picture import picture
-from vecpoly.solution import solve
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def text_of(path: Path) -> str:
@@ -181,7 +176,7 @@ def test_a_longer_bar_may_be_tried_in_the_printed_formulas() -> None:
 
 @pytest.mark.parametrize("name", ["3-1a", "A-30"])
 def test_small_and_large_mechanisms_alike_have_fifteen_to_thirty_pages(name: str, tmp_path: Path) -> None:
-    path = write_report([solve(load(name), repeats=0)], tmp_path / "r.pdf", lang="zh", style="course")
+    path = write_report([solved(name)], tmp_path / "r.pdf", lang="zh", style="course")
     assert 15 <= len(PdfReader(path).pages) <= 30
 
 

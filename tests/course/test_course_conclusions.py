@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from math import radians
 
 import numpy as np
 import pytest
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.cycle import cycle, extremes, facts
 from vecpoly.findings.advice import advice
 from vecpoly.findings.conditioning import conditioning
 from vecpoly.findings.motion import motion
-from vecpoly.findings.study.study import Study, study
+from vecpoly.findings.study.study import study
 from vecpoly.problem.load import load, loads
 from vecpoly.report.course.analysis.conclusion import conclusion
 from vecpoly.report.course.analysis.why_peaks import causes, flat, remarks
@@ -22,11 +22,6 @@ from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.solution import solve
 
 NONE = Compared((), (), ())
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def said(name: str) -> str:

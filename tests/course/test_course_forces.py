@@ -3,7 +3,6 @@ obeys."""
 
 from __future__ import annotations
 
-from functools import cache
 from itertools import pairwise
 from math import degrees, pi, radians
 from typing import Any
@@ -14,20 +13,20 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.oracle.test_oracle_forces_models import slider_crank
+from tests.studies import studied
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.forces.balance import ForceModel, force_model
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.facts.duties import Cause, duties, idle, stills
 from vecpoly.cycle.sample import sample
 from vecpoly.findings.load_drive import driven
-from vecpoly.findings.study.study import Study, study
+from vecpoly.findings.study.study import Study
 from vecpoly.mechanism.loads import Force, Friction, Loads, Moment
 from vecpoly.problem.load import load
 from vecpoly.report.course.analysis.force_words import one_sided, refusals, results, role_note
 from vecpoly.report.course.analysis.forces import conclusion, forces
 from vecpoly.report.course.modelling.forces import forces_group
 from vecpoly.report.course.results.drawn_views import drawn_views
-from vecpoly.solution import solve
 
 LOADED = [
     "4-3a",
@@ -41,11 +40,6 @@ LOADED = [
     "six-bar-dynamic",
     "slider-crank-dynamic",
 ]
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 @st.composite

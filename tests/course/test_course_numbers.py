@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import Frac, Node, Power, Root, Row, Txt, plain
 from vecpoly.analytic.numbers import worked
@@ -38,11 +39,6 @@ _CALCULATOR: dict[str, Any] = {
     "radians": radians,
     "angle": lambda y, x: degrees(atan2(y, x)),
 }
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 @cache

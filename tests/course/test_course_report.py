@@ -17,13 +17,14 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdf.generic import DictionaryObject
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.analytic.expr import ONE, ZERO, Const, Num, Sum, Var
 from vecpoly.analytic.functions import cos, sin
 from vecpoly.errors import NotAskedError
 from vecpoly.findings.conditioning import conditioning
-from vecpoly.findings.study.study import Study, study
+from vecpoly.findings.study.study import Study
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.names import At
@@ -42,11 +43,6 @@ MECHANISMS = [
     and isinstance(load(e.id).subject, Mechanism)
     and {group.kind for group in decompose(load(e.id).mechanism)} <= CLOSED
 ]
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 def test_the_library_has_every_kind_of_dyad_and_a_held_gear() -> None:
@@ -246,7 +242,7 @@ def test_the_report_says_where_the_largest_acceleration_is(report: Path) -> None
 
 
 def test_the_same_course_report_is_the_same_bytes(tmp_path: Path) -> None:
-    one, two = (write_report([solved("3-11")], tmp_path / f"{i}.pdf", lang="en", style="course") for i in "ab")
+    one, two = (write_report([solve(load("3-11"))], tmp_path / f"{i}.pdf", lang="en", style="course") for i in "ab")
     assert one.read_bytes() == two.read_bytes()
 
 

@@ -11,26 +11,20 @@ from math import degrees
 import numpy as np
 import pytest
 
+from tests.studies import studied
 from vecpoly import oracle
 from vecpoly.board.paper.marks import AngleMark, Point, Vector
 from vecpoly.curves.over import curves
 from vecpoly.cycle import cycle
 from vecpoly.findings.conditioning import conditioning
-from vecpoly.findings.study.study import Study, study
 from vecpoly.problem.load import load
 from vecpoly.report.course.analysis.conclusion import conclusion
 from vecpoly.report.course.checks.comparison import Compared
 from vecpoly.report.course.modelling.axes import _added, _origin
 from vecpoly.report.picture import picture
-from vecpoly.solution import solve
 from vecpoly.words import Words
 
 NAMES = ("3-9", "B-24")
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 @cache

@@ -15,6 +15,7 @@ import pytest
 from typer.testing import CliRunner
 
 import vecpoly.methods.plan as plan
+from tests.drawn_library import IDS, drafted
 from vecpoly import load, loads, solve
 from vecpoly.answer import YES_NO
 from vecpoly.check.alarm import Cause, Weighed, alarm_at
@@ -23,8 +24,7 @@ from vecpoly.cli.errors import SUSPECT
 from vecpoly.errors import DeadPointError, NotAskedError, VecpolyError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.methods.answers import answer
-from vecpoly.problem.library import entries
-from vecpoly.solution import fewer_digits
+from vecpoly.solution import Solution, fewer_digits
 from vecpoly.words import Lang
 
 Spoil = Callable[[complex], complex]
@@ -60,17 +60,20 @@ def spoilt(monkeypatch: pytest.MonkeyPatch) -> Callable[[Spoil], None]:
     return spoil
 
 
+def _by_pencil(name: str) -> Solution | None:
+    try:
+        return solve(load(name), by="pencil")
+    except VecpolyError:
+        return None
+
+
 def test_a_right_drawing_raises_no_alarm_by_any_hand() -> None:
     raised, solved = [], 0
-    for entry in entries():
-        problem = load(entry.id)
-        for by in ("drafting", "pencil"):
-            try:
-                solution = solve(problem, by=by)
-            except VecpolyError:
-                continue
-            solved += 1
-            raised += [(entry.id, by, key) for key, answer in solution.answers.items() if answer.suspect]
+    for name in IDS:
+        for by, solution in (("drafting", drafted(name)), ("pencil", _by_pencil(name))):
+            solved += solution is not None
+            answers = solution.answers if solution else {}
+            raised += [(name, by, key) for key, answer in answers.items() if answer.suspect]
     assert solved > 100
     assert raised == []
 
@@ -245,8 +248,7 @@ def test_what_is_found_on_the_way_is_weighed_too_though_nobody_asked(monkeypatch
 def test_an_answer_of_yes_or_no_carries_the_flag_too() -> None:
     answers = [
         answer
-        for entry in entries()
-        for problem in [load(entry.id)]
+        for problem in map(load, IDS)
         if not isinstance(problem.subject, Mechanism)
         for answer in solve(problem, repeats=0).answers.values()
         if answer.reading.unit == YES_NO

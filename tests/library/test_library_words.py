@@ -9,6 +9,7 @@ from functools import cache
 import pytest
 
 from tests.drawn_library import IDS, drawn, sentences
+from tests.studies import solved
 from vecpoly.cycle.cycle import cycle
 from vecpoly.cycle.facts.found import facts
 from vecpoly.cycle.facts.sentences import sentences as facts_told
@@ -17,7 +18,6 @@ from vecpoly.report.content import Objects
 from vecpoly.report.document import markup
 from vecpoly.report.flow.blocks import Drawing
 from vecpoly.report.flow.table import DataTable
-from vecpoly.solution import Solution, solve
 from vecpoly.words import Lang, Words
 
 CHINESE = re.compile(r"[\u3000-\u303f\u3400-\u9fff\uff00-\uffef]")
@@ -77,11 +77,6 @@ def test_no_fact_of_a_cycle_has_a_word_of_the_other_language(name: str) -> None:
     turn = cycle(load(name), n=73)
     said = facts_told(turn, facts(turn))
     assert len(said) >= 2 and {words: foreign(words) for words in said if foreign(words)} == {}
-
-
-@cache
-def solved(name: str) -> Solution:
-    return solve(load(name), repeats=0)
 
 
 @cache

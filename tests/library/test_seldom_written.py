@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
+from tests.studies import studied
 from tests.texts import CRANK
 from vecpoly.check.printed.follow import _as_printed
 from vecpoly.check.printed.verdict import check_printed
@@ -19,7 +19,7 @@ from vecpoly.cycle import cycle
 from vecpoly.cycle.table import csv_bytes, table
 from vecpoly.errors import VecpolyError
 from vecpoly.findings.motion import _range
-from vecpoly.findings.study.study import Study, study
+from vecpoly.findings.study.study import Study
 from vecpoly.problem.editors.patterns import omega
 from vecpoly.problem.load import load, loads
 from vecpoly.problem.problem import Printed
@@ -29,15 +29,9 @@ from vecpoly.report.course.modelling.formulas import _constants
 from vecpoly.report.course.numbering import Press
 from vecpoly.report.flow.table import DataTable
 from vecpoly.report.values import called
-from vecpoly.solution import solve
 from vecpoly.words import Lang, Words
 
 COURSES = ("3-9", "A-27", "A-26", "3-12", "D-1")
-
-
-@cache
-def studied(name: str) -> Study:
-    return study(solve(load(name), repeats=0))
 
 
 # -- the command line

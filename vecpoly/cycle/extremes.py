@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +52,9 @@ class Extremes:
         return not (self.maxima or self.minima) and self.highest == self.lowest
 
 
+_FOUND: WeakKeyDictionary[Cycle, dict[str, Extremes]] = WeakKeyDictionary()
+
+
 def extremes(cycle: Cycle, key: str) -> Extremes:
     """Maxima, minima and zeros over the drive's whole range, to full accuracy: the mechanism is solved again around
     each.
@@ -61,6 +65,13 @@ def extremes(cycle: Cycle, key: str) -> Extremes:
     values at its ends, ±∞
     where it runs away towards one. Raises UnknownNameError.
     """
+    kept = _FOUND.setdefault(cycle, {})
+    if key not in kept:
+        kept[key] = _extremes(cycle, key)
+    return kept[key]
+
+
+def _extremes(cycle: Cycle, key: str) -> Extremes:
     curve = Curve.of(cycle, key)
     phi, f = curve.grid()
     known = f[np.isfinite(f)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +22,7 @@ from .facts.transmission import angle_of, arm_of
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
+READERS = 512  # kept: a quantity is read at one handful of positions after another
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +83,7 @@ def dot(a: Points, b: Points) -> Reals:
 Reader = Callable[[Sample], Points | Reals]
 
 
+@lru_cache(maxsize=READERS)
 def reader(mech: Mechanism, loads: Loads | None, key: str) -> Reader:
     """How the quantity is read off a sample of this mechanism; UnknownNameError for a key that it does not have."""
     base, dotted, part = key.partition(".")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -69,20 +70,28 @@ def find_knot(figure: Figure) -> Knot | None:
     if not figure.view.images or len(places) < KNOTTED or max(extent(figure.marks)) < LARGE:
         return None
     best: tuple[int, float, complex] | None = None
-    for at in places:
-        order = sorted(places, key=lambda z: abs(z - at))
-        for n in range(KNOTTED, len(order) + 1):
-            if abs(order[n - 1] - at) > 2 * WIDEST + APART:
-                break  # no circle of the widest radius holds both
-            ring = shapely.minimum_bounding_circle(shapely.MultiPoint([(z.real, z.imag) for z in order[:n]]))
-            radius = shapely.minimum_bounding_radius(ring)
-            if radius <= min(CLOSE * n, WIDEST) and (best is None or (-n, radius) < (-best[0], best[1])):
-                best = (n, radius, complex(ring.centroid.x, ring.centroid.y))
+    for some in _crowds(places):
+        ring = shapely.minimum_bounding_circle(shapely.multipoints(np.array([(z.real, z.imag) for z in some])))
+        n, radius = len(some), float(shapely.minimum_bounding_radius(ring))
+        if radius <= min(CLOSE * n, WIDEST) and (best is None or (-n, radius) < (-best[0], best[1])):
+            best = (n, radius, complex(ring.centroid.x, ring.centroid.y))
     if best is None:
         return None
     radius = best[1] + ROUND
     factor = next((k for k in FACTORS if 2 * radius * k <= FULL), None)
     return None if factor is None else Knot(best[2], radius, factor)
+
+
+def _crowds(places: list[complex]) -> Iterator[list[complex]]:
+    """About each letter the nearest few, where these may lie in a circle as small as a knot is."""
+    for at in places:
+        order = sorted(places, key=lambda z: abs(z - at))
+        for n in range(KNOTTED, len(order) + 1):
+            across = abs(order[n - 1] - at)  # no circle that holds both is smaller
+            if across > 2 * WIDEST + APART:
+                break
+            if across <= 2 * CLOSE * n + APART:
+                yield order[:n]
 
 
 def _places(figure: Figure) -> list[complex]:

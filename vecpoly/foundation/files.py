@@ -12,7 +12,6 @@ no regular file (a pipe, a device) is written straight into.
 from __future__ import annotations
 
 import os
-import secrets
 import stat
 import time
 from collections.abc import Iterator
@@ -133,7 +132,7 @@ def _fill(file: BinaryIO, data: bytes, like: Path | None) -> None:
 
 
 def _draft(folder: Path) -> Path:
-    return folder / f"{UNFINISHED}{secrets.token_hex(4)}{ENDING}"
+    return folder / f"{UNFINISHED}{os.urandom(4).hex()}{ENDING}"
 
 
 def _clear(folder: Path) -> None:

@@ -3,6 +3,7 @@ are first asked for."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
@@ -22,8 +23,15 @@ METHODS, DEVICES = (
 @cache
 def load_modules(package: str) -> None:
     """Import every module of this package, so that what stands in them is registered; subpackages keep their own."""
+    for _ in each_module(package):
+        pass
+
+
+def each_module(package: str) -> Iterator[str]:
+    """The same one after the other, for who may have enough before the last."""
     for module in iter_modules(import_module(package).__path__, f"{package}."):
         import_module(module.name)
+        yield module.name
 
 
 class BySubject(Generic[T]):
@@ -41,7 +49,8 @@ class BySubject(Generic[T]):
 
     def find(self, subject: object) -> T | None:
         """What is on file for this, or for the nearest class above its own."""
-        load_modules(self._package)
+        if not any(type(subject) in self._found for _ in each_module(self._package)):
+            load_modules(self._package)
         return next((self._found[kind] for kind in type(subject).__mro__ if kind in self._found), None)
 
 

@@ -59,7 +59,7 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
     figure = _parallelogram(mech, step)
     if figure is not None and _is_said(mech, figure):
         return parallel(mech, step.group, figure.corners[0])
-    options = [replace(step, sign=sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
+    options = [_signed(step, sign) for sign in ((1.0, -1.0) if step.two else (1.0,))]
     after = [before | places(mech, option.place(bodies, run)) for option in options]
     names, where = step.group.told.en, run.text(float(run.q[-1]))
     if _hinged(step) and step.two and abs(after[0][step.joint] - after[1][step.joint]) < 1e-7 * mech.scale:
@@ -101,6 +101,11 @@ def choose(mech: Mechanism, step: Step, bodies: Bodies, run: Run) -> Step:
         )
         + _advice(mech, step, before, after)
     )
+
+
+def _signed(step: Step, sign: float) -> Step:
+    """The step with this sign; one that has it is kept with the assembly that it found."""
+    return step if step.sign == sign else replace(step, sign=sign)
 
 
 def confirm(mech: Mechanism, bodies: Bodies, run: Run) -> None:

@@ -86,12 +86,19 @@ def _least(fold: Fold, low: Reals, high: Reals, times: int) -> tuple[Reals, Real
     for _ in range(times):
         span = _GOLDEN * (high - low)
         left, right = high - span, low + span
-        lower: NDArray[np.bool_] = np.asarray(fold(left) < fold(right))
+        on_left, on_right = _two(fold, left, right)
+        lower: NDArray[np.bool_] = np.asarray(on_left < on_right)
         low, high = np.where(lower, low, left), np.where(lower, right, high)
     return low, high
 
 
 def _root(fold: Fold, near: Reals, beside: float) -> Reals:
     """Where the root of the fold, negative before and positive behind, passes through zero."""
-    before, behind = (np.sqrt(np.maximum(fold(near + way * beside), 0.0)) for way in (-1, 1))
+    before, behind = (np.sqrt(np.maximum(part, 0.0)) for part in _two(fold, near - beside, near + beside))
     return np.asarray(near + beside * (before - behind) / (before + behind))
+
+
+def _two(fold: Fold, one: Reals, other: Reals) -> tuple[Reals, Reals]:
+    """The fold at two rows of positions, found in one go."""
+    both = fold(np.concatenate([one, other]))
+    return both[: one.size], both[one.size :]

@@ -126,7 +126,8 @@ class Plan:
             run, bodies = self.start(q, strict=False)
             for known in self.steps:
                 bodies |= known.place(bodies, run)
-            return np.broadcast_to(step.fold(bodies), q.shape)
+            found = step.fold(bodies)
+            return found if found.shape == q.shape else np.broadcast_to(found, q.shape)
 
     @property
     def is_tight(self) -> bool:

@@ -99,4 +99,7 @@ Bodies = Mapping[str, Body]
 
 def at_rest() -> Body:
     """The frame: its coordinates are those of the plane."""
-    return Body(0j, STILL, np.ones(1, np.complex128), NONE)
+    return _FRAME
+
+
+_FRAME = Body(0j, STILL, np.ones(1, np.complex128), NONE)

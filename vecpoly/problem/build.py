@@ -20,7 +20,6 @@ from .asked.asks import Ask, AskNamed
 from .asked.tables import read_tables
 from .asked.unasked import default_asks
 from .asked.wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
-from .devices import about_device, build_device
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
@@ -50,8 +49,8 @@ ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
     faults = Faults(tree.name, tree.places)
-    if about_device(tree):
-        return build_device(tree, path)
+    if {"device", "data"} & tree.data.keys() and (device := _device(tree, path)) is not None:
+        return device
     spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
@@ -85,6 +84,13 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         warnings=warnings_of(tree),
         written=written_of(tree),
     )
+
+
+def _device(tree: Tree, path: Path | None) -> Problem | None:
+    """The problem, where it is about a device."""
+    from .devices import about_device, build_device  # late: a mechanism needs none of it
+
+    return build_device(tree, path) if about_device(tree) else None
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:

@@ -4,22 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from typing import TYPE_CHECKING
 
 from ... import oracle
 from ...errors import UnknownNameError
 from ...mechanism.asked.forces import given_value
 from ...mechanism.loads import Loads
+from ...mechanism.model import Mechanism
 from ...names import Named, Rel
-from ...oracle.forces import Forces, forces
 from ...problem.problem import Printed, Problem
 from .centres import CentralTruth
+
+if TYPE_CHECKING:
+    from ...oracle.forces import Forces
 
 
 def behind(problem: Problem) -> Callable[[Printed], float | None]:
     """What gives the exact value behind a printed answer (None: nothing to compare)."""
     mech, loads = problem.mechanism, problem.loads
     motion = oracle.solve(mech)
-    balance, central = cache(lambda: forces(mech, loads or Loads())), CentralTruth(problem)
+    balance, central = cache(lambda: _forces(mech, loads)), CentralTruth(problem)
 
     def truth(printed: Printed) -> float | None:
         if (value := central(printed)) is not None:
@@ -31,6 +35,12 @@ def behind(problem: Problem) -> Callable[[Printed], float | None]:
         )
 
     return truth
+
+
+def _forces(mech: Mechanism, loads: Loads | None) -> Forces:
+    from ...oracle.forces import forces  # late: most problems have none
+
+    return forces(mech, loads or Loads())
 
 
 def _of_loads(rel: Named, loads: Loads, balance: Callable[[], Forces]) -> float:
@@ -65,7 +75,7 @@ def way(problem: Problem) -> Callable[[Printed], complex | None]:
             case Rel() as rel if rel.kind.is_vector:
                 return complex(motion.value(rel))
             case Named() as named if named.is_vector and problem.loads:
-                return complex(forces(problem.mechanism, problem.loads or Loads()).value(named.key))
+                return complex(_forces(problem.mechanism, problem.loads).value(named.key))
         return None
 
     return vector

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -17,6 +18,10 @@ from ..slips.lengths import Length, lengths
 from .target import Reals, Target
 
 STEP = 1e-6  # relative change of a length, for its derivative
+SHORT, KEPT = (
+    128,
+    2048,
+)  # rows of a table whose trials are kept, and how many: those of one mechanism, for the next table too
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,6 +42,16 @@ class Truth:
 
 def solved(mech: Mechanism, positions: Reals) -> Motion | None:
     """The motion, NaN where it fails; None where it cannot be assembled at all."""
+    return _kept(mech, positions.tobytes()) if positions.size <= SHORT else _solved(mech, positions)
+
+
+@lru_cache(maxsize=KEPT)
+def _kept(mech: Mechanism, positions: bytes) -> Motion | None:
+    """A length is tried for one column after another, often at the same values."""
+    return _solved(mech, np.frombuffer(positions))
+
+
+def _solved(mech: Mechanism, positions: Reals) -> Motion | None:
     try:
         return oracle.solve(mech, positions, strict=False)
     except (VecpolyError, ValueError, ArithmeticError):

@@ -10,6 +10,7 @@ import numpy as np
 from ...board.construction import Figure
 from ...words import Lang
 from ..figure import unique
+from ..prices import priced
 from ..scene import Item, Rect, Scene
 from ..symbols.marks import Surroundings, draw
 from .obstacles import Floats, Obstacles
@@ -69,7 +70,7 @@ class Follower:
         """The cheapest place among lines and the letters that stand already."""
         want = _sized(want, self.choice[name][1] if name in self.choice else 1.0)
         found = spots(want, drawn.centre)
-        cost = obstacles.cost(found.centre, want.width, want.height, want.own) + found.cost
+        cost = priced(obstacles, [(want, found.centre)])[0] + found.cost
         for other in others:
             gap = found.centre - other.centre
             w, h = (want.width + other.want.width) / 2 + APART, (want.height + other.want.height) / 2 + APART
@@ -106,9 +107,8 @@ def _costs(labels: list[Placed], obstacles: Obstacles) -> Floats:
     """What each label stands on."""
     own = np.array([label.want.own for label in labels], dtype=complex).reshape(-1, 2)
     sizes = np.array([(label.want.width, label.want.height) for label in labels]).reshape(-1, 2)
-    return obstacles.cost(
-        np.array([label.centre for label in labels], dtype=complex), sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1])
-    )
+    at = np.array([label.centre for label in labels], dtype=complex)
+    return obstacles.cost(at, sizes[:, 0], sizes[:, 1], (own[:, 0], own[:, 1]), [slice(0, len(at))])
 
 
 def _touch(a: Placed, b: Placed) -> bool:

@@ -7,6 +7,7 @@ The places for one label lie close together: of the pieces of a figure only thos
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,7 +21,8 @@ from ..style import THIN
 Complexes = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
-Own = tuple[complex | Complexes, complex | Complexes]
+Own = tuple[Complexes, Complexes]  # of each place both ends of the line that its label names
+Groups = Sequence[slice]  # which places lie close together: those of one label
 
 GAP = 0.45  # mm between lettering and a line
 ROOM = 1.1  # mm beyond which a neighbour no longer confuses
@@ -50,24 +52,29 @@ class Bounds:
         )
 
     @classmethod
-    def about(cls, centre: Complexes, width: Floats | float, height: Floats | float, by: float) -> Bounds:
+    def about(cls, centre: Complexes, width: Floats, height: Floats, by: float) -> Bounds:
         """About rectangles of one size, and `by` mm further out."""
         x, y, w, h = centre.real, centre.imag, width / 2 + by, height / 2 + by
         return cls(x - w, y - h, x + w, y + h)
 
-    def over(self, other: Bounds) -> tuple[Indices, Indices]:
-        """The pairs (ours, theirs) that overlap; first of all those of theirs that lie about all of ours."""
-        if not len(self.x0):
+    def over(self, other: Bounds, groups: Groups) -> tuple[Indices, Indices]:
+        """The pairs (ours, theirs) that overlap; `groups`: which of ours lie close together."""
+        found = [self._over(other, some) for some in groups if some.stop > some.start]
+        if not found:
             return np.zeros(0, dtype=np.intp), np.zeros(0, dtype=np.intp)
+        return np.concatenate([ours for ours, _ in found]), np.concatenate([theirs for _, theirs in found])
+
+    def _over(self, other: Bounds, some: slice) -> tuple[Indices, Indices]:
+        """Those of one group: first of all what of theirs lies about the whole of it."""
+        x0, y0, x1, y1 = self.x0[some], self.y0[some], self.x1[some], self.y1[some]
         near = np.flatnonzero(
-            (other.x0 <= self.x1.max())
-            & (other.x1 >= self.x0.min())
-            & (other.y0 <= self.y1.max())
-            & (other.y1 >= self.y0.min())
+            (other.x0 <= x1.max()) & (other.x1 >= x0.min()) & (other.y0 <= y1.max()) & (other.y1 >= y0.min())
         )
-        across = (self.x0[:, None] <= other.x1[near]) & (self.x1[:, None] >= other.x0[near])
-        ours, theirs = np.nonzero(across & (self.y0[:, None] <= other.y1[near]) & (self.y1[:, None] >= other.y0[near]))
-        return ours, near[theirs]
+        across = (x0[:, None] <= other.x1[near]) & (x1[:, None] >= other.x0[near])
+        across &= y0[:, None] <= other.y1[near]
+        across &= y1[:, None] >= other.y0[near]
+        ours, theirs = np.nonzero(across)
+        return ours + some.start, near[theirs]
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +101,7 @@ class Obstacles:
                 case Stroke():
                     pieces.extend(_pieces(item))
                 case Fill(points=points, hue=hue, layer=layer):
-                    polygons.append(shapely.Polygon([(z.real, z.imag) for z in points]))
+                    polygons.append(shapely.polygons([(z.real, z.imag) for z in points]))
                     solid.append(not hue.is_tint or layer > Layer.TINT)
                 case TextBox(rect=r):
                     polygons.append(shapely.box(r.x0, r.y0, r.x1, r.y1))
@@ -118,13 +125,11 @@ class Obstacles:
         areas = Bounds(*shapely.bounds(shapes).reshape(-1, 4).T)
         return cls(a, b, half, weight, shapes, solid, Bounds.between(a, b), areas)
 
-    def cost(self, centre: Complexes, width: Floats | float, height: Floats | float, own: Own) -> Floats:
-        """What each of many places costs, for one label or for one each; `own`: the line it names, which may be as near
-        as it likes."""
+    def cost(self, centre: Complexes, wide: Floats, high: Floats, own: Own, groups: Groups) -> Floats:
+        """What each of many places costs; `own`: the line that its label names, which may be as near as it likes."""
         total = np.zeros(len(centre))
-        wide, high = np.broadcast_to(width, total.shape), np.broadcast_to(height, total.shape)
         reach = GAP + ROOM + float(self.half.max(initial=0.0))
-        box, piece = Bounds.about(centre, width, height, reach).over(self.spans)
+        box, piece = Bounds.about(centre, wide, high, reach).over(self.spans, groups)
         if len(box):
             a, b, half = self.a[piece], self.b[piece], self.half[piece]
             near, close = clip(a, b, centre[box], wide[box] / 2 + half + GAP + ROOM, high[box] / 2 + half + GAP + ROOM)
@@ -135,7 +140,7 @@ class Obstacles:
             )
             price[close] += np.where(hit, self.weight[piece[close]] * (ON_LINE + PER_MM * inside), 0.0)
             np.add.at(total, box, price)
-        box, polygon = Bounds.about(centre, width, height, 0.3).over(self.areas)
+        box, polygon = Bounds.about(centre, wide, high, 0.3).over(self.areas, groups)
         if len(box):
             here, at = np.unique(box, return_inverse=True)
             met = shapely.intersects(self.polygons[polygon], _boxes(centre[here], wide[here], high[here], 0.3)[at])
@@ -143,18 +148,18 @@ class Obstacles:
         np.add.at(total, box, np.where(self.solid[polygon], ON_SOLID, ON_TINT))
         return total
 
-    def crossings(self, foot: Complexes, end: Complexes, own: Own) -> Floats:
+    def crossings(self, foot: Complexes, end: Complexes, own: Own, groups: Groups) -> Floats:
         """What each of many leader lines costs for the lines and solids it crosses."""
         total = np.zeros(len(foot))
         start = foot + 0.05 * (end - foot)
         spans = Bounds.between(start, end)
-        leader, piece = spans.over(self.spans)
+        leader, piece = spans.over(self.spans, groups)
         met = _cross(start[leader], end[leader], self.a[piece], self.b[piece])
         leader, piece = leader[met], piece[met]
         if len(leader):
             free = _along(self.a[piece], self.b[piece], own, leader)
             np.add.at(total, leader, np.where(free, 0.0, CROSSING * self.weight[piece]))
-        leader, polygon = spans.over(self.areas)
+        leader, polygon = spans.over(self.areas, groups)
         leader, polygon = leader[self.solid[polygon]], polygon[self.solid[polygon]]
         ends = np.stack([np.stack([start.real, start.imag], -1), np.stack([end.real, end.imag], -1)], axis=1)[leader]
         met = shapely.intersects(self.polygons[polygon], shapely.linestrings(ends))
@@ -185,8 +190,8 @@ def _boxes(centre: Complexes, width: Floats | float, height: Floats | float, by:
 
 
 def _along(a: Complexes, b: Complexes, own: Own, which: Indices) -> NDArray[np.bool_]:
-    """Which pieces run along the line p -> q that a label names; `which`: of several lines, that of each piece."""
-    p, q = (np.asarray(end) if np.ndim(end) == 0 else np.asarray(end)[which] for end in own)
+    """Which pieces run along the line p -> q that a label names; `which`: that of each piece."""
+    p, q = own[0][which], own[1][which]
     length = np.abs(q - p)
     u = ((q - p) / np.maximum(length, 1e-6)).conjugate()
     off_a, off_b = ((a - p) * u).imag, ((b - p) * u).imag

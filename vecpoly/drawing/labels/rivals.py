@@ -1,12 +1,10 @@
-"""A label belongs to what it is nearest to: what it costs to stand nearer to another point, link or vector than to
-one's own."""
+"""A label belongs to what it is nearest to: what it costs to stand nearer to another thing than to one's own."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .obstacles import Complexes, Floats, clip
 from .wants import Thing, Want
@@ -27,18 +25,17 @@ def rivals(want: Want, others: Sequence[Want]) -> tuple[Complexes, Complexes, Fl
     return a[near], b[near], radius[near]
 
 
-def misled(want: Want, others: Sequence[Want], centre: Complexes, led: NDArray[np.bool_]) -> Floats:
-    """What each place for the middle of a label costs for the things it could be taken to name; `led`: where a leader
-    tells."""
+def misled(want: Want, others: Sequence[Want], centre: Complexes) -> Floats:
+    """What each place of a label without a leader costs for the other things that it could be taken to name."""
     a, b, radius = rivals(want, others)
     if not len(a):
         return np.zeros(len(centre))
-    total, centre = np.zeros(len(centre)), centre[~led]
     half = complex(want.width / 2, want.height / 2)
-    own = distance(centre, half, *(np.array([p]) for p in want.own)).min(axis=1) - want.radius
-    rival = (distance(centre, half, a, b) - radius).min(axis=1)
-    total[~led] = WRONG * np.clip((own + DOUBTFUL - rival) / DOUBTFUL, 0.0, 1.0)
-    return total
+    p, q = want.own
+    gap = distance(centre, half, np.append(p, a), np.append(q, b))
+    own, rival = gap[:, 0] - want.radius, (gap[:, 1:] - radius).min(axis=1)
+    result: Floats = WRONG * np.clip((own + DOUBTFUL - rival) / DOUBTFUL, 0.0, 1.0)
+    return result
 
 
 def distance(centre: Complexes, half: complex, a: Complexes, b: Complexes) -> Floats:

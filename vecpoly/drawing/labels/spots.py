@@ -25,6 +25,11 @@ class Spots:
     centre: Complexes
     cost: Floats
     foot: Complexes
+    near: int  # so many of them, the first, stand beside what is named, the others on a leader
+
+    def part(self, some: slice) -> Spots:
+        """Some of them."""
+        return Spots(self.centre[some], self.cost[some], self.foot[some], self.near)
 
 
 def spots(want: Want, middle: complex) -> Spots:
@@ -49,6 +54,7 @@ def spots(want: Want, middle: complex) -> Spots:
             ]
         ),
         np.concatenate([np.full(near.size, complex(math.nan, math.nan)), at.ravel()]),
+        near.size,
     )
 
 

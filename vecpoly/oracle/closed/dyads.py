@@ -19,6 +19,7 @@ from ..state import Bodies, Body, Points, Reals, cross, dot
 from .loci import Arc, Line, Locus, Share
 from .telescope import Telescope, moved, placed, radius_of
 
+Size = Reals | np.float64  # at each position, or the same at all
 ROUND = 1e-13  # what rounding leaves of a vanishing square
 
 
@@ -30,9 +31,9 @@ def _root(square: Reals) -> Reals:
     return root
 
 
-def signs(step: Hinged | Swinging, run: Run) -> Reals:
+def signs(step: Hinged | Swinging, run: Run) -> Size:
     """The sign of the assembly at every position of the run."""
-    return np.full(1, step.sign) if step.changes is None else step.sign * step.changes.signs(run.q)
+    return np.float64(step.sign) if step.changes is None else step.sign * step.changes.signs(run.q)
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +133,7 @@ def _split(w: Points, d_j: Points, d_k: Points, inverse: Reals) -> tuple[Reals, 
     return (conj * d_k).imag * inverse, (conj * d_j).imag * inverse
 
 
-def _arc_arc(centre: Points, radius: Reals, other: Points, reach: Reals, sign: Reals) -> Points:
+def _arc_arc(centre: Points, radius: Size, other: Points, reach: Size, sign: Size) -> Points:
     """C = O + D (a + ih), a = (r² - R² + D²) / 2D², h = ±√(r²/D² - a²); sign + is left of the ray O -> P."""
     ray = other - centre
     scale = 1 / dot(ray, ray)
@@ -141,7 +142,7 @@ def _arc_arc(centre: Points, radius: Reals, other: Points, reach: Reals, sign: R
     return centre + ray * (share + 1j * sign * height)
 
 
-def _arc_line(centre: Points, radius: Reals, base: Points, along: Points, sign: Reals) -> Points:
+def _arc_line(centre: Points, radius: Size, base: Points, along: Points, sign: Size) -> Points:
     """C = foot + e t, t = ±√(r² - g²), g the centre's distance from the line; sign + is ahead of the foot."""
     ahead = along.conj() * (centre - base)
     away = ahead.imag

@@ -100,9 +100,9 @@ def telescope(mech: Mechanism, ram: Ram, drive: Drive) -> Telescope:
     )
 
 
-def radius_of(locus: Locus | Telescope, run: Run) -> Reals:
+def radius_of(locus: Locus | Telescope, run: Run) -> Reals | np.float64:
     """The radius of a circle (m); 1 for a line."""
-    return np.asarray(np.abs(locus.ray(run))) if isinstance(locus, Telescope) else np.full(1, locus.size)
+    return np.asarray(np.abs(locus.ray(run))) if isinstance(locus, Telescope) else np.float64(locus.size)
 
 
 def placed(locus: Locus | Telescope, at: Points, base: Points, bodies: Bodies, run: Run) -> dict[str, Body]:

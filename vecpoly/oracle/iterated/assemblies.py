@@ -76,15 +76,12 @@ def _letters(after: Mapping[int, Places]) -> set[str]:
 def _distinct(mech: Mechanism, found: States) -> list[int]:
     """Every assembly once."""
     kept: list[int] = []
+    at, unit, near = found[:, :, :2], np.exp(1j * found[:, :, 2]), SAME * max(mech.scale, 1e-12)
     for k in np.flatnonzero(np.isfinite(found).all(axis=(1, 2))):
-        if all(_apart(found[k], found[j]) > SAME * max(mech.scale, 1e-12) for j in kept):
+        shifted, turned = np.abs(at[kept] - at[k]).max(axis=(1, 2)), np.abs(unit[kept] - unit[k]).max(axis=1)
+        if (np.maximum(shifted, turned) > near).all():
             kept.append(int(k))
     return kept
-
-
-def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    turned = np.abs(np.exp(1j * one[:, 2]) - np.exp(1j * other[:, 2])).max()
-    return float(max(np.abs(one[:, :2] - other[:, :2]).max(), turned))
 
 
 def _which(mech: Mechanism, group: Group, fits: list[Places]) -> Words:

@@ -138,7 +138,7 @@ def _compose(plain: Narrowed, name: str) -> Any:
     from ruamel.yaml.error import MarkedYAMLError, YAMLError
 
     try:
-        return YAML(typ="rt", pure=True).compose(plain.text)
+        return YAML(typ="safe", pure=True).compose(plain.text)
     except MarkedYAMLError as error:
         found = misread(error, plain.text)
         place = Place(name, found.line + 1, plain.column(found.line, found.column) + 1)

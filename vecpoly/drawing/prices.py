@@ -1,0 +1,180 @@
+"""What the places of a label cost by themselves; those on a leader are priced only where nearer ones are dear."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .labels.obstacles import Complexes, Floats, Obstacles
+from .labels.rivals import misled
+from .labels.spots import Spots, spots
+from .labels.wants import Want
+from .scene import Rect
+from .standing import Trial
+
+OUTSIDE, BEYOND_FRAME = 0.25, 60.0  # a mm beyond the drawn lines, beyond the allowed frame
+FREE = 6.0  # dearer than the cheapest place by less than this is free to choose
+
+
+@dataclass(frozen=True, slots=True)
+class Around:
+    """What stands about the labels of a figure: lines and solids, other things to name, the drawn extents, a frame."""
+
+    obstacles: Obstacles
+    wanted: tuple[Want, ...]
+    drawn: Rect
+    frame: Rect | None
+
+
+@dataclass(eq=False)
+class Places:
+    """Some places of a label, all beside what it names or all on a leader; `first`: the number of the first of them."""
+
+    want: Want
+    spots: Spots
+    first: int
+    led: bool
+    around: Around
+    _hard: Floats | None = None
+
+    @cached_property
+    def half(self) -> complex:
+        """Half the width and height of the label."""
+        return complex(self.want.width / 2, self.want.height / 2)
+
+    @cached_property
+    def _outside(self) -> Floats:
+        return OUTSIDE * beyond(self.want, self.spots.centre, self.around.drawn)
+
+    @cached_property
+    def least(self) -> float:
+        """No place here costs less: what they cost if they stand on nothing."""
+        return float((self.spots.cost + self._outside).min())
+
+    @property
+    def known(self) -> bool:
+        """Whether it was found already what they stand on."""
+        return self._hard is not None
+
+    @property
+    def hard(self) -> Floats:
+        """What each place stands on."""
+        if self._hard is None:
+            price((self,))
+        assert self._hard is not None
+        return self._hard
+
+    @cached_property
+    def total(self) -> Floats:
+        """The same with preference."""
+        result: Floats = self.hard + self.spots.cost + self._outside
+        return result
+
+    @cached_property
+    def trial(self) -> Trial:
+        """As they are weighed against the other labels."""
+        return Trial(self.spots.centre, self.half, self.spots.foot if self.led else None)
+
+    @property
+    def leaders(self) -> tuple[Complexes, Complexes]:
+        """Where the leader of each place starts and ends."""
+        foot, c = self.spots.foot, self.spots.centre
+        w, h = self.half.real + 0.4, self.half.imag + 0.4
+        return foot, np.clip(foot.real, c.real - w, c.real + w) + 1j * np.clip(foot.imag, c.imag - h, c.imag + h)
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """All places of one label."""
+
+    near: Places
+    led: Places
+
+    @property
+    def parts(self) -> tuple[Places, Places]:
+        """Beside what the label names, and on a leader."""
+        return self.near, self.led
+
+    @classmethod
+    def of(cls, want: Want, around: Around) -> Row:
+        """Not priced yet."""
+        found = spots(want, around.drawn.centre)
+        n = found.near
+        return cls(
+            Places(want, found.part(slice(None, n)), 0, False, around),
+            Places(want, found.part(slice(n, None)), n, True, around),
+        )
+
+    def of_number(self, k: int) -> tuple[Places, int]:
+        """Among which places this one is, and its number there."""
+        part = self.led if k >= self.led.first else self.near
+        return part, k - part.first
+
+    @property
+    def dear(self) -> bool:
+        """Whether a leader is to be thought of, too, before it is said how free the label is."""
+        return self.led.least < float(self.near.total.min()) + FREE
+
+    @property
+    def freedom(self) -> int:
+        """How many places are about as good as the best."""
+        total = np.concatenate([part.total for part in self.parts]) if self.dear else self.near.total
+        return int((total < total.min() + FREE).sum())
+
+
+def price(places: Sequence[Places]) -> None:
+    """Find what each of these places stands on, of many labels of one figure together."""
+    if not places:
+        return
+    around = places[0].around
+    costs = priced(around.obstacles, [(part.want, part.spots.centre) for part in places])
+    led = [part for part in places if part.led]
+    crossed = dict(zip(map(id, led), _crossed(around.obstacles, led), strict=True))
+    for part, cost in zip(places, costs, strict=True):
+        cost += crossed[id(part)] if part.led else misled(part.want, around.wanted, part.spots.centre)
+        if around.frame is not None:
+            cost += BEYOND_FRAME * beyond(part.want, part.spots.centre, around.frame)
+        part._hard = cost
+
+
+def priced(obstacles: Obstacles, places: Sequence[tuple[Want, Complexes]]) -> list[Floats]:
+    """What the lines and solids of a figure cost each label at each of its places."""
+    counts = [len(centre) for _, centre in places]
+    own = _repeated([want.own for want, _ in places], counts)
+    size = _repeated([(want.width, want.height) for want, _ in places], counts).real
+    centre = np.concatenate([centre for _, centre in places])
+    groups = _groups(counts)
+    cost = obstacles.cost(centre, size[:, 0], size[:, 1], (own[:, 0], own[:, 1]), groups)
+    return [cost[some] for some in groups]
+
+
+def _crossed(obstacles: Obstacles, led: Sequence[Places]) -> list[Floats]:
+    """What the leader of each place crosses."""
+    if not led:
+        return []
+    counts = [len(part.spots.centre) for part in led]
+    own, groups = _repeated([part.want.own for part in led], counts), _groups(counts)
+    foot, end = (np.concatenate(ends) for ends in zip(*(part.leaders for part in led), strict=True))
+    cost = obstacles.crossings(foot, end, (own[:, 0], own[:, 1]), groups)
+    return [cost[some] for some in groups]
+
+
+def _repeated(pairs: Sequence[tuple[complex, complex]], counts: Sequence[int]) -> Complexes:
+    return np.repeat(np.array(pairs, dtype=complex), counts, axis=0)
+
+
+def _groups(counts: Sequence[int]) -> list[slice]:
+    ends = np.cumsum(counts).tolist()
+    return [slice(end - count, end) for count, end in zip(counts, ends, strict=True)]
+
+
+def beyond(want: Want, centre: Complexes, rect: Rect) -> Floats:
+    """How far a label at each of these places sticks out of a rectangle, mm."""
+    x, y, w, h = centre.real, centre.imag, want.width / 2, want.height / 2
+    out: Floats = np.maximum(rect.x0 - (x - w), 0.0)
+    for side in (x + w - rect.x1, rect.y0 - (y - h), y + h - rect.y1):
+        out += np.maximum(side, 0.0)
+    return out
