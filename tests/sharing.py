@@ -1,5 +1,4 @@
-"""Which files run on one worker, for they share what is made once; and which come first, so that all workers end
-together."""
+"""Which files run on one worker, for they share what is made; which come first, so that all workers end together."""
 
 from __future__ import annotations
 

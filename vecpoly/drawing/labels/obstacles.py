@@ -101,7 +101,7 @@ class Obstacles:
                 case Stroke():
                     pieces.extend(_pieces(item))
                 case Fill(points=points, hue=hue, layer=layer):
-                    polygons.append(shapely.Polygon([(z.real, z.imag) for z in points]))
+                    polygons.append(shapely.polygons([(z.real, z.imag) for z in points]))
                     solid.append(not hue.is_tint or layer > Layer.TINT)
                 case TextBox(rect=r):
                     polygons.append(shapely.box(r.x0, r.y0, r.x1, r.y1))

@@ -12,6 +12,7 @@ from ...desk import Desk
 from ..position.drive import swept
 
 ARROW_RADII = (10.0, 13.0, 16.0)  # mm: the first that keeps clear of circles about the pivot
+GROUND = 5.5  # mm from the pivot within which its ground is hatched
 APART = 4.0  # mm between the arrow and the arc of a reflex angle
 
 
@@ -46,7 +47,7 @@ def _arrow_radius(desk: Desk, pivot: complex) -> float:
 
 def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
     """The direction from the pivot in which the arrow stands farthest from all lines, the angle mark and the ground."""
-    ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])
+    ground = pivot + np.array([-3 - 4j, -4j, 3 - 4j])  # within GROUND
     mark = pivot + radius * np.exp(1j * np.linspace(0.0, swept(phi), 18))
     lines = [
         m.a + (m.b - m.a) * np.linspace(0.0, 1.0, 60)
@@ -54,6 +55,9 @@ def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
         if isinstance(m, Segment | FixedGuide | Slot)
     ]
     taken = np.concatenate([ground, mark, *lines])
+    taken = taken[
+        np.abs(np.abs(taken - pivot) - radius) < radius + GROUND
+    ]  # what lies beyond is farther than the ground
     middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
     clear = np.abs(arcs[:, :, None] - taken).min(axis=(1, 2))
