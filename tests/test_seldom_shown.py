@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from tests.drawn_library import drawn
 from vecpoly.board.construction import View
+from vecpoly.curves.style import degrees_ticks
 from vecpoly.cycle.cycle import cycle
 from vecpoly.cycle.facts import facts
 from vecpoly.drawing.figure import draw_figure
@@ -83,3 +84,18 @@ def test_a_transmission_angle_told_to_reach_90_degrees_has_them_where_it_is_told
     assert told
     for one in told:
         assert np.asarray(turn.at(one.key, np.array([one.greatest.phi]))) == pytest.approx(np.pi / 2)
+
+
+@given(st.floats(-720, 720), st.floats(3, 1400))
+def test_an_axis_of_degrees_has_round_ticks_from_end_to_end(low: float, span: float) -> None:
+    from matplotlib.figure import Figure
+
+    axes = Figure().add_axes((0, 0, 1, 1))
+    degrees_ticks(axes, low, low + span)
+    ticks = axes.xaxis.get_major_locator()()
+    steps = set(np.diff(ticks).round(9))
+    assert len(steps) == 1 and len(ticks) <= 14
+    (step,) = steps
+    assert 360 % step == 0 or step % 360 == 0
+    assert low - 1e-6 <= ticks[0] < low + step + 1e-6 and low + span - step - 1e-6 < ticks[-1] <= low + span + 1e-6
+    assert all(abs(tick / step - round(tick / step)) < 1e-9 for tick in ticks)
