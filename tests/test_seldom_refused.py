@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from vecpoly.devices.base import Device
 from vecpoly.errors import ProblemFileError
 from vecpoly.problem.load import loads
 
@@ -26,7 +27,8 @@ DEVICE = "id: x\ntitle: t\ndevice: {kind}\ndata: {{{data}}}\n"
 def test_angles_of_a_device_are_taken_up_to_their_limits_and_no_further(
         kind: str, data: str, within: tuple[float, ...], beyond: tuple[float, ...]) -> None:
     for angle in within:
-        assert loads(DEVICE.format(kind=kind, data=data.format(angle))).subject.kind == kind
+        subject = loads(DEVICE.format(kind=kind, data=data.format(angle))).subject
+        assert isinstance(subject, Device) and subject.kind == kind
     for angle in beyond:
         with pytest.raises(ProblemFileError, match=re.escape(f"= {angle} deg")) as refused:
             loads(DEVICE.format(kind=kind, data=data.format(angle)))
