@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+from math import degrees, radians
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from typer.testing import CliRunner
 
 from tests.drawn_library import drawn, ids
+from vecpoly import oracle
+from vecpoly.cli.app import app
+from vecpoly.errors import AssemblyError
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import Solution, solve
 
@@ -62,3 +67,20 @@ def test_of_the_groups_that_come_off_the_first_is_told_to_be_far_from_the_driver
             parts.setdefault(step.section.en, []).append(far)
     for told in parts.values():
         assert told[0] == (True, True) and not any(map(any, told[1:]))
+
+
+@pytest.mark.parametrize("name", ["class-iii"])
+def test_of_several_places_that_cannot_be_assembled_the_first_that_was_asked_for_is_named(name: str) -> None:
+    mech = load(name).mechanism
+    _, high = oracle.spans(mech)[-1]
+    asked = [mech.drive.position, high + radians(9.0), high + radians(12.0)]
+    with pytest.raises(AssemblyError, match=re.escape(f"stands at {degrees(asked[1]):.6g} deg")):
+        oracle.solve(mech, asked)
+
+
+@pytest.mark.parametrize(("name", "unit"), [("3-9", "°"), ("elliptic-trammel", " mm")])
+def test_the_places_of_extremes_carry_the_unit_of_the_drive(name: str, unit: str) -> None:
+    shown = CliRunner().invoke(app, ["cycle", name, "-n", "25"]).stdout
+    rows = shown[shown.index("────"):].partition("\n \n")[0].splitlines()[1:]
+    ends = [line.rstrip() for line in rows if re.search(r"\d(°| mm)\s*$", line)]
+    assert len(ends) > 5 and all(line.endswith(unit) for line in ends)
