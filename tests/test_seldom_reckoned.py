@@ -13,7 +13,11 @@ from typer.testing import CliRunner
 from tests.drawn_library import drawn, ids
 from vecpoly import oracle
 from vecpoly.cli.app import app
+from vecpoly.cycle.cycle import cycle
+from vecpoly.cycle.path import path
 from vecpoly.errors import AssemblyError
+from vecpoly.mechanism.model import FRAME, Prismatic, Revolute
+from vecpoly.mechanism.other_inputs import other_inputs
 from vecpoly.problem.load import load, loads
 from vecpoly.solution import Solution, solve
 
@@ -84,3 +88,17 @@ def test_the_places_of_extremes_carry_the_unit_of_the_drive(name: str, unit: str
     rows = shown[shown.index("────"):].partition("\n \n")[0].splitlines()[1:]
     ends = [line.rstrip() for line in rows if re.search(r"\d(°| mm)\s*$", line)]
     assert len(ends) > 5 and all(line.endswith(unit) for line in ends)
+
+
+@pytest.mark.parametrize("name", ["3-5", "3-8", "3-12", "A-27"])
+def test_what_else_could_drive_is_every_link_on_the_frame_but_the_driver(name: str) -> None:
+    mech = load(name).mechanism
+    pairs = [(j.a, j.b) if isinstance(j, Revolute) else (j.guide, j.block) for j in mech.joints if isinstance(j, Revolute | Prismatic)]
+    beside = {link for pair in pairs if FRAME in pair for link in pair if link in mech.numbered and link != mech.drive.link}
+    assert beside and set(other_inputs(mech, lambda _: True)) == beside
+
+
+@pytest.mark.parametrize(("sense", "turns"), [("ccw", 1), ("cw", -1)])
+def test_the_tangent_of_a_path_turns_as_the_drive_does(sense: str, turns: int) -> None:
+    turn = cycle(loads(re.sub(r"omega: [^,}]*", f"omega: 10 rad/s {sense}", load("3-9").text)), n=73)
+    assert path(turn, "B").turning == path(turn, "E").turning == turns

@@ -20,10 +20,13 @@ from vecpoly.drawing.space import CAPTION, CLEAR, LETTERING, room, usable
 from vecpoly.figures.kind import views
 from vecpoly.player.figures import caption
 from vecpoly.player.ink import UNIT, Ink
+from vecpoly.player.type import Faces, symbol_html
 from vecpoly.problem.load import load, loads
+from vecpoly.report.flow.formula import lines
 from vecpoly.report.titles import subject
 from vecpoly.solution import solve
 from vecpoly.typeset.box import Glyphs
+from vecpoly.typeset.layout import layout
 
 MATRIX = re.compile(r"matrix\((\S+) 0 0 (\S+) (\S+) (\S+)\)")
 
@@ -99,3 +102,25 @@ def test_an_axis_of_degrees_has_round_ticks_from_end_to_end(low: float, span: fl
     assert 360 % step == 0 or step % 360 == 0
     assert low - 1e-6 <= ticks[0] < low + step + 1e-6 and low + span - step - 1e-6 < ticks[-1] <= low + span + 1e-6
     assert all(abs(tick / step - round(tick / step)) < 1e-9 for tick in ticks)
+
+
+@given(st.floats(45.0, 160.0))
+def test_a_formula_set_on_several_lines_keeps_within_the_width(width: float) -> None:
+    nodes = [node for step in drawn("3-9").construction.steps for node in step.formulas]
+    longest = max(nodes, key=lambda node: layout(node, 3.5).width)
+    whole, broken = layout(longest, 3.5).width, lines(longest, 3.5, width)
+    assert (len(broken) == 1) is (whole <= width)
+    assert all(indent + box.width <= width + 1e-9 for indent, box in broken) and len(broken) <= 1 + 2 * whole / width
+
+
+def test_a_symbol_of_the_player_is_as_wide_to_its_height_as_what_it_shows() -> None:
+    faces = Faces()
+    for node in [node for step in drawn("3-9").construction.steps for node in step.formulas][:6]:
+        markup = symbol_html(node, faces)
+        view = re.search(r'viewBox="(\S+) (\S+) (\S+) (\S+)"', markup)
+        style = re.search(r"height:([\d.]+)em;width:([\d.]+)em;vertical-align:-([\d.]+)em", markup)
+        assert view is not None and style is not None
+        _, top, wide, high = map(float, view.groups())
+        height, width, below = map(float, style.groups())
+        assert (wide, high) == pytest.approx((1000 * width, 1000 * height), abs=2)
+        assert top + high == pytest.approx(1000 * below, abs=2) and wide > 1000 * layout(node, 1.0).width
