@@ -61,6 +61,12 @@ def test_values_and_words_beside_each_other_without_a_space_are_no_decimal_comma
         loads(FOUR_BAR.replace("50 mm}", "50 mm, AB: 50 mm}"))
 
 
+@pytest.mark.parametrize("key", ["[5 mm]", "{5: 6}", "? 5"])
+def test_a_number_before_a_key_that_is_no_word_is_no_decimal_comma(key: str) -> None:
+    with pytest.raises(ProblemFileError, match="line 5"):
+        loads(FOUR_BAR.replace("AB: 50 mm", f"AB: 50,{key}"))
+
+
 def test_a_printed_answer_with_a_comma_is_told_so() -> None:
     with pytest.raises(ProblemFileError, match=re.escape("write 0.3 m/s")):
         load_claimed("3-12", ["v_C=0,3 m/s"])

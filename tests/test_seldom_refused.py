@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 import pytest
 
 from vecpoly.devices.base import Device
-from vecpoly.errors import ProblemFileError
+from vecpoly.errors import ProblemFileError, VecpolyError
+from vecpoly.mechanism import assur
 from vecpoly.problem.load import loads
+from vecpoly.solution import solve
 
 DEVICE = "id: x\ntitle: t\ndevice: {kind}\ndata: {{{data}}}\n"
 
@@ -35,3 +38,13 @@ def test_angles_of_a_device_are_taken_up_to_their_limits_and_no_further(
         (fault,) = refused.value.faults
         assert fault.code == "out-of-range"
         assert re.findall(r"[\d.]+", fault.words.zh) == re.findall(r"[\d.]+", re.sub(r"\.$", "", fault.words.en))
+
+
+def test_many_links_without_their_drive_are_refused_before_all_their_sets_are_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    letters = "ABCDEFGHIJKLMNOPQRSTUVWXY"
+    frame = "{A: [0 mm, 0 mm], Y: [900 mm, 0 mm]}"
+    links = ", ".join(f"{i}: {{{a}{b}: 50 mm}}" for i, (a, b) in enumerate(pairwise(letters), 1))
+    text = f"id: x\ntitle: t\nframe: {frame}\nlinks: {{{links}}}\ninput: {{link: 1, phi: 30 deg, omega: 5 rad/s}}\nfind: [omega_2]\n"
+    monkeypatch.setattr(assur, "MOST", 400)
+    with pytest.raises(VecpolyError, match=r"F = |form no Assur group"):
+        solve(loads(text), repeats=0)

@@ -17,7 +17,7 @@ def parted(value: Any, key: Any) -> str | None:
 
     The nodes of a value and of the key behind it, which no space parts.
     """
-    if value.id != "scalar" or value.style or key.style or key.start_mark.index - value.end_mark.index != 1:
+    if {value.id, key.id} != {"scalar"} or value.style or key.style or key.start_mark.index - value.end_mark.index != 1:
         return None
     return f"{value.value},{key.value}" if _WHOLE.fullmatch(value.value) and key.value[:1].isdigit() else None
 
