@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from itertools import pairwise
+from typing import Any
 
 import pytest
 
 from vecpoly.devices.base import Device
-from vecpoly.errors import ProblemFileError, VecpolyError
+from vecpoly.errors import MobilityError, ProblemFileError
 from vecpoly.mechanism import assur
+from vecpoly.mechanism.model import FRAME, Link, Mechanism, Revolute
 from vecpoly.problem.load import loads
-from vecpoly.solution import solve
 
 DEVICE = "id: x\ntitle: t\ndevice: {kind}\ndata: {{{data}}}\n"
 
@@ -41,10 +41,16 @@ def test_angles_of_a_device_are_taken_up_to_their_limits_and_no_further(
 
 
 def test_many_links_without_their_drive_are_refused_before_all_their_sets_are_tried(monkeypatch: pytest.MonkeyPatch) -> None:
-    letters = "ABCDEFGHIJKLMNOPQRSTUVWXY"
-    frame = "{A: [0 mm, 0 mm], Y: [900 mm, 0 mm]}"
-    links = ", ".join(f"{i}: {{{a}{b}: 50 mm}}" for i, (a, b) in enumerate(pairwise(letters), 1))
-    text = f"id: x\ntitle: t\nframe: {frame}\nlinks: {{{links}}}\ninput: {{link: 1, phi: 30 deg, omega: 5 rad/s}}\nfind: [omega_2]\n"
+    links = tuple(Link(name=str(i), points={f"P{i}": 0j, f"P{i + 1}": 1 + 0j}) for i in range(1, 25))
+    joints = tuple(Revolute(point=f"P{i}", a=str(i), b=str(i - 1) if i > 1 else FRAME) for i in range(1, 25))
+    tried, group = list[tuple[str, ...]](), assur._group
+
+    def counted(*args: Any) -> assur.Group | None:
+        tried.append(args[1])
+        return group(*args)
+
     monkeypatch.setattr(assur, "MOST", 400)
-    with pytest.raises(VecpolyError, match=r"F = |form no Assur group"):
-        solve(loads(text), repeats=0)
+    monkeypatch.setattr(assur, "_group", counted)
+    with pytest.raises(MobilityError, match="form no Assur group"):
+        assur.decompose(Mechanism(frame={"P1": 0j}, links=links, joints=joints, drives=()))
+    assert len(tried) == 400
