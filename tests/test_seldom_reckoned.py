@@ -52,6 +52,22 @@ def test_a_rack_on_a_turning_guide_has_the_sliding_and_coriolis_terms_of_the_ora
                  by="exact", repeats=0))
 
 
+TURNED = """
+id: block-turned-on-its-guide
+title: A block whose axis stands at an angle to its guide
+frame: {A: [0 mm, 0 mm], C: [100 mm, 0 mm]}
+links: {1: {AB: 30 mm}, 2: {slot: C}, 3: {block: B, G: {BG: 40 mm, angle: 60 deg from line}}}
+joints: [3 slides in 2 turned 30 deg]
+input: {link: 1, phi: 50 deg, omega: 10 rad/s ccw}
+find: [p_G, v_G, a_G, omega_2]
+"""
+
+
+@pytest.mark.parametrize("turn", [0, 30, -75])
+def test_points_of_a_block_that_is_turned_on_its_guide_are_the_oracle_s(turn: int) -> None:
+    agrees(solve(loads(TURNED.replace("30 deg]", f"{turn} deg]")), by="exact", repeats=0))
+
+
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_a_guide_that_a_statement_decides_says_by_which(side: str) -> None:
     text = re.sub(r"(?ms)^printed:.*", "", load("3-9").text)
