@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -30,15 +31,26 @@ class Truth:
     lengths: tuple[Length, ...]
     sensitivity: Mapping[str, Reals]
 
+    @property
+    def is_iterated(self) -> bool:
+        """Whether a group of the mechanism is solved by iteration, walked to from the own position."""
+        return oracle.is_iterated(self.mech)
+
     def of(self, target: Target) -> Reals:
         """The exact values of a quantity."""
         return target.of(self.motion)
 
 
 def solved(mech: Mechanism, positions: Reals) -> Motion | None:
-    """The motion, NaN where it fails; None where it cannot be assembled at all."""
+    """The motion, NaN where it fails; None where it cannot be assembled at all. A value found for one column is tried
+    on all."""
+    return _kept(mech, np.asarray(positions, dtype=np.float64).tobytes())
+
+
+@lru_cache(maxsize=128)
+def _kept(mech: Mechanism, positions: bytes) -> Motion | None:
     try:
-        return oracle.solve(mech, positions, strict=False)
+        return oracle.solve(mech, np.frombuffer(positions), strict=False)
     except (VecpolyError, ValueError, ArithmeticError):
         return None
 
