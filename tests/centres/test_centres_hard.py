@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.label_faults import faults
 from tests.texts import CLASS_III
 from vecpoly import load, loads, oracle
-from vecpoly.board.paper.marks import Role, Segment
+from vecpoly.board.paper.marks import Point, Role, Segment
 from vecpoly.cycle.pose import posed
 from vecpoly.drawing.figure import drawing
 from vecpoly.errors import AssemblyError, NotAskedError
@@ -65,6 +65,25 @@ def test_a_class_iii_group_needs_one_trial_triangle_and_then_all_centres_follow(
     trials = [step for step in solution.construction.steps if "用试作法" in step.words.zh]
     assert len(trials) == 1 and "Try any point $x$" in trials[0].words.en
     assert find(Stage.CENTRES, "trial").draw.__name__ == "find_by_trial"
+    assert all(len(directions) >= 3 for directions in through_corners(solution, trials[0].number))
+
+
+def through_corners(solution: Solution, step: int) -> list[set[float]]:
+    """The directions of the lines that this step rules through each corner x, y, z of its triangle."""
+    figure = next(
+        f for f in solution.construction.figures if any(isinstance(m, Point) and m.label == "x" for m in f.marks)
+    )
+    lines = [m for m in figure.marks if isinstance(m, Segment) and m.role is Role.DIRECTION and m.step == step]
+    corners = [m.at for m in figure.marks if isinstance(m, Point) and m.label in ("x", "y", "z")]
+    assert corners
+    return [
+        {
+            round((m.b - m.a).imag / (m.b - m.a).real, 6)
+            for m in lines
+            if abs(((m.b - m.a).conjugate() * (at - m.a)).imag) < 1e-6 * abs(m.b - m.a)
+        }
+        for at in corners
+    ]
 
 
 def test_velocities_of_a_class_iii_linkage_follow_from_its_centres() -> None:

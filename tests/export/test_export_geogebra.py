@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 from tests.ggb_reader import construction, evaluated
 from vecpoly import load, solve
-from vecpoly.board.acts import Locate
+from vecpoly.board.acts import Locate, Swing
 from vecpoly.board.construction import View
 from vecpoly.board.place import Pane, view_of
 from vecpoly.cli.app import app
@@ -116,6 +116,23 @@ def test_wherever_the_slider_stands_letters_and_answers_are_those_of_solve(probl
     known = evaluated(exported(problem), slider(there))
     assert same_letters(solution, known) >= 4
     assert same_answers(solution, known) >= 1
+
+
+@pytest.mark.parametrize("problem", ["3-5", "jansen-leg"])
+def test_every_arc_swung_on_the_sheet_is_an_arc_of_its_radius_about_its_centre(problem: str) -> None:
+    given = load(problem)
+    known = evaluated(exported(problem), slider(given))
+    at = known["O_{m}"]
+    made = [one.find("output") for one in construction(exported(problem)) if one.get("name") == "CircleArc"]
+    arcs = [one.get("a0", "") for one in made if one is not None]
+    drawn = [
+        (centre - at, abs(first - centre), abs(last - centre)) for centre, first, last in (known[arc] for arc in arcs)
+    ]
+    acts = solve(replace(given, scales=given_scales(problem)), by="exact", repeats=0, precise=False).construction.acts
+    swung = [(act.centre, act.radius, act.radius) for act in acts if isinstance(act, Swing)]
+    assert swung
+    for one in swung:
+        assert any(other == pytest.approx(one, rel=1e-9, abs=1e-9) for other in drawn), one
 
 
 @pytest.mark.parametrize("problem", SEVERAL)

@@ -1,5 +1,5 @@
-"""Claims about the computed vectors of every acceleration polygon of the library:
-each is worked out, and laid off as long as its step says."""
+"""Claims about the vectors of every polygon of the library: each is worked out, as long as its step says, and every
+point has its own."""
 
 from __future__ import annotations
 
@@ -9,8 +9,10 @@ from collections.abc import Iterator
 import pytest
 
 from tests.drawn_library import desk_of, drawn, ids
+from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Step, View
+from vecpoly.mechanism.model import Prismatic
 from vecpoly.names import At, Kind, parse_rel
 
 IDS = ids(view=View.ACCELERATION)
@@ -48,6 +50,44 @@ def test_a_computed_acceleration_is_as_long_on_paper_as_its_step_says(name: str)
         length = float(worked_out(step, symbol)[1][0].rpartition("= ")[2].removesuffix(" mm").replace("−", "-"))
         if symbol in drawn_as:
             assert length == pytest.approx(drawn_as[symbol], rel=2e-3), (step.number, symbol)
+
+
+@pytest.mark.parametrize("name", ids(view=View.VELOCITY))
+def test_every_point_of_a_link_has_the_oracle_s_vector_on_every_polygon(name: str) -> None:
+    desk = desk_of(name)
+    motion = oracle.solve(desk.mech)
+    for view, exact in ((View.VELOCITY, motion.velocity), (View.ACCELERATION, motion.acceleration)):
+        size = desk.board.scales[view].value if drawn(name).figures(view) else 0.0
+        for point in (point for link in desk.mech.links for point in link.points if size):
+            assert complex(desk.tip(view, At(point))) * size == pytest.approx(complex(exact(point)), abs=1e-6 * size), (
+                point
+            )
+
+
+GUIDES = [
+    (re.compile(r"^Join \$(\w)\$ and \$(\w)\$: the guide of link (\w+)"), False),
+    (re.compile(r"^The tangent from \$(\w)\$ to the circle about \$(\w)\$ .* is the guide of link (\w+)"), True),
+]
+
+
+@pytest.mark.parametrize("name", ids())
+def test_a_guide_is_joined_where_it_passes_through_both_pins_and_else_a_tangent(name: str) -> None:
+    desk = desk_of(name)
+    for step in drawn(name).construction.steps:
+        for pattern, beside in GUIDES:
+            if (told := pattern.match(step.words.en)) is not None:
+                joints = [
+                    j for j in desk.mech.joints if isinstance(j, Prismatic) and desk.mech.number(j.guide) == told[3]
+                ]
+                ends = [(j, told[1], told[2]) for j in joints if told[2] in desk.mech.link(j.block).points]
+                (joint, q, p), *_ = ends
+                off = desk.offset(joint, joint.block, p) - desk.offset(joint, joint.guide, q)
+                assert (abs(off) > 1e-9) is beside, step.words
+
+
+def test_guides_are_joined_and_ruled_as_tangents_in_the_library() -> None:
+    steps = [step.words.en for name in ids() for step in drawn(name).construction.steps]
+    assert all(sum(bool(pattern.match(text)) for text in steps) for pattern, _ in GUIDES)
 
 
 def _plain(key: str) -> str:

@@ -102,6 +102,13 @@ def test_no_page_has_a_word_of_the_other_language(name: str, style: str) -> None
     assert foreign(Words(zh, "")) == [] and foreign(Words("", en)) == []
 
 
+@pytest.mark.parametrize(("name", "style"), PAGES)
+def test_a_number_below_zero_is_printed_with_a_minus_and_no_hyphen(name: str, style: str) -> None:
+    for lang in ("zh", "en"):
+        text = SYMBOL.sub(" ", printed(name, lang, style))
+        assert len(text) > 100 and re.findall(r"(?:(?<=[\s(（=,，])|^)-\d.{,20}", text) == []
+
+
 # -- what the one language names, the other names as well -------------------------------------------------------------
 
 SYMBOL = re.compile(r"\$([^$]*)\$")

@@ -57,23 +57,26 @@ def mutants(path: Path, source: str) -> Iterator[Mutant]:
 
 
 def _nodes(node: ast.AST, function: str) -> Iterator[tuple[str, ast.AST]]:
-    """All nodes that run, each with the function it stands in;
-    no annotations, decorators, assertions, error texts, imports."""
+    """All nodes that run, each with the function it stands in; no annotations, decorators, defaults, assertions,
+    imports.
+
+    What runs when the file is imported (defaults, fields of classes) has run before the slip is made.
+    """
     match node:
         case ast.FunctionDef():
-            inside, children = f"{_inner(function)}{node.name}()", [*node.args.defaults, *node.body]
+            inside, children = f"{_inner(function)}{node.name}()", list[ast.AST](node.body)
         case ast.AnnAssign():
             inside, children = function, [node.value] if node.value else []
         case ast.Assert() | ast.Import() | ast.ImportFrom():
             return
         case ast.ClassDef():
-            inside, children = f"{_inner(function)}{node.name}", list(node.body)
+            inside, children = f"{_inner(function)}{node.name}", list[ast.AST](node.body)
         case ast.Subscript():
             inside, children = function, [node.value, node.slice]
         case _:
             inside, children = function, list(ast.iter_child_nodes(node))
     for child in children:
-        yield inside.removesuffix("()"), child
+        yield inside.removesuffix("()") if inside.endswith("()") else "", child
         yield from _nodes(child, inside)
 
 
@@ -115,6 +118,8 @@ def _calls(node: ast.Call) -> Iterator[tuple[str, ast.expr, str]]:
     elif len(node.args) == 2 and not any(isinstance(arg, ast.Starred) for arg in node.args):
         yield "swapped arguments", node, _with(node, args=node.args[::-1])
     for keyword in node.keywords:
+        if keyword.arg == "strict":  # of zip: an assertion
+            continue
         yield "dropped argument", node, _with(node, keywords=[other for other in node.keywords if other is not keyword])
 
 

@@ -93,14 +93,15 @@ def _tried(
     mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]], tests: Sequence[pytest.Item], limit: int
 ) -> Fate:
     path, outer = str(ROOT / mutant.path), mutant.function.split(".<locals>")[0]
-    targets = functions.get((path, outer), [])
-    if not tests or not targets:
+    targets = {name: functions.get((path, name), []) for name in {outer, mutant.function}}
+    if not tests or not any(targets.values()):
         return Fate.UNTESTED
     sys.stdout.flush()
     child = os.fork()
     if child == 0:
         _spoil(path, mutant.text)
-        _run(targets, _code(compile(mutant.text, path, "exec"), outer), tests, limit)
+        module = compile(mutant.text, path, "exec")
+        _run([(one, _code(module, name)) for name, found in targets.items() for one in found], tests, limit)
     _, status = os.waitpid(child, 0)
     if os.WIFSIGNALED(status):
         return Fate.HUNG if os.WTERMSIG(status) == signal.SIGVTALRM else Fate.KILLED
@@ -124,8 +125,8 @@ def _code(module: CodeType, name: str) -> CodeType:
     raise LookupError(name)
 
 
-def _run(targets: Sequence[FunctionType], code: CodeType, tests: Sequence[pytest.Item], limit: int) -> None:
-    """The child: never returns."""
+def _run(targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytest.Item], limit: int) -> None:
+    """The child: never returns. A function made by another before the slip has the code of its own."""
     signal.setitimer(signal.ITIMER_VIRTUAL, limit)  # of the processor: a busy machine is no endless loop
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
@@ -133,7 +134,7 @@ def _run(targets: Sequence[FunctionType], code: CodeType, tests: Sequence[pytest
     failed = True
     try:
         forget()
-        for function in targets:
+        for function, code in targets:
             function.__code__ = code
         failed = any(_fails(test, following) for test, following in zip(tests, [*tests[1:], None], strict=True))
     finally:

@@ -44,4 +44,10 @@ def changes(mech: Mechanism) -> bool:
     return plan_for(mech).has_changes
 
 
-__all__ = ["SEARCHED", "Motion", "changes", "feasible", "solve", "spans"]
+def is_iterated(mech: Mechanism) -> bool:
+    """Whether a group is solved by iteration along a path from the own position, which takes a hundred times as
+    long."""
+    return plan_for(mech).followed
+
+
+__all__ = ["SEARCHED", "Motion", "changes", "feasible", "is_iterated", "solve", "spans"]

@@ -75,6 +75,7 @@ _GREATEST: dict[Dim | PerMm, float] = {Dim.ANGLE: MOST_ANGLE, Dim.LENGTH: MOST_L
 _NUMBER = re.compile(
     r"\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+\-]?\d+)?|[+\-]?(?:nan|inf(?:inity)?)\b)\s*(.*?)\s*", re.I
 )
+_COMMA = re.compile(r"\s*([+\-−]?\d+)[,，](\d+)")
 _SENSE = re.compile(r"\s*(?:\b(ccw|acw|cw|(?:counter|anti)-?clockwise|clockwise)|(逆时针|顺时针)(?:方向)?)$", re.I)
 _SPELLING = str.maketrans({"²": "^2", "·": "*", "⋅": "*", "×": "*", "°": "deg", "−": "-", "（": "(", "）": ")"})
 
@@ -87,6 +88,7 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
     m = _NUMBER.fullmatch(bare)
     if m is None:
         raise _refused(Words(f"“{text}”不是{dim.label.zh}", f"'{text}' is not {dim.label.en}"), dim, "spelling")
+    refuse_comma(text)
     number, unit = float(m[1].replace("−", "-")), m[2].translate(_SPELLING).replace("^", "**")
     if not math.isfinite(number):
         raise _refused(Words(f"“{text}”不是有限的数", f"'{text}' is not a finite number"), dim)
@@ -116,6 +118,27 @@ def read(text: object, dim: Dim | PerMm) -> Quantity:
         )
     per_mm = 1e-3 if isinstance(dim, PerMm) or dim in (Dim.MU_L, Dim.MU_V, Dim.MU_A, Dim.MU_F) else 1.0
     return Quantity(sign * _sensible(_times(number, factor * per_mm), text, dim), text)
+
+
+def refuse_comma(text: str) -> None:
+    """Raise FaultError for a number with a comma in it, 50,5 mm: with three digits behind it is a fraction here and
+    thousands there."""
+    m = _COMMA.match(text)
+    if m is None:
+        return
+    point, whole = f"{m[1]}.{m[2]}{text[m.end() :]}", f"{m[1]}{m[2]}{text[m.end() :]}"
+    thousands = (
+        Words(f"，若是千位分隔则写 {whole}", f", or {whole} if it parts thousands") if len(m[2]) == 3 else Words("", "")
+    )
+    raise FaultError(
+        Words(
+            f"“{text}”中有逗号，小数点应写成句点；请写 {point}",
+            f"'{text}' has a comma in its number, where a decimal point belongs; write {point}",
+        )
+        + thousands,
+        code="decimal-comma",
+        numbers={"written": text},
+    )
 
 
 def _sensible(si: float, text: str, dim: Dim | PerMm) -> float:
@@ -157,6 +180,7 @@ def pure(text: object, example: str) -> float:
     try:
         number = float(str(text).replace("−", "-"))
     except ValueError:
+        refuse_comma(str(text))
         raise FaultError(
             Words(f"“{text}”不是纯数；如写 {example}", f"'{text}' is no pure number; write e.g. {example}"),
             code="spelling",

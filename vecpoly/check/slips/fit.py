@@ -24,6 +24,7 @@ ROWS = 48  # rows of a long table that are enough to find a length
 GRID = np.geomspace(0.5, 2.0, 41)  # times the length that is given
 MIRRORED = -np.geomspace(0.5, 2.0, 9)
 STARTS = 4  # from how many grid points a column is refined, beside the best of every length
+SPARSE = 5  # of how many grid points one is tried where each costs much
 FLAT = 1e-3  # relative change of the misfit below which a length has no say in a column
 ROUNDS = 8
 PATIENCE = 3  # rounds after which a refinement that gets nowhere is given up
@@ -41,11 +42,19 @@ class Fit:
 
 
 def fits(columns: Sequence[Column], truth: Truth, model: Model, coarse: bool = False) -> list[list[Fit]]:
-    """For each column the lengths that fit it best, each at its best value, not yet rounded;
-    `coarse` tries fewer starts."""
+    """For each column the lengths that fit it best, each at its best value, not yet rounded; `coarse` tries fewer
+    starts.
+
+    A mechanism that is solved by iteration costs a hundred times as much: the grid is sparse, and of all dips only the
+    deepest are refined.
+    """
+    slow = truth.is_iterated
     starts: list[list[tuple[float, Length, float]]] = [[] for _ in columns]
     for length in truth.lengths:
-        grid = [*(GRID[::5] if coarse else GRID), *(MIRRORED if length.signed else ())]
+        grid = [
+            *(GRID[::SPARSE] if coarse or slow else GRID),
+            *(MIRRORED[:: 2 if slow else 1] if length.signed else ()),
+        ]
         table = np.array([_misfits(columns, truth, model(length.instead(length.value * times))) for times in grid])
         for i, column in enumerate(table.T):
             known = column[np.isfinite(column)]
@@ -55,7 +64,8 @@ def fits(columns: Sequence[Column], truth: Truth, model: Model, coarse: bool = F
     for column, begun in zip(columns, starts, strict=True):
         ranked = sorted(begun, key=lambda start: start[0])
         first = {length.words.en: start for start in reversed(ranked) for length in [start[1]]}
-        best = [*first.values(), *[start for start in ranked[:STARTS] if first[start[1].words.en] is not start]]
+        others = [start for start in ranked[:STARTS] if first[start[1].words.en] is not start]
+        best = ranked[:STARTS] if slow else [*first.values(), *others]
         refined = [_refined(column, truth, model, length, value) for _, length, value in best]
         found.append([fit for fit in refined if fit is not None])
     return found

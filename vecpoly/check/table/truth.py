@@ -35,6 +35,11 @@ class Truth:
     lengths: tuple[Length, ...]
     sensitivity: Mapping[str, Reals]
 
+    @property
+    def is_iterated(self) -> bool:
+        """Whether a group of the mechanism is solved by iteration, walked to from the own position."""
+        return oracle.is_iterated(self.mech)
+
     def of(self, target: Target) -> Reals:
         """The exact values of a quantity."""
         return target.of(self.motion)

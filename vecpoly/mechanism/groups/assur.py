@@ -9,7 +9,7 @@ gear's centre (`is_held`). Links that a drive joins are found together (`rams`).
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 
 from ...errors import MobilityError
 from ...words import Words
@@ -18,6 +18,8 @@ from ..pitch_lines import pitch_lines
 from ..rams import driven_kind, drives_within, units
 from .contours import class_of
 from .group import Dyad, Group, Outer
+
+MOST = 120_000  # sets of links that are tried for a group: all of 16 links; of 22 those of up to six
 
 __all__ = ["Dyad", "Group", "Outer", "decompose", "ends", "hinges", "holders", "is_held", "joint_letter"]
 
@@ -32,9 +34,11 @@ def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
     known = [FRAME, *(drive.link for drive in mech.drives if not drive.between)]
     rest = list(units(mech))
     pins = {} if pressing else hinges(mech)
+    held = frozenset(joint for joint in mech.joints if isinstance(joint, Rolling) and is_held(mech, joint))
     groups: list[Group] = []
     while rest:
-        group = next(_candidates(mech, tuple(rest), tuple(known), pins, pressing), None)
+        tried = _candidates(mech, tuple(rest), tuple(known), pins, pressing, held)
+        group = next((one for one in islice(tried, MOST) if one is not None), None)
         if group is None:
             left = ", ".join(
                 name for unit in rest for name in unit if name[0].isdigit()
@@ -109,22 +113,36 @@ Pins = Mapping[str, tuple[str, ...]]  # letter of a hinge -> the links pinned th
 
 
 def _candidates(
-    mech: Mechanism, rest: tuple[tuple[str, ...], ...], known: tuple[str, ...], pins: Pins, pressing: bool
-) -> Iterator[Group]:
-    """Groups that the known links determine, the smallest first, in the order of the links;
-    links joined by a drive count as one."""
+    mech: Mechanism,
+    rest: tuple[tuple[str, ...], ...],
+    known: tuple[str, ...],
+    pins: Pins,
+    pressing: bool,
+    held: frozenset[Rolling],
+) -> Iterator[Group | None]:
+    """Groups that the known links determine, the smallest first, in the order of the links; None for each set of links
+    that is none.
+
+    Links joined by a drive count as one.
+    """
     for size in range(1, len(rest) + 1):
         for chosen in combinations(rest, size):
-            group = _group(mech, tuple(name for unit in chosen for name in unit), known, pins, pressing)
-            if group is not None:
-                yield group
+            yield _group(mech, tuple(name for unit in chosen for name in unit), known, pins, pressing, held)
 
 
-def _group(mech: Mechanism, links: tuple[str, ...], known: tuple[str, ...], pins: Pins, pressing: bool) -> Group | None:
-    """The group of just these links, or None where they are not one."""
+def _group(
+    mech: Mechanism,
+    links: tuple[str, ...],
+    known: tuple[str, ...],
+    pins: Pins,
+    pressing: bool,
+    held: frozenset[Rolling],
+) -> Group | None:
+    """The group of just these links, or None where they are not one. held: rolling pairs whose gear is held at its
+    distance."""
     inner, outer = _joints(mech, links, known, pins, pressing)
     drives = drives_within(mech, links)
-    constraints = sum(_constraints(mech, joint) for joint in (*inner, *(out.joint for out in outer))) + len(drives)
+    constraints = sum(1 if joint in held else 2 for joint in (*inner, *(out.joint for out in outer))) + len(drives)
     if constraints != 3 * len(links) or not _connected(links, inner):
         return None
     if drives:
@@ -146,10 +164,6 @@ def _alone(link: str, outer: tuple[Outer, ...]) -> str:
     if not rolls:
         return "class I"
     return "rack" if isinstance(rolls[0].on, Rack) and rolls[0].on.link == link else "gear"
-
-
-def _constraints(mech: Mechanism, joint: Joint) -> int:
-    return 1 if isinstance(joint, Rolling) and is_held(mech, joint) else 2
 
 
 def _joints(

@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, WithJsonSchema
 
 from ...errors import FaultError
 from ...words import Words
+from ..text.commas import with_points
 from ..text.pairs import pair_of
 
 _LETTER = "[A-Z][a-z'′]?"
@@ -109,7 +110,16 @@ Link = Annotated[
 Centre = Annotated[Any, WithJsonSchema({"anyOf": [_ONE, _PLACE]})]
 
 
-Pair = Annotated[tuple[Number, Number], BeforeValidator(pair_of)]
+def _pair(value: Any) -> Any:
+    """Two components; three or four where decimal commas made them are told so."""
+    parts = pair_of(value)
+    several = isinstance(parts, list) and len(parts) > 2 and all(isinstance(part, str) for part in parts)
+    if several and (said := with_points(parts)) is not None:
+        raise FaultError(said, code="decimal-comma")
+    return parts
+
+
+Pair = Annotated[tuple[Number, Number], BeforeValidator(_pair)]
 ID = r"^\w[\w.\-]*$"
 
 

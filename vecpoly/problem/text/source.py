@@ -8,11 +8,13 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from ... import limits
-from ...errors import Fault, ProblemFileError, of_system
+from ...errors import Fault, FaultError, ProblemFileError, of_system
+from ...units.reading import refuse_comma
 from ...words import Words
 from ..reach import Reach
 from ..schema.faults import Path, Place
 from .characters import refuse_unwanted
+from .commas import braced, is_braced, parted
 from .misread import misread
 from .narrow import Narrowed, narrowed
 
@@ -218,29 +220,32 @@ class _Reader:
 
     def mapping(self, node: Any, path: Path) -> dict[str, Value]:
         data: dict[str, Value] = {}
-        for key, item in node.value:
+        if is_braced(node):
+            raise _refused(self.place(node.start_mark), braced([key.value for key, _ in node.value]), "spelling")
+        for (key, item), (_, before) in zip(node.value, [(None, None), *node.value], strict=False):
             place = self.place(key.start_mark)
+            if before is not None and (number := parted(before, key)):
+                self._no_comma(number, self.place(before.start_mark))
             self._check_key(key, place, data, path)
             self.tree.places[(*path, key.value)] = place
             data[key.value] = self.value(item, (*path, key.value))
         return data
+
+    def _no_comma(self, number: str, place: Place) -> None:
+        try:
+            refuse_comma(number)
+        except FaultError as error:
+            raise _refused(place, error.words, error.code) from None
 
     def _check_key(self, key: Any, place: Place, data: dict[str, Value], path: Path) -> None:
         if key.id != "scalar":
             raise _refused(place, Words("键应为一个词", "a key must be a plain word"))
         self.scalar(key.value, place, limits.SCALAR)
         if ":" in key.value:
-            raise _refused(
-                place,
-                Words(f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"),
-            )
+            zh, en = f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"
+            raise _refused(place, Words(zh, en))
         if key.value in data:
             first = self.tree.places[(*path, key.value)].line
-            raise _refused(
-                place,
-                Words(
-                    f"键“{key.value}”重复（首次在第 {first} 行）",
-                    f"key '{key.value}' occurs twice (first in line {first})",
-                ),
-                "duplicate-key",
-            )
+            zh = f"键“{key.value}”重复（首次在第 {first} 行）"
+            en = f"key '{key.value}' occurs twice (first in line {first})"
+            raise _refused(place, Words(zh, en), "duplicate-key")

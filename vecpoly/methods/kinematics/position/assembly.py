@@ -56,20 +56,20 @@ def in_metres(
     return desk.mech.guesses, one, two
 
 
-def said(statement: Statement | None) -> Words:
-    """The deciding statement in words."""
+def said(statement: Statement | None, which: str = "点") -> Words:
+    """The deciding statement in words; which: of what there are two, in Chinese."""
     match statement:
         case None:
-            return Words("（取与题给装配形式相符的一点）", " (of the two, the one that fits the assembly given)")
+            return Words(f"（取与题给装配形式相符的一{which}）", " (of the two, the one that fits the assembly given)")
         case SideOf(point=point, side=side):
             ref = ("→" if side in (Side.LEFT, Side.RIGHT) else "").join(statement.ref)
             return Words(
-                f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一点）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)"
+                f"（取 ${point}$ 在 ${ref}$ {_SIDE[side]}的一{which}）", f" (of the two, ${point}$ {_EN[side]} ${ref}$)"
             )
         case Shaped(form=form):
             corners = "".join(statement.corners)
             return Words(
-                f"（取 ${corners}$ 为{form.words.zh}的一点）",
+                f"（取 ${corners}$ 为{form.words.zh}的一{which}）",
                 f" (of the two, the one that makes ${corners}$ {form.words.en})",
             )
         case _:

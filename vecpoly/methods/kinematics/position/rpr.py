@@ -60,7 +60,7 @@ def position_rpr(desk: Desk, d: Dyad) -> None:
         )
     desk.board.step(words, View.MECHANISM)
     direct, why = choose_way(desk, joint, q, p, _directions(desk.at[p] - desk.at[q], offset))
-    desk.board.remark((Words.same("") if why is None else said(why)) + Words("。", "."))
+    desk.board.remark((Words.same("") if why is None else said(why, "个方向")) + Words("。", "."))
     along = desk.board.turn(direct)
     if abs(offset) > 1e-9:
         _offset_circle(desk, q, p, abs(offset), along)
