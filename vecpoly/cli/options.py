@@ -60,6 +60,10 @@ ColumnsOption = Annotated[
     ),
 ]
 LangOption = Annotated[Lang, typer.Option("--lang", envvar="VECPOLY_LANG", help="Chinese or English.")]
+JobsOption = Annotated[
+    int,
+    typer.Option("--jobs", "-j", min=0, max=256, help="Processes; as many as there are processors where 0 is said."),
+]
 OutsideOption = Annotated[
     bool,
     typer.Option(

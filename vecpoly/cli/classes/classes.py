@@ -15,7 +15,7 @@ import typer
 from ...errors import VecpolyError
 from ...words import Words
 from ..errors import REFUSED, tell
-from ..options import LangOption, OutsideOption, place
+from ..options import JobsOption, LangOption, OutsideOption, place
 from ..terminal import say, wrote
 from ..tongue import told_in
 
@@ -35,10 +35,6 @@ RosterOption = Annotated[
 OutOption = Annotated[
     Path,
     typer.Option("-o", "--output", metavar="FOLDER", parser=place, help="The folder to write to.", show_default=False),
-]
-JobsOption = Annotated[
-    int,
-    typer.Option("--jobs", "-j", min=0, max=256, help="Processes; as many as there are processors where 0 is said."),
 ]
 ShardOption = Annotated[
     str,

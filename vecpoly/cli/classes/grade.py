@@ -11,7 +11,7 @@ import typer
 from ...errors import VecpolyError
 from ...words import Words
 from ..errors import REFUSED, tell
-from ..options import LangOption, place
+from ..options import JobsOption, LangOption, place
 from ..terminal import say, wrote
 from ..tongue import told_in
 from .classes import progress_bar
@@ -35,10 +35,6 @@ RulesOption = Annotated[
 DiffOption = Annotated[
     Path | None,
     typer.Option("--diff", metavar="FOLDER", help="Tell what is marked otherwise than there.", show_default=False),
-]
-JobsOption = Annotated[
-    int,
-    typer.Option("--jobs", "-j", min=0, max=256, help="Processes; as many as there are processors where 0 is said."),
 ]
 FeedbackOption = Annotated[bool, typer.Option("--feedback/--no-feedback", help="Write a feedback sheet for everybody.")]
 

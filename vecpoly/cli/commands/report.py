@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +19,7 @@ from ..options import (
     Documents,
     Hand,
     HandOption,
+    JobsOption,
     Lang,
     LangOption,
     OutOption,
@@ -25,6 +28,7 @@ from ..options import (
     Style,
     StyleOption,
 )
+from ..spread import spread
 from ..terminal import progress, warn
 
 if TYPE_CHECKING:
@@ -42,6 +46,7 @@ def report(
     style: StyleOption = "solution",
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
+    processes: JobsOption = 1,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Write reports as PDF.
@@ -51,15 +56,46 @@ def report(
     """
     tally = Tally()
     plan = _plan(jobs(names, tally, allow_outside), output, lang, style)
-    for job, path in progress(plan, Words("写入", "writing")):
+    orders = [_Order(job, lang, style, hand, seed, alone=len(plan) == 1) for job, _ in plan]
+    waiting = spread(_drawn_up, orders, processes or os.cpu_count() or 1)
+    for (_, path), made in zip(progress(plan, Words("写入", "writing")), waiting, strict=True):
         with tally.job():
-            inner = progress(job.problems, Words("作图", "drawing")) if len(plan) == 1 else iter(job.problems)
-            solutions = draw(inner, hand, seed, style)
-            put(path, document(job, solutions, lang, style))
-            for solution in solutions:
-                warn(solution.problem.id, solution.warnings, lang)
-                tally.weigh(solution.problem.id, solution.construction.warning, lang)
+            drawn_up = made()
+            put(path, drawn_up.pdf)
+            for name, warnings, alarm in drawn_up.notes:
+                warn(name, warnings, lang)
+                tally.weigh(name, alarm, lang)
     tally.settle()
+
+
+@dataclass(frozen=True, slots=True)
+class _Order:
+    """A document to be made; alone: the only one, so that its problems are told as they are drawn."""
+
+    job: Job
+    lang: Lang
+    style: Style
+    hand: Hand
+    seed: int
+    alone: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _DrawnUp:
+    """A document, and of each of its problems the id, what is to be noted, and the alarm."""
+
+    pdf: bytes
+    notes: tuple[tuple[str, tuple[Words, ...], Words | None], ...]
+
+
+def _drawn_up(order: _Order) -> _DrawnUp:
+    """Solve the problems of a document and set it: by this process, or by another."""
+    job = order.job
+    inner = progress(job.problems, Words("作图", "drawing")) if order.alone else iter(job.problems)
+    solutions = draw(inner, order.hand, order.seed, order.style)
+    pdf = document(job, solutions, order.lang, order.style)
+    notes = ((one.problem.id, tuple(one.warnings), one.construction.warning) for one in solutions)
+    return _DrawnUp(pdf, tuple(notes))
 
 
 def draw(problems: Iterable[Problem], hand: Hand, seed: int, style: Style = "solution") -> list[Solution]:
