@@ -11,9 +11,13 @@ from ...board.hand import hand
 from ...board.otherwise.amended import AS_DRAWN, Amended, plain_letters
 from ...board.paper.marks import FixedGuide, Plate, Role, Segment, Slot
 from ...board.place import Pane, Place, View, called, view_of
+from ...mechanism.model import Mechanism
+from ...methods.desk import Desk
 from ...methods.drawn import Drawn
+from ...methods.plan import sketched
 from ...problem.problem import Problem
 from ...solution import constructed, scales_of
+from ...task import task_of
 
 NOTHING = 1e-6  # mm
 NO_POLYGON = (View.MECHANISM, View.BODY)
@@ -104,9 +108,17 @@ def settled(problem: Problem) -> Problem:
     return replace(problem, scales=scales_of(drawn.construction))
 
 
-def expected(problem: Problem, amended: Amended = AS_DRAWN) -> Expected:
-    """The figures as an exact hand draws them, with this done otherwise. Raises what drawing raises."""
-    return shapes(constructed(problem, hand("exact"), amended))
+def expected(problem: Problem, amended: Amended = AS_DRAWN, sketch: Desk | None = None) -> Expected:
+    """The figures as an exact hand draws them, with this done otherwise; sketch: of this problem, where there is one.
+
+    Raises what drawing raises.
+    """
+    return shapes(task_of(problem).draw(hand("exact"), amended, sketch))
+
+
+def sketch_of(problem: Problem) -> Desk | None:
+    """What every further drawing of a problem with a mechanism can start from."""
+    return sketched(problem)[0] if isinstance(problem.subject, Mechanism) else None
 
 
 def shapes(drawn: Drawn) -> Expected:

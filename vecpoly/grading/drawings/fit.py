@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,9 @@ RATIOS = 40
 SAME_SCALE = 0.005
 LEAST = 0.25  # of a figure's lines that must be found in a part
 NAMED = 2.0
+FREE = 0.7  # of a score is for free vectors, the rest for those that lie where they should
+OWN_SCALE = 0.03  # the scale of the problem is preferred to one's own
+MISTAKEN = 0.02  # what is right is preferred to what a mistake makes of it
 
 Vectors = NDArray[np.complex128]
 
@@ -49,14 +52,15 @@ class _Try:
 
 
 def fitted(
-    strokes: Strokes, figures: Sequence[Sequence[Shape]], scales: Mapping[str, float], *, mirrored: bool
+    strokes: Strokes, figures: Sequence[Sequence[Shape]], scales: Mapping[str, float], *, mirror: complex = 0j
 ) -> list[Fit]:
     """The figures that are found, each with the lines that belong to it.
 
     figures: of each figure what it should be, first as it is right, then as somebody draws it who makes a mistake.
-    scales: mm of the sheet for a mm of the reference, of the figures (by name) whose scale is declared.
+    scales: mm of the sheet for a mm of the reference, of the figures (by name) whose scale is declared. mirror: the
+    sheet is held in a mirror first, −1 left for right, 1 top for bottom.
     """
-    lines = [_mirrored(one) if mirrored else one for one in strokes.lines]
+    lines = [_mirrored(one, mirror) if mirror else one for one in strokes.lines]
     parts = [
         [n for n, part in enumerate(strokes.parts) if part == p] for p in range(max(strokes.parts, default=-1) + 1)
     ]
@@ -73,10 +77,8 @@ def fitted(
     return [_fit(lines, parts[r], loose, figures[c], tries[r][c]) for r, c in sorted(pairs, key=lambda pair: pair[1])]
 
 
-def _mirrored(one: Segment) -> Segment:
-    from dataclasses import replace
-
-    return replace(one, start=-one.start.conjugate(), end=-one.end.conjugate())
+def _mirrored(one: Segment, mirror: complex) -> Segment:
+    return replace(one, start=mirror * one.start.conjugate(), end=mirror * one.end.conjugate())
 
 
 def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | None) -> _Try:
@@ -87,7 +89,8 @@ def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | N
     for n, shape in enumerate(shapes):
         should = np.array([edge.along for edge in shape.edges])
         for scale in [declared] if declared else _ratios(own, should):
-            score = _share(lines, shape, own, should, scale) - 0.02 * bool(n)
+            score = _share(lines, shape, own, should, scale, found.score)
+            score -= MISTAKEN * bool(n) + OWN_SCALE * (not declared and abs(scale - 1) > SAME_SCALE)
             if score > found.score + 1e-6 or (score > found.score - 1e-6 and _nearer(scale, found.scale)):
                 found = _Try(score=score, scale=scale)
     return _Try(score=found.score + bonus, scale=found.scale)
@@ -119,14 +122,15 @@ def _ratios(own: Vectors, should: Vectors) -> list[float]:
     return chosen
 
 
-def _share(lines: Sequence[Segment], shape: Shape, own: Vectors, should: Vectors, scale: float) -> float:
-    """How much of the figure is found, as free vectors and where it belongs."""
+def _share(lines: Sequence[Segment], shape: Shape, own: Vectors, should: Vectors, scale: float, least: float) -> float:
+    """How much of the figure is found, as free vectors and where it belongs; 0 where it cannot be `least`."""
     size = np.abs(should)
     off = np.minimum(np.abs(own[:, None] / scale - should), np.abs(own[:, None] / scale + should))
     same = off <= LIKE * size + SLACK
     free = float(np.sum(size[same.any(axis=0)]) / np.sum(size))
-    placed = _placed(lines, shape, same, scale)[1] / np.sum(size) if free else 0.0
-    return 0.5 * free + 0.5 * float(placed)
+    if free < max(least, LEAST):
+        return 0.0  # what is placed is found first
+    return FREE * free + (1 - FREE) * _placed(lines, shape, same, scale)[1] / float(np.sum(size))
 
 
 def _placed(lines: Sequence[Segment], shape: Shape, same: Any, scale: float) -> tuple[complex | None, float]:
@@ -168,8 +172,6 @@ def _fit(
 
 
 def _moved(one: Segment, scale: float, shift: complex) -> Segment:
-    from dataclasses import replace
-
     return replace(one, start=one.start / scale - shift, end=one.end / scale - shift, sigma=one.sigma / scale)
 
 

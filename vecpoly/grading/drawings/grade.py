@@ -26,6 +26,7 @@ from .segment import Drawing
 from .tidy import Strokes, strokes
 
 GAP = 1.0  # mm on the sheet: a polygon closes within
+MIRRORED, CLEARLY = 0.9, 0.2  # a drawing found so far is not mirrored; one found so much better in a mirror is
 SURE = 0.6  # of a figure found as it should be: no mistake need be sought to recognise it
 
 
@@ -67,7 +68,7 @@ class _Grading:
         self.key, self.drawing, self.scales = key, drawing, scales
         self.strokes: Strokes = strokes(drawing)
         self.heads = any(one.headed for one in self.strokes.lines)
-        self.own = Own(problem=key.problem, exact=key.exact)
+        self.own = Own(problem=key.problem, exact=key.exact, sketch=key.sketch)
         self.mirrored = False
 
     def mark(self) -> DrawingMark:
@@ -99,20 +100,23 @@ class _Grading:
 
     def _found(self) -> tuple[list[Fit], bool]:
         """The figures on the sheet, and whether it is mirrored."""
-        fits = self._fitted(mirrored=False)
-        if _share(fits, self.key.exact.shapes) >= SURE:
-            return fits, False
-        turned = self._fitted(mirrored=True)
-        if _share(turned, self.key.exact.shapes) > max(SURE, 1.3 * _share(fits, self.key.exact.shapes)):
-            return turned, True
+        fits = self._fitted(0j)
+        share = self._found_share(fits)
+        if share < MIRRORED:
+            turned = max((self._fitted(mirror) for mirror in (-1 + 0j, 1 + 0j)), key=self._found_share)
+            if self._found_share(turned) > max(SURE, share + CLEARLY):
+                return turned, True
         return fits, False
 
-    def _fitted(self, *, mirrored: bool) -> list[Fit]:
+    def _found_share(self, fits: Sequence[Fit]) -> float:
+        return _share(fits, self.key.exact.shapes)
+
+    def _fitted(self, mirror: complex) -> list[Fit]:
         plain = [(shape,) for shape in self.key.exact.shapes]
-        found = fitted(self.strokes, plain, self._declared(), mirrored=mirrored)
-        if mirrored or (all(fit.share >= SURE for fit in found) and not self._left(found)):
+        found = fitted(self.strokes, plain, self._declared(), mirror=mirror)
+        if mirror or (all(fit.share >= SURE for fit in found) and not self._left(found)):
             return found
-        return fitted(self.strokes, self.key.variants, self._declared(), mirrored=mirrored)
+        return fitted(self.strokes, self.key.variants, self._declared())
 
     def _left(self, found: Sequence[Fit]) -> bool:
         """Whether vectors lie about that belong to no figure found so far."""
@@ -220,8 +224,9 @@ class _Grading:
 
 
 def _share(fits: Sequence[Fit], shapes: Sequence[Shape]) -> float:
-    polygons = [fit.share for fit in fits if not fit.shape.diagram]
-    return sum(polygons) / len(polygons) if polygons else 0.0
+    """How much of all polygons lies where it should."""
+    polygons = sum(not shape.diagram for shape in shapes)
+    return sum(fit.share for fit in fits if not fit.shape.diagram) / polygons if polygons else 0.0
 
 
 def _undeclared(mu: float, symbol: str) -> Words:

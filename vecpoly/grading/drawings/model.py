@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from ...board.otherwise.amended import Amended
 from ...board.otherwise.slip import Slip
 from ...errors import VecpolyError
+from ...methods.desk import Desk
 from ...mistakes import slips
 from ...problem.problem import Problem
 from ..allowance import CAD, Allowance
-from .expected import Expected, Shape, expected, settled
+from .expected import Expected, Shape, expected, settled, sketch_of
 from .tolerance import Allowed, tolerances
 
 
@@ -24,6 +25,7 @@ class DrawingKey:
     exact: Expected
     allowance: Allowance
     allowed: Mapping[tuple[str, str], Allowed]
+    sketch: Desk | None = field(default=None, repr=False)
 
     @cached_property
     def worlds(self) -> tuple[tuple[Slip, Expected], ...]:
@@ -31,7 +33,7 @@ class DrawingKey:
         found = []
         for slip in slips(self.problem):
             try:
-                found.append((slip, expected(self.problem, Amended(slip=slip))))
+                found.append((slip, expected(self.problem, Amended(slip=slip), self.sketch)))
             except (VecpolyError, ValueError, ArithmeticError):
                 continue  # nobody can finish this drawing
         return tuple(found)
@@ -48,7 +50,7 @@ class DrawingKey:
 def drawing_key(problem: Problem, allowance: Allowance = CAD) -> DrawingKey:
     """The key by which drawings of a problem are graded. Raises what `solve` raises."""
     fixed = settled(problem)
-    exact = expected(fixed)
-    return DrawingKey(
-        problem=fixed, exact=exact, allowance=allowance, allowed=tolerances(fixed, exact.shapes, allowance)
-    )
+    sketch = sketch_of(fixed)
+    exact = expected(fixed, sketch=sketch)
+    allowed = tolerances(fixed, exact.shapes, allowance)
+    return DrawingKey(problem=fixed, exact=exact, allowance=allowance, allowed=allowed, sketch=sketch)

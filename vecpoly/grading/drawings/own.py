@@ -11,6 +11,7 @@ from scipy.optimize import linear_sum_assignment
 from ...board.otherwise.amended import Amended, plain_letters
 from ...errors import VecpolyError
 from ...foundation.frozen import FrozenMap
+from ...methods.desk import Desk
 from ...problem.problem import Problem
 from .assign import Match
 from .expected import NOTHING, Expected, Shape, Vertex, expected
@@ -26,6 +27,7 @@ class Own:
 
     problem: Problem
     exact: Expected
+    sketch: Desk | None = None
     places: dict[int, tuple[str, complex]] = field(default_factory=dict)
     drawn: dict[int, Expected | None] = field(default_factory=dict)
 
@@ -77,6 +79,6 @@ class Own:
 
     def _with(self, points: Mapping[str, complex]) -> Expected | None:
         try:
-            return expected(self.problem, Amended(points=FrozenMap(points)))
+            return expected(self.problem, Amended(points=FrozenMap(points)), self.sketch)
         except (VecpolyError, ValueError, ArithmeticError):
             return None  # from these points nothing can be drawn

@@ -67,6 +67,7 @@ class _Reader:
     def __init__(self, page: Element, mm: float, found: Found) -> None:
         self.page, self.mm, self.found = page, mm, found
         self.elements = {one.get("label", ""): one for one in page.iterfind("element")}
+        self.lost: list[str] = []
         self.points = {name: at for name, one in self.elements.items() if (at := self._point(one)) is not None}
 
     def read(self) -> None:
@@ -78,6 +79,14 @@ class _Reader:
         for name, one in self.elements.items():
             if one.get("type") == "vector" and name not in made and _seen(one):
                 self._free_vector(name, one)
+        if self.lost:
+            names, number = ", ".join(self.lost[:3]), len(self.lost)
+            self.found.remark(
+                Words(
+                    f"{names} 等 {number} 条线的端点不是点，也不是坐标，未读取",
+                    f"{number} lines ({names} ...) end neither at points nor at coordinates; they were left out",
+                )
+            )
         for name, at in self.points.items():
             one = self.elements[name]
             if _seen(one) and _lettered(one):
@@ -107,15 +116,19 @@ class _Reader:
         a, b = ends
         if b is None and len(outputs) > 1:
             b = self.points.get(outputs[1])
+        step = self._step(outputs[0])
+        if step is not None and (a is None) != (b is None):
+            a, b = (a, a + step) if a is not None else ((b or 0j) - step, b)
         if a is None or b is None:
-            self.found.remark(
-                Words(
-                    f"{outputs[0]} 的端点不是点，也不是坐标，未读取；请在 GeoGebra 中用点来画",
-                    f"an end of {outputs[0]} is neither a point nor coordinates; it was left out; draw between points",
-                )
-            )
+            self.lost.append(outputs[0])
             return None
         return [a, b]
+
+    def _step(self, name: str) -> complex | None:
+        """The components of a vector."""
+        one = self.elements.get(name)
+        at = one.find("coords") if one is not None and one.get("type") == "vector" else None
+        return None if at is None else complex(float(at.get("x", "nan")), float(at.get("y", "nan"))) * self.mm
 
     def _line(self, name: str, points: list[complex], headed: bool) -> None:
         one = self.elements.get(name)
@@ -125,10 +138,9 @@ class _Reader:
 
     def _free_vector(self, name: str, one: Element) -> None:
         """A vector given by its components, at its starting point."""
-        at, start = one.find("coords"), one.find("startPoint")
+        step, start = self._step(name), one.find("startPoint")
         begin = 0j if start is None else self._at(start.get("exp", "")) or 0j
-        if at is not None:
-            step = complex(float(at.get("x", "nan")), float(at.get("y", "nan"))) * self.mm
+        if step is not None:
             self._line(name, [begin, begin + step], headed=True)
 
     def _at(self, text: str) -> complex | None:
