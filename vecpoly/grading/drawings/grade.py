@@ -9,25 +9,24 @@ from pathlib import Path
 from ...problem.problem import Problem
 from ...words import Words
 from ..allowance import CAD, Allowance
-from .assign import Match, assigned
 from .declared import stated
-from .diagnose import exchanged, misplaced, slips_that_fit, turned_over
 from .expected import Edge, Shape
-from .fit import Fit, fitted
-from .judge import WORST, judged, missing
-from .mark import Basis, DrawingMark, FigureMark, VectorMark, Verdict
+from .judging.diagnose import exchanged, misplaced, slips_that_fit, turned_over
+from .judging.judge import WORST, judged, missing
+from .judging.mark import Basis, DrawingMark, FigureMark, VectorMark, Verdict
+from .judging.own import LIKELY, Own
+from .judging.reason import FAIR, reason
+from .matching.assign import Match, assigned
+from .matching.find import find
+from .matching.fit import Fit
+from .matching.naming import named
+from .matching.place import beside, drawn_places, gap
+from .matching.tidy import Strokes, strokes
 from .model import DrawingKey, drawing_key
-from .naming import named
-from .own import LIKELY, Own
-from .place import beside, drawn_places, gap
 from .readers.door import read_drawing
-from .reason import FAIR, reason
 from .segment import Drawing
-from .tidy import Strokes, strokes
 
 GAP = 1.0  # mm on the sheet: a polygon closes within
-MIRRORED, CLEARLY = 0.9, 0.2  # a drawing found so far is not mirrored; one found so much better in a mirror is
-SURE = 0.6  # of a figure found as it should be: no mistake need be sought to recognise it
 
 
 def grade_drawing(
@@ -69,11 +68,12 @@ class _Grading:
         self.strokes: Strokes = strokes(drawing)
         self.heads = any(one.headed for one in self.strokes.lines)
         self.own = Own(problem=key.problem, exact=key.exact, sketch=key.sketch)
-        self.mirrored = False
+        self.mirrored, self.printed = False, 1.0
 
     def mark(self) -> DrawingMark:
         """The mark of the whole."""
-        fits, self.mirrored = self._found()
+        found = find(self.key, self.strokes, self.scales)
+        fits, self.mirrored, self.printed = found.fits, found.mirrored, found.printed
         by_name = {fit.shape.name: fit for fit in fits}
         matches = {fit.shape.name: self._match(fit) for fit in fits if not fit.shape.diagram}
         for fit in fits:
@@ -95,41 +95,6 @@ class _Grading:
             twice=self.strokes.twice,
             remarks=tuple(self._said()),
         )
-
-    # -- where the figures are --------------------------------------------------------------------------------
-
-    def _found(self) -> tuple[list[Fit], bool]:
-        """The figures on the sheet, and whether it is mirrored."""
-        fits = self._fitted(0j)
-        share = self._found_share(fits)
-        if share < MIRRORED:
-            turned = max((self._fitted(mirror) for mirror in (-1 + 0j, 1 + 0j)), key=self._found_share)
-            if self._found_share(turned) > max(SURE, share + CLEARLY):
-                return turned, True
-        return fits, False
-
-    def _found_share(self, fits: Sequence[Fit]) -> float:
-        return _share(fits, self.key.exact.shapes)
-
-    def _fitted(self, mirror: complex) -> list[Fit]:
-        plain = [(shape,) for shape in self.key.exact.shapes]
-        found = fitted(self.strokes, plain, self._declared(), mirror=mirror)
-        if mirror or (all(fit.share >= SURE for fit in found) and not self._left(found)):
-            return found
-        return fitted(self.strokes, self.key.variants, self._declared())
-
-    def _left(self, found: Sequence[Fit]) -> bool:
-        """Whether vectors lie about that belong to no figure found so far."""
-        taken = {n for fit in found for n in fit.numbers}
-        return any(one.headed or not self.heads for n, one in enumerate(self.strokes.lines) if n not in taken)
-
-    def _declared(self) -> dict[str, float]:
-        """Figure → mm of the sheet for a mm of the reference, where μ is stated."""
-        return {
-            shape.name: shape.mu / self.scales[shape.view.mu.key]
-            for shape in self.key.exact.shapes
-            if shape.view.mu.key in self.scales
-        }
 
     def _match(self, fit: Fit) -> Match:
         """The lines as they fit best: what is right, or what a mistake makes of it."""
@@ -168,7 +133,7 @@ class _Grading:
         return FigureMark(
             figure=shape.name,
             title=shape.view.title,
-            mu=shape.mu / fit.scale,
+            mu=self.printed * shape.mu / fit.scale,
             unit=shape.view.mu.unit,
             declared=declared,
             vectors=marks,
@@ -213,6 +178,13 @@ class _Grading:
             said.append(
                 Words("整幅图左右镜像了；以下按还原后衡量", "the drawing is mirrored; it was held as unmirrored")
             )
+        if self.printed != 1.0:
+            said.append(
+                Words(
+                    f"整幅图按 {self.printed:.3f} 倍输出；以下按原尺寸衡量",
+                    f"the whole drawing was put out at {self.printed:.3f} times its size; it was held at its own",
+                )
+            )
         if not self.heads:
             said.append(
                 Words(
@@ -221,12 +193,6 @@ class _Grading:
                 )
             )
         return said
-
-
-def _share(fits: Sequence[Fit], shapes: Sequence[Shape]) -> float:
-    """How much of all polygons lies where it should."""
-    polygons = sum(not shape.diagram for shape in shapes)
-    return sum(fit.share for fit in fits if not fit.shape.diagram) / polygons if polygons else 0.0
 
 
 def _undeclared(mu: float, symbol: str) -> Words:

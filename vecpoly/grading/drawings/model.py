@@ -14,7 +14,7 @@ from ...mistakes import slips
 from ...problem.problem import Problem
 from ..allowance import CAD, Allowance
 from .expected import Expected, Shape, expected, settled, sketch_of
-from .tolerance import Allowed, tolerances
+from .judging.tolerance import Allowed, tolerances
 
 
 @dataclass(frozen=True, kw_only=True)

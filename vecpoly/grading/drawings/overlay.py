@@ -13,13 +13,13 @@ from ...drawing.style import GIVEN, HEAD_LENGTH, HEAD_WIDTH, LETTER, LINK, NOTE,
 from ...typeset import layout
 from ...words import Lang, Words
 from .expected import Shape
-from .mark import DrawingMark, FigureMark, VectorMark
+from .judging.mark import DrawingMark, FigureMark, VectorMark
+from .judging.reason import FAIR
 from .model import DrawingKey
-from .reason import FAIR
 
 SEEN, LARGER = 0.8, (1, 2, 5, 10)  # mm: a circle that is seen; how much larger circles are drawn, if need be
 CORNERS = 36
-ASIDE, UNDER = 3.0, 9.0  # mm: from a line to its letters; from the lowest line to the note
+ASIDE, UNDER = 1.2, 9.0  # mm: from a line to its letters; from the lowest line to the note
 EXACT = Hue.GREY
 
 
@@ -58,7 +58,9 @@ def _own(one: VectorMark, times: int) -> Iterator[Item]:
     yield _circle(one.tail + one.should, one.allowed * times, hue)
     if not fair and own:
         box = layout(row(one.symbol), LETTER)
-        at = one.tail + own / 2 + 1j * own / abs(own) * ASIDE
+        aside = 1j * own / abs(own)
+        room = ASIDE + (abs(aside.real) * box.width + abs(aside.imag) * box.height) / 2
+        at = one.tail + own / 2 + aside * room
         yield TextBox(box=box, x=at.real - box.width / 2, y=at.imag - (box.ascent - box.descent) / 2, hue=hue)
 
 

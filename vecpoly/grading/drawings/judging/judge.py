@@ -6,13 +6,13 @@ from math import degrees
 
 import numpy as np
 
-from ...errors import VecpolyError
-from ...names import parse_rel
-from ...words import Words
-from ..allowance import Allowance
-from .expected import Edge
+from ....errors import VecpolyError
+from ....names import parse_rel
+from ....words import Words
+from ...allowance import Allowance
+from ..expected import Edge
+from ..segment import Segment
 from .mark import Basis, VectorMark, Verdict
-from .segment import Segment
 from .tolerance import Allowed
 
 QUARTER = 90.0  # degrees

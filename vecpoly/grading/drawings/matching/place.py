@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from ..expected import NOTHING, Shape
+from ..segment import Segment
 from .assign import Match
-from .expected import NOTHING, Shape
-from .segment import Segment
 
 APART = 1.0  # mm: ends of vectors that should meet, and do not
 ALONG = 0.5  # mm: a helping line lies along its vector

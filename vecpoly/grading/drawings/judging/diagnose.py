@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
-from ...board.otherwise.slip import Slip
-from ...words import Words
-from .assign import Match
-from .expected import Expected, Shape
-from .fit import Fit
+from ....board.otherwise.slip import Slip
+from ....words import Words
+from ..expected import Expected, Shape
+from ..matching.assign import Match
+from ..matching.fit import Fit
+from ..matching.naming import letters_in
+from ..model import DrawingKey
+from ..segment import Label
 from .mark import VectorMark, Verdict
-from .model import DrawingKey
-from .naming import letters_in
-from .segment import Label
 
 ROOM, SHARE = 0.3, 0.01  # mm, and of a vector's length: beside T, for lengths that were rounded when laid off
 FAR, CLEARLY = 12.0, 2.0  # mm, and times: how far a letter stands from its point, and nearer to another

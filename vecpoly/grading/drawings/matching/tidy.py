@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
+from ..segment import Drawing, Segment
 from .naming import figure_of, helping
-from .segment import Drawing, Segment
 
 SHORTEST = 0.3  # mm: less is a slip of the mouse
 TOUCH = 0.3  # mm: ends that are meant to be one

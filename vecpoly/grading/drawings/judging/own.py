@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from ...board.otherwise.amended import Amended, plain_letters
-from ...errors import VecpolyError
-from ...foundation.frozen import FrozenMap
-from ...methods.desk import Desk
-from ...problem.problem import Problem
-from .assign import Match
-from .expected import NOTHING, Expected, Shape, Vertex, expected
-from .fit import Fit
+from ....board.otherwise.amended import Amended, plain_letters
+from ....errors import VecpolyError
+from ....foundation.frozen import FrozenMap
+from ....methods.desk import Desk
+from ....problem.problem import Problem
+from ..expected import NOTHING, Expected, Shape, Vertex, expected
+from ..matching.assign import Match
+from ..matching.fit import Fit
 
 REACH = 6.0  # mm: how far a joint of the diagram may lie off, and still be that joint
 LIKELY = (0.2, 5.0)  # of the exact length: from other values nothing follows

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from ...words import Words
-from .expected import Edge
+from ....words import Words
+from ..expected import Edge
 from .mark import Basis, VectorMark, Verdict
 
 FAIR = (Verdict.RIGHT, Verdict.CLOSE)

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from ...board.acts import Locate, Measure
-from ...board.otherwise.amended import AS_DRAWN
-from ...methods.drawn import Drawn
-from ...problem.problem import Problem
-from ...solution import constructed, scales_of
-from ..allowance import Allowance
-from ..derive.tolerance import Scatter
-from ..key import Graded, Kind
-from .expected import NOTHING, Edge, Shape
+from ....board.acts import Locate, Measure
+from ....board.otherwise.amended import AS_DRAWN
+from ....methods.drawn import Drawn
+from ....problem.problem import Problem
+from ....solution import constructed, scales_of
+from ...allowance import Allowance
+from ...derive.tolerance import Scatter
+from ...key import Graded, Kind
+from ..expected import NOTHING, Edge, Shape
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from .expected import NOTHING, Edge, Shape
+from ..expected import NOTHING, Edge, Shape
+from ..segment import Segment
 from .fit import Fit
-from .segment import Segment
 
 SIZE, PLACE, REVERSED, BARE, NEEDLESS = 0.6, 0.4, 0.1, 0.08, 0.06  # weights of what disagrees
 NAMED, LEFT = 1.0, 0.68  # for the right name; of a line that is none of the vectors, or a vector that is not there

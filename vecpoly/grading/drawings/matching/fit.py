@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from .expected import Shape
+from ..expected import Shape
+from ..segment import Segment
 from .naming import fits
-from .segment import Segment
 from .tidy import Strokes
 
 LIKE, SLACK = 0.04, 0.5  # of a vector's length, and mm: what counts as the same vector while a scale is sought

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from ...figures import View
-from .expected import Edge, Shape
+from ....figures import View
+from ..expected import Edge, Shape
 
 _SIGNS = re.compile(r"[\s_\-–—→⃗{}^$.,:：，、]+")
 _PRIMES = str.maketrans({"′": "'", "’": "'", "‘": "'", "´": "'", "`": "'", "″": "''"})

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from ...board.otherwise.slip import Slip
-from ...words import Words
-from .segment import Segment
+from ....board.otherwise.slip import Slip
+from ....words import Words
+from ..segment import Segment
 
 NO_WORDS = Words("", "")
 
