@@ -26,6 +26,7 @@ from .model import DrawingKey, drawing_key
 from .readers.door import read_drawing
 from .segment import Drawing
 
+BETTER = 0.75  # of a cost: a mistake that explains the lines fits them clearly better than what is right
 GAP = 1.0  # mm on the sheet: a polygon closes within
 
 
@@ -104,7 +105,7 @@ class _Grading:
         at = [shape.name for shape in self.key.exact.shapes].index(fit.shape.name)
         for shape in self.key.variants[at][1:]:
             other = assigned(fit, shape)
-            if other.cost < best.cost - 1e-6:
+            if other.cost < BETTER * best.cost:
                 best = other
         return best
 

@@ -16,7 +16,7 @@ from ..segment import Label
 from .mark import VectorMark, Verdict
 
 ROOM, SHARE = 0.3, 0.01  # mm, and of a vector's length: beside T, for lengths that were rounded when laid off
-FAR, CLEARLY = 12.0, 2.0  # mm, and times: how far a letter stands from its point, and nearer to another
+FAR, CLEARLY = 8.0, 2.0  # mm, and times: how far a letter stands from its point, and nearer to another
 LETTER_ROOM = 8.0  # mm: a letter of a point stands within
 
 

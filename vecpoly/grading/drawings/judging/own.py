@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-from scipy.optimize import linear_sum_assignment
-
 from ....board.otherwise.amended import Amended, plain_letters
 from ....errors import VecpolyError
 from ....foundation.frozen import FrozenMap
 from ....methods.desk import Desk
 from ....problem.problem import Problem
 from ..expected import NOTHING, Expected, Shape, Vertex, expected
-from ..matching.assign import Match
+from ..matching.assign import Match, assigned
 from ..matching.fit import Fit
 
 REACH = 6.0  # mm: how far a joint of the diagram may lie off, and still be that joint
@@ -32,13 +29,14 @@ class Own:
     drawn: dict[int, Expected | None] = field(default_factory=dict)
 
     def diagram(self, fit: Fit) -> None:
-        """The joints as they stand on the own diagram."""
-        ends = np.array([z for one in fit.lines for z in (one.start, one.end)])
-        vertices = [one for one in fit.shape.vertices if one.act >= 0]
-        away = np.abs(ends[None, :] - np.array([one.at for one in vertices])[:, None])
-        for i, j in zip(*linear_sum_assignment(np.minimum(away, REACH)), strict=True):
-            if away[i, j] < REACH:
-                self._place(fit.shape, vertices[i], complex(ends[j]))
+        """The joints as they stand on the own diagram: where the lines end that end there on the exact one."""
+        for edge, line in assigned(fit, fit.shape).optional:
+            back = abs(line.start - edge.b) + abs(line.end - edge.a)
+            one = line.turned() if back < abs(line.start - edge.a) + abs(line.end - edge.b) else line
+            for at, own in ((edge.a, one.start), (edge.b, one.end)):
+                joint = fit.shape.vertex(at)
+                if joint is not None and joint.act not in self.places and abs(own - at) < REACH:
+                    self._place(fit.shape, joint, own)
 
     def polygon(self, shape: Shape, match: Match) -> Mapping[str, complex]:
         """Letter → own place: from the pole along the own vectors, in whatever order they were added."""

@@ -17,6 +17,7 @@ from .fit import Fit
 SIZE, PLACE, REVERSED, BARE, NEEDLESS = 0.6, 0.4, 0.1, 0.08, 0.06  # weights of what disagrees
 NAMED, LEFT = 1.0, 0.68  # for the right name; of a line that is none of the vectors, or a vector that is not there
 PART, MM, PLACE_MM = 0.15, 1.0, 4.0  # of a vector's length, and mm, at which half of a weight is lost
+HUNG, FAR_OFF = 1.5, 10.0  # mm: an end that is where it should be; of lines that share none
 LONE = 0.3  # of a line with a head that nothing answers to
 
 Matrix = NDArray[np.float64]
@@ -55,7 +56,29 @@ def assigned(fit: Fit, shape: Shape) -> Match:
             optional.append((edges[j], one))
     cost = float(full[rows, columns][[j < len(edges) and bool(edges[j].key) for j in columns]].sum())
     cost += LEFT * (len(shape.edges) - len(lines)) + LONE * sum(one.headed for one in extra)
+    _hung(lines, extra, shape, fit, heads)
     return Match(lines=lines, optional=tuple(optional), extra=tuple(extra), cost=cost)
+
+
+def _hung(lines: dict[str, Segment], extra: list[Segment], shape: Shape, fit: Fit, heads: bool) -> None:
+    """A line that begins or ends where a missing vector should is that vector, however wrong it is."""
+    missing = [edge for edge in shape.edges if edge.key not in lines]
+    left = [one for one in extra if (one.headed or not heads) and not one.name]
+    if not missing or not left or fit.origin is None:
+        return
+    costs = np.array([[_off(one, edge) for edge in missing] for one in left])
+    for i, j in zip(*linear_sum_assignment(costs), strict=True):
+        if costs[i, j] < FAR_OFF:
+            lines[missing[j].key] = left[i]
+            extra.remove(left[i])
+
+
+def _off(one: Segment, edge: Edge) -> float:
+    """How far a line is from a vector of which it shares one end: in direction and length, 0 to 2."""
+    if min(abs(one.start - edge.a), abs(one.end - edge.b)) > HUNG:
+        return FAR_OFF
+    turned = abs(np.angle(one.along / edge.along)) / np.pi
+    return float(turned + abs(np.log(abs(one.along) / abs(edge.along))) / 4)
 
 
 def _needless(shape: Shape) -> list[Edge]:

@@ -28,13 +28,13 @@ def find(key: DrawingKey, strokes: Strokes, scales: Mapping[str, float]) -> Foun
     declared = {
         shape.name: shape.mu / scales[shape.view.mu.key] for shape in key.exact.shapes if shape.view.mu.key in scales
     }
+    if (times := _times(key, strokes, declared)) != 1.0:
+        larger = {name: scale * times for name, scale in declared.items()}
+        return Found(fits=tuple(_upright(key, strokes, larger)), printed=times)
     fits = _upright(key, strokes, declared)
     share = _share(key, fits)
     if share >= MIRRORED:
         return Found(fits=tuple(fits))
-    if (times := _times(key, strokes, declared)) != 1.0:
-        larger = {name: scale * times for name, scale in declared.items()}
-        return Found(fits=tuple(_upright(key, strokes, larger)), printed=times)
     plain = [(shape,) for shape in key.exact.shapes]
     turned = [fitted(strokes, plain, declared, mirror=mirror) for mirror in (-1 + 0j, 1 + 0j)]
     best = max(turned, key=lambda fits: _share(key, fits))
@@ -61,7 +61,7 @@ def _times(key: DrawingKey, strokes: Strokes, declared: Mapping[str, float]) -> 
     """How much larger than its stated scales the whole sheet is, where all figures agree."""
     free = fitted(strokes, [(shape,) for shape in key.exact.shapes], {}) if declared else []
     sure = [fit for fit in free if fit.shape.name in declared and fit.share >= SURE]
-    times = [fit.scale / declared[fit.shape.name] for fit in sure]
+    times = [fit.measured / declared[fit.shape.name] for fit in sure]
     alike = len(times) > 1 and max(times) / min(times) - 1 < SAME and abs(times[0] - 1) > SAME
     return sum(times) / len(times) if alike else 1.0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,6 +21,7 @@ RATIOS = 40
 SAME_SCALE = 0.005
 LEAST = 0.25  # of a figure's lines that must be found in a part
 NAMED = 2.0
+STRAYS, BESIDE = 1, 10.0  # lines that hang together, and mm from a figure, to which they may belong
 FREE = 0.7  # of a score is for free vectors, the rest for those that lie where they should
 OWN_SCALE = 0.03  # the scale of the problem is preferred to one's own
 MISTAKEN = 0.02  # what is right is preferred to what a mistake makes of it
@@ -32,13 +33,15 @@ Vectors = NDArray[np.complex128]
 class Fit:
     """A figure on the sheet: its lines in reference mm, about the figure's origin where that could be told.
 
-    scale: mm of the sheet for a mm of the reference; share: of the figure's lines that were found as they should be.
+    scale: mm of the sheet for a mm of the reference, as it is taken; measured: as the known vectors have it. share: of
+    the figure's lines that were found as they should be.
     """
 
     shape: Shape
     lines: tuple[Segment, ...]
     numbers: tuple[int, ...]
     scale: float
+    measured: float
     share: float
     origin: complex | None
 
@@ -73,8 +76,35 @@ def fitted(
     rows, columns = linear_sum_assignment(-np.where(scores >= LEAST, scores, 0.0))
     pairs = [(r, c) for r, c in zip(rows, columns, strict=True) if scores[r, c] >= LEAST]
     taken = {n for r, _ in pairs for n in parts[r]}
-    loose = [n for n in range(len(lines)) if n not in taken]
-    return [_fit(lines, parts[r], loose, figures[c], tries[r][c]) for r, c in sorted(pairs, key=lambda pair: pair[1])]
+    loose = _strays(lines, strokes.parts, taken, [parts[r] for r, _ in pairs])
+    return [
+        _fit(
+            lines,
+            parts[r],
+            [n for n, home in loose.items() if home == m],
+            figures[c],
+            tries[r][c],
+            figures[c][0].name in scales,
+        )
+        for m, (r, c) in sorted(enumerate(pairs), key=lambda one: one[1][1])
+    ]
+
+
+def _strays(
+    lines: Sequence[Segment], parts: Sequence[int], taken: Collection[int], homes: Sequence[Sequence[int]]
+) -> dict[int, int]:
+    """Single lines that hang on nothing: each with the number of the figure beside which it lies."""
+    found = {}
+    for n, one in enumerate(lines):
+        if n not in taken and sum(part == parts[n] for part in parts) <= STRAYS and homes:
+            gaps = [min(_gap(one, lines[m]) for m in home) for home in homes]
+            if min(gaps) < BESIDE:
+                found[n] = gaps.index(min(gaps))
+    return found
+
+
+def _gap(one: Segment, other: Segment) -> float:
+    return min(abs(a - b) for a in (one.start, one.end) for b in (other.start, other.end))
 
 
 def _mirrored(one: Segment, mirror: complex) -> Segment:
@@ -151,11 +181,17 @@ def _placed(lines: Sequence[Segment], shape: Shape, same: Any, scale: float) -> 
 
 
 def _fit(
-    lines: Sequence[Segment], part: Sequence[int], loose: Sequence[int], shapes: Sequence[Shape], best: _Try
+    lines: Sequence[Segment],
+    part: Sequence[int],
+    loose: Sequence[int],
+    shapes: Sequence[Shape],
+    best: _Try,
+    declared: bool,
 ) -> Fit:
     """The figure in its own scale, with stray lines that may belong to it."""
     shape, inside = shapes[0], [lines[n] for n in part]
-    scale = _refined(inside, shapes, best.scale)
+    measured = _refined(inside, shapes, best.scale)
+    scale = 1.0 if best.scale == 1.0 or abs(measured - 1.0) < SAME_SCALE else best.scale if declared else measured
     own = np.array([one.along for one in inside])
     origin, share = None, 0.0
     for one in shapes:
@@ -164,11 +200,11 @@ def _fit(
         found, much = _placed(inside, one, off <= LIKE * np.abs(should) + SLACK, scale)
         if much / np.sum(np.abs(should)) > share + 1e-6:
             origin, share = found, float(much / np.sum(np.abs(should)))
-    own_too = [n for n in loose if fits(lines[n].layer, shape.view) and lines[n].name.partition(":")[0] == shape.name]
+    own_too = [n for n in loose if fits(lines[n].layer, shape.view)]
     numbers = (*part, *own_too)
     shift = origin or 0j
     moved = tuple(_moved(lines[n], scale, shift) for n in numbers)
-    return Fit(shape=shape, lines=moved, numbers=numbers, scale=scale, share=share, origin=origin)
+    return Fit(shape=shape, lines=moved, numbers=numbers, scale=scale, measured=measured, share=share, origin=origin)
 
 
 def _moved(one: Segment, scale: float, shift: complex) -> Segment:
@@ -176,7 +212,7 @@ def _moved(one: Segment, scale: float, shift: complex) -> Segment:
 
 
 def _refined(lines: Sequence[Segment], shapes: Sequence[Shape], scale: float) -> float:
-    """The scale by the vectors that are known, or else by most; the reference's own where it is that."""
+    """The scale by the longest vector that is known; of a diagram by what most of its lines agree in."""
     own = np.array([one.along for one in lines])
     given = [edge.along for edge in shapes[0].edges if edge.given] or [edge.along for edge in shapes[0].edges]
     ratios = []
@@ -185,7 +221,7 @@ def _refined(lines: Sequence[Segment], shapes: Sequence[Shape], scale: float) ->
         n = int(np.argmin(off))
         if off[n] <= LIKE * abs(along) + SLACK:
             ratios.append((abs(own[n]) / abs(along), abs(along)))
-    if not ratios or scale == 1.0:
-        return scale
-    longest = max(ratios, key=lambda pair: pair[1])[0]
-    return 1.0 if abs(longest - 1.0) < SAME_SCALE else float(longest)
+    if not shapes[0].diagram:
+        return float(max(ratios, key=lambda pair: pair[1])[0]) if ratios else scale
+    agree = [sum(size for other, size in ratios if abs(other / one - 1) < SAME_SCALE) for one, _ in ratios]
+    return float(ratios[int(np.argmax(agree))][0]) if ratios else scale
