@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ....board.otherwise.amended import Amended, plain_letters
 from ....errors import VecpolyError
 from ....foundation.frozen import FrozenMap
+from ....mechanism.model import Mechanism
 from ....methods.desk import Desk
 from ....problem.problem import Problem
 from ..expected import NOTHING, Expected, Shape, Vertex, expected
@@ -30,13 +31,24 @@ class Own:
 
     def diagram(self, fit: Fit) -> None:
         """The joints as they stand on the own diagram: where the lines end that end there on the exact one."""
+        found: dict[int, tuple[Vertex, complex]] = {}
         for edge, line in assigned(fit, fit.shape).optional:
             back = abs(line.start - edge.b) + abs(line.end - edge.a)
             one = line.turned() if back < abs(line.start - edge.a) + abs(line.end - edge.b) else line
             for at, own in ((edge.a, one.start), (edge.b, one.end)):
                 joint = fit.shape.vertex(at)
-                if joint is not None and joint.act not in self.places and abs(own - at) < REACH:
-                    self._place(fit.shape, joint, own)
+                if joint is not None and abs(own - at) < REACH:
+                    found.setdefault(joint.act, (joint, own))
+        shift = self._pivots_off(list(found.values()))
+        for joint, own in found.values():
+            self._place(fit.shape, joint, own - shift)
+
+    def _pivots_off(self, found: Sequence[tuple[Vertex, complex]]) -> complex:
+        """How far the fixed pivots lie off, from which the others are measured."""
+        subject = self.problem.subject
+        frame = subject.frame if isinstance(subject, Mechanism) else {}
+        off = [own - joint.at for joint, own in found if any(letter in frame for letter in joint.letters)]
+        return sum(off) / len(off) if off else 0j
 
     def polygon(self, shape: Shape, match: Match) -> Mapping[str, complex]:
         """Letter → own place: from the pole along the own vectors, in whatever order they were added."""

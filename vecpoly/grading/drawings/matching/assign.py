@@ -17,7 +17,7 @@ from .fit import Fit
 SIZE, PLACE, REVERSED, BARE, NEEDLESS = 0.6, 0.4, 0.1, 0.08, 0.06  # weights of what disagrees
 NAMED, LEFT = 1.0, 0.68  # for the right name; of a line that is none of the vectors, or a vector that is not there
 PART, MM, PLACE_MM = 0.15, 1.0, 4.0  # of a vector's length, and mm, at which half of a weight is lost
-HUNG, FAR_OFF = 1.5, 10.0  # mm: an end that is where it should be; of lines that share none
+HUNG, FAR_OFF = 6.0, 10.0  # mm: an end that is where it should be; of lines that share none
 LONE = 0.3  # of a line with a head that nothing answers to
 
 Matrix = NDArray[np.float64]

@@ -15,7 +15,7 @@ from ..segment import Segment
 from .naming import fits
 from .tidy import Strokes
 
-LIKE, SLACK = 0.04, 0.5  # of a vector's length, and mm: what counts as the same vector while a scale is sought
+LIKE, SLACK = 0.07, 0.5  # of a vector's length, and mm: what counts as the same vector while a scale is sought
 PARALLEL = 0.05  # rad
 RATIOS = 40
 SAME_SCALE = 0.005
@@ -24,7 +24,8 @@ NAMED = 2.0
 STRAYS, BESIDE = 1, 10.0  # lines that hang together, and mm from a figure, to which they may belong
 FREE = 0.7  # of a score is for free vectors, the rest for those that lie where they should
 OWN_SCALE = 0.03  # the scale of the problem is preferred to one's own
-MISTAKEN = 0.02  # what is right is preferred to what a mistake makes of it
+BOTH = 0.1  # a mistake at one's own scale is told from what is right at another only by this
+MISTAKEN = 0.05  # what is right is preferred to what a mistake makes of it
 
 Vectors = NDArray[np.complex128]
 
@@ -120,7 +121,8 @@ def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | N
         should = np.array([edge.along for edge in shape.edges])
         for scale in [declared] if declared else _ratios(own, should):
             score = _share(lines, shape, own, should, scale, found.score)
-            score -= MISTAKEN * bool(n) + OWN_SCALE * (not declared and abs(scale - 1) > SAME_SCALE)
+            other = not declared and abs(scale - 1) > SAME_SCALE
+            score -= MISTAKEN * bool(n) + (OWN_SCALE + BOTH * bool(n)) * other
             if score > found.score + 1e-6 or (score > found.score - 1e-6 and _nearer(scale, found.scale)):
                 found = _Try(score=score, scale=scale)
     return _Try(score=found.score + bonus, scale=found.scale)

@@ -43,14 +43,14 @@ class _Unit:
 
     def __init__(self, document: Any, found: Found) -> None:
         from ezdxf.enums import InsertUnits
-        from ezdxf.units import conversion_factor, decode
+        from ezdxf.units import conversion_factor
 
         code = int(document.header.get("$INSUNITS", 0))
         self.mm = float(conversion_factor(InsertUnits(code), InsertUnits(MM))) if code else 1.0
         if not code:
             found.remark(Words("DXF 未注明单位，按 mm 读取", "the DXF states no unit; it was read as mm"))
         elif code != MM:
-            name = decode(code)
+            name = InsertUnits(code).name.casefold()
             found.remark(Words(f"DXF 的单位是 {name}，已换算为 mm", f"the DXF is in {name}; converted to mm"))
 
     def at(self, point: Any) -> complex:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 import zlib
+from base64 import a85decode
 from collections.abc import Sequence
 from typing import Any
 
@@ -42,13 +43,26 @@ def _unpacks_small(data: bytes) -> None:
         raise too_large_unpacked("PDF")
     room = DRAWING_UNPACKED
     for start in _STREAM.finditer(data):
-        unpacker = zlib.decompressobj()
-        try:
-            room -= len(unpacker.decompress(data[start.end() :], room + 1))
-        except zlib.error:
-            continue  # no packed stream
+        body = data[start.end() : data.find(b"endstream", start.end())]
+        room -= max(_unpacked(body, room), _unpacked(_plain(body), room))
         if room < 0:
             raise too_large_unpacked("PDF")
+
+
+def _unpacked(body: bytes, room: int) -> int:
+    """How long a stream becomes, as far as there is room; 0 for what is not packed."""
+    try:
+        return len(zlib.decompressobj().decompress(body, room + 1))
+    except zlib.error:
+        return 0
+
+
+def _plain(body: bytes) -> bytes:
+    """A stream without the Base 85 around it; empty where there is none."""
+    try:
+        return a85decode(body.strip().removesuffix(b"~>"))
+    except ValueError:
+        return b""
 
 
 def _too_many(pages: int) -> FaultError:
