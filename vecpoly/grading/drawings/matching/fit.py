@@ -16,6 +16,7 @@ from .naming import fits
 from .tidy import Strokes
 
 LIKE, SLACK = 0.07, 0.5  # of a vector's length, and mm: what counts as the same vector while a scale is sought
+CLOSE, BETTER = 0.003, 0.3  # of a length: nearly exact; of a figure: how much more of it is so at another scale
 PARALLEL = 0.05  # rad
 RATIOS = 40
 SAME_SCALE = 0.005
@@ -193,7 +194,7 @@ def _fit(
     """The figure in its own scale, with stray lines that may belong to it."""
     shape, inside = shapes[0], [lines[n] for n in part]
     measured = _refined(inside, shapes, best.scale)
-    scale = 1.0 if best.scale == 1.0 or abs(measured - 1.0) < SAME_SCALE else best.scale if declared else measured
+    scale = best.scale if declared else _taken(inside, shape, best.scale, measured)
     own = np.array([one.along for one in inside])
     origin, share = None, 0.0
     for one in shapes:
@@ -227,3 +228,19 @@ def _refined(lines: Sequence[Segment], shapes: Sequence[Shape], scale: float) ->
         return float(max(ratios, key=lambda pair: pair[1])[0]) if ratios else scale
     agree = [sum(size for other, size in ratios if abs(other / one - 1) < SAME_SCALE) for one, _ in ratios]
     return float(ratios[int(np.argmax(agree))][0]) if ratios else scale
+
+
+def _taken(lines: Sequence[Segment], shape: Shape, found: float, measured: float) -> float:
+    """The scale that is not stated: the problem's own, unless the figure is clearly better at what was measured."""
+    if abs(measured - 1.0) < SAME_SCALE:
+        return 1.0
+    closely = {scale: _closely(lines, shape, scale) for scale in (1.0, measured)}
+    return measured if found != 1.0 or closely[measured] > closely[1.0] + BETTER else 1.0
+
+
+def _closely(lines: Sequence[Segment], shape: Shape, scale: float) -> float:
+    """How much of the figure is drawn nearly exactly at this scale."""
+    own, should = np.array([one.along for one in lines]) / scale, np.array([edge.along for edge in shape.edges])
+    off = np.minimum(np.abs(own[:, None] - should), np.abs(own[:, None] + should)).min(axis=0)
+    size = np.abs(should)
+    return float(np.sum(size[off <= CLOSE * size + SLACK / 2]) / np.sum(size))
