@@ -38,7 +38,7 @@ def test_an_honest_drawing_is_right_in_every_format(problem: str, kind: str) -> 
     assert mark.right and mark.slips == () and not any(one.remarks or one.extra for one in mark.figures)
 
 
-@pytest.mark.parametrize("problem", SEVERAL)
+@pytest.mark.parametrize("problem", ["3-9", "3-12", "4-3a"])
 def test_a_pencil_stays_within_what_students_are_allowed(problem: str) -> None:
     key = key_of(problem, STUDENT)
     marks = [one for seed in range(3) for one in marked(key, by_pencil(key, seed)).vectors]
@@ -52,7 +52,7 @@ def test_another_order_of_addition_is_as_right(problem: str) -> None:
     assert all(one.verdict is Verdict.RIGHT for one in mark.vectors) and mark.right
 
 
-@pytest.mark.parametrize("problem", ["3-9", "A-27", "3-7a", "4-3a"])
+@pytest.mark.parametrize("problem", ["3-9", "3-7a", "4-3a"])
 def test_every_slip_that_is_drawn_is_caught_and_most_are_named(problem: str) -> None:
     key = key_of(problem)
     marks = [(slip, marked(key, drawn(world), declared=True)) for slip, world in key.worlds]
@@ -183,7 +183,7 @@ def test_a_polygon_that_is_not_there_is_told_as_one_thing() -> None:
 
 
 @pytest.mark.parametrize("mirror", [-1, 1])
-@pytest.mark.parametrize("problem", SEVERAL)
+@pytest.mark.parametrize("problem", ["3-9", "A-27", "4-3a"])
 def test_a_mirrored_drawing_is_told_and_not_accepted(problem: str, mirror: int) -> None:
     key = key_of(problem)
     mark = marked(key, put(drawn(key.exact), lambda z: mirror * z.conjugate()))
