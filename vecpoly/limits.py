@@ -46,3 +46,11 @@ SEED = 2**63 - 1
 
 # The cycle
 POSITIONS = 2_000_001  # of the drive in a table
+
+# Drawings of students
+DRAWING_BYTES = 20_000_000  # of a file
+DRAWING_UNPACKED = 100_000_000  # bytes, of what is packed in it
+DRAWN = 20_000  # lines, heads and texts; a solved sheet has some hundreds
+DRAWING_SPAN = 1e5  # mm from the origin
+DRAWING_NESTED = 16  # blocks or groups within each other
+DRAWING_PAGES = 20  # of a PDF

@@ -18,6 +18,7 @@ from ..jobs import problems
 from ..options import JSON, ColumnsOption, JsonOption, Lang, LangOption, OutsideOption, TableOption
 from ..terminal import add, progress, show, table
 from ..wording import beside, number, percent, symbol
+from .check_drawing import check_drawings, drawings_among
 from .check_table import check_table_of, columns_said
 
 if TYPE_CHECKING:
@@ -60,6 +61,9 @@ def check(
 
     Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """
+    if files := drawings_among(names):
+        check_drawings(names, files, json, lang, allow_outside)
+        return
     said = columns_said(columns)
     tally = Tally()
     if claims := claims_among(names):

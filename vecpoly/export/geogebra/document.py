@@ -65,6 +65,7 @@ class _Writer:
         self.page = Page(recording.problem.title.of(lang))
         self.spelling = Spelling(_roots(recording.desk.board.acts, self.terms), self.page.hidden)
         self.written_down: set[str] = set()
+        self.anchors = anchors
         self._slider()
         self.figures = {view: self._figure(view, at, extents[view][0]) for view, at in anchors.items()}
         self.bodies = Bodies(self.figures[View.MECHANISM], recording.desk, recording.drive)
@@ -84,7 +85,18 @@ class _Writer:
                     self.figures[view].draw(act)
         for answer in self.recording.follow:
             self._answer(answer)
+        for view, figure in self.figures.items():
+            self._stand(figure, self.anchors[view])
         return self.page.root
+
+    def _stand(self, figure: Figure, anchor: complex) -> None:
+        """Points and vectors as the file is written: GeoGebra finds them anew, other programs need not."""
+        ones = [*figure.placed, *figure.vectors]
+        terms = [part for _, pair in ones for part in pair]
+        found = values(terms, {self.recording.variable: self.recording.drive.position})
+        for (one, _), x, y in zip(ones, found[::2], found[1::2], strict=True):
+            if isfinite(x) and isfinite(y):
+                self.page.stands(one, complex(x, y) + (0j if one.get("type") == "vector" else anchor))
 
     def _slider(self) -> None:
         """The input: an angle in degrees, or a travel in mm."""

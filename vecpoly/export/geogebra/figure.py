@@ -31,6 +31,8 @@ class Figure:
         self.points: dict[Pair, str] = {}
         self._letters: dict[tuple[str, Pair], ET.Element] = {}
         self._shown: set[Pair] = set()
+        self.placed: list[tuple[ET.Element, Pair]] = []
+        self.vectors: list[tuple[ET.Element, Pair]] = []
 
     def draw(self, act: done.Act) -> None:
         """What an act leaves on this figure; what it only finds is a hidden point."""
@@ -46,9 +48,9 @@ class Figure:
             case done.Rule(a=a, b=b, label=label):
                 self.segment(a, b, self._pen(Role.DIRECTION), label)
             case done.Arrow(shown=True):
-                self.page.line(
-                    "Vector", "vector", (self.at(act.a), self.at(act.b)), pen(act.role, kind_hue(self.view, act.label))
-                )
+                look = pen(act.role, kind_hue(self.view, act.label))
+                vector = self.page.line("Vector", "vector", (self.at(act.a), self.at(act.b)), look)
+                self.vectors.append((vector, self.terms.parts(act.b - act.a)))
             case done.Swing():
                 self.arc(act.centre, act.radius, act.start, act.sweep, self._pen(Role.CONSTRUCTION))
             case done.Corner(at=at, u=u, v=v):
@@ -100,6 +102,7 @@ class Figure:
     def _placed(self, label: str, pair: Pair) -> ET.Element:
         point = self.page.point(label, self.points.get(pair) or f"{self.anchor} + {self.spelling.pair(pair)}")
         self.points.setdefault(pair, label)
+        self.placed.append((point, pair))
         self.spelling.know(pair[0], f"(x({label}) - x({self.anchor}))")
         self.spelling.know(pair[1], f"(y({label}) - y({self.anchor}))")
         return point

@@ -65,6 +65,11 @@ class Page:
         ET.SubElement(self.root, "expression", label=label, exp=text, type="point")
         return self._element("point", label, Pen(width=0.5))
 
+    def stands(self, one: ET.Element, at: complex) -> None:
+        """Where a point stands, or what a vector is, as the file is written."""
+        z = "0.0" if one.get("type") == "vector" else "1.0"
+        _set(one, "coords", x=repr(float(at.real)), y=repr(float(at.imag)), z=z)
+
     def show(self, point: ET.Element, style: str, size: str, caption: str, hue: Hue) -> None:
         """Let a point be seen, with its letter."""
         _set(point, "show", object="true", label="true")
@@ -77,11 +82,11 @@ class Page:
         """Write its letter on the other side."""
         _set(point, "labelOffset", x="-18", y="22")
 
-    def line(self, command: str, kind: str, inputs: Iterable[str], pen: Pen, *, caption: str = "") -> None:
+    def line(self, command: str, kind: str, inputs: Iterable[str], pen: Pen, *, caption: str = "") -> ET.Element:
         """What a command draws through points: Segment, Vector, PolyLine, Circle, CircleArc."""
         label = self.labels.new("d", str(len(self.root)))
         self._command(command, inputs, label)
-        self._element(kind, label, pen, seen=True, caption=caption, lettered=bool(caption), quiet=True)
+        return self._element(kind, label, pen, seen=True, caption=caption, lettered=bool(caption), quiet=True)
 
     def text(self, words: str, at: str) -> None:
         """Words that stand at a point."""

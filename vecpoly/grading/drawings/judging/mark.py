@@ -1,0 +1,126 @@
+"""What a drawing is worth: a verdict on every vector, on every figure, on the whole, each with its reason."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ....board.otherwise.slip import Slip
+from ....words import Words
+from ..segment import Segment
+
+NO_WORDS = Words("", "")
+
+
+class Verdict(StrEnum):
+    """As for numbers: within T, within `wrong` T, beyond; or not drawn."""
+
+    RIGHT = "right"
+    CLOSE = "close"
+    WRONG = "wrong"
+    MISSING = "missing"
+
+    @property
+    def words(self) -> Words:
+        """In words."""
+        return Words({"right": "正确", "close": "接近", "wrong": "错误", "missing": "漏画"}[self.value], self.value)
+
+
+class Basis(StrEnum):
+    """What a vector was held against: the exact drawing, or what follows from the student's own lines before it."""
+
+    EXACT = "exact"
+    OWN = "own"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VectorMark:
+    """One vector as drawn (`own`) and as it should be on this basis (`should`), both in mm of the reference drawing.
+
+    length, direction: each by itself; sense: whether the arrow points the right way, None where it has no head in a
+    drawing with heads. off: mm in length; turned: degrees (ccw); allowed: T, mm. tail: where it begins on the figure.
+    """
+
+    key: str
+    symbol: str
+    figure: str
+    verdict: Verdict
+    length: Verdict = Verdict.RIGHT
+    direction: Verdict = Verdict.RIGHT
+    sense: bool | None = True
+    own: complex | None = None
+    should: complex = 0j
+    off: float = 0.0
+    turned: float = 0.0
+    allowed: float = 0.0
+    basis: Basis = Basis.EXACT
+    tail: complex = 0j
+    where: str = ""
+    reason: Words = NO_WORDS
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FigureMark:
+    """One figure: its vectors, what is drawn beside them, the gap of its polygon (mm on the sheet).
+
+    mu: the own scale, SI per mm; declared: whether it was stated, or is that of the problem.
+    """
+
+    figure: str
+    title: Words
+    mu: float
+    unit: str
+    declared: bool
+    vectors: tuple[VectorMark, ...]
+    extra: tuple[Segment, ...] = ()
+    gap: float = 0.0
+    remarks: tuple[Words, ...] = ()
+    drawn: bool = True
+
+    def __getitem__(self, key: str) -> VectorMark:
+        """The mark of this vector. Raises KeyError."""
+        return next((one for one in self.vectors if one.key == key), None) or _none(key)
+
+
+def _none(key: str) -> VectorMark:
+    raise KeyError(key)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrawingMark:
+    """A drawing handed in: its figures, and what holds of all of it.
+
+    slips: the catalogued mistakes that explain it; more than one where they draw the same, and none is named then.
+    twice: lines that were drawn a second time over another.
+    """
+
+    problem: str
+    file: str
+    figures: tuple[FigureMark, ...]
+    slips: tuple[Slip, ...] = ()
+    mirrored: bool = False
+    twice: tuple[Segment, ...] = ()
+    remarks: tuple[Words, ...] = ()
+
+    @property
+    def vectors(self) -> tuple[VectorMark, ...]:
+        """Those of all figures that are drawn."""
+        return tuple(vector for one in self.figures if one.drawn for vector in one.vectors)
+
+    @property
+    def right(self) -> bool:
+        """Whether every figure is drawn, and every vector right or nearly so."""
+        fair = all(one.verdict in (Verdict.RIGHT, Verdict.CLOSE) for one in self.vectors)
+        return fair and not self.mirrored and all(one.drawn for one in self.figures)
+
+    @property
+    def slip(self) -> Slip | None:
+        """The one mistake that explains the drawing."""
+        return self.slips[0] if len(self.slips) == 1 else None
+
+    def __getitem__(self, figure: str) -> FigureMark:
+        """The mark of this figure: ``velocity``. Raises KeyError."""
+        for one in self.figures:
+            if one.figure == figure:
+                return one
+        raise KeyError(figure)

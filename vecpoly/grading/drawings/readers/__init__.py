@@ -1,0 +1,1 @@
+"""One file per format: each gives segments in mm, arrow heads and lettering, and refuses what it cannot read."""
