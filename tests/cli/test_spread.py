@@ -8,8 +8,8 @@ import pytest
 from typer.testing import CliRunner
 
 from vecpoly.cli.app import app
-from vecpoly.cli.spread import spread
 from vecpoly.errors import AssemblyError, VecpolyError
+from vecpoly.foundation.spread import spread
 from vecpoly.words import Words
 
 LONG = """

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from ...errors import NoMethodError, VecpolyError
 from ...foundation.files import is_special
+from ...foundation.spread import spread
 from ...words import Words
 from ..errors import Tally, about
 from ..files import STDOUT, put, spared
@@ -28,7 +29,6 @@ from ..options import (
     Style,
     StyleOption,
 )
-from ..spread import spread
 from ..terminal import progress, warn
 
 if TYPE_CHECKING:
