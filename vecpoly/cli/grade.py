@@ -53,10 +53,12 @@ def grade(
     lang: LangOption = "zh",
     jobs: JobsOption = 0,
 ) -> None:
-    """Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for what a person must see.
+    """Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for what a person
+    must see.
 
     Right within what a drawing may be off by, or right by one's own earlier values; each mistake costs once, and is
-    named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what changed.
+    named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what
+    changed.
 
     Exit code: 0 all was marked, 2 something could not be read (the rest is marked all the same).
     """

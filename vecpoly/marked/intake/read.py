@@ -16,8 +16,15 @@ from .returned import Answers, Returned
 
 KeysOf = Callable[[str], Mapping[str, AnswerKey] | None]  # of a student: problem → key; None for a stranger
 HEADS = 10  # rows among which the header is looked for
-_LONG = {"step": ("step", "量", "symbol", "符号", "quantity"), "value": ("value", "值", "答案", "answer"), "unit": ("unit", "单位"),
-         "sense": ("sense", "转向"), "mm": ("mm",), "deg": ("deg", "方向"), "problem": ("problem", "题号", "题")}  # fmt: skip
+_LONG = {
+    "step": ("step", "量", "symbol", "符号", "quantity"),
+    "value": ("value", "值", "答案", "answer"),
+    "unit": ("unit", "单位"),
+    "sense": ("sense", "转向"),
+    "mm": ("mm",),
+    "deg": ("deg", "方向"),
+    "problem": ("problem", "题号", "题"),
+}
 
 
 def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf) -> Returned:
@@ -34,8 +41,8 @@ def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf)
         raise TableError(
             Words(
                 f"{path}：前 {HEADS} 行中没有“学号”一列；请用生成的答案表，或加表头 学号,v_C,…",
-                f"{path}: no column of student numbers in the first {HEADS} rows; use the answers form, or add a header "
-                "number,v_C,...",
+                f"{path}: no column of student numbers in the first {HEADS} rows; use the answers form, or add a "
+                "header number,v_C,...",
             ),
             code="no-header",
         )
