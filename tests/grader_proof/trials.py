@@ -21,6 +21,7 @@ from vecpoly.grading.slips.mutants import Mutant, Value
 
 VISIBLE = 2.0  # T: a slip shows where it moves an answer by more
 ALONE = Rules(following=False)
+REACH = Rules().reach
 
 
 def right_work(trial: Trial, skill: str, count: int, seed: int) -> Iterator[Tally]:
@@ -190,6 +191,8 @@ def misread(trial: Trial, group: Class, count: int, seed: int) -> Iterator[Tally
     for _ in range(count if lengths else 0):
         one = lengths[int(rng.integers(len(lengths)))]
         own = one.exact + float(rng.choice([-1, 1])) * max(5.0, 4 * one.allowed)
+        if not 1 / REACH < own / one.exact < REACH:
+            continue  # nothing is continued from what is so far off
         exact = drawn_class_exactly(trial, Amended(own=(Own(readings=FrozenMap({one.letters: round(own, 1)})),)))
         cells = exact.sheet(0, rng)
         followed, alone, tally = trial.mark(cells), trial.mark(cells, ALONE), Tally()

@@ -93,8 +93,7 @@ class Follower:
         return found
 
     def _collect(self, needs: Sequence[str], found: _Inputs, seen: set[str], deep: bool) -> None:
-        """Own values of the needs; of those that were not written, or of all where `deep`, the own values below them.
-        """
+        """Own values of the needs; of those that were not written, or of all where `deep`, the own values below them."""
         for name in needs:
             if name in seen:
                 continue

@@ -65,8 +65,7 @@ def verdicts(problem: Problem, key: AnswerKey, sheet: Sheet, rules: Rules) -> Ve
 
 
 def _trusting(found: Verdicts) -> Verdicts:
-    """Go on from own values that are right by own values, though far from the exact ones, until nothing more is right.
-    """
+    """Go on from own values that are right by own values, though far from the exact ones, until nothing more is right."""
     for _ in range(ROUNDS):
         trusted = frozenset(name for name, basis in found.basis.items() if basis is Basis.OWN)
         waiting = [one for one in found.roots() if found.follower.refused(one)]
