@@ -35,7 +35,9 @@ class Course:
     standard: Standard
 
 
-def drawn(course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: Runner, out: Path, told: Told) -> tuple[dict[str, Part], dict[str, VecpolyError]]:
+def drawn(
+    course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: Runner, out: Path, told: Told
+) -> tuple[dict[str, Part], dict[str, VecpolyError]]:
     """Student -> variant, and whoever got none. kept: what was handed out before, and stays.
 
     Everybody's turn comes in an order that follows from the seeds alone: the order of the roster does not matter.
@@ -43,7 +45,9 @@ def drawn(course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: 
     apart, parts = Apart(course.problem.gate.apart), dict(kept)
     for number in sorted(kept):
         apart.takes(kept[number].key)
-    first = sorted((seed for seed in seeds if seed.student not in kept), key=lambda seed: seed.stream(-1).below(1 << 60))
+    first = sorted(
+        (seed for seed in seeds if seed.student not in kept), key=lambda seed: seed.stream(-1).below(1 << 60)
+    )
     waiting, refused = [(seed, 0) for seed in first], dict[str, VecpolyError]()
     for _ in range(ROUNDS):
         left: list[tuple[Seed, int]] = []
@@ -61,10 +65,21 @@ def drawn(course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: 
     return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed, _ in waiting}
 
 
-def _found(course: Course, waiting: Sequence[tuple[Seed, int]], taken: Taken, run: Runner, out: Path, told: Told) -> Iterator[tuple[Seed, list[Part]]]:
+def _found(
+    course: Course, waiting: Sequence[tuple[Seed, int]], taken: Taken, run: Runner, out: Path, told: Told
+) -> Iterator[tuple[Seed, list[Part]]]:
     """The variants of each from an attempt on, in this order."""
-    tasks = [Draw(problem=course.problem, fingerprint=course.fingerprint, standard=course.standard, taken=taken,
-                  seeds=tuple(seed for seed, _ in piece), starts=tuple(start for _, start in piece)) for piece in cut(waiting, BATCH)]
+    tasks = [
+        Draw(
+            problem=course.problem,
+            fingerprint=course.fingerprint,
+            standard=course.standard,
+            taken=taken,
+            seeds=tuple(seed for seed, _ in piece),
+            starts=tuple(start for _, start in piece),
+        )
+        for piece in cut(waiting, BATCH)
+    ]
     results = finished(tasks, run, out, lambda done, of: told(course.problem.id, done, of))
     for task, result in zip(tasks, results, strict=True):
         for seed, found in zip(task.seeds, result, strict=True):
@@ -89,18 +104,26 @@ def refuse_too_few(problem: Problem, passed: float, students: int) -> None:
     good = int(count * passed)
     if problem.gate.apart and good < students:
         raise VecpolyError(
-            Words(f"题 {problem.id}：{count} 组数据中约 {good} 组合格，而学生有 {students} 名；请{Condition.APART.remedy.zh}，如 0",
-                  f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} students; {Condition.APART.remedy.en}, say to 0"),
-            code="too-few", numbers={"good": good, "students": students},
+            Words(
+                f"题 {problem.id}：{count} 组数据中约 {good} 组合格，而学生有 {students} 名；"
+                f"请{Condition.APART.remedy.zh}，如 0",
+                f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} students; "
+                f"{Condition.APART.remedy.en}, say to 0",
+            ),
+            code="too-few",
+            numbers={"good": good, "students": students},
         )
 
 
 def _no_variant(course: Course, why: Condition) -> VecpolyError:
     name = course.problem.id
     return VecpolyError(
-        Words(f"题 {name}：没有找到合格的数据：{why.words.zh}；请{why.remedy.zh}",
-              f"problem {name}: no variant was found: {why.words.en}; {why.remedy.en}"),
-        code="no-variant", numbers={"problem": name, "condition": str(why)},
+        Words(
+            f"题 {name}：没有找到合格的数据：{why.words.zh}；请{why.remedy.zh}",
+            f"problem {name}: no variant was found: {why.words.en}; {why.remedy.en}",
+        ),
+        code="no-variant",
+        numbers={"problem": name, "condition": str(why)},
     )
 
 

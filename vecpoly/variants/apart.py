@@ -18,7 +18,8 @@ Row = tuple[float, ...]
 
 @dataclass(frozen=True)
 class Taken:
-    """The graded answers (SI) of those who have their values, with the tolerances; least: how many T two students differ by."""
+    """The graded answers (SI) of those who have their values, with the tolerances; least: how many T two students
+    differ by."""
 
     least: float
     keys: tuple[str, ...] = ()
@@ -30,7 +31,8 @@ class Taken:
         return np.array(self.sizes), np.array(self.allowed)
 
     def far_from(self, sizes: Row, allowed: Row | None = None) -> bool:
-        """Whether these answers differ enough from everybody's; allowed: their own tolerances, where they are known already."""
+        """Whether these answers differ enough from everybody's; allowed: their own tolerances, where they are known
+        already."""
         if not self.sizes or not self.least:
             return True
         theirs, limits = self._tables
@@ -39,8 +41,13 @@ class Taken:
         return bool((differing >= min(READINGS, len(sizes))).all())
 
     def leaves(self, answers: Mapping[str, float]) -> bool:
-        """The same of answers that the oracle told, before anything is drawn; where it did not tell all, nothing is decided."""
-        return not self.keys or any(key not in answers for key in self.keys) or self.far_from(tuple(answers[key] for key in self.keys))
+        """The same of answers that the oracle told, before anything is drawn; where it did not tell all, nothing is
+        decided."""
+        return (
+            not self.keys
+            or any(key not in answers for key in self.keys)
+            or self.far_from(tuple(answers[key] for key in self.keys))
+        )
 
 
 class Apart:

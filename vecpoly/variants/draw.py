@@ -1,4 +1,5 @@
-"""Drawing the values of a variant: what stands still in the mechanism first, then the places of the drive that are worth drawing."""
+"""Drawing the values of a variant: what stands still in the mechanism first, then the places of the drive that are
+worth drawing."""
 
 from __future__ import annotations
 
@@ -42,8 +43,11 @@ class Trial:
     drawn: Iterable[tuple[Mapping[str, str], Look | Condition]]  # one after another, as they are asked for
 
 
-def variants(problem: Problem, seed: Seed, standard: Standard, taken: Taken = NOBODY, start: int = 0) -> Iterator[Variant]:
-    """The variants of a student from this attempt on, until so many are used up; too near to those who have theirs is left out."""
+def variants(
+    problem: Problem, seed: Seed, standard: Standard, taken: Taken = NOBODY, start: int = 0
+) -> Iterator[Variant]:
+    """The variants of a student from this attempt on, until so many are used up; too near to those who have theirs is
+    left out."""
     graded = frozenset(ask.rel.key for ask in problem.asks) - standard.demoted
     for attempt in range(start, start + ATTEMPTS):
         for values, look in tried(problem, seed, attempt, standard, graded, taken).drawn:
@@ -51,7 +55,9 @@ def variants(problem: Problem, seed: Seed, standard: Standard, taken: Taken = NO
                 yield Variant(seed=seed, attempt=attempt, values=values, problem=look.problem, key=look.key)
 
 
-def tried(problem: Problem, seed: Seed, attempt: int, standard: Standard, graded: frozenset[str], taken: Taken = NOBODY) -> Trial:
+def tried(
+    problem: Problem, seed: Seed, attempt: int, standard: Standard, graded: frozenset[str], taken: Taken = NOBODY
+) -> Trial:
     """One set of values, by the stream of this attempt."""
     stream, along = seed.stream(attempt), drive_range(problem)
     values = {one.name: one.at(stream.below(one.count)) for one in problem.ranges}
@@ -66,7 +72,9 @@ def tried(problem: Problem, seed: Seed, attempt: int, standard: Standard, graded
     return Trial(attempt=attempt, swept=swept, drawn=drawn)
 
 
-def _drawn(problem: Problem, values: Mapping[str, str], standard: Standard) -> tuple[Mapping[str, str], Look | Condition]:
+def _drawn(
+    problem: Problem, values: Mapping[str, str], standard: Standard
+) -> tuple[Mapping[str, str], Look | Condition]:
     try:
         return values, looked_at(vary(problem, values), standard)
     except VecpolyError:

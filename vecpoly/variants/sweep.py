@@ -32,7 +32,8 @@ _POLYGONS = (("v_",), ("a_", "an_", "at_", "ak_", "ar_"))
 
 @dataclass(frozen=True, slots=True)
 class Swept:
-    """The values of the drive's range that pass, by number, and how many of the others failed on which condition; the answers there."""
+    """The values of the drive's range that pass, by number, and how many of the others failed on which condition; the
+    answers there."""
 
     passed: tuple[int, ...]
     failed: Counter[Condition]
@@ -55,7 +56,8 @@ def drive_range(problem: Problem) -> Range | None:
 
 
 def sweep(problem: Problem, along: Range | None, signs: Mapping[str, float], graded: Collection[str]) -> Swept:
-    """Which places of the drive, of this range or the problem's own, may be worth drawing; problem: at the range's first."""
+    """Which places of the drive, of this range or the problem's own, may be worth drawing; problem: at the range's
+    first."""
     mech, numbers = problem.mechanism, range(1) if along is None else _numbers(along)
     q = mech.drive.position + _travels(problem, along, numbers)
     near = np.linspace(-1.0, 1.0, STEPS) * (0.0 if mech.drive.slide or mech.drive.between else problem.gate.dead_point)
@@ -87,7 +89,9 @@ def _table(values: Values, count: int) -> Values:
     return np.broadcast_to(values, (count * STEPS,)).reshape(count, STEPS)
 
 
-def _judged(numbers: Sequence[int], tests: Iterable[tuple[Condition, NDArray[np.bool_]]], asked: Mapping[str, Values]) -> Swept:
+def _judged(
+    numbers: Sequence[int], tests: Iterable[tuple[Condition, NDArray[np.bool_]]], asked: Mapping[str, Values]
+) -> Swept:
     left, failed = np.ones(len(numbers), bool), Counter[Condition]()
     for condition, good in tests:
         failed[condition] += int((left & ~good).sum())

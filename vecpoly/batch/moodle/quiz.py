@@ -1,4 +1,5 @@
-"""Moodle XML of some variants: a category for each problem, so that a quiz draws one at random; never a question for each student."""
+"""Moodle XML of some variants: a category for each problem, so that a quiz draws one at random; never a question for
+each student."""
 
 from __future__ import annotations
 
@@ -89,7 +90,12 @@ def _lang(register: Register) -> Lang:
 def _by_problem(register: Register) -> Iterator[tuple[str, list[_Asked]]]:
     lang = _lang(register)
     for exercise in register.exercises:
-        parts = [(sheet, part) for sheet in sorted(register.sheets, key=lambda one: one.sheet) for part in sheet.parts if part.problem == exercise.id]
+        parts = [
+            (sheet, part)
+            for sheet in sorted(register.sheets, key=lambda one: one.sheet)
+            for part in sheet.parts
+            if part.problem == exercise.id
+        ]
         if not exercise.data.get("vary"):
             parts = parts[:1]
         yield exercise.id, [_asked(register, sheet, part, lang) for sheet, part in parts[:VARIANTS]]
@@ -101,7 +107,9 @@ def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
     asked = tuple(one for one in part.key.quantities if one.asked and not one.demoted and one.exact)
     drawn = picture(problem, solution.construction, *PICTURE)
     svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
-    right = "；".join(f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）" for one in asked)
+    right = "；".join(
+        f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）" for one in asked
+    )
     return _Asked(sheet, part, statement(solution, lang), svg, worths(problem, asked), right)
 
 
@@ -132,12 +140,16 @@ def _text(one: _Asked, lang: Lang, *, blanks: bool) -> str:
     if one.svg:
         parts.append(f'<p><img src="@@PLUGINFILE@@/figure.svg" alt="{said["title"]}"></p>')
     if blanks:
-        parts += [f"<p>{escape(bare(asked.symbol))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>" for asked in one.asked]
+        parts += [
+            f"<p>{escape(bare(asked.symbol))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>"
+            for asked in one.asked
+        ]
     return "".join(parts)
 
 
 def _numerical(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> None:
-    text = f"{_text(variant, lang, blanks=False)}<p>{_FIND.of(lang)}{escape(bare(one.symbol))} ({escape(written_unit(one.unit))})</p>"
+    asked = f"{_FIND.of(lang)}{escape(bare(one.symbol))} ({escape(written_unit(one.unit))})"
+    text = f"{_text(variant, lang, blanks=False)}<p>{asked}</p>"
     question = _question(root, "numerical", variant, f"{variant.name} {one.key}", text, lang)
     _tell(question, "defaultgrade", "1")
     _tell(question, "hidden", "0")
