@@ -1,6 +1,8 @@
-"""A class of two problems, everybody with own values: CPU seconds of question and solution, beside the same pages written raw.
+"""A class of two problems, everybody with own values: CPU seconds of question and solution, beside the same pages
+written raw.
 
-The floor draws what was read back from the finished sheets, as that of `report_pages` does. It draws no values, weighs nothing, solves nothing.
+The floor draws what was read back from the finished sheets, as that of `report_pages` does. It draws no values, weighs
+nothing, solves nothing.
 """
 
 from __future__ import annotations

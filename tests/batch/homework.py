@@ -36,7 +36,11 @@ def made(out: Path, students: Sequence[Student], text: str = TEXT) -> Made:
 
 def files(out: Path) -> dict[str, bytes]:
     """Everything that was made, without what is kept for going on."""
-    return {str(file.relative_to(out)): file.read_bytes() for file in sorted(out.rglob("*")) if file.is_file() and ".work" not in file.parts}
+    return {
+        str(file.relative_to(out)): file.read_bytes()
+        for file in sorted(out.rglob("*"))
+        if file.is_file() and ".work" not in file.parts
+    }
 
 
 def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:

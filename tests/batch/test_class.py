@@ -47,7 +47,9 @@ def test_any_two_students_differ_by_three_tolerances_in_two_answers(whole: tuple
     asked = [one.key for one in keys[0].quantities if one.asked and not one.demoted]
     for i, one in enumerate(keys):
         for other in keys[:i]:
-            apart = [abs(one[key].exact - other[key].exact) > 3 * max(one[key].allowed, other[key].allowed) for key in asked]
+            apart = [
+                abs(one[key].exact - other[key].exact) > 3 * max(one[key].allowed, other[key].allowed) for key in asked
+            ]
             assert sum(apart) >= 2
 
 
@@ -59,7 +61,9 @@ def test_the_register_gives_every_variant_again_with_its_key(whole: tuple[Path, 
         for one in sheet.parts[0].key.quantities:
             if one.asked:
                 assert answers[one.key].exact == pytest.approx(one.exact, rel=1e-12)
-                assert answers[one.key].reading.mm is None or answers[one.key].reading.mm == pytest.approx(one.mm, rel=1e-9)
+                assert answers[one.key].reading.mm is None or answers[one.key].reading.mm == pytest.approx(
+                    one.mm, rel=1e-9
+                )
 
 
 def test_the_register_knows_where_everything_stands(whole: tuple[Path, Made]) -> None:
@@ -112,12 +116,17 @@ def test_a_run_that_was_killed_goes_on_and_ends_with_the_same_bytes(tmp_path: Pa
 
 def run(folder: Path, out: str) -> subprocess.Popen[bytes]:
     command = [sys.executable, "-m", "vecpoly", "class", "hw3.yaml", "--roster", "r.csv", "-o", out, "-j", "1"]
-    return subprocess.Popen(command, cwd=folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return subprocess.Popen(
+        command, cwd=folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
 
 
 def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
-    few = TEXT.replace("vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s cw by 0.5 rad/s}",
-                       "vary: {phi: 20 deg .. 70 deg by 5 deg}")
+    few = TEXT.replace(
+        "vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s "
+        "cw by 0.5 rad/s}",
+        "vary: {phi: 20 deg .. 70 deg by 5 deg}",
+    )
     with pytest.raises(VecpolyError, match=r"of 11 sets of values some \d+ pass, for 60 students"):
         made(tmp_path / "hw", people(range(60)), few)
 

@@ -28,7 +28,16 @@ def test_one_bad_row_never_stops_the_rest(folder: Path) -> None:
     assert done.exit_code == 2 and "名单.csv, line 3, column 1" in done.stderr
     assert [sheet.student.number for sheet in read_register(folder / "hw").sheets] == ["20230001", "20230003"]
     made = {path.name for path in (folder / "hw").iterdir()}
-    assert {"questions", "solutions", "register.json", "key.xlsx", "answers.xlsx", "questions.pdf", "questions.zip", "moodle-cloze.xml"} <= made
+    assert {
+        "questions",
+        "solutions",
+        "register.json",
+        "key.xlsx",
+        "answers.xlsx",
+        "questions.pdf",
+        "questions.zip",
+        "moodle-cloze.xml",
+    } <= made
     assert "% of the draws pass" in done.stderr
 
 
@@ -44,7 +53,9 @@ def test_a_second_run_changes_no_byte(folder: Path) -> None:
 
 
 def test_a_statement_that_tells_a_varied_value_is_named(folder: Path) -> None:
-    Path("hw3.yaml").write_text(TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n"), encoding="utf-8")
+    Path("hw3.yaml").write_text(
+        TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n"), encoding="utf-8"
+    )
     done = CliRunner().invoke(app, ["variants", "hw3.yaml", "-n", "0"])
     assert "the statement says AB = 30 mm" in done.stdout
 

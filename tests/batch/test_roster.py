@@ -13,7 +13,10 @@ from vecpoly.batch.roster import RosterError, plain, read_roster
 from vecpoly.batch.student import Student
 
 ROWS = "学号,姓名,班级\n20230001,王小明,机械 1 班\n20230002,李雷,机械 2 班\n"
-TWO = (Student(number="20230001", name="王小明", team="机械 1 班"), Student(number="20230002", name="李雷", team="机械 2 班"))
+TWO = (
+    Student(number="20230001", name="王小明", team="机械 1 班"),
+    Student(number="20230002", name="李雷", team="机械 2 班"),
+)
 
 
 def roster(folder: Path, data: bytes) -> Path:
@@ -31,7 +34,13 @@ def test_encodings_and_separators_are_found_out(tmp_path: Path, encoding: str, m
 def test_a_workbook_is_read_with_numbers_as_numbers_and_lines_above_its_header(tmp_path: Path) -> None:
     book = openpyxl.Workbook()
     assert book.active is not None
-    for row in (("2023 级名单",), (), ("序号", "姓名", "学号", "行政班"), (1, "王小明", 20230001, "机械 1 班"), (2, "李雷", 20230002.0, "机械 2 班")):
+    for row in (
+        ("2023 级名单",),
+        (),
+        ("序号", "姓名", "学号", "行政班"),
+        (1, "王小明", 20230001, "机械 1 班"),
+        (2, "李雷", 20230002.0, "机械 2 班"),
+    ):
         book.active.append(row)
     book.save(tmp_path / "a.xlsx")
     assert read_roster(tmp_path / "a.xlsx").students == TWO
@@ -60,9 +69,14 @@ def test_a_bad_row_is_told_and_the_others_are_kept(tmp_path: Path) -> None:
     assert "2023/9" in found.faults[1].words.en
 
 
-@pytest.mark.parametrize(("data", "says"), [
-    (b"a,b\n1,2\n", "no column of student numbers"), (b"\xff\xff\xff\xff", "neither UTF-8 nor GB18030"), ("学号\n".encode(), "no students"),
-])
+@pytest.mark.parametrize(
+    ("data", "says"),
+    [
+        (b"a,b\n1,2\n", "no column of student numbers"),
+        (b"\xff\xff\xff\xff", "neither UTF-8 nor GB18030"),
+        ("学号\n".encode(), "no students"),
+    ],
+)
 def test_what_is_no_roster_is_refused_with_its_reason(tmp_path: Path, data: bytes, says: str) -> None:
     with pytest.raises(RosterError, match=says):
         read_roster(roster(tmp_path, data))

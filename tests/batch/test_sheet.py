@@ -93,7 +93,12 @@ def test_a_frame_has_one_size_and_nothing_but_ticks_and_a_pole_in_pale_blue() ->
 
 
 def test_the_pole_is_seeded_and_near_the_middle() -> None:
-    poles = [one.page.frame.pole for who in ("20230000", "20230001", "20230002") for one in pages(who) if one.page.frame and one.page.frame.pole]
+    poles = [
+        one.page.frame.pole
+        for who in ("20230000", "20230001", "20230002")
+        for one in pages(who)
+        if one.page.frame and one.page.frame.pole
+    ]
     assert len(set(poles)) == len(poles) == 6
     assert all(abs(x - 105.0) <= JITTER and abs(y - (254.0 - 75.0)) <= JITTER for x, y in poles)
 

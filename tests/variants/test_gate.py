@@ -1,4 +1,5 @@
-"""What passes the gate is as it promises, measured anew; what cannot pass is demoted aloud, or refused with the reason."""
+"""What passes the gate is as it promises, measured anew; what cannot pass is demoted aloud, or refused with the
+reason."""
 
 from __future__ import annotations
 
@@ -21,8 +22,11 @@ STUDENTS = [f"2023{n:04}" for n in range(5)]
 @pytest.mark.parametrize("student", STUDENTS)
 def test_graded_vectors_are_long_enough_on_the_drawn_sheet(student: str) -> None:
     solution = vecpoly.solve(given(student).problem)
-    lengths = [answer.reading.mm for key, answer in solution.answers.items()
-               if answer.drawn_vector is not None and key not in piloted().standard.demoted]
+    lengths = [
+        answer.reading.mm
+        for key, answer in solution.answers.items()
+        if answer.drawn_vector is not None and key not in piloted().standard.demoted
+    ]
     assert lengths and all(mm is not None and mm > 14.9 for mm in lengths)
 
 
@@ -74,9 +78,13 @@ def test_the_yield_is_told_and_what_cannot_be_drawn_well_is_demoted_aloud() -> N
     assert "% of the draws pass" in said and all(key in said for key in short.standard.demoted)
 
 
-@pytest.mark.parametrize(("text", "gate", "relax"), [
-    ("phi: 160 deg .. 200 deg by 5 deg", "", "alike"), ("phi: 0 deg .. 355 deg by 5 deg", "gate: {deviation: 0.1 %}", "gate.deviation"),
-])
+@pytest.mark.parametrize(
+    ("text", "gate", "relax"),
+    [
+        ("phi: 160 deg .. 200 deg by 5 deg", "", "alike"),
+        ("phi: 0 deg .. 355 deg by 5 deg", "gate: {deviation: 0.1 %}", "gate.deviation"),
+    ],
+)
 def test_a_yield_below_one_in_a_hundred_is_refused_with_what_to_relax(text: str, gate: str, relax: str) -> None:
     problem = vecpoly.loads(f"{TEXT.partition('vary:')[0]}vary: {{{text}}}\n{gate}")
     with pytest.raises(VecpolyError) as refused:

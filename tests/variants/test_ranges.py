@@ -30,19 +30,22 @@ def test_a_value_of_the_grid_is_exact_however_many_steps_lie_before_it(low: int,
     assert read(found.at(count), Dim.LENGTH).si == read(f"{tenths[2]} mm", Dim.LENGTH).si
 
 
-@pytest.mark.parametrize(("text", "says"), [
-    ("AB: 28 mm .. 41 mm by 2 mm", "end at 40 or 42"),
-    ("AB: 28 mm", "is no range"),
-    ("AB: 2.8 cm .. 40 mm by 2 mm", "cm, mm, mm"),
-    ("AB: 28 .. 40 mm by 2 mm", "'28' has no unit"),
-    ("AB: 40 mm .. 28 mm by 2 mm", "the end above the start"),
-    ("AB: 28 mm .. 40 mm by 0 mm", "the step must be above zero"),
-    ("AB: 1 mm .. 900 mm by 0.01 mm", "10000 at most"),
-    ("phi: 0 mm .. 40 mm by 2 mm", "is not an angle"),
-    ("XB: 1 mm .. 2 mm by 1 mm", "nothing that is given is called 'XB'"),
-    ("C: 1 mm .. 2 mm by 1 mm", "vary x_C and y_C"),
-    ("phi: 0 deg .. 40 deg by 2 deg, phi_1: 0 deg .. 40 deg by 2 deg", "one quantity"),
-])
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("AB: 28 mm .. 41 mm by 2 mm", "end at 40 or 42"),
+        ("AB: 28 mm", "is no range"),
+        ("AB: 2.8 cm .. 40 mm by 2 mm", "cm, mm, mm"),
+        ("AB: 28 .. 40 mm by 2 mm", "'28' has no unit"),
+        ("AB: 40 mm .. 28 mm by 2 mm", "the end above the start"),
+        ("AB: 28 mm .. 40 mm by 0 mm", "the step must be above zero"),
+        ("AB: 1 mm .. 900 mm by 0.01 mm", "10000 at most"),
+        ("phi: 0 mm .. 40 mm by 2 mm", "is not an angle"),
+        ("XB: 1 mm .. 2 mm by 1 mm", "nothing that is given is called 'XB'"),
+        ("C: 1 mm .. 2 mm by 1 mm", "vary x_C and y_C"),
+        ("phi: 0 deg .. 40 deg by 2 deg, phi_1: 0 deg .. 40 deg by 2 deg", "one quantity"),
+    ],
+)
 def test_a_wrong_range_is_refused_at_its_place(text: str, says: str) -> None:
     with pytest.raises(ProblemFileError) as refused:
         vecpoly.loads(f"id: r\ntitle: r\nextends: 3-9\nvary: {{{text}}}\n")

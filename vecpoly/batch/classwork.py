@@ -69,10 +69,20 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
         exercises.append(_exercise(order, problem, found))
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
     parts, refused = _drawn(order, courses, old, run, told)
-    sheets = tuple(bare(one, [parts[name][one.number] for name in courses], order.assignment.id, order.assignment.salt)
-                   for one in sorted(order.students, key=lambda one: one.number) if one.number not in refused)
-    register = Register(assignment=order.assignment.id, salt=order.assignment.salt, title=order.assignment.title, lang=order.lang,
-                        vecpoly=order.version, exercises=tuple(exercises), sheets=sheets)
+    sheets = tuple(
+        bare(one, [parts[name][one.number] for name in courses], order.assignment.id, order.assignment.salt)
+        for one in sorted(order.students, key=lambda one: one.number)
+        if one.number not in refused
+    )
+    register = Register(
+        assignment=order.assignment.id,
+        salt=order.assignment.salt,
+        title=order.assignment.title,
+        lang=order.lang,
+        vecpoly=order.version,
+        exercises=tuple(exercises),
+        sheets=sheets,
+    )
     _no_twin_sheets(register)
     layouts, failed = _printed(order, register, run, told, shard)
     done = replace(register, sheets=laid_out(register.sheets, layouts))
@@ -96,8 +106,14 @@ def _pilot(order: Order, problem: Problem) -> Pilot:
 def _exercise(order: Order, problem: Problem, found: Pilot) -> Exercise:
     data = {key: value for key, value in data_of(problem).items() if key not in _LEFT_OUT}
     failed = {str(condition): round(share, 6) for condition, share in sorted(found.failed.items())}
-    return Exercise(id=problem.id, data=data, fingerprint=fingerprint(data, order.version), demoted=tuple(sorted(found.standard.demoted)),
-                    passed=round(found.passed, 6), failed=failed)
+    return Exercise(
+        id=problem.id,
+        data=data,
+        fingerprint=fingerprint(data, order.version),
+        demoted=tuple(sorted(found.standard.demoted)),
+        passed=round(found.passed, 6),
+        failed=failed,
+    )
 
 
 def _old(order: Order) -> Register | None:
@@ -106,20 +122,31 @@ def _old(order: Order) -> Register | None:
         return None
     old = read_register(order.out)
     if (old.assignment, old.salt) != (order.assignment.id, order.assignment.salt):
-        raise VecpolyError(Words(
-            f"{order.out / NAME} 属于作业 {old.assignment}，而不是 {order.assignment.id}；请另取 -o 文件夹",
-            f"{order.out / NAME} is of assignment {old.assignment}, not {order.assignment.id}; name another folder with -o"), code="other-class")
+        raise VecpolyError(
+            Words(
+                f"{order.out / NAME} 属于作业 {old.assignment}，而不是 {order.assignment.id}；请另取 -o 文件夹",
+                f"{order.out / NAME} is of assignment {old.assignment}, not {order.assignment.id}; name "
+                f"another folder with -o",
+            ),
+            code="other-class",
+        )
     return old
 
 
 def _kept(old: Register | None, course: Course) -> dict[str, Part]:
     """Who has values of this very problem already."""
-    if old is None or not any(one.id == course.problem.id and one.fingerprint == course.fingerprint for one in old.exercises):
+    if old is None or not any(
+        one.id == course.problem.id and one.fingerprint == course.fingerprint for one in old.exercises
+    ):
         return {}
-    return {sheet.student.number: part for sheet in old.sheets for part in sheet.parts if part.problem == course.problem.id}
+    return {
+        sheet.student.number: part for sheet in old.sheets for part in sheet.parts if part.problem == course.problem.id
+    }
 
 
-def _drawn(order: Order, courses: dict[str, Course], old: Register | None, run: Runner, told: Told) -> tuple[dict[str, dict[str, Part]], dict[str, VecpolyError]]:
+def _drawn(
+    order: Order, courses: dict[str, Course], old: Register | None, run: Runner, told: Told
+) -> tuple[dict[str, dict[str, Part]], dict[str, VecpolyError]]:
     parts: dict[str, dict[str, Part]] = {}
     refused: dict[str, VecpolyError] = {}
     for name, course in courses.items():
@@ -128,8 +155,14 @@ def _drawn(order: Order, courses: dict[str, Course], old: Register | None, run: 
             parts[name] = {one.number: same for one in order.students}
             continue
         seeds = [order.seed(name, one.number) for one in order.students]
-        parts[name], without = drawn(course, seeds, _kept(old, course), run, order.out,
-                                     lambda what, done, of: told(Words(f"取数 {what}", f"drawing values of {what}"), done, of))
+        parts[name], without = drawn(
+            course,
+            seeds,
+            _kept(old, course),
+            run,
+            order.out,
+            lambda what, done, of: told(Words(f"取数 {what}", f"drawing values of {what}"), done, of),
+        )
         refused |= without
     return parts, refused
 
@@ -141,7 +174,13 @@ def _same(course: Course) -> Part:
     from ..variants.look import sketch_of
 
     problem = scaled(course.problem, sketch_of(course.problem)) or course.problem
-    return Part(problem=problem.id, attempt=0, values={}, scales=dict(problem.scales.given), key=key_for(answer_key(problem), course.standard))
+    return Part(
+        problem=problem.id,
+        attempt=0,
+        values={},
+        scales=dict(problem.scales.given),
+        key=key_for(answer_key(problem), course.standard),
+    )
 
 
 def _no_twin_sheets(register: Register) -> None:
@@ -150,12 +189,19 @@ def _no_twin_sheets(register: Register) -> None:
     for sheet in register.sheets:
         other = seen.setdefault(sheet.sheet, sheet.student.number)
         if other != sheet.student.number:
-            raise VecpolyError(Words(
-                f"学号 {other} 与 {sheet.student.number} 得到同一卷号 {sheet.sheet}；请在作业中写 salt: 另一文本",
-                f"the numbers {other} and {sheet.student.number} give one sheet id {sheet.sheet}; write another salt in the assignment"), code="twin")
+            raise VecpolyError(
+                Words(
+                    f"学号 {other} 与 {sheet.student.number} 得到同一卷号 {sheet.sheet}；请在作业中写 salt: 另一文本",
+                    f"the numbers {other} and {sheet.student.number} give one sheet id {sheet.sheet}; write "
+                    f"another salt in the assignment",
+                ),
+                code="twin",
+            )
 
 
-def _printed(order: Order, register: Register, run: Runner, told: Told, shard: tuple[int, int] | None) -> tuple[dict[str, Any], dict[str, VecpolyError]]:
+def _printed(
+    order: Order, register: Register, run: Runner, told: Told, shard: tuple[int, int] | None
+) -> tuple[dict[str, Any], dict[str, VecpolyError]]:
     """Layouts of the sheets that were written, and what went wrong with others."""
     mark = digest(["pages", order.version, _templates()])
     sheets: Sequence[Sheet] = register.sheets if shard is None else register.sheets[shard[0] :: shard[1]]

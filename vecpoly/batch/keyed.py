@@ -10,5 +10,7 @@ from ..variants.judge import Standard
 
 def key_for(key: AnswerKey, standard: Standard) -> AnswerKey:
     """The key with the quantities of the standard demoted, and no others: all have the same work."""
-    quantities = tuple(replace(one, demoted=one.key in standard.demoted if one.asked else one.demoted) for one in key.quantities)
+    quantities = tuple(
+        replace(one, demoted=one.key in standard.demoted if one.asked else one.demoted) for one in key.quantities
+    )
     return replace(key, quantities=quantities)

@@ -17,7 +17,8 @@ _OF_STUDENT = ("number", "name", "class", "sheet")
 
 
 class ColumnOf(BaseModel):
-    """A column: its head, and what stands in it: number, name, class, sheet, a value such as ``3-9:AB``, or a text for everybody."""
+    """A column: its head, and what stands in it: number, name, class, sheet, a value such as ``3-9:AB``, or a text for
+    everybody."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
     head: str
@@ -41,10 +42,15 @@ def read_profile(path: Path) -> Profile:
     except ValidationError as error:
         first = error.errors()[0]
         where = ".".join(map(str, first["loc"]))
-        raise VecpolyError(Words(
-            f"{path}：{where}：{first['msg']}；如写 {{file: xuexitong.csv, columns: [{{head: 学号, holds: number}}]}}",
-            f"{path}: {where}: {first['msg']}; write e.g. {{file: xuexitong.csv, columns: [{{head: No, holds: number}}]}}"),
-            code="profile") from None
+        raise VecpolyError(
+            Words(
+                f"{path}：{where}：{first['msg']}；如写 "
+                f"{{file: xuexitong.csv, columns: [{{head: 学号, holds: number}}]}}",
+                f"{path}: {where}: {first['msg']}; write e.g. "
+                f"{{file: xuexitong.csv, columns: [{{head: No, holds: number}}]}}",
+            ),
+            code="profile",
+        ) from None
 
 
 def table_bytes(register: Register, profile: Profile) -> bytes:
@@ -73,5 +79,10 @@ def _cell(sheet: Sheet, column: ColumnOf) -> str:
         if part.problem == problem and name in part.values:
             return part.values[name]
     known = [*_OF_STUDENT, *(f"{part.problem}:{name}" for part in sheet.parts for name in part.values)]
-    raise VecpolyError(Words(f"列“{column.head}”的 holds: {column.holds} 不存在；可写 {'、'.join(known)}",
-                             f"column '{column.head}' holds {column.holds}, which is nothing; write one of {', '.join(known)}"), code="profile")
+    raise VecpolyError(
+        Words(
+            f"列“{column.head}”的 holds: {column.holds} 不存在；可写 {'、'.join(known)}",
+            f"column '{column.head}' holds {column.holds}, which is nothing; write one of {', '.join(known)}",
+        ),
+        code="profile",
+    )

@@ -26,7 +26,8 @@ NAME = "register.json"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Exercise:
-    """A problem of the assignment: its data as a problem file has them; what is demoted, and why; yield of the draws."""
+    """A problem of the assignment: its data as a problem file has them; what is demoted, and why; yield of the
+    draws."""
 
     id: str
     data: Mapping[str, Any]
@@ -110,17 +111,26 @@ def read_register(path: Path) -> Register:
     try:
         data = json.loads(file.read_bytes())
         if data.get("version") != VERSION:
-            raise VecpolyError(Words(
-                f"{file}：名册版本为 {data.get('version')}，只能读版本 {VERSION}；请用写它的 vecpoly 版本",
-                f"{file}: the register has version {data.get('version')}, only {VERSION} is read; use the vecpoly that wrote it"),
-                code="version")
+            raise VecpolyError(
+                Words(
+                    f"{file}：名册版本为 {data.get('version')}，只能读版本 {VERSION}；请用写它的 vecpoly 版本",
+                    f"{file}: the register has version {data.get('version')}, only {VERSION} is read; use "
+                    f"the vecpoly that wrote it",
+                ),
+                code="version",
+            )
         return _adapter().validate_python(data)
     except (ValueError, AttributeError) as error:
         if isinstance(error, VecpolyError):
             raise
         first = f"{error.errors()[0]['loc']}" if isinstance(error, ValidationError) else str(error)
-        raise VecpolyError(Words(f"{file}：不是名册（{first}）；请用 vecpoly class 重新生成",
-                                 f"{file}: no register ({first}); write it again by 'vecpoly class'"), code="no-register") from None
+        raise VecpolyError(
+            Words(
+                f"{file}：不是名册（{first}）；请用 vecpoly class 重新生成",
+                f"{file}: no register ({first}); write it again by 'vecpoly class'",
+            ),
+            code="no-register",
+        ) from None
 
 
 def layout_from(data: object) -> Layout:

@@ -64,7 +64,8 @@ class Processes:
 
 @dataclass(frozen=True, slots=True)
 class Cluster:
-    """On the workers of a Dask scheduler, who must see the same folder; what a lost worker did is done again elsewhere."""
+    """On the workers of a Dask scheduler, who must see the same folder; what a lost worker did is done again
+    elsewhere."""
 
     client: Any
 
@@ -73,7 +74,10 @@ class Cluster:
         from distributed import as_completed
 
         where = out.resolve()
-        futures = {self.client.submit(_run, task, where, key=f"vecpoly-{task.address}", retries=RETRIES): n for n, task in enumerate(tasks)}
+        futures = {
+            self.client.submit(_run, task, where, key=f"vecpoly-{task.address}", retries=RETRIES): n
+            for n, task in enumerate(tasks)
+        }
         for future in as_completed(list(futures)):
             yield futures[future], future.result()
 
@@ -91,7 +95,8 @@ def _run(task: Task, out: Path) -> Any:
 
 @contextmanager
 def runner(jobs: int, dask: str | None = None) -> Iterator[Runner]:
-    """The runner for so many processes, or for the scheduler at this address. Raises MissingPackageError where Dask is not installed."""
+    """The runner for so many processes, or for the scheduler at this address. Raises MissingPackageError where Dask is
+    not installed."""
     if dask is not None:
         with _client(dask) as client:
             yield Cluster(client)
@@ -113,8 +118,12 @@ def _client(address: str) -> Any:
     try:
         from distributed import Client
     except ImportError:
-        raise MissingPackageError(Words('--dask 需要 Dask：pip install "vecpoly[cluster]"；不用 --dask 则在本机运行',
-                                        '--dask needs Dask: pip install "vecpoly[cluster]"; without --dask this machine does the work')) from None
+        raise MissingPackageError(
+            Words(
+                '--dask 需要 Dask：pip install "vecpoly[cluster]"；不用 --dask 则在本机运行',
+                '--dask needs Dask: pip install "vecpoly[cluster]"; without --dask this machine does the work',
+            )
+        ) from None
     return Client(address)
 
 
@@ -137,4 +146,3 @@ def _lives(process: int) -> bool:
     except PermissionError:
         return True
     return True
-

@@ -34,5 +34,3 @@ def solution_bytes(solutions: Sequence[Solution], register: Register, whose: She
         canvas.restoreState()
 
     return report_bytes(solutions, lang=lang, fields=fields, title=register.title, stamp=stamp)
-
-

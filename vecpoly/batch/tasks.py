@@ -12,6 +12,7 @@ from ..errors import VecpolyError
 from ..files import write_whole
 from ..problem.problem import Problem
 from ..solution import solve
+from ..variants.apart import Taken
 from ..variants.draw import Variant, variants
 from ..variants.judge import Standard
 from ..variants.seeds import Seed
@@ -37,22 +38,37 @@ class Draw:
     standard: Standard
     seeds: tuple[Seed, ...]
     starts: tuple[int, ...]
+    taken: Taken
 
     @property
     def address(self) -> str:
-        return digest(["draw", self.fingerprint, [asdict(seed) for seed in self.seeds], self.starts])
+        return digest(
+            ["draw", self.fingerprint, [asdict(seed) for seed in self.seeds], self.starts, asdict(self.taken)]
+        )
 
     def run(self, out: Path) -> list[list[dict[str, Any]]]:
         """For each student the variants that were found, as plain data."""
-        found = [[_plain(one, self.standard) for one in islice(variants(self.problem, seed, self.standard, start), SEVERAL if start else 1)]
-                 for seed, start in zip(self.seeds, self.starts, strict=True)]
+        found = [
+            [
+                _plain(one, self.standard)
+                for one in islice(
+                    variants(self.problem, seed, self.standard, self.taken, start), SEVERAL if start else 1
+                )
+            ]
+            for seed, start in zip(self.seeds, self.starts, strict=True)
+        ]
         Store(out).put(self.address, found, {})
         return found
 
 
 def _plain(one: Variant, standard: Standard) -> dict[str, Any]:
-    part = Part(problem=one.problem.id, attempt=one.attempt, values=dict(one.values), scales=dict(one.problem.scales.given),
-                key=key_for(one.key, standard))
+    part = Part(
+        problem=one.problem.id,
+        attempt=one.attempt,
+        values=dict(one.values),
+        scales=dict(one.problem.scales.given),
+        key=key_for(one.key, standard),
+    )
     return {**asdict(part), "key": part.key.as_json()}
 
 
@@ -85,11 +101,21 @@ def _printed(register: Register, sheet: Sheet, out: Path) -> tuple[dict[str, Any
     """The two PDFs of a student: layout, and names with sizes."""
     lang: Lang = "zh" if register.lang == "zh" else "en"
     solutions = [solve(register.variant(part), precise=False) for part in sheet.parts]
-    seeds = [Seed(assignment=register.assignment, problem=part.problem, student=sheet.student.number, salt=register.salt) for part in sheet.parts]
-    pages = composed([(solution, part.key, seed) for solution, part, seed in zip(solutions, sheet.parts, seeds, strict=True)], lang)
+    seeds = [
+        Seed(assignment=register.assignment, problem=part.problem, student=sheet.student.number, salt=register.salt)
+        for part in sheet.parts
+    ]
+    pages = composed(
+        [(solution, part.key, seed) for solution, part, seed in zip(solutions, sheet.parts, seeds, strict=True)], lang
+    )
     title = register.title.of(lang)
-    question = sheet_bytes(pages, title=title, assignment=register.assignment, sheet=sheet.sheet, student=sheet.student, lang=lang)
-    made = {question_file(sheet.student): question, solution_file(sheet.student): solution_bytes(solutions, register, sheet)}
+    question = sheet_bytes(
+        pages, title=title, assignment=register.assignment, sheet=sheet.sheet, student=sheet.student, lang=lang
+    )
+    made = {
+        question_file(sheet.student): question,
+        solution_file(sheet.student): solution_bytes(solutions, register, sheet),
+    }
     for name, data in made.items():
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         write_whole(out / name, data)

@@ -28,7 +28,10 @@ def answers_bytes(register: Register) -> bytes:
     book = _book(target)
     page = book.add_worksheet(_ANSWERS.zh if lang == "zh" else _ANSWERS.en)
     fixed, free = book.add_format({"bg_color": "#EEEEEE"}), book.add_format({"locked": False, "num_format": "@"})
-    head, unit = book.add_format({"bold": True, "bg_color": "#DDDDDD"}), book.add_format({"italic": True, "bg_color": "#EEEEEE"})
+    head, unit = (
+        book.add_format({"bold": True, "bg_color": "#DDDDDD"}),
+        book.add_format({"italic": True, "bg_color": "#EEEEEE"}),
+    )
     columns = columns_of(register)
     first = len(IDENTITY)
     for i, (zh, en) in enumerate(IDENTITY):

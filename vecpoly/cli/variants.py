@@ -19,13 +19,21 @@ if TYPE_CHECKING:
     from ..variants.pilot import Pilot
     from ..words import Lang
 
-Name = Annotated[str, typer.Argument(metavar="ID_OR_FILE", help="A problem or an assignment with `vary`.", show_default=False, autocompletion=ids)]
+Name = Annotated[
+    str,
+    typer.Argument(
+        metavar="ID_OR_FILE", help="A problem or an assignment with `vary`.", show_default=False, autocompletion=ids
+    ),
+]
 Count = Annotated[int, typer.Option("--count", "-n", min=0, max=1000, help="How many variants to draw.")]
 Salt = Annotated[str, typer.Option("--salt", help="Another text gives other numbers.")]
 
 
-def variants(name: Name, count: Count = 5, salt: Salt = "", lang: LangOption = "en", allow_outside: OutsideOption = False) -> None:
-    """Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some variants."""
+def variants(
+    name: Name, count: Count = 5, salt: Salt = "", lang: LangOption = "en", allow_outside: OutsideOption = False
+) -> None:
+    """Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some
+    variants."""
     tally = Tally()
     for job in jobs([name], tally, allow_outside):
         for problem in job.problems:
@@ -41,7 +49,11 @@ def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) 
     from ..variants.told import demoted, said_already, told
 
     if not problem.ranges:
-        typer.echo(Words(f"{problem.id}：没有 vary，所有学生的数据相同", f"{problem.id}: no vary, the same numbers for everybody").of(lang))
+        typer.echo(
+            Words(
+                f"{problem.id}：没有 vary，所有学生的数据相同", f"{problem.id}: no vary, the same numbers for everybody"
+            ).of(lang)
+        )
         return
     first: Pilot = pilot(problem, Seed(assignment=assignment, problem=problem.id, student="", salt=f"{salt}/pilot"))
     for line in (*told(problem.id, first), *demoted(first), *said_already(problem)):

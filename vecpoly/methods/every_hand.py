@@ -28,11 +28,14 @@ FAR = 1e6  # times the nominal length
 
 
 def by_every_hand(problem: Problem, by: Hand, like: Construction, amended: Amended) -> Mapping[str, Points | Reals]:
-    """Asked quantity -> its value by every hand (SI; of a velocity or acceleration the vector), at the given scales, or else those of a drawing.
+    """Asked quantity -> its value by every hand (SI; of a velocity or acceleration the vector), at the given scales, or
+    else those of a drawing.
 
     A hand whose polygon does not close has NaN. Raises what drawing the nominal sheet raises.
     """
-    scales: dict[View, Scale] = scale_symbols() | {figure.view: _scale(problem, figure) for figure in like.figures if not figure.aside}
+    scales: dict[View, Scale] = scale_symbols() | {
+        figure.view: _scale(problem, figure) for figure in like.figures if not figure.aside
+    }
     exchange = exchanged(problem.mechanism, stages(problem))
     drawn = replace(problem, subject=exchange.mech)
     with np.errstate(all="ignore"):

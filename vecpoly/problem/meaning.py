@@ -31,7 +31,7 @@ def meant_by(name: str, data: Mapping[str, Value]) -> tuple[Slot, ...]:
             Words(
                 f'“{name}”指几个不同的量：{zh}；请写全名，如 vary(**{{"{found[0].full}": ...}})',
                 f"'{name}' means several that differ: {en}; "
-                f"give the full name, e.g. vary(**{{\"{found[0].full}\": ...}})",
+                f'give the full name, e.g. vary(**{{"{found[0].full}": ...}})',
             ),
             code="ambiguous-name",
         )

@@ -42,7 +42,9 @@ def _once(name: str, slots: tuple[Slot, ...], touched: dict[tuple[str | int, ...
         other = touched.setdefault((*slot.path, *slot.names[:1]), name)
         if other != name:
             raise FaultError(
-                Words(f"{other} 与 {name} 是同一个量；请删去其一", f"{other} and {name} are one quantity; leave one out"),
+                Words(
+                    f"{other} 与 {name} 是同一个量；请删去其一", f"{other} and {name} are one quantity; leave one out"
+                ),
                 code="contradiction",
             )
         if slot.pair:
@@ -83,7 +85,9 @@ def _part(text: str, slot: Slot) -> tuple[Decimal, str]:
     found = _PART.fullmatch(text.replace("−", "-"))
     if found is None:
         raise FaultError(
-            Words(f"“{text}”不是数和单位；如写 {_EXAMPLE}", f"'{text}' is no number with a unit; write e.g. {_EXAMPLE}"),
+            Words(
+                f"“{text}”不是数和单位；如写 {_EXAMPLE}", f"'{text}' is no number with a unit; write e.g. {_EXAMPLE}"
+            ),
             code="spelling",
         )
     return Decimal(found["number"]), found["unit"].strip()

@@ -1,4 +1,5 @@
-"""The conditions of the gate, in the order in which they are looked at, and what to relax where one of them fails too often."""
+"""The conditions of the gate, in the order in which they are looked at, and what to relax where one of them fails too
+often."""
 
 from __future__ import annotations
 
@@ -42,10 +43,15 @@ _SAID = {
     Condition.ASSEMBLED: (Words("机构不能装配", "the links cannot be assembled"), _NARROW),
     Condition.DEAD_POINT: (
         Words("离死点太近", "too near to a dead point"),
-        Words("缩小原动件位置的范围，或减小 gate.dead_point", "narrow the range of the drive, or lower gate.dead_point"),
+        Words(
+            "缩小原动件位置的范围，或减小 gate.dead_point", "narrow the range of the drive, or lower gate.dead_point"
+        ),
     ),
     Condition.SENSES: (Words("转向与原题不同", "senses differ from those of the problem"), _ALIKE),
-    Condition.SHORT: (Words("矢量大小过于悬殊，短者量不准", "vectors so unlike that the short ones cannot be read"), _SHORT),
+    Condition.SHORT: (
+        Words("矢量大小过于悬殊，短者量不准", "vectors so unlike that the short ones cannot be read"),
+        _SHORT,
+    ),
     Condition.ACTS: (Words("作图过程与原题不同", "the construction is another than that of the problem"), _ALIKE),
     Condition.FRAME: (
         Words("图形超出图框", "figures larger than their frames"),
@@ -66,6 +72,8 @@ _SAID = {
     ),
     Condition.APART: (
         Words("与另一名学生的读数太接近", "readings too near to those of another student"),
-        Words("扩大 vary 的范围、减小步长，或减小 gate.apart", "widen the ranges, take smaller steps, or lower gate.apart"),
+        Words(
+            "扩大 vary 的范围、减小步长，或减小 gate.apart", "widen the ranges, take smaller steps, or lower gate.apart"
+        ),
     ),
 }

@@ -25,8 +25,10 @@ Table = NDArray[np.float64]
 class Standard:
     """What all variants of a problem are held to.
 
-    work: the acts of the problem as it stands; signs: the senses of its answers; scales: those it was drawn at. demoted: what is
-    asked and too badly conditioned in most variants, graded by follow-through only. hidden, twins: slips, and pairs of slips, that
+    work: the acts of the problem as it stands; signs: the senses of its answers; scales: those it was drawn at.
+    demoted: what is
+    asked and too badly conditioned in most variants, graded by follow-through only. hidden, twins: slips, and pairs of
+    slips, that
     do not show in most variants, and so are asked of none.
     """
 
@@ -64,7 +66,10 @@ def failing(look: Look, standard: Standard) -> Condition | None:
     tests: tuple[tuple[Condition, Callable[[], bool]], ...] = (
         (Condition.SENSES, lambda: not look.problem.gate.alike or signs(look) == standard.signs),
         (Condition.VECTORS, lambda: all(long_enough(one, look) for one in _kept(look, standard))),
-        (Condition.DEVIATION, lambda: all(deviation(one) <= look.problem.gate.deviation for one in _kept(look, standard))),
+        (
+            Condition.DEVIATION,
+            lambda: all(deviation(one) <= look.problem.gate.deviation for one in _kept(look, standard)),
+        ),
         (Condition.SLIPS, lambda: slips_show(look, standard)),
     )
     return next((condition for condition, holds in tests if not holds()), None)
@@ -102,8 +107,12 @@ def slips_show(look: Look, standard: Standard) -> bool:
     rows = [n for n, slip in enumerate(look.slips) if slip not in standard.hidden]
     if any(shown[n] <= least for n in rows):
         return False
-    return not any(apart[i, j] <= least and frozenset((look.slips[i], look.slips[j])) not in standard.twins
-                   for i in rows for j in rows if i < j)
+    return not any(
+        apart[i, j] <= least and frozenset((look.slips[i], look.slips[j])) not in standard.twins
+        for i in rows
+        for j in rows
+        if i < j
+    )
 
 
 def visible(look: Look) -> Table:

@@ -55,7 +55,8 @@ class Look:
 
     @cached_property
     def places(self) -> NDArray[np.complex128]:
-        """Each asked quantity (columns) over its tolerance T: of the right drawing (row 0), and of every slip; NaN where one does not close."""
+        """Each asked quantity (columns) over its tolerance T: of the right drawing (row 0), and of every slip; NaN
+        where one does not close."""
         values = _by_slips(self.problem, self.sketch, self.slips)
         count = len(self.slips) + 1
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -72,7 +73,8 @@ def sketch_of(problem: Problem, like: Scales | None = None) -> Construction:
 
 
 def work(acts: Sequence[Act]) -> tuple[tuple[str, str], ...]:
-    """What is done, in order, without what only leaves ink: two variants with the same work are as hard as each other."""
+    """What is done, in order, without what only leaves ink: two variants with the same work are as hard as each
+    other."""
     return tuple((type(act).__name__, act.key) for act in acts if isinstance(act, _WORK))
 
 
@@ -91,8 +93,11 @@ def _angle(meet: Meet, acts: Sequence[Act]) -> float:
 def sizes_mm(problem: Problem, sketch: Construction) -> Mapping[str, float]:
     """How long each asked vector is on paper, at the scales of the problem."""
     mu = {view.mu.symbol: problem.scales.of(view.mu) for view in views()}
-    return {key: abs(one.scalar) / scale for key, one in sketch.readings.items()
-            if one.vector is not None and (scale := mu.get(one.scale)) and one.unit != "m"}
+    return {
+        key: abs(one.scalar) / scale
+        for key, one in sketch.readings.items()
+        if one.vector is not None and (scale := mu.get(one.scale)) and one.unit != "m"
+    }
 
 
 def _by_slips(problem: Problem, sketch: Construction, slips: Sequence[Slip]) -> Mapping[str, NDArray[np.complex128]]:

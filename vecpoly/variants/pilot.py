@@ -36,7 +36,8 @@ class Pilot:
 
 
 def pilot(problem: Problem, seed: Seed) -> Pilot:
-    """Draw some variants that nobody gets. Raises VecpolyError where too few draws pass, with what fails most and what to relax."""
+    """Draw some variants that nobody gets. Raises VecpolyError where too few draws pass, with what fails most and what
+    to relax."""
     problem = replace(problem, printed=(), tables=())
     first = _standard(problem)
     trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
@@ -61,7 +62,12 @@ def _standard(problem: Problem) -> Standard:
     """The problem as it stands: its work, and the senses of its answers. Vectors are looked at later, one by one."""
     sketch = sketch_of(problem)
     look = Look(scaled(problem, sketch) or problem, sketch)
-    return Standard(work=work(sketch.acts), signs=signs(look), scales=scales_of(sketch), demoted=frozenset(one.key for one in look.key.quantities))
+    return Standard(
+        work=work(sketch.acts),
+        signs=signs(look),
+        scales=scales_of(sketch),
+        demoted=frozenset(one.key for one in look.key.quantities),
+    )
 
 
 def _with_demoted(standard: Standard, looks: Sequence[Look], asked: Sequence[str]) -> Standard:
@@ -99,7 +105,8 @@ def _with_slips(standard: Standard, looks: Sequence[Look]) -> Standard:
 
 
 def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[Condition, float]]:
-    """The share of draws that pass, and that fail on each condition: of places of the drive that passed the oracle, as those that were drawn."""
+    """The share of draws that pass, and that fail on each condition: of places of the drive that passed the oracle, as
+    those that were drawn."""
     passed, total, failed = 0.0, 0.0, defaultdict[Condition, float](float)
     for trial in trials:
         left = float(len(trial.swept.passed))

@@ -15,7 +15,8 @@ _BITS = 64
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Seed:
-    """Whose numbers: of which assignment and problem, of which student; salt: changed for another class, or another year."""
+    """Whose numbers: of which assignment and problem, of which student; salt: changed for another class, or another
+    year."""
 
     assignment: str
     problem: str
@@ -36,7 +37,8 @@ class Stream:
         self._count = 0
 
     def below(self, n: int) -> int:
-        """A whole number from 0 to n − 1, each as likely as any other: what would favour some of them is drawn again."""
+        """A whole number from 0 to n − 1, each as likely as any other: what would favour some of them is drawn
+        again."""
         most = (1 << _BITS) - (1 << _BITS) % n
         while (drawn := self._next()) >= most:
             pass

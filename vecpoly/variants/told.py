@@ -26,10 +26,13 @@ def said_already(problem: Problem) -> Iterator[Words]:
     known = parameters(problem)
     for one in problem.ranges:
         written = known.get(one.name, "")
-        if len(written) > 1 and any(written.replace(" ", "") in text.replace(" ", "") for text in (problem.statement.zh, problem.statement.en)):
+        if len(written) > 1 and any(
+            written.replace(" ", "") in text.replace(" ", "") for text in (problem.statement.zh, problem.statement.en)
+        ):
             yield Words(
                 f"{problem.id}：题目正文中写有 {one.name} = {written}，而它现在因人而异；请从 statement 中删去",
-                f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to student; take it out",
+                f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to "
+                f"student; take it out",
             )
 
 
@@ -39,11 +42,15 @@ def demoted(pilot: Pilot) -> Iterator[Words]:
         names = ", ".join(keys)
         yield Words(
             f"降为连带评分（多数情况下太短或误差太大，不按精确值评分）：{names}",
-            f"demoted to follow-through (in most variants too short, or drawn too badly, to be held against the exact value): {names}",
+            f"demoted to follow-through (in most variants too short, or drawn too badly, to be held against "
+            f"the exact value): {names}",
         )
     if hidden := sorted(map(str, pilot.standard.hidden)):
         names = ", ".join(hidden)
         yield Words(f"读数上看不出的错误：{names}", f"slips that no answer shows: {names}")
     if pilot.standard.twins:
         count = len(pilot.standard.twins)
-        yield Words(f"{count} 对错误的读数相同，只能给出其一", f"{count} pairs of slips give the same readings; either may be named")
+        yield Words(
+            f"{count} 对错误的读数相同，只能给出其一",
+            f"{count} pairs of slips give the same readings; either may be named",
+        )

@@ -29,7 +29,8 @@ class Worth:
 
 
 def worths(problem: Problem, asked: tuple[Graded, ...]) -> dict[str, tuple[Worth, ...]]:
-    """For each asked quantity its bands, in the order in which Moodle tries them: the narrow before the wide, the right before the wrong."""
+    """For each asked quantity its bands, in the order in which Moodle tries them: the narrow before the wide, the right
+    before the wrong."""
     slipped = _by_slips(problem)
     return {one.key: tuple(_bands(one, slipped.get(one.key, ()))) for one in asked}
 

@@ -1,4 +1,5 @@
-"""The cloze text of a question: ``{2:NUMERICAL:%100%0.583:0.029~%50%0.583:0.058#...}``, as Moodle's own patterns read it."""
+"""The cloze text of a question: ``{2:NUMERICAL:%100%0.583:0.029~%50%0.583:0.058#...}``, as Moodle's own patterns read
+it."""
 
 from __future__ import annotations
 
@@ -7,8 +8,13 @@ from ...words import Lang, Words
 from .answers import Worth
 
 UNITS = {
-    "m/s": ("mm/s", "rad/s"), "m/s^2": ("mm/s²", "rad/s²"), "rad/s": ("r/min", "m/s"), "rad/s^2": ("rad/s", "m/s²"),
-    "N": ("N·m", "kg"), "N·m": ("N", "N·mm"), "m": ("mm", "m/s"),
+    "m/s": ("mm/s", "rad/s"),
+    "m/s^2": ("mm/s²", "rad/s²"),
+    "rad/s": ("r/min", "m/s"),
+    "rad/s^2": ("rad/s", "m/s²"),
+    "N": ("N·m", "kg"),
+    "N·m": ("N", "N·mm"),
+    "m": ("mm", "m/s"),
 }
 _SENSE = (Words("逆时针 ↺", "counter-clockwise ↺"), Words("顺时针 ↻", "clockwise ↻"))
 _CHECK = Words("检查矢量的指向", "look at where the vector points")
@@ -27,8 +33,11 @@ def plain_number(value: float) -> str:
 
 def blank(weight: int, worths: tuple[Worth, ...], lang: Lang) -> str:
     """One numerical blank; the weight is whole."""
-    answers = "~".join(f"%{one.percent}%{plain_number(one.value)}:{plain_number(one.allowed)}" + (f"#{escaped(one.said.of(lang))}" if one.said.of(lang) else "")
-                       for one in worths)
+    answers = "~".join(
+        f"%{one.percent}%{plain_number(one.value)}:{plain_number(one.allowed)}"
+        + (f"#{escaped(one.said.of(lang))}" if one.said.of(lang) else "")
+        for one in worths
+    )
     return f"{{{weight}:NUMERICAL:{answers}}}"
 
 
@@ -44,7 +53,12 @@ def _sizes(worths: tuple[Worth, ...]) -> tuple[Worth, ...]:
     kept: list[Worth] = []
     for one in worths:
         size = abs(one.value)
-        if all(abs(size - abs(other.value)) > other.allowed or one.percent == other.percent == 100 or (one.percent == 50 and other.percent == 100) for other in kept):
+        if all(
+            abs(size - abs(other.value)) > other.allowed
+            or one.percent == other.percent == 100
+            or (one.percent == 50 and other.percent == 100)
+            for other in kept
+        ):
             kept.append(Worth(value=size, allowed=one.allowed, percent=one.percent, said=one.said))
     return tuple(kept)
 

@@ -78,8 +78,15 @@ def _frame(figure: Figure, stream: Stream) -> Frame:
     off = [(stream.below(int(2 * JITTER * _TENTHS) + 1) - JITTER * _TENTHS) / _TENTHS for _ in range(2)]
     pole = (round(x + WIDTH / 2 + off[0], 1), round(y + HEIGHT / 2 + off[1], 1)) if figure.view in POLE else None
     name = f"{figure.view.name} {figure.name}".strip()
-    return Frame(figure=name, at=(x, y), size=(WIDTH, HEIGHT), pole=pole, letter=POLE.get(figure.view, ""),
-                 mu=figure.view.mu.key, scale=figure.scale.value)
+    return Frame(
+        figure=name,
+        at=(x, y),
+        size=(WIDTH, HEIGHT),
+        pole=pole,
+        letter=POLE.get(figure.view, ""),
+        mu=figure.view.mu.key,
+        scale=figure.scale.value,
+    )
 
 
 def _belongs(one: Graded, figure: Figure, *, last: bool) -> bool:
@@ -107,5 +114,12 @@ def _blanks(asked: Sequence[Graded], top: float) -> tuple[tuple[Blank, ...], Seq
 
 def _blank(one: Graded, at: tuple[float, float]) -> Blank:
     vector = one.kind is Kind.VECTOR
-    return Blank(key=one.key, symbol=one.symbol, unit=one.unit, at=at, length=one.mm is not None and bool(one.mm),
-                 direction=vector, sense=one.kind is Kind.SIGNED)
+    return Blank(
+        key=one.key,
+        symbol=one.symbol,
+        unit=one.unit,
+        at=at,
+        length=one.mm is not None and bool(one.mm),
+        direction=vector,
+        sense=one.kind is Kind.SIGNED,
+    )

@@ -21,7 +21,8 @@ Spot = tuple[float, float]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frame:
-    """A frame to draw in: which figure, lower left corner, size, the pole where the figure has one, its scale (SI per mm)."""
+    """A frame to draw in: which figure, lower left corner, size, the pole where the figure has one, its scale (SI per
+    mm)."""
 
     figure: str
     at: Spot
@@ -34,7 +35,8 @@ class Frame:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Blank:
-    """Where an answer is written: baseline of its symbol; whether a length on paper, a direction, a sense are asked with it."""
+    """Where an answer is written: baseline of its symbol; whether a length on paper, a direction, a sense are asked
+    with it."""
 
     key: str
     symbol: str
@@ -81,7 +83,16 @@ def corners_of_tags() -> tuple[Spot, ...]:
     """Lower left corners of the eight tags: corners and middles of the edges, from the upper left clockwise."""
     x = (EDGE, (WIDTH - TAG) / 2, WIDTH - EDGE - TAG)
     y = (EDGE, (HEIGHT - TAG) / 2, HEIGHT - EDGE - TAG)
-    return ((x[0], y[2]), (x[1], y[2]), (x[2], y[2]), (x[2], y[1]), (x[2], y[0]), (x[1], y[0]), (x[0], y[0]), (x[0], y[1]))
+    return (
+        (x[0], y[2]),
+        (x[1], y[2]),
+        (x[2], y[2]),
+        (x[2], y[1]),
+        (x[2], y[0]),
+        (x[1], y[0]),
+        (x[0], y[0]),
+        (x[0], y[1]),
+    )
 
 
 def tags_of(page: int) -> tuple[int, ...]:

@@ -19,7 +19,8 @@ SMALL, TINY = 3.2, 2.5  # mm, em
 _BAR = Words("此线长 100 mm；量得：", "This bar is 100 mm; measured:")
 _ADVICE = Words(
     "HB 铅笔、直尺；箭头 ≥ 2.5 mm；拍照时放平、八个方块全部可见、传原图，勿用扫描软件",
-    "HB pencil, ruler; arrowheads ≥ 2.5 mm; photograph it flat, all eight squares visible, original file, no scanner app",
+    "HB pencil, ruler; arrowheads ≥ 2.5 mm; photograph it flat, all eight squares visible, original file, "
+    "no scanner app",
 )
 
 
@@ -97,7 +98,11 @@ def _squares(tag: int, at: Spot) -> str:
 def _tag(number: int) -> tuple[tuple[bool, ...], ...]:
     """The black cells of a tag, its black border of one cell with them."""
     code, wide = CODES[number], CELLS + 2
-    inner = {(r + 1, c + 1): not code >> (CELLS * CELLS - 1 - (CELLS * r + c)) & 1 for r in range(CELLS) for c in range(CELLS)}
+    inner = {
+        (r + 1, c + 1): not code >> (CELLS * CELLS - 1 - (CELLS * r + c)) & 1
+        for r in range(CELLS)
+        for c in range(CELLS)
+    }
     return tuple(tuple(inner.get((r, c), True) for c in range(wide)) for r in range(wide))
 
 

@@ -1,4 +1,5 @@
-"""The text of a question in pages of its own: paragraphs, sketch and empty equation tables, set where they will stand."""
+"""The text of a question in pages of its own: paragraphs, sketch and empty equation tables, set where they will
+stand."""
 
 from __future__ import annotations
 
@@ -41,8 +42,11 @@ def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]
     objects = Objects()
     drawn = picture(solution.problem, solution.construction, *PICTURE)
     tables = [step.equation for step in solution.construction.steps if step.equation]
-    context = {**statement(solution, lang), "blanks": [objects.add("eq", _emptied(table)) for table in tables],
-               "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else ""}
+    context = {
+        **statement(solution, lang),
+        "blanks": [objects.add("eq", _emptied(table)) for table in tables],
+        "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
+    }
     xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
     return paged(to_flowables(xml, objects.named, lang))
 
@@ -71,4 +75,6 @@ def _emptied(table: EquationTable) -> EquationTable:
     count = len(table.symbols)
     wide = max(LEAST, min(BLANK, (WIDTH - 20.0) / count - 6.0))
     line = "_" * round(wide / _UNDERSCORE)
-    return EquationTable(symbols=table.symbols, signs=table.signs, directions=(Words.same(line),) * count, magnitudes=(line,) * count)
+    return EquationTable(
+        symbols=table.symbols, signs=table.signs, directions=(Words.same(line),) * count, magnitudes=(line,) * count
+    )

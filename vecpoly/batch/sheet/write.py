@@ -20,7 +20,9 @@ from .marks import SMALL, TINY, furniture, write
 _PAGE = Words("第 {} 页，共 {} 页", "page {} of {}")
 
 
-def sheet_bytes(pages: Sequence[Composed], *, title: str, assignment: str, sheet: str, student: Student, lang: Lang) -> bytes:
+def sheet_bytes(
+    pages: Sequence[Composed], *, title: str, assignment: str, sheet: str, student: Student, lang: Lang
+) -> bytes:
     """The PDF of these pages; only its title line has the student's name."""
     layout, target = layout_of(pages), BytesIO()
     canvas = new_canvas(target, WIDTH, HEIGHT)
