@@ -59,8 +59,8 @@ def drawn(
                 refused[seed.student] = _no_variant(course, Condition.REFUSED)
             else:
                 left.append((seed, found[-1].attempt + 1))
-        waiting = left
-        if not waiting:
+        stuck, waiting = bool(waiting) and len(left) == len(waiting), left
+        if stuck or not waiting:  # in a round in which nobody got any, the ranges hold no more
             break
     return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed, _ in waiting}
 
