@@ -50,3 +50,9 @@ class Trial:
 
     def mark(self, cells: Cells, rules: Rules | None = None) -> Marked:
         return mark(self.problem, self.key, lambda: self.mutants, sheet_of(self.key, dict(cells)), rules or Rules())
+
+
+def apart(mine: AnswerKey, theirs: AnswerKey) -> bool:
+    """Whether two keys are further apart than 3 T in two answers, as the gate of a class wants it."""
+    both = [(one, other) for one in mine.quantities if one.asked and (other := theirs.find(one.key)) is not None]
+    return sum(abs(abs(one.exact) - abs(other.exact)) > 3 * one.allowed > 0 for one, other in both) >= 2

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.grader_proof.judge import Tally, Trial
+from tests.grader_proof.judge import Tally, Trial, apart
 from tests.grader_proof.students import Cells, Class, drawn_class
 from vecpoly import Problem
 from vecpoly.board.amended import Amended
@@ -230,6 +230,8 @@ def foreign(trial: Trial, others: Sequence[Problem], count: int, seed: int) -> I
     for other in others:
         try:
             theirs = answer_key(other)
+            if not apart(trial.key, theirs):
+                continue  # the gate of a class hands out no two such variants
             group: Any = drawn_class(other, theirs, "pencil", max(1, count // len(others)), seed)
         except VecpolyError:
             continue

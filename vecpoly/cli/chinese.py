@@ -41,14 +41,14 @@ HELP = {
     "Print the JSON Schema of a problem file.": "输出题目文件的 JSON Schema。",
     "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.":
         "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。",
-    "Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some variants.":
+    "Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some\nvariants.":
         "试一试题目的 vary 和 gate：合格的比例、不合格的原因、降为连带评分的量，并列出几组数据。",
-    "Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, Moodle questions.\n\n"
+    "Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, Moodle\nquestions.\n\n"
     "Killed at any moment, it goes on where it was when it is started again.":
         "给名单上的每个人一组数据：题目与解答 PDF、登记表、答案键、答案录入表、Moodle 题目。\n\n随时中断，再次运行即从中断处继续。",
-    "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for what a person must see.\n\n"
+    "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a person.\n\n"
     "Right within what a drawing may be off by, or right by one's own earlier values; each mistake costs once, and is\n"
-    "named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what changed.\n\n"
+    "named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what\nchanged.\n\n"
     "Exit code: 0 all was marked, 2 something could not be read (the rest is marked all the same).":
         "批改全班的答案：成绩、每人一份反馈、逐题分析、待人工批改的清单。\n\n在作图允许误差之内为正确，按自己前面的结果算对的也为正确；"
         "每个错误只扣一次，只有一种差错能解释时说明原因。同样的答案再批一次，成绩相同；--diff 列出与前次的不同。\n\n"
