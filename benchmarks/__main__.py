@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from . import (
     chains,
+    class_sheets,
     cold_start,
     course_report,
     cycle,
@@ -32,6 +33,7 @@ if __name__ == "__main__":
         player,
         cold_start,
         course_report,
+        class_sheets,
         memory,
     ):
         print(module.run(), flush=True)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .check.table.whole import TableCheck, check_table
     from .door import Construction, Problem, Solution, from_json, load, load_assignment, loads, problem, solve
     from .errors import VecpolyError
+    from .grading.student import check_answers
     from .live import Redrawn, redraw
     from .mechanism.model import Mechanism
     from .mistakes import slips
@@ -42,6 +43,7 @@ _HOMES = {
     "TableCheck": ("check.table", "TableCheck"),
     "VecpolyError": ("errors", "VecpolyError"),
     "build_mechanism": ("problem.made", "build_mechanism"),
+    "check_answers": ("grading.student", "check_answers"),
     "check_problem": ("check.printed", "check_problem"),
     "check_table": ("check.table", "check_table"),
     "from_json": ("door", "from_json"),
@@ -70,6 +72,7 @@ __all__ = [
     "TableCheck",
     "VecpolyError",
     "build_mechanism",
+    "check_answers",
     "check_problem",
     "check_table",
     "from_json",

@@ -6,7 +6,7 @@ them, and reach into every part: ``load("3-9").solve().report("3-9.pdf")``, pict
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields, replace
 from functools import wraps
 from pathlib import Path
@@ -26,6 +26,7 @@ from .words import Lang, language
 
 if TYPE_CHECKING:
     from .cycle import Cycle
+    from .grading.student import Checked
 
 Kind = TypeVar("Kind")
 P = ParamSpec("P")
@@ -65,6 +66,13 @@ class Problem(exercise.Problem):
     def data(self) -> dict[str, Any]:
         """What it says as a dictionary of texts, as a problem file has it; vecpoly.problem(data) makes it again."""
         return data_of(self)
+
+    def check_answers(self, answers: Mapping[str, str | float] | Iterable[str]) -> Checked:
+        """Check somebody's answers, {"v_D": "0.49", "ω5": "4.72 顺"} or ["v_D=0.49"]: right, close, or wrong with the
+        reason."""
+        from .grading.student import check_answers
+
+        return check_answers(self, answers)
 
     def cycle(self, n: int = 361) -> Cycle:
         """The mechanism at n positions over its whole cycle: columns as numpy arrays, or as a DataFrame."""

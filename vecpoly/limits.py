@@ -23,6 +23,10 @@ POWER = 9  # of a unit: m^9
 UNSURE_ANGLE = 7.0  # rad: an angle written in rad that is larger was perhaps meant in degrees
 ROUGH = 1.0  # coefficient of friction above which nothing slides on anything in a machine
 
+# Variants
+GRID = 10_000  # values of one range
+ROSTER = 200_000  # students of one assignment
+
 # Drawings
 SMALL = 20.0  # mm that the mechanism should measure on paper at least
 PAPER = (1e-2, 1e5)  # mm that a mechanism may measure on it at all, at the scale that is given

@@ -18,7 +18,11 @@ KNOWN = (Mistake.REVERSED, Mistake.DROPPED, Mistake.TURNED, Mistake.HALVED, Mist
 def slips(problem: Problem) -> tuple[Slip, ...]:
     """Every mistake that can be made in the solution, each once; `solve(problem, slip=...)` draws the solution of one
     who makes it."""
-    acts = constructed(problem, hand("exact"), AS_DRAWN).construction.acts
+    return slips_of(constructed(problem, hand("exact"), AS_DRAWN).construction.acts)
+
+
+def slips_of(acts: Sequence[Act]) -> tuple[Slip, ...]:
+    """Every mistake that can be made with these acts."""
     return tuple(dict.fromkeys(slip for act in acts for slip in _of(act, acts)))
 
 

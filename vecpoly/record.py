@@ -46,6 +46,8 @@ _MODULES = (
     "problem.asks",
     "problem.held",
     "problem.written",
+    "problem.ranges",
+    "problem.gate",
     "problem.problem",
     "check.alarm",
     "answer",

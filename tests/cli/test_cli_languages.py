@@ -121,11 +121,21 @@ def test_an_assignment_gives_a_player_and_a_drawing_a_problem(run: Run) -> None:
     assert {path.name for path in Path().glob("*.svg")} == {"v-3-9.svg", "v-3-12.svg"}
 
 
-def test_printed_answers_beside_a_problem_are_checked(run: Run) -> None:
-    right, wrong = run("check", "3-12", "v_D=0.49"), run("check", "3-12", "v_D = 0.7 m/s")
-    assert right.exit_code == 0 and "reproduced" in right.stdout and wrong.exit_code == 1
+def test_answers_beside_a_problem_are_checked_with_a_reason(run: Run) -> None:
+    right, wrong = run("check", "3-12", "v_D=0.49"), run("check", "3-12", "v_D=0.49", "ω5=4.72", "α3=12 rad/s² 顺")
+    assert right.exit_code == 0 and "right" in right.stdout and wrong.exit_code == 1
+    assert (
+        "Link 3 does not turn here" in wrong.stdout
+        and "构件 3 此时不转动" in run("check", "3-12", "α3=12", "--lang", "zh").stdout
+    )
     assert "of which problem" in run("check", "v_D=0.49").stderr
-    assert "v_D=1 kg: printed[0]" in run("check", "3-12", "v_D=1 kg").stderr
+    assert "'kg' is no unit of this quantity (m/s)" in run("check", "3-12", "v_D=1 kg").stdout
+
+
+def test_checked_answers_go_to_programs_too(run: Run) -> None:
+    found = json.loads(run("check", "3-12", "v_D=490 m/s", "--json", "-").stdout)
+    assert not found["right"] and [one["id"] for one in found["answers"][0]["messages"]] == ["pow10"]
+    assert run("check", "3-12", "v_Q=1").exit_code == 2 and run("check", "3-7", "v_D=1").exit_code == 2
 
 
 def test_ids_are_completed_with_their_titles() -> None:

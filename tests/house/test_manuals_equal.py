@@ -75,3 +75,11 @@ def test_the_links_of_the_chinese_manual_lead_to_its_headings() -> None:
     assert "(problem-file.zh.md)" in EN and "docs/problem-file.zh.md" in (DOCS.parent / "README.zh.md").read_text(
         encoding="utf-8"
     )
+
+
+def test_the_manuals_of_a_class_have_the_same_files_options_and_commands() -> None:
+    en, zh = ((DOCS / name).read_text(encoding="utf-8") for name in ("class.md", "class.zh.md"))
+    assert blocks(en) == blocks(zh) and len(blocks(en)) == 3
+    assert tables(en) == tables(zh) and headings(en) == headings(zh)
+    commands = [re.findall(r"^    (vecpoly [^#\n]*?) *(?:#|$)", text, re.M) for text in (en, zh)]
+    assert commands[0] == commands[1] and len(commands[0]) == 9

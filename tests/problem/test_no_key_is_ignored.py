@@ -16,6 +16,7 @@ from vecpoly.problem.schema.models import (
     DeviceSpec,
     FindSpec,
     FrictionSpec,
+    GateSpec,
     InputSpec,
     LoadSpec,
     MassSpec,
@@ -110,6 +111,9 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "find.velocity": (CENTRES, "slowest: BC", "velocity: 0"), "find.acceleration": (CENTRES, "slowest: BC", "acceleration: 0"), "find.coriolis": (BASE, "[v_C, ", "[{coriolis: C3C2}, "),
     "printed.symbol": (BASE, "symbol: v_C", "symbol: v_E"), "printed.value": (BASE, "20 mm, scale", "30 mm, scale"), "printed.scale": (BASE, "scale: 0.01", "scale: 0.02"),
     "printed.direction": (BASE, "direction: 150 deg", "direction: 10 deg"), "printed.kind": (BASE, "kind: graphical", "kind: calculated"), "printed.note": (BASE, "note: read off", "note: other"),
+    "vary": (BASE, "find:", "vary: {AB: 40 mm .. 44 mm by 1 mm}\nfind:"), "gate": (BASE, "find:", "gate: {alike: no}\nfind:"),
+    **{f"gate.{key}": (BASE, "find:", f"gate: {{{key}: {value}}}\nfind:") for key, value in {
+        "vectors": "12 mm", "meetings": "15 deg", "dead_point": "5 deg", "deviation": "12 %", "slips": "0", "apart": "2", "alike": "no"}.items()},
     "sheet.orientation": (BASE, "orientation: landscape", "orientation: portrait"),
 }  # fmt: skip
 SPECS: dict[str, type[BaseModel]] = {
@@ -123,6 +127,7 @@ SPECS: dict[str, type[BaseModel]] = {
     "find": FindSpec,
     "printed": PrintedSpec,
     "sheet": SheetSpec,
+    "gate": GateSpec,
 }
 
 
@@ -140,6 +145,8 @@ def effect(text: str) -> object:
         problem.statement,
         problem.errata,
         problem.tables,
+        problem.ranges,
+        problem.gate,
         problem.given,
         solution.warnings,
     )

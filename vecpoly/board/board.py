@@ -74,9 +74,8 @@ class Board(Instruments):
         place = next((act.head.place for act in reversed(known) if act.head.place is not None), None)
         mm = self.amended.reading(place, letters, read)
         key = plain_letters(letters)
-        return traced(
-            mm, self.log(done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm)))
-        )
+        act = done.Measure(head=self.head(a, b, on=place, key=key), a=spot(a), b=spot(b), mm=amount(mm))
+        return self.gave(mm, act)
 
     def bearing(self, a: Points, b: Points) -> Points:
         """The direction from a to b read off the protractor, as a unit vector; a segment is read once, from either
@@ -103,22 +102,28 @@ class Board(Instruments):
     def keep(self, reading: Reading, value: Reals) -> None:
         """Keep an answer, as it is read and by every hand."""
         self.readings[reading.key], self.found[reading.key] = reading, value
-        self.answer(reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value)
+        self.answer(
+            reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value, each=value
+        )
 
-    def answer(self, key: str, value: complex, unit: str, *found: Points | Reals) -> None:
-        """Write down what was found of a quantity (SI), and from what."""
-        self.log(done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
+    def answer(self, key: str, value: complex, unit: str, *found: Points | Reals, each: Points | Reals) -> None:
+        """Write down what was found of a quantity (SI), and from what; each: the same by every hand."""
+        self.gave(each, done.Answer(head=self.head(*found, key=key), value=value, unit=unit))
 
     def conclude(self, key: str, value: Reals, unit: str) -> Reals:
-        """A value follows from others (SI): ω of a link, with its sense."""
-        return traced(value, self.log(done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit)))
+        """A value follows from others (SI): ω of a link, with its sense; goes on with somebody's own where there is
+        one."""
+        value = self.amended.value(self.here, key, value)
+        return self.gave(value, done.Compute(head=self.head(value, key=key), value=amount(value), unit=unit))
 
     def compute(self, symbol: str, expr: Expr, unit_text: str) -> Quantity:
         """Write symbol = formula = numbers = result into the step and go on with the result; NotAskedError where it is
         0/0."""
         key = ascii_key(symbol)
-        factor = FACTOR.get(self.amended.mistake(self.here, key))
-        value = expr.value if factor is None else factor * expr.value
+        wrong = [
+            (hand, FACTOR[slip.mistake]) for hand, slip in self.amended.wrong(self.here, key) if slip.mistake in FACTOR
+        ]
+        value = self.amended.altered(expr.value, [(hand, factor * expr.value) for hand, factor in wrong])
         if np.isnan(nominal(value)):
             raise NotAskedError(
                 Words(
@@ -128,7 +133,7 @@ class Board(Instruments):
                 ),
                 code="unreadable",
             )
-        if factor is not None:
+        if wrong:
             self._slipped.add(key)
         result = magnitude(symbol, self.conclude(key, value, unit_text), unit_text)
         self.write(worked(result.node, expr, unit_text))

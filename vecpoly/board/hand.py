@@ -110,6 +110,12 @@ def _round_to(value: Reals, step: float) -> Reals:
     return np.round(np.asarray(value) / step) * step if step else value
 
 
+def steady(repeats: int) -> Hand:
+    """An exact hand whose repetitions are as exact: each can be amended in its own way."""
+    exact = _SKILLS["exact"][0]
+    return Hand("exact", exact, exact, repeats, np.random.Generator(np.random.PCG64(0)))
+
+
 def hand(name: str, *, seed: int = 0, repeats: int = 0) -> Hand:
     """The hand of this name: exact, drafting or pencil.
 

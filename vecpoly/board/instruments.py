@@ -17,8 +17,8 @@ from . import acts as done
 from .construction import Scale
 from .hand import Hand
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
-from .otherwise.slip import Mistake
-from .otherwise.wrongly import as_taken, before
+from .otherwise.slip import Mistake, Slip
+from .otherwise.wrongly import FACTOR, as_taken, before
 from .place import Place, View
 from .strokes import NO_LENGTH, Strokes, amount, spot
 
@@ -37,15 +37,17 @@ class Instruments(Strokes):
         self.amended = amended
         self.spots: dict[tuple[Place, str], Points] = {}  # what has a letter
         self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
+        self._laid: set[tuple[Place | None, str]] = set()  # a vector laid off wrongly is gone along as it stands
         self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
 
     def locate(self, view: Place, letter: str, at: Points) -> Points:
         """From now on the point has this letter; goes on with a point of somebody's own where there is one."""
         key = plain_letters(letter)
-        if self.amended.mistake(view, key) is Mistake.OTHER_MEETING:
-            at = next((self._others[n] for n in acts_of(at) if n in self._others), at)
+        other = next((self._others[n] for n in acts_of(at) if n in self._others), at)
+        swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.OTHER_MEETING)
+        at = self.amended.altered(at, ((hand, other) for hand in swapped))
         at = self.amended.point(view, letter, at)
-        self.spots[view, key] = traced(at, self.log(done.Locate(head=self.head(at, on=view, key=key), at=spot(at))))
+        self.spots[view, key] = self.gave(at, done.Locate(head=self.head(at, on=view, key=key), at=spot(at)))
         return self.spots[view, key]
 
     def turn(self, along: Points) -> Points:
@@ -55,7 +57,8 @@ class Instruments(Strokes):
 
     def follow(self, view: Place, vector: Points, key: str) -> Points:
         """Go along a vector that stands on the polygon already."""
-        vector = self._wrongly(view, key, vector)
+        if (view, key) not in self._laid:
+            vector = self._wrongly(view, key, vector)
         return traced(vector, self.log(done.Follow(head=self.head(vector, on=view, key=key), by=spot(vector))))
 
     def transfer(self, view: Place, vector: Points, key: str) -> Points:
@@ -65,15 +68,16 @@ class Instruments(Strokes):
 
     def lay_off(self, start: Points, along: Points, mm: Reals, *, key: str = "") -> Points:
         """Lay off a length from a point in a direction carried by set square."""
-        along = along if key in self._slipped else self._wrongly(self.here, key, along)
+        along = self._wrongly(self.here, key, along)
+        self._laid.add((self.here, key))
         at = start + self.hand.tilt(along) * self.hand.carry(mm)
         act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))
 
     def parallel(self, at: Points, along: Points, *, key: str = "") -> Line:
         """Rule a line through a point parallel to a drawn direction, that of the vector `key`."""
-        turned = self.amended.mistake(self.here, key) is Mistake.TURNED
-        carried = self.hand.tilt(1j * along if turned else along)
+        turned = (hand for hand, slip in self.amended.wrong(self.here, key) if slip.mistake is Mistake.TURNED)
+        carried = self.hand.tilt(self.amended.altered(along, ((hand, 1j * along) for hand in turned)))
         act = self.log(done.Parallel(head=self.head(at, along, key=key), at=spot(at), along=spot(carried)))
         return Line(traced(at, act), traced(carried, act))
 
@@ -158,8 +162,7 @@ class Instruments(Strokes):
                     "friction; lower f or ρ",
                 )
             )
-        moment *= self._side(key)
-        ahead, behind = inclined(x - centre, moment * radius / np.abs(x - centre))
+        ahead, behind = inclined(x - centre, moment * self._side(key) * radius / np.abs(x - centre))
         taken = self.hand.tilt(ahead if nominal(dot(ahead - behind, towards)) > 0 else behind)
         return self._touching(taken, key, not size, x, centre, radius, towards)
 
@@ -182,8 +185,8 @@ class Instruments(Strokes):
         EquilibriumError
         where the circles overlap too far.
         """
-        moment_p, moment_q = (self._side(key) * moment for moment in (moment_p, moment_q))
-        span, arms = np.abs(q - p), moment_p * rho_p + moment_q * rho_q
+        side = self._side(key)
+        span, arms = np.abs(q - p), side * (moment_p * rho_p + moment_q * rho_q)
         if abs(float(nominal(arms))) >= float(nominal(span)):
             raise EquilibriumError(
                 Words(
@@ -196,11 +199,14 @@ class Instruments(Strokes):
             )
         u = inclined(q - p, arms / span)[0 if sense > 0 else 1]
         free = not nominal(rho_p) and not nominal(rho_q)
-        return Line(p - 1j * u * moment_p * rho_p, self._touching(self.hand.tilt(u), key, free, p, rho_p, q, rho_q))
+        return Line(
+            p - 1j * u * side * moment_p * rho_p, self._touching(self.hand.tilt(u), key, free, p, rho_p, q, rho_q)
+        )
 
-    def _side(self, key: str) -> int:
+    def _side(self, key: str) -> Reals:
         """On which side of the circles: −1 for somebody who takes the other tangent."""
-        return -1 if self.amended.mistake(None, key) is Mistake.OTHER_TANGENT else 1
+        wrong = (hand for hand, slip in self.amended.wrong(None, key) if slip.mistake is Mistake.OTHER_TANGENT)
+        return self.amended.altered(1.0, ((hand, -1.0) for hand in wrong))
 
     def _touching(self, taken: Points, key: str, free: bool, *inputs: Any) -> Points:
         return traced(taken, self.log(done.Touch(head=self.head(*inputs, key=key), along=spot(taken), free=free)))
@@ -212,9 +218,15 @@ class Instruments(Strokes):
 
     def _wrongly(self, place: Place | None, key: str, vector: Points) -> Points:
         """A known vector as somebody takes it who makes a mistake with it."""
-        mistake = self.amended.mistake(place, key)
-        if mistake is None or place is None or self.amended.slip is None:
+        if place is None:
             return vector
-        if mistake is Mistake.COINCIDENT:
-            return self.spots.get((place, self.amended.slip.instead), vector)
-        return as_taken(mistake, vector, self.scale_of(place).value / self.scale_of(before(place)).value)
+        wrong = self.amended.wrong(place, key)
+        return self.amended.altered(vector, [(hand, self._taken(place, key, slip, vector)) for hand, slip in wrong])
+
+    def _taken(self, place: Place, key: str, slip: Slip, vector: Points) -> Points:
+        """The vector by this mistake; one of its size was made already where the size was computed."""
+        if slip.mistake in FACTOR and key in self._slipped:
+            return vector
+        if slip.mistake is Mistake.COINCIDENT:
+            return self.spots.get((place, slip.instead), vector)
+        return as_taken(slip.mistake, vector, self.scale_of(place).value / self.scale_of(before(place)).value)

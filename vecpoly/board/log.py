@@ -5,18 +5,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
+
+import numpy as np
 
 from ..algebra.formula import Node
 from ..algebra.quantity import Quantity, magnitude
-from ..plane import Reals
-from ..plane.traced import Acts, acts_of
+from ..plane import Points, Reals
+from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
 from .acts import Act, Depict, Head
 from .construction import EquationTable, Figure, Scale, Step
 from .paper.ink import marks_of
 from .paper.marks import Mark
 from .place import Pane, Place, View, view_of, views
+
+Found = TypeVar("Found", Points, Reals)
 
 
 class Log:
@@ -26,6 +30,7 @@ class Log:
         self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []
         self.acts: list[Act] = []
+        self.hands: dict[int, Any] = {}  # number of an act → the point, length or value that it gave, by every hand
         self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}
         self._titles: dict[Pane, Words] = {}
         self._section = Words.same("")
@@ -77,6 +82,13 @@ class Log:
         self.acts.append(act)
         self.ink(act)
         return frozenset((act.number,))
+
+    def gave(self, found: Found, act: Act) -> Found:
+        """Remember an act with what it gave by every hand: a length read, a value computed, a lettered point."""
+        number = self.log(act)
+        if np.ndim(bare(found)):
+            self.hands[act.number] = bare(found)
+        return traced(found, number)
 
     def ink(self, act: Act) -> None:
         """Leave the marks of an act on its figure."""

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from .classes import classes
 from .commands.check import check
 from .commands.cycle import cycle
 from .commands.demo import demo
@@ -21,10 +22,12 @@ from .commands.report import report
 from .commands.schema import schema
 from .commands.solve import solve
 from .errors import REFUSED, tell, tell_as, told
+from .grade import grade
 from .help import Command, in_chinese
 from .options import ErrorsOption, SaidLang
 from .terminal import speak_utf8
 from .tongue import speak, tongue
+from .variants import variants
 
 
 class Commands(TyperGroup):
@@ -77,7 +80,7 @@ def vecpoly(
 
 COMMANDS: dict[str, Callable[..., None]] = {
     "solve": solve, "exact": exact, "report": report, "check": check, "cycle": cycle, "draw": draw, "export": export, "list": listing, "play": play,
-    "new": new, "schema": schema, "demo": demo,
+    "new": new, "variants": variants, "class": classes, "grade": grade, "schema": schema, "demo": demo,
 }  # fmt: skip
 for _name, _command in COMMANDS.items():
     app.command(_name, cls=Command)(_command)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 LABELS = {  # what stands in place of a value, in the order in which it is looked for
     "COMMAND [ARGS]...": "命令 [参数]...", "OPTIONS": "选项", "ID_OR_FILE": "题号或文件", "ID_OR_PATH": "题号或文件", "SYMBOL=VALUE": "符号=值",
-    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
-    "what": "内容", "folder": "文件夹", "<int range>": "整数", "<float range>": "数", "<int>": "整数", "<float>": "数", "<str>": "", "<list[str]>": "", "<path>": "", "<place>": "", "<Path>": "文件夹",
+    "HEADER=MEANING": "列名=含义", "FILE": "文件", "PATH": "路径", "FOLDER": "文件夹", "ASSIGNMENT": "作业文件", "ANSWERS": "答案", "ADDRESS": "地址", "I/N": "I/N", "NAME": "名称", "KEYS": "量", "KEY": "量", "LETTERS": "字母", "ID": "题号",
+    "what": "内容", "folder": "文件夹", "<int range>": "整数", "<float range>": "数", "<int>": "整数", "<float>": "数", "<str>": "", "<list[str]>": "", "<list[Path]>": "", "<path>": "", "<place>": "", "<Path>": "文件夹",
 }  # fmt: skip
 
 HELP = {
@@ -19,11 +19,12 @@ HELP = {
     "Check printed answers, or a printed table, against exact values.\n\nEach gets a verdict and, if "
     "wrong, the slip that explains it; where several are wrong, all crank angles and assemblies\n"
     "are tried, to see whether the numbers are possible at all. With --table, the columns of a table over "
-    'the cycle are compared.\nAnswers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 '
-    'rad/s".\n\nExit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.': "将书中答案或数据表与精确值核对。\n\n每个答案给出结论，错误的给出可解释它的差错；有多个错误时，"
+    "the cycle are compared.\nAnswers of one's own may stand behind the problem: check 3-12 v_D=0.49 "
+    'ω5=4.72 "α3=12 rad/s² cw". Each is right, close,\nor wrong with the reason, where one slip alone '
+    "explains it.\n\nExit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.": "将书中答案或数据表与精确值核对。\n\n每个答案给出结论，错误的给出可解释它的差错；有多个错误时，"
     "试遍各曲柄转角和装配方式，看这些数是否可能出现。用 --table 时逐列比较一个运动循环的数据表。"
-    '答案也可写在题号之后：check 3-12 v_D=0.49 "omega_3=2.1 rad/s"。\n\n退出码：0 全部相符，'
-    "1 有错误，2 无法核对。",
+    '自己的答案可写在题号之后：check 3-12 v_D=0.49 ω5=4.72 "α3=12 rad/s² 顺"，逐个判为正确、'
+    "接近或错误，只有一种差错能解释时说明缘由。\n\n退出码：0 全部相符，1 有错误，2 无法核对。",
     "Take a mechanism through its whole cycle: print what is to be said of it, write tables, draw curves.": "分析机构的整个运动循环：列出运动特性，写数据表，绘曲线。",
     "Draw a figure or the sheet as SVG, PNG, PDF or DXF.\n\n1 mm drawn is 1 mm on paper. A second page of "
     "a sheet goes to x-2.svg (a PDF has them all). A DXF has layers by what a line is for.": "将一个图形或整张图纸绘成 SVG、PNG、PDF 或 DXF。\n\n图上 1 mm 即纸上 1 mm。图纸的第二页写入 x-2.svg（"
@@ -40,11 +41,37 @@ HELP = {
     "Write a problem file to start from: a commented one, or a copy of one of the library.": "写出一个可供修改的题目文件：带注释的样板，或题库中某题的副本。",
     "Print the JSON Schema of a problem file.": "输出题目文件的 JSON Schema。",
     "Render chapters 2 to 5 as assignments and one course report, in both languages, and one step player.": "生成第 2 至 5 章的作业解答、一份课程报告（均有中英文）和一个分步演示。",
+    "Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and "
+    "some\nvariants.": "试一试题目的 vary 和 gate：合格的比例、不合格的原因、降为连带评分的量，并列出几组数据。",
+    "Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, "
+    "Moodle\nquestions.\n\nKilled at any moment, it goes on where it was when it is started again.": "给名单上的每个人一组数据：题目与解答 PDF、登记表、答案键、答案录入表、Moodle 题目。\n\n随时中断，"
+    "再次运行即从中断处继续。",
+    "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a "
+    "person.\n\nRight within what a drawing may be off by, or right by one's own earlier values; each "
+    "mistake costs once, and is\nnamed where one slip alone explains it. Marked again, the same answers "
+    "have the same marks; --diff tells what\nchanged.\n\nExit code: 0 all was marked, 2 something could "
+    "not be read (the rest is marked all the same).": "批改全班的答案：成绩、每人一份反馈、逐题分析、待人工批改的清单。\n\n在作图允许误差之内为正确，"
+    "按自己前面的结果算对的也为正确；每个错误只扣一次，只有一种差错能解释时说明原因。同样的答案再批一次，"
+    "成绩相同；--diff 列出与前次的不同。\n\n退出码：0 全部批改，2 有读不出的内容（其余照常批改）。",
     # arguments
+    "The folder that 'vecpoly class' wrote.": "vecpoly class 写出的文件夹。",
+    "Answers: the form, CSV, YAML or JSON.": "答案：生成的答案表、CSV、YAML 或 JSON。",
+    "Rules and points, as YAML.": "评分规则和分值（YAML）。",
+    "Tell what is marked otherwise than there.": "列出与该文件夹中批改结果的不同。",
+    "Write a feedback sheet for everybody.": "为每人写一份反馈。",
+    "The assignment: a YAML file that lists problems.": "作业：列有题目的 YAML 文件。",
+    "Numbers, names and classes: XLSX or CSV.": "学号、姓名、班级：XLSX 或 CSV。",
+    "Processes; as many as there are processors where 0 is said.": "进程数；0 则与处理器数相同。",
+    "Write only every Nth sheet, from the Ith (0/4 ... 3/4); a run without it completes the folder.": "只写每 N 份中的一份，从第 I 份起（0/4 …… 3/4）；最后不带此选项再运行一次即成。",
+    "Let a Dask cluster do the work: the address of its scheduler.": "由 Dask 集群来做：写调度器的地址。",
+    "Also a table with the columns of another platform, as this YAML file says.": "另按此 YAML 文件写出其他平台所需的表。",
+    "A problem or an assignment with `vary`.": "含 vary 的题目或作业。",
+    "How many variants to draw.": "列出几组数据。",
+    "Another text gives other numbers.": "换一个文本就换一批数据。",
     "Problems or assignments: ids such as 3-9, or files.": "题目或作业：3-9 之类的题号，或文件。",
     "A problem or an assignment: an id such as A-27, or a file.": "题目或作业：A-27 之类的题号，或文件。",
     "A problem or an assignment: an id such as 3-9, or a file.": "题目或作业：3-9 之类的题号，或文件。",
-    "The problems, and printed answers such as v_D=0.49.": "题目，以及 v_D=0.49 之类的书中答案。",
+    "The problems, and answers such as v_D=0.49.": "题目，以及 v_D=0.49 之类的答案。",
     "What to list.": "列出什么。",
     "The file to write; .yaml is added where it has no ending.": "要写的文件；没有扩展名时加 .yaml。",
     # options

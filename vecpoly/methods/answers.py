@@ -58,7 +58,7 @@ def _turn(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     name = f"{rel.kind.stem}_{rel.to.link}"
     remark = Words("该构件作平动", "the link only translates") if turn.never else None
     value = float(nominal(turn.value))
-    desk.board.answer(rel.key, amount(turn.value), rel.kind.unit, turn.value)
+    desk.board.answer(rel.key, amount(turn.value), rel.kind.unit, turn.value, each=turn.value)
     return Reading(
         key=rel.key,
         symbol=name,
@@ -75,7 +75,7 @@ def _position(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     scale = desk.board.scales[View.MECHANISM]
     metres = desk.board.coordinates(place, name) * scale.value
     vector = complex(nominal(metres))
-    desk.board.answer(rel.key, spot(metres), "m", metres)
+    desk.board.answer(rel.key, spot(metres), "m", metres, each=metres)
     text = Row(
         (sym(name[0] + (f"_{name[1:]}" if name[1:] else "")), Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)"))
     )
@@ -106,7 +106,7 @@ def _vector(desk: Desk, rel: Rel) -> tuple[Reading, Reals]:
     size = on_paper.value * scale.value if known is None else known.value
     values = size * np.exp(1j * direction)
     exact_zero = abs(complex(nominal(end - start))) < NO_LENGTH
-    board.answer(rel.key, 0j if exact_zero else spot(values), rel.kind.unit, start, end, size, direction)
+    board.answer(rel.key, 0j if exact_zero else spot(values), rel.kind.unit, start, end, size, direction, each=values)
     symbol = sym(rel.symbol)
     reading = Reading(
         key=rel.key,

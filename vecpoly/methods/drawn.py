@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..board.construction import Construction, Reading
 from ..names import Rel
@@ -22,6 +22,9 @@ class Drawn(NamedTuple):
     motion: Mapping[
         Rel, complex | float
     ] = {}  # every velocity, acceleration, ω and α that an ideal hand found, asked for or not
+    hands: Mapping[
+        int, Any
+    ] = {}  # number of an act → what it gave by every hand: lengths read, values computed, points
 
 
 def motion_of(desk: Desk) -> dict[Rel, complex | float]:

@@ -61,16 +61,22 @@ def construct(
         readings, repeats = _answers(desk, problem)
         plain = last or sketch or _sketch(problem, scales)
         ideal, _ = _answers(plain, problem)
-    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain))
+    return Drawn(_finished(problem, by, desk, readings), repeats, ideal, motion_of(plain), desk.board.hands)
 
 
 def drawn_alone(problem: Problem, by: Hand) -> Construction:
     """The construction as this hand draws it at the scales of the problem, with no ideal hand's beside it: nothing is
     weighed."""
+    return drawn_otherwise(problem, by, AS_DRAWN).construction
+
+
+def drawn_otherwise(problem: Problem, by: Hand, amended: Amended) -> Drawn:
+    """The same with amendments: what is done otherwise is meant to be off."""
     with _quietly():
         problem, said = _driven(problem)
-        desk = draw(problem, Board(by, _choose_scales(problem, {}, None)[0]), said)
-        return _finished(problem, by, desk, _answers(desk, problem)[0])
+        desk = draw(problem, Board(by, _choose_scales(problem, {}, None)[0], amended), said)
+        readings, repeats = _answers(desk, problem)
+    return Drawn(_finished(problem, by, desk, readings), repeats, {}, {}, desk.board.hands)
 
 
 def sketched(problem: Problem) -> tuple[Desk, Construction]:

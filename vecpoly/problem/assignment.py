@@ -39,6 +39,8 @@ class Assignment:
     block: Mapping[str, str]
     problems: tuple[Problem, ...]
     path: Path | None = None
+    id: str = ""  # in codes and seeds
+    salt: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "block", FrozenMap(dict(self.block)))
@@ -62,7 +64,7 @@ def load_assignment(where: str | Path, *, allow_outside: bool = False, resolver:
     faults.settle()
     found = tuple(problem for problem in problems if problem is not None)
     _no_twins(found, faults)
-    return Assignment(title=spec.title, block=block, problems=found, path=path)
+    return Assignment(title=spec.title, block=block, problems=found, path=path, id=spec.id or path.stem, salt=spec.salt)
 
 
 def _tree(path: Path, name: str, reach: Reach) -> Tree:

@@ -21,6 +21,7 @@ from .asked.tables import read_tables
 from .asked.unasked import default_asks
 from .asked.wanted import CENTRAL, plottable, read_find, read_point, read_printed, read_scales
 from .devices import about_device, build_device
+from .gate import read_gate
 from .joints.branches import read_branches
 from .joints.contacts import is_contact, read_contact
 from .joints.joints import read_joint, revolutes
@@ -37,6 +38,7 @@ from .links.starts import say_travels
 from .loads.friction import read_friction
 from .loads.loads import acts, data_of_loads, read_loads
 from .problem import Datum, Given, Printed, Problem, Scales
+from .read_ranges import read_ranges
 from .schema.faults import Faults, Place, meant
 from .schema.models import FindSpec, ProblemSpec
 from .schema.validate import validate
@@ -59,7 +61,11 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
     asks, printed, scales = _wanted(spec, bodies, mechanism, loads, faults)
-    tables = read_tables(spec, tree, faults)
+    ranges, gate, tables = (
+        read_ranges(spec.vary, tree.data, faults),
+        read_gate(spec.gate, faults),
+        read_tables(spec, tree, faults),
+    )
     faults.settle()
     _check_mobility(mechanism, tree)
     check_starts(mechanism, faults)
@@ -82,6 +88,8 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         path=path,
         text=tree.text,
         read=tree.files,
+        ranges=ranges,
+        gate=gate,
         warnings=warnings_of(tree),
         written=written_of(tree),
     )

@@ -10,7 +10,9 @@ from ..names import Named
 from ..words import Words
 from .asked.asks import AskNamed
 from .asked.wanted import as_given, read_scales
+from .gate import read_gate
 from .problem import Datum, Given, Printed, Problem, Scales
+from .read_ranges import read_ranges
 from .schema.faults import Faults, meant
 from .schema.models import DeviceSpec, ProblemSpec
 from .schema.validate import validate
@@ -44,6 +46,7 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
     device = _device(spec, faults)
     named = {one.key: one for one in device.quantities()}
     asks, printed, scales = _wanted(spec, named, faults)
+    ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     faults.settle()
     return Problem(
         id=spec.id,
@@ -60,6 +63,8 @@ def build_device(tree: Tree, path: Path | None = None) -> Problem:
         path=path,
         text=tree.text,
         read=tree.files,
+        ranges=ranges,
+        gate=gate,
         warnings=warnings_of(tree),
         written=written_of(tree),
     )

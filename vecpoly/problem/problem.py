@@ -14,6 +14,8 @@ from ..mechanism.model import Mechanism
 from ..names import Key
 from ..words import Words
 from .asked.asks import Ask
+from .gate import Gate
+from .ranges import Range
 from .subject import Subject
 from .text.held import Held
 from .values.current import current
@@ -84,6 +86,8 @@ class Problem:
     path: Path | None = None
     text: str = ""  # the file as written, and the files it extends
     read: tuple[Path, ...] = ()  # these files
+    ranges: tuple[Range, ...] = ()  # what may differ from student to student
+    gate: Gate = field(default_factory=Gate)  # what the drawing of every variant must be like
     warnings: tuple[Words, ...] = ()  # what is accepted but hardly meant
     written: Written | None = field(default=None, repr=False, compare=False)  # the values it was built from
 

@@ -22,7 +22,7 @@ from ..typeset.box import MM
 from ..words import Lang, Words, label
 from .content import Objects, blank_equations, cautions, conclusions, sections, statement
 from .flow.blocks import Callout, Drawing
-from .flow.doc import Metadata, ReportDoc, SheetPage
+from .flow.doc import Metadata, ReportDoc, SheetPage, Stamp
 from .flow.table import DataTable
 from .flow.xml import to_flowables
 from .lines import lines_table
@@ -71,8 +71,9 @@ def report_bytes(
     fields: Mapping[str, str] | None = None,
     title: Words | None = None,
     templates: Path | None = None,
+    stamp: Stamp | None = None,
 ) -> bytes:
-    """The PDF that `write_report` writes."""
+    """The PDF that `write_report` writes; stamp: draws on every page."""
     known_language(lang)
     solutions = [
         of_kind(one, Solution, _SOLVED)
@@ -89,7 +90,7 @@ def report_bytes(
     meta = Metadata(
         title=head, subject=subject(solutions).of(lang), keywords=tuple(s.problem.id for s in solutions), lang=lang
     )
-    return ReportDoc(story, meta).made()[0]
+    return ReportDoc(story, meta, stamp).made()[0]
 
 
 def alarms(solutions: Sequence[Solution], lang: Lang) -> list[Callout]:
@@ -154,7 +155,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     common = {
         **statement(solution, lang),
         "repeats": REPEATS,
-        "picture": objects.add("pic", _drawing(drawn, solution, lang)) if drawn else "",
+        "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
     }
     if style == "question":
         blank = frames(solution.construction)
@@ -187,7 +188,7 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
         "verdicts": verdicts(solution, checked, lang),
         "conclusions": conclusions(solution, lang),
         "cautions": cautions(solution, lang),
-        "diagram": objects.add("pic", _drawing(blocks, solution, lang)) if blocks else "",
+        "diagram": objects.add("pic", sketch_of(blocks, solution, lang)) if blocks else "",
         "sheets": []
         if blocks
         else [
@@ -199,7 +200,8 @@ def _problem(solution: Solution, lang: Lang, style: str, objects: Objects) -> di
     }
 
 
-def _drawing(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+def sketch_of(figure: Any, solution: Solution, lang: Lang) -> Drawing:
+    """A figure as a block of the text."""
     scene = draw_figure(figure, lang=lang, caption=False)
     e = scene.extents
     alt = Words(f"题 {solution.problem.id} 简图", f"Sketch for problem {solution.problem.id}").of(lang)

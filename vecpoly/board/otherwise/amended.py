@@ -3,20 +3,28 @@ goes on."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
 
 from ...foundation.frozen import FrozenMap
-from ...plane import Points, Reals
+from ...plane import Points, Reals, nominal
 from ...plane.traced import acts_of, bare, traced
 from ..place import Place, named
-from .slip import Mistake, Slip
+from .slip import Slip
 
 T = TypeVar("T")
 V = TypeVar("V", Points, Reals)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Own:
+    """What somebody goes on with: lengths read (mm) by their letters, results computed (SI) by their keys."""
+
+    readings: Mapping[str, float] = FrozenMap({})
+    values: Mapping[str, float] = FrozenMap({})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,27 +32,70 @@ class Amended:
     """readings: letters of a length (``pc``, ``bc2``, or with its figure ``velocity:bc``) → mm; points: a letter → its
     place in mm.
 
-    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake.
+    values: key of what is computed on the way → the size of somebody's own result (SI), negative where its sense is the
+    other one.
+    A reading, or a point, by many hands keeps its scatter: all are moved together. slip: one mistake,
+    by every hand. each: one mistake by each of the repeated hands, the first by the first; the nominal sheet makes
+    none.
+    own: the readings and values of further hands, each with its own.
     """
 
     readings: Mapping[str, float] = FrozenMap({})
     points: Mapping[str, complex] = FrozenMap({})
+    values: Mapping[str, float] = FrozenMap({})
     slip: Slip | None = None
+    each: tuple[Slip, ...] = ()
+    own: tuple[Own, ...] = ()
 
     def reading(self, place: Place | None, letters: str, read: Reals) -> Reals:
         """The length to go on with."""
-        own = _of(self.readings, place, plain_letters(letters), plain_letters(" ".join(reversed(letters.split()))))
-        return read if own is None else _moved(read, own)
+        names = plain_letters(letters), plain_letters(" ".join(reversed(letters.split())))
+        own = _of(self.readings, place, *names)
+        read = read if own is None else _moved(read, own)
+        return self.altered(read, self._by_others([one.readings for one in self.own], place, *names))
 
     def point(self, place: Place, letter: str, at: Points) -> Points:
         """The point to go on with."""
         own = _of(self.points, place, plain_letters(letter))
         return at if own is None else _moved(at, own)
 
-    def mistake(self, place: Place | None, key: str) -> Mistake | None:
-        """What is done wrongly with this quantity, or at this letter."""
+    def value(self, place: Place | None, key: str, found: Reals) -> Reals:
+        """The result to go on with."""
+        own = _of(self.values, place, key)
+        if own is None and not self.own:
+            return found
+        sense = -1.0 if nominal(found) < 0 else 1.0
+        found = found if own is None else _moved(found, sense * own)
+        mine = self._by_others([one.values for one in self.own], place, key)
+        return self.altered(found, ((hand, sense * size) for hand, size in mine))
+
+    def _by_others(
+        self, given: Sequence[Mapping[str, float]], place: Place | None, *names: str
+    ) -> Iterator[tuple[int, float]]:
+        """The numbers of the hands that have their own under one of these names, each with it."""
+        for hand, mine in enumerate(given, 1 + len(self.each)):
+            if (own := _of(mine, place, *names)) is not None:
+                yield hand, own
+
+    def wrong(self, place: Place | None, key: str) -> tuple[tuple[int | None, Slip], ...]:
+        """Who makes a mistake with this quantity, and which: the number of the hand, None for all of them."""
         slip = self.slip
-        return slip.mistake if slip is not None and key and slip.key in named(place, key) else None
+        if (slip is None and not self.each) or not key:
+            return ()
+        names = named(place, key)
+        all_of_them = ((None, slip),) if slip is not None and slip.key in names else ()
+        return (*all_of_them, *((i, one) for i, one in enumerate(self.each, 1) if one.key in names))
+
+    def altered(self, value: V, others: Iterable[tuple[int | None, V]]) -> V:
+        """The value where these hands have another one instead."""
+        for hand, other in others:
+            if hand is None:
+                value = other
+                continue
+            every = np.array(np.broadcast_to(bare(value), (1 + len(self.each) + len(self.own),)))
+            every[hand] = bare(other)[hand] if np.ndim(bare(other)) else bare(other)
+            value = traced(every, acts_of(value, other))
+        return value
 
 
 AS_DRAWN = Amended()

@@ -9,7 +9,7 @@ from ...plane import Points
 from ..place import Place, View, view_of, views
 from .slip import Mistake
 
-FACTOR: Mapping[Mistake | None, float] = {Mistake.HALVED: 0.5, Mistake.DOUBLED: 2.0}  # what is computed wrongly
+FACTOR: Mapping[Mistake, float] = {Mistake.HALVED: 0.5, Mistake.DOUBLED: 2.0}  # what is computed wrongly
 
 
 def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:

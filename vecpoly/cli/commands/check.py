@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from math import isfinite
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from ...errors import UnknownNameError
 from ...names import written_unit
 from ...words import Words, bare
+from ..check_claims import check_claims, claims_among
 from ..completion import ids
 from ..errors import DISAGREES, Tally, about
 from ..files import STDOUT, spared, write_json
@@ -36,7 +35,7 @@ Claimed = Annotated[
     list[str],
     typer.Argument(
         metavar="ID_OR_FILE... [SYMBOL=VALUE...]",
-        help="The problems, and printed answers such as v_D=0.49.",
+        help="The problems, and answers such as v_D=0.49.",
         show_default=False,
         autocompletion=ids,
     ),
@@ -57,13 +56,18 @@ def check(
     assemblies
     are tried, to see whether the numbers are possible at all. With --table, the columns of a table over the cycle are
     compared.
-    Answers may stand behind the problem: check 3-12 v_D=0.49 "omega_3=2.1 rad/s".
+    Answers of one's own may stand behind the problem: check 3-12 v_D=0.49 ω5=4.72 "α3=12 rad/s² cw". Each is right,
+    close,
+    or wrong with the reason, where one slip alone explains it.
 
     Exit code: 0 all agrees, 1 something printed is wrong, 2 it cannot be checked.
     """
     said = columns_said(columns)
     tally = Tally()
-    found = _found(names, tally, allow_outside)
+    if claims := claims_among(names):
+        check_claims(names, claims, tally, json, lang, allow_outside)
+        return
+    found = problems(names, tally, allow_outside)
     spared(json, JSON, found, [table_file] if table_file else [])
     if table_file is not None:
         tally.settle()
@@ -85,28 +89,6 @@ def check(
     tally.settle()
     if any(line.verdict is Verdict.WRONG for _, result in checked for line in result.answers):
         raise typer.Exit(DISAGREES)
-
-
-def _found(names: list[str], tally: Tally, outside: bool) -> list[Problem]:
-    """The problems named; printed answers beside one of them stand in place of its own."""
-    claims = [name for name in names if "=" in name and not Path(name).exists()]
-    if not claims:
-        return problems(names, tally, outside)
-    from ...problem.asked.claimed import load_claimed
-
-    rest = [name for name in names if name not in claims]
-    if len(rest) != 1:
-        raise UnknownNameError(
-            Words(
-                f"{'、'.join(claims)} 是哪道题的答案？题目与答案同写时只写一道题，这里有 {len(rest)} 道",
-                f"of which problem is {', '.join(claims)} the answer? name one problem beside answers; here are "
-                f"{len(rest)}",
-            )
-        )
-    with tally.job():
-        return [load_claimed(rest[0], claims, allow_outside=outside)]
-    tally.settle()
-    return []
 
 
 def _print(problem: Problem, result: PrintedCheck, lang: Lang) -> None:

@@ -44,6 +44,7 @@ def construct_device(
         construction,
         {key: np.asarray(bench.board.found[key], dtype=float) for key in keys},
         {key: sketch.board.readings[key] for key in keys},
+        hands=bench.board.hands,
     )
 
 

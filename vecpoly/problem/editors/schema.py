@@ -7,7 +7,9 @@ from typing import Any
 
 from ...devices.base import kinds
 from ...figures import scales
+from ...units.patterns import NUMBER
 from ...units.reading import Dim, PerMm
+from ..read_ranges import SPAN, STEP
 from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
 from .device_words import DATA
@@ -27,6 +29,8 @@ _VALUES = {
     **{f"ScalesSpec.{key}": quantity(dim, _SCALE) for key, mu in scales().items() for dim in _PER_MM
        if dim.dimension == PerMm(mu.called, mu.unit, mu.example).dimension},
     "PrintedSpec.direction": _ANGLE, "Link.radius": _LENGTH, "Link.phi": patterns.angle_from(), "Link.s": _LENGTH, "Link.length": _LENGTH, "Place.at": _LENGTH, "Place.left": _LENGTH, "Place.right": _LENGTH,
+    **{f"GateSpec.{key}": _LENGTH if key == "vectors" else _ANGLE for key in ("vectors", "meetings", "dead_point")},
+    **{f"GateSpec.{key}": patterns.number(rf"{NUMBER} *[%％]") for key in ("deviation", "slips", "apart")},
     "Place.length": _LENGTH, "Slot.left": _LENGTH, "Slot.right": _LENGTH, "Problem.joints": patterns.joints(), "Problem.branch": patterns.branch(),
 }  # fmt: skip
 _SEVERAL = {"links": "Link", "frame": "", "guesses": ""}
@@ -52,6 +56,10 @@ def json_schema() -> Schema:
             "minItems": 2,
             "maxItems": 2,
         }
+    schema["properties"]["vary"]["additionalProperties"] = {
+        "type": ["string", "null"],
+        "pattern": rf" *{SPAN} .* *{STEP} *",
+    }
     head = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$id": ID,
@@ -83,6 +91,7 @@ def _with_assignments(schema: Schema) -> None:
     changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
     schema["properties"] |= {
         "title_block": sheet["title_block"],
+        "salt": _loose(sheet["salt"]),
         "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}},
     }
     schema["required"] = ["title"]

@@ -49,11 +49,34 @@ KEYS = {
         "是否计重力（yes/no，默认 no）", "does gravity act on the masses (no, where nothing is said)"
     ),
     "Problem.inertia": Words("是否计惯性力（yes/no，默认 yes）", "do inertia forces act (yes, where nothing is said)"),
+    "Problem.vary": Words(
+        "各学生的题目中不同的量及其范围：{AB: 80 mm .. 120 mm by 5 mm}",
+        "what differs from student to student: {AB: 80 mm .. 120 mm by 5 mm}",
+    ),
+    "Problem.gate": Words("对每个学生的题目作图的要求", "what the drawing of every variant must be like"),
+    "GateSpec.vectors": Words("所评矢量的最小图上长度：15 mm", "how long a graded vector is on paper at least: 15 mm"),
+    "GateSpec.meetings": Words("两方向线的最小交角：20 deg", "the least angle at which two ruled lines meet: 20 deg"),
+    "GateSpec.dead_point": Words("离死点的最小角度：10 deg", "how far from a dead point at least: 10 deg"),
+    "GateSpec.deviation": Words(
+        "所评各量的 2σ 与其大小之比的上限：15 %", "2σ of a graded quantity over its size, at most: 15 %"
+    ),
+    "GateSpec.slips": Words(
+        "出错者的读数至少与正确值相差几倍允差 T：1",
+        "how many tolerances T the readings of a slip differ from the right ones: 1",
+    ),
+    "GateSpec.apart": Words(
+        "任两名学生至少有两个读数相差几倍允差 T：3", "how many tolerances T two readings of any two students differ: 3"
+    ),
+    "GateSpec.alike": Words(
+        "转向与作图动作是否须与原题相同（yes/no，默认 yes）",
+        "must senses and acts be those of the problem itself (yes, where nothing is said)",
+    ),
     "Problem.device": Words(
         "机械装置的种类：不是连杆机构而是斜面、螺旋等",
         "a device instead of a mechanism: a wedge, a screw, a train of machines",
     ),
     "Problem.data": Words("机械装置的已知数据", "the data of the device"),
+    "Problem.salt": Words("换一个文本，全班的数据就都不同", "another text gives everybody other numbers"),
     "Problem.title_block": Words("作业的标题栏：课程、班级、姓名", "title block of an assignment: course, class, name"),
     "Problem.problems": Words(
         "作业中的题目：题号、文件，或 {problem: 3-9, ...}",

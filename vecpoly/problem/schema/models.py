@@ -119,6 +119,18 @@ class SheetSpec(Spec):
     orientation: Literal["portrait", "landscape"]
 
 
+class GateSpec(Spec):
+    """What the drawing of every variant must be like."""
+
+    vectors: Number | None = None
+    meetings: Number | None = None
+    dead_point: Number | None = None
+    deviation: Number | None = None
+    slips: Number | None = None
+    apart: Number | None = None
+    alike: YesNo = True
+
+
 class ProblemSpec(Spec):
     """A problem file."""
 
@@ -148,6 +160,8 @@ class ProblemSpec(Spec):
     masses: dict[str, MassSpec] = {}
     weight: YesNo = False
     inertia: YesNo = True
+    vary: dict[str, Number] = {}
+    gate: GateSpec = GateSpec()
 
 
 class DeviceSpec(Spec):
@@ -165,11 +179,17 @@ class DeviceSpec(Spec):
     printed: list[PrintedSpec] = []
     errata: list[Text] = []
     sheet: SheetSpec | None = None
+    vary: dict[str, Number] = {}
+    gate: GateSpec = GateSpec()
 
 
 class AssignmentSpec(Spec):
     """An assignment file: title, title block, problems."""
 
     title: Text
+    id: str | None = Field(
+        None, pattern=ID, description="of the assignment in codes and seeds; the file's name where nothing is said"
+    )
+    salt: str = Field("", description="another text gives everybody other numbers")
     title_block: dict[str, str] = {}
     problems: list[str | dict[str, Any]] = Field(min_length=1)

@@ -10,7 +10,18 @@ from pydantic import BaseModel, ValidationError
 from ...errors import FaultError
 from ...words import Words
 from .faults import Faults, meant
-from .models import FindSpec, FrictionSpec, InputSpec, LoadSpec, MassSpec, PrintedSpec, RodSpec, ScalesSpec, SheetSpec
+from .models import (
+    FindSpec,
+    FrictionSpec,
+    GateSpec,
+    InputSpec,
+    LoadSpec,
+    MassSpec,
+    PrintedSpec,
+    RodSpec,
+    ScalesSpec,
+    SheetSpec,
+)
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -23,6 +34,7 @@ _MODELS: dict[str, type[BaseModel]] = {
     "loads": LoadSpec,
     "friction": FrictionSpec,
     "masses": MassSpec,
+    "gate": GateSpec,
 }
 _PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
 _MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")

@@ -8,15 +8,15 @@ from functools import lru_cache
 from pathlib import Path as FilePath
 from typing import Any
 
-from ...errors import ArgumentError, FaultError, UnknownNameError
-from ...units.reading import Dim, read
+from ...errors import ArgumentError
 from ...words import Words
 from ..build import build
+from ..meaning import alike, at, meant_by, said
 from ..problem import Problem
-from ..schema.faults import Place, meant
+from ..schema.faults import Place
 from ..text.numbers import Quantity, as_pair, as_text
-from ..text.source import Tree, Value
-from .parameters import Slot, named, other_way
+from ..text.source import Tree
+from .parameters import Slot, named
 from .written import Written, text_of, thawed, written_of
 
 Point = complex | Sequence[Quantity]
@@ -43,9 +43,9 @@ def parameters(problem: Problem) -> dict[str, str]:
     """The short names by which values may be varied, with what is written: {'AB': '30 mm', 'phi': '60 deg', ...}."""
     data = _own(problem).tree().data
     return {
-        name: _said(data, found[0])
+        name: said(data, found[0])
         for name, found in named(data).items()
-        if name != found[0].full and _alike(data, found)
+        if name != found[0].full and alike(data, found)
     }
 
 
@@ -85,67 +85,6 @@ def _others() -> list[str]:
     return [one.name for one in fields(Problem) if one.name not in (*_BUILT, *_READ, "warnings")]
 
 
-def meant_by(name: str, data: Mapping[str, Value]) -> tuple[Slot, ...]:
-    """The quantities of this name; raises UnknownNameError where there is none, or several that differ."""
-    known = named(data)
-    found = known.get(name) or known.get(other_way(name)) or ()
-    if not found:
-        short = [key for key, of in known.items() if key != of[0].full]
-        raise UnknownNameError(
-            Words(f"本题没有可改的量“{name}”", f"nothing that is given is called '{name}'")
-            + meant(name, short)
-            + _frame(name, data),
-            code="unknown-name",
-        )
-    if not _alike(data, found):
-        zh, en = (comma.join(f"{slot.full} = {_said(data, slot)}" for slot in found) for comma in ("、", ", "))
-        raise UnknownNameError(
-            Words(
-                f'“{name}”指几个不同的量：{zh}；请写全名，如 vary(**{{"{found[0].full}": ...}})',
-                f"'{name}' means several that differ: {en}; "
-                f'give the full name, e.g. vary(**{{"{found[0].full}": ...}})',
-            ),
-            code="ambiguous-name",
-        )
-    return found
-
-
-def _frame(name: str, data: Mapping[str, Value]) -> Words:
-    """That the distance of two fixed points is no value of its own."""
-    first, second = name[:1], name[1:]
-    frame = data.get("frame") or {}
-    if first in frame and second in frame:
-        return Words(
-            f"；{first}、{second} 是机架上的点，请改其坐标 x_{second}、y_{second} 或 {second}=(x, y)",
-            f"; {first} and {second} are points of the frame: vary x_{second} and y_{second}, or {second}=(x, y)",
-        )
-    return Words.same("")
-
-
-def _said(data: Mapping[str, Value], slot: Slot) -> str:
-    value = _at(data, slot.path)
-    text = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
-    return text[slice(*slot.span)] if slot.span else text
-
-
-def _alike(data: Mapping[str, Value], found: Sequence[Slot]) -> bool:
-    """Whether all say the same, in whatever units."""
-    return len({_amount(_said(data, slot), slot.dim) for slot in found}) == 1
-
-
-def _amount(text: str, dim: Dim | None) -> float | str:
-    try:
-        return float(text) if dim is None else read(text, dim).si
-    except (FaultError, ValueError):
-        return text
-
-
-def _at(data: Any, path: Sequence[str | int]) -> Any:
-    for step in path:
-        data = data[step]
-    return data
-
-
 def _once(slot: Slot, name: str, touched: dict[tuple[Any, ...], str]) -> None:
     """Raise ArgumentError where two names are given for one quantity."""
     here = (*slot.path, slot.names) if slot.span else slot.path
@@ -165,10 +104,10 @@ def _put(tree: Tree, slot: Slot, name: str, value: Quantity | Point) -> None:
     """Write the value at its place, which is told by this name from now on."""
     new = as_pair(name, value) if slot.pair else as_text(name, value, slot.dim)
     if slot.span and " from " not in str(new):
-        old = _at(tree.data, slot.path)
+        old = at(tree.data, slot.path)
         new = f"{old[: slot.span[0]]}{new}{old[slot.span[1] :]}"
-    if new != _at(tree.data, slot.path):
-        _at(tree.data, slot.path[:-1])[slot.path[-1]] = new
+    if new != at(tree.data, slot.path):
+        at(tree.data, slot.path[:-1])[slot.path[-1]] = new
         tree.places[slot.path] = Place(f"vary({name})")
 
 

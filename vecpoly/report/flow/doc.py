@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -29,6 +29,7 @@ from .style import BODY, GREY
 MARGIN = 20 * MM
 _SMALL = 8.5 / MM
 _TOTAL = "vecpoly-total"
+Stamp = Callable[[Any, bool], None]  # draws on the canvas of every page; whether that is a sheet
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,8 +105,8 @@ class _Canvas(Canvas):  # type: ignore[misc]
 class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
     """A report built from flowables; `write` makes the file in one move, or not at all."""
 
-    def __init__(self, story: Sequence[Any], metadata: Metadata) -> None:
-        self.story, self.metadata = list(story), metadata
+    def __init__(self, story: Sequence[Any], metadata: Metadata, stamp: Stamp | None = None) -> None:
+        self.story, self.metadata, self._stamp = list(story), metadata, stamp
         self._entries, self._level = 0, -1
         lang = "zh-CN" if metadata.lang == "zh" else "en-GB"
         super().__init__(
@@ -135,13 +136,13 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
         ink.flush()
         canvas.restoreState()
-        self._number(canvas, width, 11 * MM)
+        self._number(canvas, width, 11 * MM, sheet=False)
 
     def _foot(self, canvas: Any, _: Any) -> None:
         """The page number under the frame of a sheet."""
-        self._number(canvas, canvas._pagesize[0], 4.5 * MM)
+        self._number(canvas, canvas._pagesize[0], 4.5 * MM, sheet=True)
 
-    def _number(self, canvas: Any, width: float, y: float) -> None:
+    def _number(self, canvas: Any, width: float, y: float, *, sheet: bool) -> None:
         """Page n / N in the middle of the foot."""
         canvas.saveState()
         canvas.setFillColorRGB(*GREY)
@@ -151,6 +152,8 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         canvas.translate(width / 2, y)
         canvas.doForm(_TOTAL)
         canvas.restoreState()
+        if self._stamp is not None:
+            self._stamp(canvas, sheet)
 
     def afterFlowable(self, flowable: Any) -> None:
         """Bookmark headings and sheets."""

@@ -1,0 +1,1 @@
+"""A class: rosters, sheets, registers, forms."""

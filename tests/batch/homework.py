@@ -1,0 +1,54 @@
+"""An assignment of one problem with ranges and one without, and classes that do it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from vecpoly.batch.classwork import Made, Order, make_class
+from vecpoly.batch.runners import Here
+from vecpoly.batch.student import Student
+from vecpoly.problem.assignment import load_assignment
+
+TEXT = """\
+title: {zh: 第三次作业, en: Homework 3}
+id: hw3
+problems:
+  - problem: 3-9
+    id: block
+    scales: null
+    find: [v_C2B, v_C2C3, omega_3, v_E]
+    vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s cw by 0.5 rad/s}
+"""
+
+
+def people(numbers: Sequence[int]) -> tuple[Student, ...]:
+    return tuple(Student(number=f"2023{n:04}", name=f"学生{n}", team="机械 1 班") for n in numbers)
+
+
+def made(out: Path, students: Sequence[Student], text: str = TEXT) -> Made:
+    out.mkdir(parents=True, exist_ok=True)
+    file = out.parent / "hw3.yaml"
+    file.write_text(text, encoding="utf-8")
+    order = Order(assignment=load_assignment(file), students=tuple(students), out=out, lang="zh", version="test")
+    return make_class(order, Here(), lambda *_: None)
+
+
+def files(out: Path) -> dict[str, bytes]:
+    """Everything that was made, without what is kept for going on."""
+    return {
+        str(file.relative_to(out)): file.read_bytes()
+        for file in sorted(out.rglob("*"))
+        if file.is_file() and ".work" not in file.parts
+    }
+
+
+def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:
+    """Each shard by itself, then the run that completes the folder."""
+    out.mkdir(parents=True, exist_ok=True)
+    file = out.parent / "hw3.yaml"
+    file.write_text(TEXT, encoding="utf-8")
+    order = Order(assignment=load_assignment(file), students=tuple(students), out=out, lang="zh", version="test")
+    for shard in range(count):
+        make_class(order, Here(), lambda *_: None, (shard, count))
+    make_class(order, Here(), lambda *_: None)

@@ -1,0 +1,138 @@
+"""A class is the same however it came about: in what order, in how many runs, with whom beside."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.batch.homework import TEXT, files, made, made_in_shards, people
+from vecpoly.batch.classwork import Made
+from vecpoly.batch.register import Register, read_register
+from vecpoly.errors import VecpolyError
+from vecpoly.solution import solve
+
+FIVE = people(range(5))
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Made]:
+    out = tmp_path_factory.mktemp("whole") / "hw"
+    return out, made(out, FIVE)
+
+
+def test_the_order_of_the_roster_does_not_matter(whole: tuple[Path, Made], tmp_path: Path) -> None:
+    made(tmp_path / "hw", FIVE[::-1])
+    assert files(tmp_path / "hw") == files(whole[0])
+
+
+def test_a_student_who_comes_later_changes_nobody(whole: tuple[Path, Made], tmp_path: Path) -> None:
+    shutil.copytree(whole[0], tmp_path / "hw")
+    later = made(tmp_path / "hw", (*people([77]), *FIVE)).register
+    assert [one for one in later.sheets if one.student in FIVE] == list(whole[1].register.sheets)
+    now = files(tmp_path / "hw")
+    assert all(now[name] == data for name, data in files(whole[0]).items() if name.endswith(".pdf"))
+    assert len(later.sheets) == 6
+
+
+def test_any_two_students_differ_by_three_tolerances_in_two_answers(whole: tuple[Path, Made]) -> None:
+    keys = [sheet.parts[0].key for sheet in whole[1].register.sheets]
+    asked = [one.key for one in keys[0].quantities if one.asked and not one.demoted]
+    for i, one in enumerate(keys):
+        for other in keys[:i]:
+            apart = [
+                abs(one[key].exact - other[key].exact) > 3 * max(one[key].allowed, other[key].allowed) for key in asked
+            ]
+            assert sum(apart) >= 2
+
+
+def test_the_register_gives_every_variant_again_with_its_key(whole: tuple[Path, Made]) -> None:
+    register = read_register(whole[0])
+    assert register == whole[1].register
+    for sheet in register.sheets:
+        answers = solve(register.variant(sheet.parts[0]), by="exact", repeats=0, precise=False).answers
+        for one in sheet.parts[0].key.quantities:
+            if one.asked:
+                assert answers[one.key].exact == pytest.approx(one.exact, rel=1e-12)
+                assert answers[one.key].reading.mm is None or answers[one.key].reading.mm == pytest.approx(
+                    one.mm, rel=1e-9
+                )
+
+
+def test_the_register_knows_where_everything_stands(whole: tuple[Path, Made]) -> None:
+    for sheet in whole[1].register.sheets:
+        assert sheet.layout is not None and sheet.layout_hash == sheet.layout.hash
+        blanks = [blank.key for page in sheet.layout.pages for blank in page.blanks]
+        assert sorted(blanks) == sorted(one.key for one in sheet.parts[0].key.quantities if one.asked)
+
+
+def test_shards_together_are_the_whole(whole: tuple[Path, Made], tmp_path: Path) -> None:
+    made_in_shards(tmp_path / "hw", FIVE, 2)
+    assert files(tmp_path / "hw") == files(whole[0])
+
+
+def test_another_assignment_does_not_go_into_the_same_folder(whole: tuple[Path, Made], tmp_path: Path) -> None:
+    shutil.copytree(whole[0], tmp_path / "hw")
+    with pytest.raises(VecpolyError, match="is of assignment hw3, not hw4"):
+        made(tmp_path / "hw", FIVE, TEXT.replace("id: hw3", "id: hw4"))
+
+
+def test_what_is_no_register_is_refused_in_both_languages(tmp_path: Path) -> None:
+    (tmp_path / "register.json").write_text('{"version": 1}', encoding="utf-8")
+    with pytest.raises(VecpolyError, match="no register"):
+        read_register(tmp_path)
+    (tmp_path / "register.json").write_text('{"version": 9}', encoding="utf-8")
+    with pytest.raises(VecpolyError, match="version 9, only 1"):
+        read_register(tmp_path)
+
+
+def test_a_run_that_was_killed_goes_on_and_ends_with_the_same_bytes(tmp_path: Path) -> None:
+    """Killed as soon as the first sheets are there; what was finished is not done again."""
+    (tmp_path / "hw3.yaml").write_text(TEXT, encoding="utf-8")
+    rows = "".join(f"{one.number},{one.name},{one.team}\n" for one in people(range(12)))
+    (tmp_path / "r.csv").write_text("学号,姓名,班级\n" + rows, encoding="utf-8")
+    run(tmp_path, "through").wait()
+    broken = run(tmp_path, "broken")
+    while not any((tmp_path / "broken" / ".work").glob("*.json")) and broken.poll() is None:
+        time.sleep(0.02)
+    while len(list((tmp_path / "broken" / "questions").glob("*.pdf"))) < 3 and broken.poll() is None:
+        time.sleep(0.02)
+    assert broken.poll() is None
+    os.killpg(broken.pid, signal.SIGKILL)
+    broken.wait()
+    kept = {file: file.stat().st_mtime_ns for file in (tmp_path / "broken" / ".work").glob("*.json")}
+    assert not (tmp_path / "broken" / "register.json").exists() and kept
+    run(tmp_path, "broken").wait()
+    assert files(tmp_path / "broken") == files(tmp_path / "through")
+    assert all(file.stat().st_mtime_ns == when for file, when in kept.items())
+
+
+def run(folder: Path, out: str) -> subprocess.Popen[bytes]:
+    command = [sys.executable, "-m", "vecpoly", "class", "hw3.yaml", "--roster", "r.csv", "-o", out, "-j", "1"]
+    return subprocess.Popen(
+        command, cwd=folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+
+
+def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
+    few = TEXT.replace(
+        "vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s "
+        "cw by 0.5 rad/s}",
+        "vary: {phi: 20 deg .. 70 deg by 5 deg}",
+    )
+    with pytest.raises(VecpolyError, match=r"of 11 sets of values some \d+ pass, for 60 students"):
+        made(tmp_path / "hw", people(range(60)), few)
+
+
+def test_values_are_spread_over_their_ranges(whole: tuple[Path, Made]) -> None:
+    register: Register = whole[1].register
+    drawn = {tuple(part.values.values()) for sheet in register.sheets for part in sheet.parts}
+    assert len(drawn) == len(FIVE)
+    assert np.ptp([float(values[0].split()[0]) for values in drawn]) >= 4

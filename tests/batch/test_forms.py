@@ -1,0 +1,181 @@
+"""Forms and exports, read back by other programs than those that wrote them."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as xml
+from io import BytesIO
+from pathlib import Path
+from zipfile import ZipFile
+
+import openpyxl
+import pytest
+from pypdf import PdfReader
+
+from tests.batch.homework import TEXT, made
+from vecpoly.batch.bundles import merged, zipped
+from vecpoly.batch.columns import columns_of
+from vecpoly.batch.moodle.quiz import Quizzes
+from vecpoly.batch.profile import read_profile, table_bytes
+from vecpoly.batch.register import Register
+from vecpoly.batch.student import Student
+from vecpoly.batch.tasks import question_file
+from vecpoly.batch.workbooks import answers_bytes, key_bytes
+from vecpoly.errors import VecpolyError
+from vecpoly.grading.key import Kind
+
+CLASS = (Student(number="20230001", name="王小明", team="1"), Student(number="20230002", name="=1+1", team="@x"))
+FRACTIONS = {
+    100,
+    90,
+    83.33333,
+    80,
+    75,
+    70,
+    66.66667,
+    60,
+    50,
+    40,
+    33.33333,
+    30,
+    25,
+    20,
+    16.66667,
+    14.28571,
+    12.5,
+    11.11111,
+    10,
+    5,
+}
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Register]:
+    out = tmp_path_factory.mktemp("forms") / "hw"
+    return out, made(out, CLASS, TEXT).register
+
+
+def test_the_answers_form_locks_who_it_is_and_says_units_in_row_two(done: tuple[Path, Register]) -> None:
+    page = openpyxl.load_workbook(BytesIO(answers_bytes(done[1]))).worksheets[0]
+    heads, units = ([cell.value for cell in row] for row in page.iter_rows(max_row=2))
+    assert heads[:4] == ["学号", "姓名", "班级", "卷号"] and page.protection.sheet
+    columns = columns_of(done[1])
+    assert heads[4:] == [column.head for column in columns] and units[4:] == [column.unit for column in columns]
+    assert {"block:mu_v", "block:v_E", "block:v_E mm", "block:v_E deg", "block:omega_3", "block:omega_3 sense"} <= set(
+        heads
+    )
+    assert [cell.value for cell in page[4][:4]] == ["20230002", "=1+1", "@x", done[1].sheets[1].sheet]
+    assert all(cell.data_type == "s" and cell.protection.locked for cell in page[4][:4])
+    assert not any(cell.protection.locked for cell in page[4][4:])
+
+
+def test_a_cell_takes_a_sense_from_a_list_and_a_length_that_fits_the_page(done: tuple[Path, Register]) -> None:
+    page = openpyxl.load_workbook(BytesIO(answers_bytes(done[1]))).worksheets[0]
+    rules = {str(rule.sqref).split(":")[0].rstrip("0123456789"): rule for rule in page.data_validations.dataValidation}
+    letters = {cell.value: cell.column_letter for cell in page[1]}
+    assert (
+        rules[letters["block:omega_3 sense"]].type == "list" and "↺" in rules[letters["block:omega_3 sense"]].formula1
+    )
+    assert float(rules[letters["block:v_E mm"]].formula2) == 400
+
+
+def test_the_key_has_the_exact_values_of_the_register(done: tuple[Path, Register]) -> None:
+    page = openpyxl.load_workbook(BytesIO(key_bytes(done[1])))["block"]
+    heads = [cell.value for cell in page[1]]
+    for row, sheet in enumerate(done[1].sheets, 3):
+        cells = dict(zip(heads, (cell.value for cell in page[row]), strict=True))
+        assert cells["AB"] == sheet.parts[0].values["AB"] and cells["卷号"] == sheet.sheet
+        for one in sheet.parts[0].key.quantities:
+            if one.asked and not one.demoted:
+                assert cells[one.key] == pytest.approx(one.exact, rel=1e-5)
+                assert cells[f"{one.key} T"] == pytest.approx(one.allowed, rel=1e-5)
+
+
+# Moodle's own patterns (qtype_multianswer, renderer and import), typed anew in Python
+_ANSWER = r"(?:=|%-?[0-9]+(?:[.,][0-9]*)?%)?.+?(?<!\\)(?=[~#}]|$)(?:#.*?(?<!\\)(?=[~}]|$))?"
+_BLANK = re.compile(rf"\{{\s*([0-9]*)\s*:(NUMERICAL|MULTICHOICE_S|MULTICHOICE):({_ANSWER}(?:~{_ANSWER})*)\}}")
+_NUMERICAL = re.compile(
+    r"(?:=|%(-?[0-9]+)%)?(-?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?):([0-9.]+)(?:#.*)?"
+)
+
+
+def test_every_blank_of_a_cloze_question_is_one_to_moodle(done: tuple[Path, Register]) -> None:
+    root = xml.fromstring(Quizzes(done[1]).cloze())
+    questions = root.findall("question[@type='cloze']")
+    assert len(questions) == 2 and root[0].get("type") == "category"
+    for question, sheet in zip(questions, sorted(done[1].sheets, key=lambda one: one.sheet), strict=True):
+        text = question.findtext("questiontext/text") or ""
+        blanks = _BLANK.findall(text)
+        assert text.count("{") == len(blanks) and all(weight.isdigit() for weight, _, _ in blanks)
+        numbers = [body for _, sort, body in blanks if sort == "NUMERICAL"]
+        graded = [one for one in sheet.parts[0].key.quantities if one.asked and not one.demoted]
+        assert len(numbers) == len(graded)
+        for body, one in zip(numbers, graded, strict=True):
+            answers = [_NUMERICAL.fullmatch(part) for part in re.split(r"(?<!\\)~", body)]
+            first = answers[0]
+            assert all(answers) and first is not None and first[1] == "100"
+            assert float(first[2]) == pytest.approx(abs(one.exact), rel=1e-5)
+            assert {float(found[1]) for found in answers if found is not None} <= FRACTIONS
+        assert sum(sort == "MULTICHOICE" for _, sort, _ in blanks) == sum(one.kind is Kind.SIGNED for one in graded)
+
+
+def test_a_numerical_question_tries_the_narrow_band_before_the_wide_one(done: tuple[Path, Register]) -> None:
+    root = xml.fromstring(Quizzes(done[1]).numerical())
+    questions = root.findall("question[@type='numerical']")
+    assert questions
+    for question in questions:
+        answers = question.findall("answer")
+        bands = [
+            (
+                float(one.findtext("text") or "nan"),
+                float(one.findtext("tolerance") or "nan"),
+                float(one.get("fraction", "nan")),
+            )
+            for one in answers
+        ]
+        assert bands[0][2] == 100 and bands[1][2] == 50 and bands[0][0] == bands[1][0] and bands[0][1] < bands[1][1]
+        assert {fraction for _, _, fraction in bands} <= FRACTIONS
+        for value, allowed, _ in bands[2:]:
+            assert abs(value - bands[0][0]) > allowed + bands[0][1] - 1e-9, (
+                "the band of a slip would take right answers"
+            )
+    names = [question.findtext("idnumber") for question in questions]
+    assert len(set(names)) == len(names)
+
+
+def test_merged_sheets_have_an_outline_of_students(done: tuple[Path, Register]) -> None:
+    out, register = done
+    book = PdfReader(BytesIO(merged(register, out)))
+    alone = [len(PdfReader(out / question_file(sheet.student)).pages) for sheet in register.sheets]
+    assert len(book.pages) == sum(alone)
+    names = [entry.title for entry in book.outline if not isinstance(entry, list)]
+    assert [name.split()[0] for name in names if name] == [sheet.student.number for sheet in register.sheets]
+
+
+def test_an_archive_has_neither_dates_nor_another_order(done: tuple[Path, Register]) -> None:
+    out, register = done
+    paths = [out / question_file(sheet.student) for sheet in register.sheets]
+    assert zipped(paths, out) == zipped(paths[::-1], out)
+    assert sorted(ZipFile(BytesIO(zipped(paths, out))).namelist()) == sorted(
+        question_file(sheet.student) for sheet in register.sheets
+    )
+
+
+def test_a_profile_gives_the_columns_of_another_platform_and_guards_formulas(
+    done: tuple[Path, Register], tmp_path: Path
+) -> None:
+    file = tmp_path / "p.yaml"
+    file.write_text(
+        "file: x.csv\ncolumns: [{head: 学号, holds: number}, {head: 姓名, holds: name}, {head: a, holds: "
+        "'block:AB'}, {head: 课程, text: 机械原理}]\n",
+        encoding="utf-8",
+    )
+    text = table_bytes(done[1], read_profile(file)).decode("utf-8-sig").splitlines()
+    assert text[0] == "学号,姓名,a,课程"
+    assert text[2] == f"20230002,'=1+1,{done[1].sheets[1].parts[0].values['AB']},机械原理"
+    file.write_text("file: x.csv\ncolumns: [{head: a, holds: 'block:XY'}]\n", encoding="utf-8")
+    with pytest.raises(VecpolyError, match="block:AB"):
+        table_bytes(done[1], read_profile(file))
+    file.write_text("file: x.csv\ncolumns: [{heat: a}]\n", encoding="utf-8")
+    with pytest.raises(VecpolyError, match="head"):
+        read_profile(file)

@@ -1,0 +1,88 @@
+"""Rosters as schools export them; what is wrong with a row is told with its place, and does not stop the others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import openpyxl
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vecpoly.batch.roster import RosterError, plain, read_roster
+from vecpoly.batch.student import Student
+
+ROWS = "学号,姓名,班级\n20230001,王小明,机械 1 班\n20230002,李雷,机械 2 班\n"
+TWO = (
+    Student(number="20230001", name="王小明", team="机械 1 班"),
+    Student(number="20230002", name="李雷", team="机械 2 班"),
+)
+
+
+def roster(folder: Path, data: bytes) -> Path:
+    path = folder / "名单.csv"
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "gb18030"])
+@pytest.mark.parametrize("mark", [",", ";", "\t", "，"])
+def test_encodings_and_separators_are_found_out(tmp_path: Path, encoding: str, mark: str) -> None:
+    assert read_roster(roster(tmp_path, ROWS.replace(",", mark).encode(encoding))).students == TWO
+
+
+def test_a_workbook_is_read_with_numbers_as_numbers_and_lines_above_its_header(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    assert book.active is not None
+    for row in (
+        ("2023 级名单",),
+        (),
+        ("序号", "姓名", "学号", "行政班"),
+        (1, "王小明", 20230001, "机械 1 班"),
+        (2, "李雷", 20230002.0, "机械 2 班"),
+    ):
+        book.active.append(row)
+    book.save(tmp_path / "a.xlsx")
+    assert read_roster(tmp_path / "a.xlsx").students == TWO
+
+
+def test_full_width_digits_are_digits(tmp_path: Path) -> None:
+    assert read_roster(roster(tmp_path, ROWS.replace("20230002", "２０２３０００２").encode())).students == TWO
+
+
+@given(st.integers(0, 10**10))
+def test_a_number_is_the_same_text_however_it_was_kept(number: int) -> None:
+    wide = "".join(chr(ord(digit) + 0xFEE0) for digit in str(number))
+    assert plain(number) == plain(float(number)) == plain(wide) == plain(f" {number}\u3000") == str(number)
+
+
+def test_a_number_that_stands_twice_is_refused_with_both_rows(tmp_path: Path) -> None:
+    with pytest.raises(RosterError) as refused:
+        read_roster(roster(tmp_path, (ROWS + "20230001,王二,机械 1 班\n").encode()))
+    assert "rows 2 and 4" in refused.value.words.en and "第 2 行和第 4 行" in refused.value.words.zh
+
+
+def test_a_bad_row_is_told_and_the_others_are_kept(tmp_path: Path) -> None:
+    found = read_roster(roster(tmp_path, (ROWS + ",无号,机械 1 班\n2023/9,斜,机械 1 班\n").encode()))
+    assert found.students == TWO
+    assert [(fault.place.line, fault.place.column) for fault in found.faults if fault.place] == [(4, 1), (5, 1)]
+    assert "2023/9" in found.faults[1].words.en
+
+
+@pytest.mark.parametrize(
+    ("data", "says"),
+    [
+        (b"a,b\n1,2\n", "no column of student numbers"),
+        (b"\xff\xff\xff\xff", "neither UTF-8 nor GB18030"),
+        ("学号\n".encode(), "no students"),
+    ],
+)
+def test_what_is_no_roster_is_refused_with_its_reason(tmp_path: Path, data: bytes, says: str) -> None:
+    with pytest.raises(RosterError, match=says):
+        read_roster(roster(tmp_path, data))
+
+
+def test_what_is_no_workbook_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "a.xlsx").write_bytes(b"no zip")
+    with pytest.raises(RosterError, match="no XLSX workbook"):
+        read_roster(tmp_path / "a.xlsx")

@@ -1,0 +1,1 @@
+"""Claims about grading: keys, what students write, comparison, follow-through, marks."""

@@ -1,0 +1,115 @@
+"""A key follows from the acts of a construction; its tolerances from what a student's hand scatters by."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+
+from vecpoly import load, solve
+from vecpoly.board.hand import hand
+from vecpoly.errors import UnknownNameError, VecpolyError
+from vecpoly.grading.allowance import CAD, STUDENT
+from vecpoly.grading.derive.keyed import answer_key
+from vecpoly.grading.key import AnswerKey, Kind
+
+SEVERAL = ("3-9", "3-12", "A-27", "3-2", "4-3a", "4-5", "C-inertia", "5-2", "tipper", "slider-crank-dynamic")
+
+
+@cache
+def key_of(problem: str) -> AnswerKey:
+    return answer_key(load(problem))
+
+
+@pytest.mark.parametrize("problem", SEVERAL)
+def test_a_key_has_all_that_is_asked_with_the_exact_value(problem: str) -> None:
+    answers = solve(load(problem), by="exact", repeats=0, precise=False).answers
+    asked = {one.key: one.exact for one in key_of(problem).quantities if one.asked}
+    assert asked == {key: answer.exact for key, answer in answers.items()}
+
+
+@pytest.mark.parametrize("problem", SEVERAL)
+def test_a_key_survives_json(problem: str) -> None:
+    key = key_of(problem)
+    assert AnswerKey.from_json(json.loads(json.dumps(key.as_json()))) == key
+
+
+@pytest.mark.parametrize("problem", SEVERAL)
+def test_every_quantity_is_named_once_and_rests_on_those_before_it(problem: str) -> None:
+    names = [one.key for one in key_of(problem).quantities]
+    assert len(set(names)) == len(names)
+    for n, one in enumerate(key_of(problem).quantities):
+        assert set(one.needs) <= set(names[:n])
+        assert one.line in ("", *one.needs)
+
+
+@pytest.mark.parametrize("problem", ["3-9", "3-12", "A-27"])
+def test_what_a_quantity_needs_is_what_its_act_depends_on(problem: str) -> None:
+    construction = solve(load(problem), by="exact", repeats=0, precise=False).construction
+    for one in key_of(problem).quantities:
+        assert set(one.needs) <= set(construction.depends(one.key))
+
+
+@pytest.mark.parametrize("problem", SEVERAL)
+def test_a_tolerance_lies_between_its_floor_and_its_cap(problem: str) -> None:
+    for one in key_of(problem).quantities:
+        assert one.allowed > 0 or one.kind is Kind.YES_NO
+        if one.allowed_mm is not None and one.kind in (Kind.READING, Kind.VECTOR):
+            assert one.allowed_mm >= STUDENT.floor * (1 - 1e-9)
+            assert one.demoted or one.allowed_mm <= STUDENT.cap * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("problem", ["3-9", "A-27", "4-3a"])
+def test_only_what_scatters_by_more_than_its_share_is_demoted(problem: str) -> None:
+    for one in key_of(problem).quantities:
+        if one.exact:
+            assert one.demoted == (STUDENT.k * one.sigma > STUDENT.share * abs(one.exact))
+
+
+def test_a_pencil_hand_stays_within_the_tolerance_nineteen_times_in_twenty() -> None:
+    problem, key = load("3-9"), key_of("3-9")
+    seen = [
+        [abs(answer.drawn - answer.exact) <= key[answer.key].allowed for answer in solution.answers.values()]
+        for solution in (solve(problem, by="pencil", seed=seed, repeats=0, precise=False) for seed in range(40))
+    ]
+    share = np.mean(seen)
+    assert share >= 0.95
+
+
+def test_a_tolerance_is_no_wider_than_a_sloppy_hand_would_notice() -> None:
+    problem, key = load("3-9"), key_of("3-9")
+    skill = STUDENT.hand(0)
+    assert skill.nominal.dividers == 0  # the key itself is drawn exactly
+    assert hand("pencil").nominal.dividers < STUDENT.plot
+    assert key["bc2"].allowed < 0.05 * key["bc2"].exact
+    assert answer_key(problem, CAD)["bc2"].allowed < 0.2 * key["bc2"].allowed
+
+
+def test_a_reading_keeps_the_unit_of_paper_and_knows_its_scale() -> None:
+    key = key_of("3-9")
+    read, value = key["bc2"], key["v_C2B"]
+    assert (read.kind, read.unit, read.mu, value.line) == (Kind.READING, "mm", "mu_v", "bc2")
+    assert value.mm == pytest.approx(read.exact, rel=1e-9)
+    assert value.exact == pytest.approx(read.exact * key.scales["mu_v"], rel=1e-9)
+    assert value.allowed == pytest.approx(read.allowed * key.scales["mu_v"], rel=1e-6)
+
+
+def test_the_usual_rubric_gives_eight_points_for_velocities_and_twelve_for_accelerations() -> None:
+    key = key_of("3-9")
+    totals = {
+        block: sum(one.points.total for one in key.quantities if one.block == block)
+        for block in ("velocity", "acceleration")
+    }
+    assert totals["velocity"] + key.stated["mu_v"] == pytest.approx(8)
+    assert totals["acceleration"] + key.stated["mu_a"] == pytest.approx(12)
+
+
+def test_what_is_no_key_is_refused_with_where_it_fails() -> None:
+    data = key_of("3-9").as_json()
+    data["quantities"][3]["kind"] = "guess"
+    with pytest.raises(VecpolyError, match=r"quantities\.3\.kind"):
+        AnswerKey.from_json(data)
+    with pytest.raises(UnknownNameError, match="v_Q"):
+        key_of("3-9")["v_Q"]

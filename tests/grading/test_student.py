@@ -1,0 +1,51 @@
+"""Somebody's answers, one problem, at once: v_D=0.49, and a reason."""
+
+from __future__ import annotations
+
+import pytest
+
+from vecpoly import check_answers, load
+from vecpoly.errors import ArgumentError, UnknownNameError, VecpolyError
+
+
+def test_answers_are_right_close_or_wrong_with_a_reason() -> None:
+    checked = load("3-12").check_answers({"v_D": "0.49", "ω5": "4.72", "α3": "12 rad/s² 顺"})
+    assert {one.key: one.is_right for one in checked.answers} == {"v_D": True, "omega_5": False, "alpha_3": False}
+    assert [said.id for said in checked.answers[-1].messages] == ["translates"]
+    assert not checked.right and "translates" in str(checked)
+
+
+def test_answers_may_stand_in_one_text_each() -> None:
+    texts, mapped = (
+        check_answers(load("3-9"), ["v_E=0.173", "ω2＝1.99 顺"]),
+        check_answers(load("3-9"), {"v_E": 0.173, "omega_2": "1.99 cw"}),
+    )
+    assert [one.outcome for one in texts.answers] == [one.outcome for one in mapped.answers]
+    assert texts.right
+
+
+def test_what_was_not_asked_for_is_checked_too() -> None:
+    problem = load("3-12")
+    assert "alpha_4" not in {ask.rel.key for ask in problem.asks}
+    assert check_answers(problem, ["α4=3.66 逆"]).right
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [("v_Q=3", "point Q"), ("q=2", "nothing asked"), ("v_D", "write v_D=0.49"), ("=3", "write v_D=0.49")],
+)
+def test_what_is_no_answer_is_refused(text: str, why: str) -> None:
+    with pytest.raises(VecpolyError, match=why):
+        check_answers(load("3-12"), [text])
+
+
+def test_an_answer_given_twice_is_refused() -> None:
+    with pytest.raises(ArgumentError, match="twice"):
+        check_answers(load("3-12"), ["v_D=1", "v_D=2"])
+    with pytest.raises(UnknownNameError):
+        check_answers(load("5-2"), ["zeta=1"])
+
+
+def test_forces_and_devices_are_checked_as_well() -> None:
+    assert check_answers(load("4-3a"), ["R12=1004 N", "M=64.3 N·m 顺", "η=79.5%"]).right
+    assert check_answers(load("5-2"), ["R_13=980", "φ=7.41°"]).right

@@ -1,0 +1,129 @@
+"""What people write is read in all its usual ways; what could mean two things is not guessed."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vecpoly.errors import UnknownNameError
+from vecpoly.grading.reading.characters import plain
+from vecpoly.grading.reading.symbol import keyed
+from vecpoly.grading.reading.written import State, written
+
+WIDE = str.maketrans("0123456789.-+ ", "０１２３４５６７８９．－＋　")
+
+
+@pytest.mark.parametrize(("text", "si"), [
+    ("0.49", 0.49), ("４．７２", 4.72), ("≈0.49 米/秒", 0.49), ("0.49m·s⁻¹", 0.49), ("49 cm/s", 0.49), ("1.5×10^3 N", 1500),
+    ("1.5x10³ N", 1500),
+    ("1.5·10^-3", 0.0015), ("1.5e3", 1500), ("−12 rad/s²", -12), ("–12 rad/s2", -12), ("30 r/min", pi), ("30rpm", pi),
+    ("30 转/分", pi),
+    ("180°", pi), ("180 度", pi), ("2 m/s/s", 2), ("2 米每二次方秒", 2), ("64 N.m", 64), ("64 牛·米", 64), ("1.5 弧度/秒", 1.5),
+    ("79.5%", 0.795),
+    ("3.5 1/s", 3.5), ("12,5", 12.5), ("0,123", 0.123), ("1,234.5", 1234.5), ("1.234,5", 1234.5),
+    ("1,234,567", 1234567), ("约 3.2。", 3.2),
+])  # fmt: skip
+def test_a_number_with_its_unit_is_read_however_it_is_written(text: str, si: float) -> None:
+    found = written(text)
+    assert found.state is State.READ and found.raw == text
+    assert found.value * (found.unit.factor if found.unit else 1.0) == pytest.approx(si, rel=1e-12)
+
+
+@pytest.mark.parametrize(("text", "sense"), [
+    ("12 rad/s² 顺", -1), ("12 rad/s² 顺时针", -1), ("12 rad/s^2 CW", -1), ("12 rad/s2（逆时针）", 1), ("12 ccw", 1),
+    ("12 ↻", -1), ("12↺", 1),
+    ("逆 12", 1), ("12 counter-clockwise", 1), ("12 anticlockwise", 1), ("12 clockwise", -1), ("12, 方向：顺时针方向", -1),
+    ("12", 0), ("-12 顺", -1),
+])  # fmt: skip
+def test_a_sense_is_read_in_words_letters_and_arrows(text: str, sense: int) -> None:
+    found = written(text)
+    assert (found.state, found.sense, abs(found.value)) == (State.READ, sense, 12)
+
+
+@pytest.mark.parametrize("text", ["-12 逆", "+12 rad/s² cw", "12 顺 逆"])
+def test_a_sign_against_a_sense_is_ambiguous_and_not_wrong(text: str) -> None:
+    assert written(text).state is State.AMBIGUOUS and written(text).why is not None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1,234",
+        "12 foo",
+        "abc",
+        "1.2.3",
+        "12.3.4 mm",
+        "3/4",
+        "O.49",
+        "=cmd|'/c calc'!A1",
+        "0.49 ± 0.01",
+        "1 2",
+        "x" * 500,
+        "1,23,4",
+    ],
+)
+def test_what_cannot_be_read_says_so_and_keeps_its_text(text: str) -> None:
+    found = written(text)
+    assert found.state is State.UNREADABLE and found.why is not None and found.raw == text
+
+
+def test_blank_is_not_zero_and_neither_is_a_dash() -> None:
+    assert [written(text).state for text in ("", "  ", None, "　")] == [State.BLANK] * 4
+    assert [written(text).state for text in ("—", "-", "/", "无", "n/a")] == [State.NONE] * 5
+    assert written("0").state is State.READ and written(0.0).value == 0 and written("0").digits == 0
+
+
+def test_a_direction_and_two_coordinates_stand_beside_a_number() -> None:
+    assert written("0.49 m/s ∠ 35°").direction == 35 and written("0.49 m/s，方向 −30.3°").direction == -30.3
+    assert written("(−130, 164.4) mm").at == (-130, 164.4)
+    assert written("(1 mm, 2 m)").state is State.UNREADABLE
+    assert (written("是").yes, written("不自锁").yes, written("无").yes) == (True, False, False)
+
+
+@pytest.mark.parametrize(
+    ("text", "digits", "last"),
+    [("0.490", 3, 0.001), ("12", 2, 1), ("1.50e3", 3, 10), ("0.0049", 2, 0.0001), ("4.72036", 6, 1e-5)],
+)
+def test_significant_digits_are_those_written(text: str, digits: int, last: float) -> None:
+    assert written(text).digits == digits and written(text).last == pytest.approx(last)
+
+
+@given(st.integers(-(10**6), 10**6).map(lambda x: f"{x / 1000:.4g}"))
+def test_full_width_digits_and_chinese_signs_change_nothing(text: str) -> None:
+    narrow, wide = written(text), written(text.replace("e", "E").translate(WIDE) if "e" not in text else text)
+    assert narrow.state is State.READ and narrow.value == float(text)
+    assert (wide.value, wide.digits, wide.last) == (narrow.value, narrow.digits, narrow.last)
+
+
+@given(st.text(max_size=60))
+def test_no_text_whatever_breaks_the_reader(text: str) -> None:
+    found = written(text)
+    assert found.raw == text
+    assert (found.why is None) == (found.state in (State.READ, State.BLANK, State.NONE))
+
+
+KEYS = ("v_D", "v_C2B", "omega_5", "an_CB", "alpha_3", "eta", "R_12", "bc2", "n2'c2'")
+
+
+@pytest.mark.parametrize(("typed", "key"), [
+    ("ω5", "omega_5"), ("ω_5", "omega_5"), ("ω₅", "omega_5"), ("w5", "omega_5"), ("omega5", "omega_5"), ("vD", "v_D"),
+    ("v_{D}", "v_D"), ("VD", "v_D"),
+    ("a^n_CB", "an_CB"), ("anCB", "an_CB"), ("α３", "alpha_3"), ("ε3", "alpha_3"), ("η", "eta"), ("R12", "R_12"),
+    ("bc_2", "bc2"), ("n2′c2′", "n2'c2'"), ("Vc2b", "v_C2B"),
+])  # fmt: skip
+def test_a_symbol_is_known_however_it_is_typed(typed: str, key: str) -> None:
+    assert keyed(typed, KEYS) == key
+
+
+def test_an_unknown_symbol_is_refused_with_the_nearest_and_one_of_two_with_both() -> None:
+    with pytest.raises(UnknownNameError, match="v_D"):
+        keyed("v_Q", KEYS)
+    with pytest.raises(UnknownNameError, match="v_D, v_d"):
+        keyed("V_D", ("v_D", "v_d"))
+
+
+def test_full_width_letters_are_ordinary_ones() -> None:
+    assert plain("　ＡＢ＝１．２×１０²　") == "AB=1.2×10^2"

@@ -1,0 +1,1 @@
+"""Claims about the marked work of a class."""

@@ -1,0 +1,78 @@
+"""A class of three with a problem of one variant, made once; answer files in every shape."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
+
+from vecpoly import load
+from vecpoly.batch.register import Exercise, Part, Register, Sheet
+from vecpoly.batch.student import Student
+from vecpoly.grading.derive.keyed import answer_key
+from vecpoly.grading.key import Kind
+from vecpoly.marked.graded import Graded, Order, grade
+from vecpoly.marked.work import Scheme
+from vecpoly.problem.values.vary import data_of
+from vecpoly.words import Words
+
+NUMBERS = ("2023001", "2023002", "2023003")
+ANGLES = ("45 deg", "40 deg", "50 deg")
+Change = Callable[[str, str], str]  # of a student's answer to a quantity
+
+
+@cache
+def register() -> Register:
+    """Three students, each with an own crank angle of 3-9."""
+    problem = load("3-9")
+    parts = []
+    for angle in ANGLES:
+        variant = problem.vary(phi=angle)
+        key = answer_key(variant)
+        parts.append(Part(problem="3-9", attempt=0, values={"phi": angle}, scales=dict(key.scales), key=key))
+    sheets = tuple(
+        Sheet(sheet=f"S{n}", student=Student(number=number, name=name, team="机1"), parts=(part,))
+        for n, (number, name, part) in enumerate(zip(NUMBERS, ("张三", "=李四", "王五"), parts, strict=True))
+    )
+    exercise = Exercise(id="3-9", data=data_of(problem), fingerprint="")
+    title = Words("作业", "Homework")
+    return Register(
+        assignment="hw", salt="", title=title, lang="zh", vecpoly="test", exercises=(exercise,), sheets=sheets
+    )
+
+
+def answers(number: str, change: Change = lambda key, text: text) -> dict[str, str]:
+    """A student's right answers to all that is asked, changed as is said."""
+    sheet = register().sheet(number)
+    assert sheet is not None
+    cells = {}
+    for one in sheet.parts[0].key.quantities:
+        if one.asked:
+            sense = (" 逆" if one.exact > 0 else " 顺") if one.kind is Kind.SIGNED else ""
+            cells[one.key] = change(one.key, f"{abs(one.exact):.4g}{sense}")
+    return cells
+
+
+def wide(path: Path, rows: Mapping[str, Mapping[str, str]], *, encoding: str = "utf-8", mark: str = ",") -> Path:
+    """A CSV file with a row of units, as the answers form has it."""
+    heads = list(next(iter(rows.values())))
+    lines = [mark.join(["学号", *heads]), mark.join(["", *("单位" for _ in heads)])]
+    lines += [mark.join([number, *(cells[head] for head in heads)]) for number, cells in rows.items()]
+    path.write_bytes("\r\n".join(lines).encode(encoding))
+    return path
+
+
+def graded(
+    out: Path, *files: Path, scheme: Scheme | None = None, before: Path | None = None, feedback: bool = False
+) -> Graded:
+    """Mark these files into a folder."""
+    order = Order(
+        register=register(),
+        files=files,
+        out=out,
+        scheme=scheme or Scheme(),
+        lang="zh",
+        feedback=feedback,
+        before=before,
+    )
+    return grade(order, lambda *_: None)

@@ -1,0 +1,204 @@
+"""A class is marked from whatever file its answers come in; nothing is lost or guessed, a mark has a reason."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pdfplumber
+import pytest
+from openpyxl import Workbook, load_workbook
+
+from tests.marked.classes import NUMBERS, answers, graded, register, wide
+from vecpoly.errors import TableError, UnknownNameError, VecpolyError
+from vecpoly.grading.key import Points
+from vecpoly.grading.rules import Rules
+from vecpoly.marked.out.record import read_record
+from vecpoly.marked.scheme import read_scheme
+from vecpoly.marked.work import Scheme
+
+
+def halved(key: str, text: str) -> str:
+    """Half of the Coriolis term, and what follows from it left out."""
+    return f"{float(text) / 2:.4g}" if key == "ak_C2C3" else text
+
+
+def everybody() -> dict[str, dict[str, str]]:
+    return {number: answers(number) for number in NUMBERS}
+
+
+@pytest.mark.parametrize(
+    ("encoding", "mark"), [("utf-8", ","), ("utf-8-sig", ";"), ("gb18030", "\t"), ("gb18030", ",")]
+)
+def test_right_answers_have_all_points_in_whatever_encoding(tmp_path: Path, encoding: str, mark: str) -> None:
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", everybody(), encoding=encoding, mark=mark))
+    assert [one.total for one in done.results] == [one.worth for one in done.results] == [20.0] * 3
+    assert not done.faults
+
+
+def test_one_students_answers_are_wrong_with_anothers_numbers(tmp_path: Path) -> None:
+    mixed = everybody() | {NUMBERS[0]: answers(NUMBERS[1])}
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", mixed))
+    mine = done.results[0]
+    assert NUMBERS[1] in mine.faults[0].en and not any(one.chain for one in mine.marks["3-9"].findings)
+    assert mine.total < 15 and done.results[1].total == 20 and not done.results[1].faults
+
+
+def test_a_workbook_with_columns_for_parts_says_the_same(tmp_path: Path) -> None:
+    book = Workbook()
+    page = book.active
+    assert page is not None
+    page.append(["学号", "姓名", "3-9:v_E mm", "3-9:v_E", "3-9:v_E deg", "3-9:omega_3", "3-9:omega_3 sense"])
+    page.append(["", "", "mm", "m/s", "°", "rad/s", "↻ ↺"])
+    for number in NUMBERS:
+        sheet = register().sheet(number)
+        assert sheet is not None
+        v, w = sheet.parts[0].key["v_E"], sheet.parts[0].key["omega_3"]
+        page.append(
+            [number, "", round(v.mm or 0, 1), v.exact, round(v.degrees or 0), abs(w.exact), "↺" if w.exact > 0 else "↻"]
+        )
+    book.save(tmp_path / "a.xlsx")
+    done = graded(tmp_path / "out", tmp_path / "a.xlsx")
+    for one in done.results:
+        marks = one.marks["3-9"]
+        assert marks["v_E"].is_right and marks["pe"].is_right and marks["omega_3"].earned.sense > 0
+
+
+def test_long_tables_and_documents_are_read_too(tmp_path: Path) -> None:
+    lines = ["student_id,step,value,unit,sense"]
+    lines += [
+        f"{NUMBERS[0]},{key},{text.split()[0]},,{(text + ' ').split(' ')[1]}"
+        for key, text in answers(NUMBERS[0]).items()
+    ]
+    (tmp_path / "long.csv").write_text("\n".join(lines), encoding="utf-8")
+    (tmp_path / "one.yaml").write_text(
+        json.dumps({"student": NUMBERS[1], "answers": {"3-9": answers(NUMBERS[1])}}, ensure_ascii=False),
+        encoding="utf-8",
+    )
+    done = graded(tmp_path / "out", tmp_path / "long.csv", tmp_path / "one.yaml")
+    assert [one.total for one in done.results] == [20.0, 20.0, 0.0] and not done.results[2].returned
+
+
+def test_a_slip_costs_once_and_is_counted_in_the_item_analysis(tmp_path: Path) -> None:
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", {number: answers(number, halved) for number in NUMBERS}))
+    assert all({str(slip) for slip in one.marks["3-9"].slips.values()} <= {"ak_C2C3 halved"} for one in done.results)
+    pages = load_workbook(tmp_path / "out" / "grades.xlsx")
+    rows = list(pages["逐题分析"].iter_rows(values_only=True))
+    row = next(row for row in rows if row[1] == "ak_C2C3")
+    assert row[7] == 3  # wrong
+
+
+def test_what_cannot_be_used_is_told_with_its_place_and_stops_nobody(tmp_path: Path) -> None:
+    rows = everybody() | {"2099999": answers(NUMBERS[0])}
+    rows[NUMBERS[0]]["v_E"] = "O.17"
+    rows[NUMBERS[1]] = {**rows[NUMBERS[1]], "v_E": "1,234"}
+    file = wide(tmp_path / "a.csv", rows, mark=";")
+    text = file.read_text("utf-8").replace("v_D", "v_Q", 1)
+    file.write_text(text + f"\r\n{NUMBERS[2]}" + ";" * 16 + "\r\n", encoding="utf-8")
+    done = graded(tmp_path / "out", file)
+    assert [fault.code for fault in done.faults] == ["column", "stranger"]
+    assert "line 6, column 1" in done.faults[1].words.en and "2099999" in done.faults[1].words.en
+    queue = list(csv.reader(io.StringIO((tmp_path / "out" / "queue.csv").read_text("utf-8-sig"))))
+    assert [row[3] for row in queue[1:3]] == ["O.17", "1,234"] and "line 3" in queue[1][4]
+    assert done.results[2].marks["3-9"]["v_E"].is_right
+
+
+def test_a_second_row_of_one_student_is_told_and_changes_nothing(tmp_path: Path) -> None:
+    first = wide(tmp_path / "a.csv", everybody())
+    again = wide(tmp_path / "b.csv", {NUMBERS[0]: answers(NUMBERS[0], lambda key, text: "99")})
+    done = graded(tmp_path / "out", first, again)
+    assert done.results[0].total == 20 and [fault.code for fault in done.faults] == ["twice"]
+
+
+def test_no_cell_of_the_grades_is_taken_for_a_formula(tmp_path: Path) -> None:
+    rows = everybody()
+    rows[NUMBERS[0]]["v_E"] = "=HYPERLINK(1)"
+    graded(tmp_path / "out", wide(tmp_path / "a.csv", rows))
+    for name in ("grades.csv", "queue.csv"):
+        data = (tmp_path / "out" / name).read_bytes()
+        assert data.startswith(b"\xef\xbb\xbf")
+        cells = [cell for row in csv.reader(io.StringIO(data.decode("utf-8-sig"))) for cell in row]
+        assert cells and not [cell for cell in cells if cell[:1] in "=+@" and cell]
+    for page in load_workbook(tmp_path / "out" / "grades.xlsx").worksheets:
+        assert not [cell for row in page.iter_rows() for cell in row if cell.data_type == "f"]
+
+
+def test_marked_again_the_same_answers_have_the_same_marks_to_the_byte(tmp_path: Path) -> None:
+    rows = {number: answers(number, halved) for number in NUMBERS}
+    turned = dict(reversed(rows.items()))
+    graded(tmp_path / "one", wide(tmp_path / "a.csv", rows))
+    done = graded(tmp_path / "two", wide(tmp_path / "b.csv", turned), before=tmp_path / "one")
+    assert done.changed == ()
+    assert (tmp_path / "one" / "marks.json").read_bytes() == (tmp_path / "two" / "marks.json").read_bytes()
+
+
+def test_a_regrade_tells_what_changed_and_nothing_else(tmp_path: Path) -> None:
+    graded(tmp_path / "one", wide(tmp_path / "a.csv", everybody()))
+    rows = everybody()
+    rows[NUMBERS[1]]["a_E"] = "7.7"
+    done = graded(tmp_path / "two", wide(tmp_path / "b.csv", rows), before=tmp_path / "one")
+    assert done.changed is not None and [row[:3] for row in done.changed] == [(NUMBERS[1], "3-9", "a_E")]
+    assert (tmp_path / "two" / "changes.csv").exists()
+    with pytest.raises(VecpolyError, match="no marks"):
+        read_record(tmp_path / "a.csv")
+
+
+def test_everybody_who_returned_something_gets_a_sheet_that_names_the_reason(tmp_path: Path) -> None:
+    rows = {number: answers(number, halved) for number in NUMBERS[:2]}
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", rows), feedback=True)
+    sheets = sorted(path.name for path in (tmp_path / "out" / "feedback").iterdir())
+    assert sheets == ["2023001_张三.pdf", "2023002__李四.pdf"] and not done.results[2].returned
+    with pdfplumber.open(tmp_path / "out" / "feedback" / sheets[0]) as book:
+        text = "".join(page.extract_text() for page in book.pages)
+        lines = sum(len(page.lines) + len(page.curves) for page in book.pages)
+    assert "漏乘 2" in text and "张三" in text and "2023001" in text and lines > 20
+
+
+def test_while_answers_can_be_handed_in_again_no_feedback_gives_them_away(tmp_path: Path) -> None:
+    rows = {NUMBERS[0]: answers(NUMBERS[0], lambda key, text: "9.99" if key == "a_E" else text)}
+    scheme = Scheme(rules=Rules(open=True))
+    graded(tmp_path / "out", wide(tmp_path / "a.csv", rows), scheme=scheme, feedback=True)
+    with pdfplumber.open(next((tmp_path / "out" / "feedback").iterdir())) as book:
+        text = "".join(page.extract_text() for page in book.pages)
+        assert len(book.pages) == 1
+    assert "不正确" in text and "相差" not in text and "允许" not in text
+
+
+def test_rules_and_points_are_the_lecturers(tmp_path: Path) -> None:
+    file = tmp_path / "rules.yaml"
+    file.write_text(
+        "rules: {own: 0.5, printed: false}\npoints: {3-9: {v_E: {method: 3, accuracy: 2}}}\n", encoding="utf-8"
+    )
+    scheme = read_scheme(file, register())
+    assert scheme.rules.own == 0.5 and scheme.points["3-9"]["v_E"] == Points(method=3, accuracy=2)
+    done = graded(tmp_path / "out", wide(tmp_path / "a.csv", everybody()), scheme=scheme)
+    assert done.results[0].marks["3-9"]["v_E"].earned.total == 5
+
+
+def test_the_rules_of_the_manual_can_be_used(tmp_path: Path) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+    (tmp_path / "rules.yaml").write_text(text.split("```yaml\n")[-1].partition("```")[0], encoding="utf-8")
+    assert read_scheme(tmp_path / "rules.yaml", register()).rules.independent == ("bc2",)
+
+
+@pytest.mark.parametrize(("text", "why"), [
+    ("points: {3-9: {v_Q: {method: 1}}}", "no v_Q"), ("points: {9-9: {v_E: {method: 1}}}", "9-9"),
+    ("rules: {owl: 1}", "owl"),
+    ("totals: {3-9: 21}", "come to 20, totals says 21"), ("rules: {own: 2}", "rules.own"),
+])  # fmt: skip
+def test_rules_that_cannot_be_meant_are_refused_with_where(tmp_path: Path, text: str, why: str) -> None:
+    (tmp_path / "rules.yaml").write_text(text, encoding="utf-8")
+    with pytest.raises((VecpolyError, UnknownNameError), match=why):
+        read_scheme(tmp_path / "rules.yaml", register())
+
+
+@pytest.mark.parametrize(("name", "data"), [
+    ("a.csv", b"name,v_E\nx,1\n"), ("a.xlsx", b"no workbook"),
+    ("a.csv", b"\xff\xff\xff\xfe\x80\x81"), ("a.yaml", b"answers: 3\n"),
+])  # fmt: skip
+def test_a_file_of_no_answers_is_refused_by_name(tmp_path: Path, name: str, data: bytes) -> None:
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises((TableError, VecpolyError), match=name):
+        graded(tmp_path / "out", tmp_path / name)

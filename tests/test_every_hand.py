@@ -1,0 +1,43 @@
+"""One drawing by many hands, each with its own slip, says what as many drawings say one by one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from vecpoly import load, slips
+from vecpoly.board.hand import hand, steady
+from vecpoly.board.otherwise.amended import AS_DRAWN, Amended
+from vecpoly.errors import VecpolyError
+from vecpoly.methods.every_hand import by_every_hand
+from vecpoly.solution import constructed
+
+
+@pytest.mark.parametrize("name", ["3-9", "3-7a", "A-27"])
+def test_every_slip_at_once_is_every_slip_alone(name: str) -> None:
+    problem = load(name)
+    made = slips(problem)
+    right = constructed(problem, hand("exact"), AS_DRAWN).construction
+    found = by_every_hand(problem, steady(len(made)), right, Amended(each=made))
+    compared = 0
+    for number, slip in enumerate(made, 1):
+        try:
+            alone = constructed(problem, hand("exact"), Amended(slip=slip)).construction.readings
+        except VecpolyError:
+            continue
+        for key, reading in alone.items():
+            mine = np.broadcast_to(found[key], (len(made) + 1,))[number]
+            theirs = reading.scalar if reading.vector is None else reading.vector
+            assert mine == pytest.approx(theirs, rel=1e-7, abs=1e-9), (str(slip), key)
+            compared += 1
+    assert compared > 3 * len(made)
+
+
+def test_what_one_hand_does_wrongly_no_other_does() -> None:
+    problem = load("3-9")
+    made = slips(problem)
+    right = constructed(problem, hand("exact"), AS_DRAWN).construction
+    found = by_every_hand(problem, steady(len(made)), right, Amended(each=made))
+    for key, reading in right.readings.items():
+        nominal = np.broadcast_to(found[key], (len(made) + 1,))[0]
+        assert nominal == pytest.approx(reading.scalar if reading.vector is None else reading.vector)

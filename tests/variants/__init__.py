@@ -1,0 +1,1 @@
+"""Every student own numbers: ranges, seeds, the gate."""

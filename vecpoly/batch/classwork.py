@@ -1,0 +1,217 @@
+"""From an assignment and a roster to a folder of sheets, register, key and forms."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from ..errors import VecpolyError
+from ..foundation.data import data_dir
+from ..foundation.files import write_whole
+from ..problem.assignment import Assignment
+from ..problem.problem import Problem
+from ..problem.values.vary import data_of
+from ..variants.pilot import Pilot, pilot
+from ..variants.seeds import Seed
+from ..words import Lang, Words
+from .drawing import Course, drawn, fingerprint, finished, refuse_too_few
+from .keyed import key_for
+from .register import NAME, Exercise, Part, Register, Sheet, read_register
+from .runners import Runner
+from .store import digest
+from .student import Student
+from .tasks import Print, bare, cut, laid_out, own
+from .unvaried import same_for_all
+
+PAGES = 10  # students of one task
+_LEFT_OUT = ("printed", "errata", "tables", "extends")
+Told = Callable[[Words, int, int], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Made:
+    """What was made: the register; pilots by problem; who got no sheet, and why."""
+
+    register: Register
+    pilots: dict[str, Pilot]
+    refused: dict[str, VecpolyError]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Order:
+    """What is to be made, where, in which language; version: of the program, which the pages follow from."""
+
+    assignment: Assignment
+    students: tuple[Student, ...]
+    out: Path
+    lang: Lang
+    version: str
+
+    def seed(self, problem: str, student: str) -> Seed:
+        """The seed of a student's values."""
+        return Seed(assignment=self.assignment.id, problem=problem, student=student, salt=self.assignment.salt)
+
+
+def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | None = None) -> Made:
+    """Draw the values of all, write the sheets of all (or of one of so many shards), and keep the register.
+
+    Raises VecpolyError where a problem gives too few variants; a student who cannot be served does not stop the others.
+    """
+    old = _old(order)
+    pilots, courses, exercises = {}, dict[str, Course](), list[Exercise]()
+    for problem in map(_bare, order.assignment.problems):
+        found = _pilot(order, problem)
+        pilots[problem.id] = found
+        if problem.ranges:
+            refuse_too_few(problem, found.passed, len(order.students))
+        exercises.append(_exercise(order, problem, found))
+        courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
+    parts, refused = _drawn(order, courses, old, run, told)
+    sheets = tuple(
+        bare(one, [parts[name][one.number] for name in courses], order.assignment.id, order.assignment.salt)
+        for one in sorted(order.students, key=lambda one: one.number)
+        if one.number not in refused
+    )
+    register = Register(
+        assignment=order.assignment.id,
+        salt=order.assignment.salt,
+        title=order.assignment.title,
+        lang=order.lang,
+        vecpoly=order.version,
+        exercises=tuple(exercises),
+        sheets=sheets,
+    )
+    _no_twin_sheets(register)
+    layouts, failed = _printed(order, register, run, told, shard)
+    done = replace(register, sheets=laid_out(register.sheets, layouts))
+    if shard is None:
+        write_whole(order.out / NAME, done.as_bytes())
+    return Made(register=done, pilots=pilots, refused=refused | failed)
+
+
+def _bare(problem: Problem) -> Problem:
+    """Without what was printed of the problem in a book, which is of other values."""
+    return replace(problem, printed=(), errata=(), tables=(), source=None)
+
+
+def _pilot(order: Order, problem: Problem) -> Pilot:
+    if not problem.ranges:
+        return same_for_all(problem)
+    seed = order.seed(problem.id, "")
+    return pilot(problem, replace(seed, salt=f"{seed.salt}/pilot"))
+
+
+def _exercise(order: Order, problem: Problem, found: Pilot) -> Exercise:
+    data = {key: value for key, value in data_of(problem).items() if key not in _LEFT_OUT}
+    failed = {str(condition): round(share, 6) for condition, share in sorted(found.failed.items())}
+    return Exercise(
+        id=problem.id,
+        data=data,
+        fingerprint=fingerprint(data, order.version),
+        demoted=tuple(sorted(found.standard.demoted)),
+        passed=round(found.passed, 6),
+        failed=failed,
+    )
+
+
+def _old(order: Order) -> Register | None:
+    """The register of an earlier run into this folder: what was handed out stays."""
+    if not (order.out / NAME).exists():
+        return None
+    old = read_register(order.out)
+    if (old.assignment, old.salt) != (order.assignment.id, order.assignment.salt):
+        raise VecpolyError(
+            Words(
+                f"{order.out / NAME} 属于作业 {old.assignment}，而不是 {order.assignment.id}；请另取 -o 文件夹",
+                f"{order.out / NAME} is of assignment {old.assignment}, not {order.assignment.id}; name "
+                f"another folder with -o",
+            ),
+            code="other-class",
+        )
+    return old
+
+
+def _kept(old: Register | None, course: Course) -> dict[str, Part]:
+    """Who has values of this very problem already."""
+    if old is None or not any(
+        one.id == course.problem.id and one.fingerprint == course.fingerprint for one in old.exercises
+    ):
+        return {}
+    return {
+        sheet.student.number: part for sheet in old.sheets for part in sheet.parts if part.problem == course.problem.id
+    }
+
+
+def _drawn(
+    order: Order, courses: dict[str, Course], old: Register | None, run: Runner, told: Told
+) -> tuple[dict[str, dict[str, Part]], dict[str, VecpolyError]]:
+    parts: dict[str, dict[str, Part]] = {}
+    refused: dict[str, VecpolyError] = {}
+    for name, course in courses.items():
+        if not course.problem.ranges:
+            same = _same(course)
+            parts[name] = {one.number: same for one in order.students}
+            continue
+        seeds = [order.seed(name, one.number) for one in order.students]
+        parts[name], without = drawn(
+            course,
+            seeds,
+            _kept(old, course),
+            run,
+            order.out,
+            lambda what, done, of: told(Words(f"取数 {what}", f"drawing values of {what}"), done, of),
+        )
+        refused |= without
+    return parts, refused
+
+
+def _same(course: Course) -> Part:
+    """The one variant of a problem without ranges."""
+    from ..grading.derive.keyed import answer_key
+    from ..variants.frames import scaled
+    from ..variants.look import sketch_of
+
+    problem = scaled(course.problem, sketch_of(course.problem)) or course.problem
+    return Part(
+        problem=problem.id,
+        attempt=0,
+        values={},
+        scales=dict(problem.scales.given),
+        key=key_for(answer_key(problem), course.standard),
+    )
+
+
+def _no_twin_sheets(register: Register) -> None:
+    """Raise where two students' numbers have one sheet id, which happens to one class of 300 in 24 million."""
+    seen: dict[str, str] = {}
+    for sheet in register.sheets:
+        other = seen.setdefault(sheet.sheet, sheet.student.number)
+        if other != sheet.student.number:
+            raise VecpolyError(
+                Words(
+                    f"学号 {other} 与 {sheet.student.number} 得到同一卷号 {sheet.sheet}；请在作业中写 salt: 另一文本",
+                    f"the numbers {other} and {sheet.student.number} give one sheet id {sheet.sheet}; write "
+                    f"another salt in the assignment",
+                ),
+                code="twin",
+            )
+
+
+def _printed(
+    order: Order, register: Register, run: Runner, told: Told, shard: tuple[int, int] | None
+) -> tuple[dict[str, Any], dict[str, VecpolyError]]:
+    """Layouts of the sheets that were written, and what went wrong with others."""
+    mark = digest(["pages", order.version, _templates()])
+    sheets: Sequence[Sheet] = register.sheets if shard is None else register.sheets[shard[0] :: shard[1]]
+    tasks = [Print(register=own(register, piece), mark=mark) for piece in cut(sheets, PAGES)]
+    results = finished(tasks, run, order.out, lambda done, of: told(Words("写作业", "writing sheets"), done, of))
+    rows = [row for result in results for row in result]
+    failed = {row["number"]: VecpolyError(Words(**row["error"])) for row in rows if "error" in row}
+    return {row["number"]: row["layout"] for row in rows if "layout" in row}, failed
+
+
+def _templates() -> list[str]:
+    """The templates that lecturers edit: with others the pages are others."""
+    return [file.read_text("utf-8") for file in sorted(data_dir("templates").glob("*.j2"))]

@@ -1,0 +1,65 @@
+"""The columns of the answers form: what is typed from paper, under names that the grader knows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ..grading.key import Graded, Kind
+from ..names import written_unit
+from .register import Register
+
+
+class What(StrEnum):
+    """What a column holds of a quantity."""
+
+    SCALE = "scale"  # the student's own μ
+    LENGTH = "mm"
+    VALUE = "value"
+    DIRECTION = "deg"
+    SENSE = "sense"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """One column: of which problem and quantity, what; its head and unit as they stand in rows 1 and 2."""
+
+    problem: str
+    key: str
+    what: What
+    unit: str
+
+    @property
+    def head(self) -> str:
+        """``3-9:v_E``, ``3-9:v_E mm``, ``3-9:omega_3 sense``, ``3-9:mu_v``."""
+        bare = f"{self.problem}:{self.key}"
+        return bare if self.what in (What.VALUE, What.SCALE) else f"{bare} {self.what}"
+
+
+IDENTITY = (("学号", "number"), ("姓名", "name"), ("班级", "class"), ("卷号", "sheet"))
+_PER_MM = {"mu_l": "m/mm", "mu_v": "(m/s)/mm", "mu_a": "(m/s²)/mm", "mu_F": "N/mm"}
+
+
+def columns_of(register: Register) -> tuple[Column, ...]:
+    """All columns, problem by problem: the scales, then what is asked in the order of the key."""
+    if not register.sheets:
+        return ()
+    found: list[Column] = []
+    for part in register.sheets[0].parts:
+        asked = [one for one in part.key.quantities if one.asked]
+        used = sorted({one.mu for one in asked if one.mu and one.mm})
+        found += [Column(problem=part.problem, key=mu, what=What.SCALE, unit=_PER_MM.get(mu, "")) for mu in used]
+        for one in asked:
+            found += [Column(problem=part.problem, key=one.key, what=what, unit=unit) for what, unit in _parts(one)]
+    return tuple(found)
+
+
+def _parts(one: Graded) -> list[tuple[What, str]]:
+    value = (What.VALUE, written_unit(one.unit))
+    match one.kind:
+        case Kind.VECTOR:
+            return [(What.LENGTH, "mm"), value, (What.DIRECTION, "°")]
+        case Kind.SIGNED:
+            return [value, (What.SENSE, "↻ ↺")]
+        case _:
+            return [value]

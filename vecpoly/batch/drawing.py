@@ -1,0 +1,132 @@
+"""Values for a whole class: everybody's first variant that is far enough from those of all others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import prod
+from pathlib import Path
+from typing import Any
+
+from ..errors import VecpolyError
+from ..grading.key import AnswerKey
+from ..problem.problem import Problem
+from ..variants.apart import Apart, Taken
+from ..variants.conditions import Condition
+from ..variants.judge import Standard
+from ..variants.seeds import Seed
+from ..words import Words
+from .register import Part
+from .runners import Runner, Task
+from .store import Store, digest
+from .tasks import Draw, cut
+
+BATCH = 10  # students of one task
+ROUNDS = 48  # in which somebody may be too near to another
+Told = Callable[[str, int, int], None]  # what is being done, how much of it, of how much
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Course:
+    """A problem to be drawn for everybody, with what all variants are held to."""
+
+    problem: Problem
+    fingerprint: str
+    standard: Standard
+
+
+def drawn(
+    course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: Runner, out: Path, told: Told
+) -> tuple[dict[str, Part], dict[str, VecpolyError]]:
+    """Student -> variant, and whoever got none. kept: what was handed out before, and stays.
+
+    Everybody's turn comes in an order that follows from the seeds alone: the order of the roster does not matter.
+    """
+    apart, parts = Apart(course.problem.gate.apart), dict(kept)
+    for number in sorted(kept):
+        apart.takes(kept[number].key)
+    first = sorted(
+        (seed for seed in seeds if seed.student not in kept), key=lambda seed: seed.stream(-1).below(1 << 60)
+    )
+    waiting, refused = [(seed, 0) for seed in first], dict[str, VecpolyError]()
+    for _ in range(ROUNDS):
+        left: list[tuple[Seed, int]] = []
+        for seed, found in _found(course, waiting, apart.taken, run, out, told):
+            good = next((part for part in found if apart.takes(part.key)), None)
+            if good is not None:
+                parts[seed.student] = good
+            elif not found:
+                refused[seed.student] = _no_variant(course, Condition.REFUSED)
+            else:
+                left.append((seed, found[-1].attempt + 1))
+        stuck, waiting = bool(waiting) and len(left) == len(waiting), left
+        if stuck or not waiting:  # in a round in which nobody got any, the ranges hold no more
+            break
+    return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed, _ in waiting}
+
+
+def _found(
+    course: Course, waiting: Sequence[tuple[Seed, int]], taken: Taken, run: Runner, out: Path, told: Told
+) -> Iterator[tuple[Seed, list[Part]]]:
+    """The variants of each from an attempt on, in this order."""
+    tasks = [
+        Draw(
+            problem=course.problem,
+            fingerprint=course.fingerprint,
+            standard=course.standard,
+            taken=taken,
+            seeds=tuple(seed for seed, _ in piece),
+            starts=tuple(start for _, start in piece),
+        )
+        for piece in cut(waiting, BATCH)
+    ]
+    results = finished(tasks, run, out, lambda done, of: told(course.problem.id, done, of))
+    for task, result in zip(tasks, results, strict=True):
+        for seed, found in zip(task.seeds, result, strict=True):
+            yield seed, [Part(**{**one, "key": AnswerKey.from_json(one["key"])}) for one in found]
+
+
+def finished(tasks: Sequence[Task], run: Runner, out: Path, told: Callable[[int, int], None]) -> list[Any]:
+    """The results of all tasks: of those that are on file, and of the others when they are done."""
+    store = Store(out)
+    results = [store.get(task.address) for task in tasks]
+    todo = [n for n, result in enumerate(results) if result is None]
+    told(len(tasks) - len(todo), len(tasks))
+    for count, (number, result) in enumerate(run.each([tasks[n] for n in todo], out), 1):
+        results[todo[number]] = result
+        told(len(tasks) - len(todo) + count, len(tasks))
+    return results
+
+
+def refuse_too_few(problem: Problem, passed: float, students: int) -> None:
+    """Raise VecpolyError where the grids hold fewer good values than there are students, who are to be told apart."""
+    count = prod(one.count for one in problem.ranges)
+    good = int(count * passed)
+    if problem.gate.apart and good < students:
+        raise VecpolyError(
+            Words(
+                f"题 {problem.id}：{count} 组数据中约 {good} 组合格，而学生有 {students} 名；"
+                f"请{Condition.APART.remedy.zh}，如 0",
+                f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} students; "
+                f"{Condition.APART.remedy.en}, say to 0",
+            ),
+            code="too-few",
+            numbers={"good": good, "students": students},
+        )
+
+
+def _no_variant(course: Course, why: Condition) -> VecpolyError:
+    name = course.problem.id
+    return VecpolyError(
+        Words(
+            f"题 {name}：没有找到合格的数据：{why.words.zh}；请{why.remedy.zh}",
+            f"problem {name}: no variant was found: {why.words.en}; {why.remedy.en}",
+        ),
+        code="no-variant",
+        numbers={"problem": name, "condition": str(why)},
+    )
+
+
+def fingerprint(data: object, version: str) -> str:
+    """What a problem's variants follow from, in a few letters: its data and the program."""
+    return digest(["problem", data, version])

@@ -1,0 +1,1 @@
+"""Questions for Moodle: cloze and numerical, in its XML format."""

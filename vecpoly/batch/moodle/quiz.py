@@ -1,0 +1,174 @@
+"""Moodle XML of some variants: a category for each problem, so that a quiz draws one at random; never a question for
+each student."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from html import escape
+from xml.etree import ElementTree as xml
+
+from ...drawing.backends.svg import to_svg
+from ...drawing.figure import draw_figure
+from ...grading.key import Graded
+from ...names import written_unit
+from ...report.content import statement
+from ...report.document import PICTURE
+from ...report.picture import picture
+from ...solution import solve
+from ...words import Lang, Words, bare
+from ..register import Part, Register, Sheet
+from .answers import Worth, worths
+from .cloze import plain_number, row
+
+VARIANTS = 20  # of each problem: Moodle warns of large banks of questions
+_GIVEN, _FIND = Words("已知：", "Given: "), Words("求：", "Find: ")
+_HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
+_SCALE = Words("允许误差", "tolerance")
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """A variant with what is said of it."""
+
+    sheet: Sheet
+    part: Part
+    said: dict[str, str]
+    svg: bytes
+    worths: dict[str, tuple[Worth, ...]]
+    solution: str
+
+    @property
+    def asked(self) -> tuple[Graded, ...]:
+        return tuple(one for one in self.part.key.quantities if one.key in self.worths)
+
+    @property
+    def name(self) -> str:
+        return f"{self.part.problem} {self.sheet.sheet}"
+
+
+@dataclass(frozen=True)
+class Quizzes:
+    """Both sorts of questions, over the same variants."""
+
+    register: Register
+
+    @cached_property
+    def variants(self) -> tuple[tuple[str, list[_Asked]], ...]:
+        """The variants of each problem, solved once."""
+        return tuple(_by_problem(self.register))
+
+    def cloze(self) -> bytes:
+        """A cloze question for each variant: all blanks of it, with units and senses."""
+        root, lang = xml.Element("quiz"), _lang(self.register)
+        for problem, variants in self.variants:
+            _category(root, self.register, problem, "cloze", lang)
+            for one in variants:
+                question = _question(root, "cloze", one, one.name, _text(one, lang, blanks=True), lang)
+                _tell(question, "hidden", "0")
+        return _written(root)
+
+    def numerical(self) -> bytes:
+        """A numerical question for each asked quantity of each variant."""
+        root, lang = xml.Element("quiz"), _lang(self.register)
+        for problem, variants in self.variants:
+            for key in dict.fromkeys(one.key for variant in variants for one in variant.asked):
+                _category(root, self.register, f"{problem}/{key}", "numerical", lang)
+                for variant in variants:
+                    for one in variant.asked:
+                        if one.key == key:
+                            _numerical(root, variant, one, lang)
+        return _written(root)
+
+
+def _lang(register: Register) -> Lang:
+    return "zh" if register.lang == "zh" else "en"
+
+
+def _by_problem(register: Register) -> Iterator[tuple[str, list[_Asked]]]:
+    lang = _lang(register)
+    for exercise in register.exercises:
+        parts = [
+            (sheet, part)
+            for sheet in sorted(register.sheets, key=lambda one: one.sheet)
+            for part in sheet.parts
+            if part.problem == exercise.id
+        ]
+        if not exercise.data.get("vary"):
+            parts = parts[:1]
+        yield exercise.id, [_asked(register, sheet, part, lang) for sheet, part in parts[:VARIANTS]]
+
+
+def _asked(register: Register, sheet: Sheet, part: Part, lang: Lang) -> _Asked:
+    problem = register.variant(part)
+    solution = solve(problem, precise=False)
+    asked = tuple(one for one in part.key.quantities if one.asked and not one.demoted and one.exact)
+    drawn = picture(problem, solution.construction, *PICTURE)
+    svg = to_svg(draw_figure(drawn, lang=lang, caption=False)).encode() if drawn else b""
+    right = "；".join(
+        f"{one.key} = {one.exact:.4g} {written_unit(one.unit)}（{_SCALE.of(lang)} {one.allowed:.2g}）" for one in asked
+    )
+    return _Asked(sheet, part, statement(solution, lang), svg, worths(problem, asked), right)
+
+
+def _category(root: xml.Element, register: Register, name: str, sort: str, lang: Lang) -> None:
+    question = xml.SubElement(root, "question", type="category")
+    path = "/".join(("$course$", "top", register.title.of(lang).replace("/", "//"), sort, name))
+    xml.SubElement(xml.SubElement(question, "category"), "text").text = path
+
+
+def _question(root: xml.Element, sort: str, one: _Asked, name: str, text: str, lang: Lang) -> xml.Element:
+    question = xml.SubElement(root, "question", type=sort)
+    xml.SubElement(xml.SubElement(question, "name"), "text").text = name
+    body = xml.SubElement(question, "questiontext", format="html")
+    xml.SubElement(body, "text").text = text
+    if one.svg:
+        file = xml.SubElement(body, "file", name="figure.svg", path="/", encoding="base64")
+        file.text = b64encode(one.svg).decode()
+    feedback = xml.SubElement(question, "generalfeedback", format="html")
+    xml.SubElement(feedback, "text").text = f"<p>{escape(one.solution)}</p>"
+    _tell(question, "penalty", "0.3333333")
+    _tell(question, "idnumber", name.replace(" ", "-"))
+    return question
+
+
+def _text(one: _Asked, lang: Lang, *, blanks: bool) -> str:
+    said = {key: escape(bare(value)) for key, value in one.said.items()}
+    parts = [f"<p>{said['statement']}</p>" if said["statement"] else "", f"<p>{_GIVEN.of(lang)}{said['given']}</p>"]
+    if one.svg:
+        parts.append(f'<p><img src="@@PLUGINFILE@@/figure.svg" alt="{said["title"]}"></p>')
+    if blanks:
+        parts += [
+            f"<p>{escape(bare(asked.symbol))} = {escape(row(asked, one.worths[asked.key], lang), quote=False)}</p>"
+            for asked in one.asked
+        ]
+    return "".join(parts)
+
+
+def _numerical(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> None:
+    asked = f"{_FIND.of(lang)}{escape(bare(one.symbol))} ({escape(written_unit(one.unit))})"
+    text = f"{_text(variant, lang, blanks=False)}<p>{asked}</p>"
+    question = _question(root, "numerical", variant, f"{variant.name} {one.key}", text, lang)
+    _tell(question, "defaultgrade", "1")
+    _tell(question, "hidden", "0")
+    for worth in variant.worths[one.key]:
+        answer = xml.SubElement(question, "answer", fraction=str(worth.percent), format="moodle_auto_format")
+        _tell(answer, "text", plain_number(worth.value))
+        _tell(answer, "tolerance", plain_number(worth.allowed))
+        xml.SubElement(xml.SubElement(answer, "feedback", format="html"), "text").text = escape(worth.said.of(lang))
+    unit = xml.SubElement(xml.SubElement(question, "units"), "unit")
+    _tell(unit, "multiplier", "1")
+    _tell(unit, "unit_name", written_unit(one.unit))
+    for tag, said in (("unitgradingtype", "0"), ("unitpenalty", "0.1"), ("showunits", "3"), ("unitsleft", "0")):
+        _tell(question, tag, said)
+
+
+def _tell(parent: xml.Element, tag: str, text: str) -> None:
+    xml.SubElement(parent, tag).text = text
+
+
+def _written(root: xml.Element) -> bytes:
+    xml.indent(root)
+    return xml.tostring(root, encoding="unicode", xml_declaration=False).join((_HEAD, "\n")).encode()

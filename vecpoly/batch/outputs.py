@@ -1,0 +1,39 @@
+"""Everything that is written once all sheets are there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from ..foundation.files import write_whole
+from ..words import Words
+from .bundles import merged, zipped
+from .moodle.quiz import Quizzes
+from .profile import Profile, table_bytes
+from .register import NAME, Register
+from .tasks import question_file
+from .workbooks import answers_bytes, key_bytes
+
+Told = Callable[[Words, int, int], None]
+
+
+def outputs(register: Register, out: Path, profile: Profile | None, told: Told) -> Iterator[Path]:
+    """Write the forms and bundles, and name each file when it is there."""
+    quizzes = Quizzes(register)
+    plan: list[tuple[str, Callable[[], bytes]]] = [
+        ("key.xlsx", lambda: key_bytes(register)),
+        ("answers.xlsx", lambda: answers_bytes(register)),
+        ("moodle-cloze.xml", quizzes.cloze),
+        ("moodle-numerical.xml", quizzes.numerical),
+        ("questions.pdf", lambda: merged(register, out)),
+        ("solutions.pdf", lambda: merged(register, out, solutions=True)),
+        ("questions.zip", lambda: zipped([out / question_file(sheet.student) for sheet in register.sheets], out)),
+    ]
+    if profile is not None:
+        plan.append((profile.file, lambda: table_bytes(register, profile)))
+    doing = Words("汇总", "bundling")
+    for count, (name, made) in enumerate(plan):
+        told(doing, count, len(plan))
+        yield write_whole(out / name, made())
+    told(doing, len(plan), len(plan))
+    yield out / NAME

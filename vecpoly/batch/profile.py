@@ -1,0 +1,88 @@
+"""Columns of another platform's table, as a small YAML file says: no platform is known to the program."""
+
+from __future__ import annotations
+
+import csv
+from io import StringIO
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from ..errors import VecpolyError
+from ..problem.text.source import read
+from ..words import Words
+from .register import Register, Sheet
+
+_OF_STUDENT = ("number", "name", "class", "sheet")
+
+
+class ColumnOf(BaseModel):
+    """A column: its head, and what stands in it: number, name, class, sheet, a value such as ``3-9:AB``, or a text for
+    everybody."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    head: str
+    holds: str = ""
+    text: str = ""
+
+
+class Profile(BaseModel):
+    """A table for a platform: the name of the file, whether it begins with the mark of UTF-8, its columns."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    file: str = Field(pattern=r"^[\w\-]+\.csv$")
+    mark: bool = True
+    columns: tuple[ColumnOf, ...] = Field(min_length=1)
+
+
+def read_profile(path: Path) -> Profile:
+    """The profile in this file. Raises VecpolyError with the key that is wrong."""
+    try:
+        return Profile.model_validate(read(path).data)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(map(str, first["loc"]))
+        raise VecpolyError(
+            Words(
+                f"{path}：{where}：{first['msg']}；如写 "
+                f"{{file: xuexitong.csv, columns: [{{head: 学号, holds: number}}]}}",
+                f"{path}: {where}: {first['msg']}; write e.g. "
+                f"{{file: xuexitong.csv, columns: [{{head: No, holds: number}}]}}",
+            ),
+            code="profile",
+        ) from None
+
+
+def table_bytes(register: Register, profile: Profile) -> bytes:
+    """The table, one row a student. Raises VecpolyError for a column that holds nothing known."""
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\r\n")
+    writer.writerow(column.head for column in profile.columns)
+    for sheet in register.sheets:
+        writer.writerow(guarded(_cell(sheet, column)) for column in profile.columns)
+    return text.getvalue().encode("utf-8-sig" if profile.mark else "utf-8")
+
+
+def guarded(text: str) -> str:
+    """A text that no spreadsheet takes for a formula."""
+    return f"'{text}" if text[:1] in "=+-@\t\r" and text[:1] else text
+
+
+def _cell(sheet: Sheet, column: ColumnOf) -> str:
+    if not column.holds:
+        return column.text
+    if column.holds in _OF_STUDENT:
+        held = (sheet.student.number, sheet.student.name, sheet.student.team, sheet.sheet)
+        return held[_OF_STUDENT.index(column.holds)]
+    problem, _, name = column.holds.partition(":")
+    for part in sheet.parts:
+        if part.problem == problem and name in part.values:
+            return part.values[name]
+    known = [*_OF_STUDENT, *(f"{part.problem}:{name}" for part in sheet.parts for name in part.values)]
+    raise VecpolyError(
+        Words(
+            f"列“{column.head}”的 holds: {column.holds} 不存在；可写 {'、'.join(known)}",
+            f"column '{column.head}' holds {column.holds}, which is nothing; write one of {', '.join(known)}",
+        ),
+        code="profile",
+    )

@@ -1,0 +1,220 @@
+"""The roster: 学号, 姓名, 班级 in XLSX or CSV, as schools export them; what is wrong with a row does not stop the
+others."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import unicodedata
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..errors import Fault, Place, VecpolyError
+from ..limits import CELL, ROSTER, TABLE_BYTES
+from ..words import Words
+from .student import Student
+
+Row = tuple[int, tuple[str, ...]]  # its number in the file, from 1, and its cells
+_HEADS = {
+    "number": (
+        "学号",
+        "学生编号",
+        "学生学号",
+        "考号",
+        "number",
+        "student number",
+        "student no",
+        "student id",
+        "id",
+        "no",
+        "matriculation",
+    ),
+    "name": ("姓名", "学生姓名", "名字", "name", "student", "student name", "full name"),
+    "team": ("班级", "班", "行政班", "教学班", "class", "group", "team", "section"),
+}
+_NUMBER = re.compile(r"[A-Za-z0-9][A-Za-z0-9._\-]*")
+
+
+class RosterError(VecpolyError, ValueError):
+    """A roster that cannot be read: file, row, column, cause, remedy."""
+
+
+@dataclass(frozen=True, slots=True)
+class Roster:
+    """The students, in the order of the file, and what is wrong with the other rows."""
+
+    students: tuple[Student, ...]
+    faults: tuple[Fault, ...]
+
+
+def read_roster(path: Path) -> Roster:
+    """The roster in this file. Raises RosterError where no row of it can be read, or where a number stands twice."""
+    rows = list(_rows(path))
+    found = next(
+        ((i, columns) for i, (_, cells) in enumerate(rows[:10]) if "number" in (columns := _columns(cells))), None
+    )
+    if found is None:
+        heads = "、".join(cell for _, cells in rows[:1] for cell in cells if cell) or "—"
+        raise RosterError(
+            Words(
+                f"{path}：前 10 行中没有“学号”一列（第 1 行为 {heads}）；请加表头：学号,姓名,班级",
+                f"{path}: no column of student numbers in the first 10 rows (row 1 has {heads}); add a "
+                f"header: number,name,class",
+            ),
+            code="no-header",
+        )
+    start, columns = found
+    students, faults = list[tuple[int, Student]](), list[Fault]()
+    for line, cells in rows[start + 1 :]:
+        if any(cells):
+            one = _student(str(path), line, cells, columns)
+            if isinstance(one, Fault):
+                faults.append(one)
+            else:
+                students.append((line, one))
+    _no_twins(path, students)
+    if not students:
+        raise RosterError(
+            Words(f"{path}：没有学生；表头下每行一名学生", f"{path}: no students; one a row below the header"),
+            code="empty",
+            faults=tuple(faults),
+        )
+    return Roster(tuple(one for _, one in students), tuple(faults))
+
+
+def plain(text: object) -> str:
+    """A cell as text: full-width letters and digits made plain, blanks folded, 20231234.0 as 20231234."""
+    if text is None:
+        return ""
+    if isinstance(text, float) and text.is_integer():
+        text = int(text)
+    return " ".join(unicodedata.normalize("NFKC", str(text)).replace("\ufeff", "").split())
+
+
+def _columns(cells: Sequence[str]) -> dict[str, int]:
+    """Which column holds what."""
+    found: dict[str, int] = {}
+    for i, cell in enumerate(cells):
+        bare = cell.lower().replace("_", " ").strip(" .:*")
+        for what, heads in _HEADS.items():
+            if bare in heads:
+                found.setdefault(what, i)
+    return found
+
+
+def _student(file: str, line: int, cells: Sequence[str], columns: dict[str, int]) -> Student | Fault:
+    """The student of a row, or what is wrong with it."""
+    held = {what: cells[i] if i < len(cells) else "" for what, i in columns.items()}
+    place = Place(file, line, columns["number"] + 1)
+    if not held["number"]:
+        return Fault(
+            code="missing",
+            place=place,
+            said=Words(
+                f"{held.get('name') or '此行'}没有学号；请补上",
+                f"{held.get('name') or 'this row'} has no number; fill it in",
+            ),
+        )
+    if not _NUMBER.fullmatch(held["number"]):
+        return Fault(
+            code="spelling",
+            place=place,
+            numbers={"number": held["number"]},
+            said=Words(
+                f"学号“{held['number']}”只能含字母、数字、'-'、'_' 和 '.'；请改正",
+                f"the number '{held['number']}' may hold only letters, digits, '-', '_' and '.'; correct it",
+            ),
+        )
+    if any(len(text) > CELL or not text.isprintable() for text in held.values()):
+        return Fault(
+            code="out-of-range",
+            place=place,
+            said=Words(
+                f"此行含有不可打印的字符，或有一格超过 {CELL} 字；请改正",
+                f"this row holds characters that cannot be printed, or a cell of over {CELL}; correct it",
+            ),
+        )
+    return Student(number=held["number"], name=held.get("name", ""), team=held.get("team", ""))
+
+
+def _no_twins(path: Path, students: Sequence[tuple[int, Student]]) -> None:
+    """Raise where two rows have one number: whose sheet would it be?"""
+    first: dict[str, int] = {}
+    for line, one in students:
+        other = first.setdefault(one.number, line)
+        if other != line:
+            raise RosterError(
+                Words(
+                    f"{path}：学号 {one.number} 在第 {other} 行和第 {line} 行重复；请改正其一",
+                    f"{path}: the number {one.number} stands in rows {other} and {line}; correct one of them",
+                ),
+                code="duplicate",
+                numbers={"number": one.number, "row": other, "again": line},
+            )
+
+
+def _rows(path: Path) -> Iterator[Row]:
+    """The rows of the file; raises RosterError for what is no table, OSError."""
+    if path.stat().st_size > TABLE_BYTES:
+        raise RosterError(
+            Words(
+                f"{path}：超过 {TABLE_BYTES // 10**6} MB；这不是名单",
+                f"{path}: over {TABLE_BYTES // 10**6} MB; this is no roster",
+            )
+        )
+    reader = _xlsx if path.suffix.lower() in (".xlsx", ".xlsm") else _csv
+    for line, cells in enumerate(reader(path), 1):
+        if line > ROSTER:
+            raise RosterError(
+                Words(f"{path}：超过 {ROSTER} 行；请分成几份", f"{path}: more than {ROSTER} rows; split it"),
+                code="too-long",
+            )
+        yield line, tuple(map(plain, cells))
+
+
+def _xlsx(path: Path) -> Iterator[Sequence[object]]:
+    from zipfile import BadZipFile
+
+    from openpyxl import load_workbook
+
+    try:
+        book = load_workbook(path, read_only=True, data_only=True)
+        yield from book.worksheets[0].iter_rows(values_only=True)
+    except (BadZipFile, KeyError, ValueError, IndexError) as error:
+        raise RosterError(
+            Words(
+                f"{path}：不是 XLSX 工作簿（{error}）；请另存为 XLSX 或 CSV",
+                f"{path}: no XLSX workbook ({error}); save it again as XLSX or CSV",
+            ),
+            code="no-workbook",
+        ) from None
+
+
+def _csv(path: Path) -> Iterator[Sequence[object]]:
+    data = path.read_bytes()
+    text = decoded(data)
+    if text is None:
+        raise RosterError(
+            Words(
+                f"{path}：既不是 UTF-8 也不是 GB18030；请另存为 UTF-8",
+                f"{path}: neither UTF-8 nor GB18030; save it as UTF-8",
+            ),
+            code="encoding",
+        )
+    head = text[:4096]
+    mark = max("\t;,，", key=head.count)
+    yield from csv.reader(
+        io.StringIO(text.replace("，", ",") if mark == "，" else text), delimiter="," if mark == "，" else mark
+    )
+
+
+def decoded(data: bytes) -> str | None:
+    """The text, in UTF-8 (with or without its mark) or GB18030; None where it is neither."""
+    for encoding in ("utf-8-sig", "gb18030"):
+        try:
+            return data.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    return None

@@ -1,0 +1,80 @@
+"""The text of a question in pages of its own: paragraphs, sketch and empty equation tables, set where they will
+stand."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ...board.construction import EquationTable
+from ...foundation.data import data_dir
+from ...report.content import Objects, statement
+from ...report.document import PICTURE, sketch_of
+from ...report.flow.xml import to_flowables
+from ...report.picture import picture
+from ...report.templates import filled
+from ...solution import Solution
+from ...typeset.box import MM
+from ...words import Lang, Words
+from .layout import BOTTOM, LEFT, RIGHT, TOP
+
+WIDTH, HEIGHT = RIGHT - LEFT, TOP - BOTTOM
+BLANK, LEAST = 24.0, 13.0  # mm for what is written into an equation, and where it has many terms
+_UNDERSCORE = 1.85  # mm in running text
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """Something set, with its lower left corner (mm)."""
+
+    block: Any
+    x: float
+    y: float
+
+    def draw(self, canvas: Any) -> None:
+        """Draw it there."""
+        self.block.drawOn(canvas, self.x * MM, self.y * MM)
+
+
+def text_pages(solution: Solution, lang: Lang) -> tuple[tuple[Placed, ...], ...]:
+    """The text of a problem, page after page."""
+    objects = Objects()
+    drawn = picture(solution.problem, solution.construction, *PICTURE)
+    tables = [step.equation for step in solution.construction.steps if step.equation]
+    context = {
+        **statement(solution, lang),
+        "blanks": [objects.add("eq", _emptied(table)) for table in tables],
+        "picture": objects.add("pic", sketch_of(drawn, solution, lang)) if drawn else "",
+    }
+    xml = filled(f"sheet.{lang}.xml.j2", (data_dir("templates"),), {"p": context})
+    return paged(to_flowables(xml, objects.named, lang))
+
+
+def paged(blocks: Sequence[Any]) -> tuple[tuple[Placed, ...], ...]:
+    """Blocks under each other; what does not fit goes to the next page, a heading with what follows it."""
+    pages, here, y = list[list[Placed]](), list[Placed](), TOP
+    for i, block in enumerate(blocks):
+        before = 0.0 if y == TOP else block.getSpaceBefore() / MM
+        high = block.wrap(WIDTH * MM, HEIGHT * MM)[1] / MM
+        needed = high + (_following(blocks, i) if block.keepWithNext else 0.0)
+        if here and y - before - needed < BOTTOM:
+            pages, here, y, before = [*pages, here], [], TOP, 0.0
+        y -= before + high
+        here.append(Placed(block, LEFT, y))
+        y -= block.getSpaceAfter() / MM
+    return tuple(tuple(page) for page in (*pages, here))
+
+
+def _following(blocks: Sequence[Any], i: int) -> float:
+    return float(blocks[i + 1].wrap(WIDTH * MM, HEIGHT * MM)[1]) / MM if i + 1 < len(blocks) else 0.0
+
+
+def _emptied(table: EquationTable) -> EquationTable:
+    """The equation with rows to be filled in by hand."""
+    count = len(table.symbols)
+    wide = max(LEAST, min(BLANK, (WIDTH - 20.0) / count - 6.0))
+    line = "_" * round(wide / _UNDERSCORE)
+    return EquationTable(
+        symbols=table.symbols, signs=table.signs, directions=(Words.same(line),) * count, magnitudes=(line,) * count
+    )

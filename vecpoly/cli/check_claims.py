@@ -1,0 +1,69 @@
+"""vecpoly check 3-12 v_D=0.49 ω5=4.72: one's own answers to a problem, each with its verdict and its reason."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from ..errors import UnknownNameError
+from ..words import Lang, Words, bare
+from .errors import DISAGREES, Tally
+from .files import STDOUT, spared, write_json
+from .jobs import problems
+from .options import JSON
+from .terminal import add, show, table
+
+if TYPE_CHECKING:
+    from ..grading.student import Checked
+
+_COLUMNS = {"zh": ("量", "所写", "结论", "缘由"), "en": ("quantity", "written", "verdict", "reason")}
+
+
+def claims_among(names: Sequence[str]) -> list[str]:
+    """The answers among the arguments: with an equals sign, and no file."""
+    return [name for name in names if ("=" in name or "＝" in name) and not Path(name).exists()]
+
+
+def check_claims(
+    names: Sequence[str], claims: Sequence[str], tally: Tally, json: Path | None, lang: Lang, outside: bool
+) -> None:
+    """Check these answers to the one problem that is named; exit code 1 where one is not right."""
+    rest = [name for name in names if name not in claims]
+    if len(rest) != 1:
+        raise UnknownNameError(
+            Words(
+                f"{'、'.join(claims)} 是哪道题的答案？题目与答案同写时只写一道题，这里有 {len(rest)} 道",
+                f"of which problem is {', '.join(claims)} the answer? name one problem beside answers; "
+                f"here are {len(rest)}",
+            )
+        )
+    found = problems(rest, tally, outside)
+    tally.settle()
+    if len(found) != 1:
+        raise UnknownNameError(
+            Words(
+                f"{rest[0]} 有 {len(found)} 道题；答案只与一道题同写",
+                f"{rest[0]} has {len(found)} problems; name one of them beside answers",
+            )
+        )
+    spared(json, JSON, found)
+    from ..grading.student import check_answers
+
+    checked = check_answers(found[0], claims)
+    if json != STDOUT:
+        _print(checked, lang)
+    if json is not None:
+        write_json(checked.as_json(), json)
+    if not checked.right:
+        raise typer.Exit(DISAGREES)
+
+
+def _print(checked: Checked, lang: Lang) -> None:
+    title = f"{checked.problem.id}  {bare(checked.problem.title.of(lang))}"
+    made = table(title, [(name, "left") for name in _COLUMNS[lang]])
+    for row, one in zip(checked.rows(lang), checked.answers, strict=True):
+        add(made, row, alarmed=not one.is_right)
+    show(made)

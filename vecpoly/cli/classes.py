@@ -1,0 +1,174 @@
+"""vecpoly class: sheets, solutions, register, key and forms for everybody on a roster."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..errors import Fault, VecpolyError
+from ..words import Words
+from .errors import REFUSED, tell
+from .options import LangOption, OutsideOption, place
+from .terminal import say, wrote
+from .tongue import told_in
+
+if TYPE_CHECKING:
+    from ..batch.classwork import Made
+    from ..batch.profile import Profile
+
+Told = Callable[[Words, int, int], None]
+Sheet = Annotated[
+    Path,
+    typer.Argument(metavar="ASSIGNMENT", help="The assignment: a YAML file that lists problems.", show_default=False),
+]
+RosterOption = Annotated[
+    Path, typer.Option("--roster", metavar="FILE", help="Numbers, names and classes: XLSX or CSV.", show_default=False)
+]
+OutOption = Annotated[
+    Path,
+    typer.Option("-o", "--output", metavar="FOLDER", parser=place, help="The folder to write to.", show_default=False),
+]
+JobsOption = Annotated[
+    int,
+    typer.Option("--jobs", "-j", min=0, max=256, help="Processes; as many as there are processors where 0 is said."),
+]
+ShardOption = Annotated[
+    str,
+    typer.Option(
+        "--shard",
+        metavar="I/N",
+        help="Write only every Nth sheet, from the Ith (0/4 ... 3/4); a run without it completes the folder.",
+        show_default=False,
+    ),
+]
+DaskOption = Annotated[
+    str | None,
+    typer.Option(
+        "--dask",
+        metavar="ADDRESS",
+        help="Let a Dask cluster do the work: the address of its scheduler.",
+        show_default=False,
+    ),
+]
+ProfileOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--profile",
+        metavar="FILE",
+        help="Also a table with the columns of another platform, as this YAML file says.",
+        show_default=False,
+    ),
+]
+
+
+def classes(
+    assignment: Sheet,
+    roster: RosterOption,
+    output: OutOption,
+    lang: LangOption = "zh",
+    jobs: JobsOption = 0,
+    shard: ShardOption = "",
+    dask: DaskOption = None,
+    profile: ProfileOption = None,
+    allow_outside: OutsideOption = False,
+) -> None:
+    """Give everybody on a roster own numbers: question and solution PDFs, register, key, answers form, Moodle
+    questions.
+
+    Killed at any moment, it goes on where it was when it is started again.
+    """
+    from .. import __version__
+    from ..batch.classwork import Order, make_class
+    from ..batch.profile import read_profile
+    from ..batch.roster import read_roster
+    from ..batch.runners import runner
+    from ..problem.assignment import load_assignment
+
+    part, columns = _shard(shard), read_profile(profile) if profile else None
+    people = read_roster(roster)
+    order = Order(
+        assignment=load_assignment(assignment, allow_outside=allow_outside),
+        students=people.students,
+        out=output,
+        lang=lang,
+        version=__version__,
+    )
+    with progress_bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
+        made = make_class(order, run, told, part)
+        if part is None:
+            _bundle(made, output, columns, told)
+    _report(made)
+    _settle(people.faults, made.refused)
+
+
+def _settle(faults: Sequence[Fault], refused: Mapping[str, VecpolyError]) -> None:
+    """Tell which rows and which students came to nothing, and leave with an exit code of failure where there were
+    any."""
+    errors: list[Exception] = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in faults]
+    errors += [error.led_by(Words(f"{number}：", f"{number}: ")) for number, error in sorted(refused.items())]
+    for error in errors:
+        tell(error)
+    if errors:
+        raise typer.Exit(REFUSED)
+
+
+def _shard(text: str) -> tuple[int, int] | None:
+    """0/4: the first of four."""
+    if not text:
+        return None
+    found = re.fullmatch(r"(\d+)/(\d+)", text)
+    if found is None or not int(found[1]) < int(found[2]):
+        raise VecpolyError(
+            Words(
+                f"--shard {text}：应写 0/4、1/4、2/4、3/4 之类", f"--shard {text}: write 0/4, 1/4, 2/4, 3/4 or the like"
+            ),
+            code="shard",
+        )
+    return int(found[1]), int(found[2])
+
+
+def _bundle(made: Made, output: Path, profile: Profile | None, told: Told) -> None:
+    from ..batch.outputs import outputs
+
+    for path in outputs(made.register, output, profile, told):
+        wrote(path)
+
+
+def _report(made: Made) -> None:
+    """Yield and what is demoted, problem by problem."""
+    from ..variants.told import demoted, said_already, told
+
+    for name, found in made.pilots.items():
+        if found.standard.work:
+            for line in (*told(name, found), *demoted(found), *said_already(made.register.exercise(name).problem)):
+                say(told_in(line))
+    count = len(made.register.sheets)
+    say(told_in(Words(f"{count} 份作业", f"{count} sheet{'' if count == 1 else 's'}")))
+
+
+@contextmanager
+def progress_bar() -> Iterator[Told]:
+    """A bar on stderr where somebody watches."""
+    if not sys.stderr.isatty():
+        yield lambda doing, done, of: None
+        return
+    from rich.console import Console
+    from rich.progress import Progress, TaskID
+
+    with Progress(console=Console(stderr=True), transient=True) as progress:
+        tasks: dict[str, TaskID] = {}
+
+        def told(doing: Words, done: int, of: int) -> None:
+            name = told_in(doing)
+            if name not in tasks:
+                tasks[name] = progress.add_task(name)
+            progress.update(tasks[name], total=of, completed=done)
+
+        yield told

@@ -1,0 +1,104 @@
+"""vecpoly grade: the answers of a class, marked with reasons."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..errors import VecpolyError
+from ..words import Words
+from .classes import progress_bar
+from .errors import REFUSED, tell
+from .options import LangOption, place
+from .terminal import say, wrote
+from .tongue import told_in
+
+if TYPE_CHECKING:
+    from ..marked.graded import Graded
+
+Class = Annotated[
+    Path, typer.Argument(metavar="FOLDER", help="The folder that 'vecpoly class' wrote.", show_default=False)
+]
+Files = Annotated[
+    list[Path], typer.Argument(metavar="ANSWERS...", help="Answers: the form, CSV, YAML or JSON.", show_default=False)
+]
+OutOption = Annotated[
+    Path,
+    typer.Option("-o", "--output", metavar="FOLDER", parser=place, help="The folder to write to.", show_default=False),
+]
+RulesOption = Annotated[
+    Path | None, typer.Option("--rules", metavar="FILE", help="Rules and points, as YAML.", show_default=False)
+]
+DiffOption = Annotated[
+    Path | None,
+    typer.Option("--diff", metavar="FOLDER", help="Tell what is marked otherwise than there.", show_default=False),
+]
+JobsOption = Annotated[
+    int,
+    typer.Option("--jobs", "-j", min=0, max=256, help="Processes; as many as there are processors where 0 is said."),
+]
+FeedbackOption = Annotated[bool, typer.Option("--feedback/--no-feedback", help="Write a feedback sheet for everybody.")]
+
+
+def grade(
+    folder: Class,
+    answers: Files,
+    output: OutOption,
+    rules: RulesOption = None,
+    diff: DiffOption = None,
+    feedback: FeedbackOption = True,
+    lang: LangOption = "zh",
+    jobs: JobsOption = 0,
+) -> None:
+    """Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a person.
+
+    Right within what a drawing may be off by, or right by one's own earlier values; each mistake costs once, and is
+    named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what
+    changed.
+
+    Exit code: 0 all was marked, 2 something could not be read (the rest is marked all the same).
+    """
+    from ..batch.register import read_register
+    from ..marked.graded import Order
+    from ..marked.graded import grade as graded
+    from ..marked.scheme import read_scheme
+
+    register = read_register(folder)
+    order = Order(
+        register=register, files=tuple(answers), out=output, scheme=read_scheme(rules, register), lang=lang,
+        jobs=jobs or os.cpu_count() or 1, feedback=feedback, before=diff,
+    )  # fmt: skip
+    with progress_bar() as told:
+        done = graded(order, told)
+    _report(done, output)
+    errors = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in done.faults]
+    for error in errors:
+        tell(error)
+    if errors:
+        raise typer.Exit(REFUSED)
+
+
+def _report(done: Graded, output: Path) -> None:
+    for path in done.files:
+        if path.parent == output:
+            wrote(path)
+    count = len(done.results)
+    missing = sum(not one.returned for one in done.results)
+    waiting = sum(len(marked.queue) for one in done.results for marked in one.marks.values())
+    say(
+        told_in(
+            Words(
+                f"{count} 人，{missing} 人没有交，{waiting} 个答案待人工批改",
+                f"{count} students, {missing} returned nothing, {waiting} answers wait for a person",
+            )
+        )
+    )
+    if done.changed is not None:
+        say(
+            told_in(
+                Words(f"与前次相比有 {len(done.changed)} 处不同", f"{len(done.changed)} answers are marked otherwise")
+            )
+        )

@@ -1,0 +1,64 @@
+"""vecpoly variants: what becomes of `vary` and `gate`: yield, what is demoted, some variants."""
+
+from __future__ import annotations
+
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..words import Words
+from .completion import ids
+from .errors import Tally, about
+from .jobs import jobs
+from .options import LangOption, OutsideOption
+
+if TYPE_CHECKING:
+    from ..problem.problem import Problem
+    from ..variants.pilot import Pilot
+    from ..words import Lang
+
+Name = Annotated[
+    str,
+    typer.Argument(
+        metavar="ID_OR_FILE", help="A problem or an assignment with `vary`.", show_default=False, autocompletion=ids
+    ),
+]
+Count = Annotated[int, typer.Option("--count", "-n", min=0, max=1000, help="How many variants to draw.")]
+Salt = Annotated[str, typer.Option("--salt", help="Another text gives other numbers.")]
+
+
+def variants(
+    name: Name, count: Count = 5, salt: Salt = "", lang: LangOption = "en", allow_outside: OutsideOption = False
+) -> None:
+    """Try what `vary` and `gate` of a problem give: how many draws pass, what fails, what is demoted, and some
+    variants."""
+    tally = Tally()
+    for job in jobs([name], tally, allow_outside):
+        for problem in job.problems:
+            with tally.job(), about(problem.id):
+                _tell(problem, Path(name).stem, count, salt, lang)
+    tally.settle()
+
+
+def _tell(problem: Problem, assignment: str, count: int, salt: str, lang: Lang) -> None:
+    from ..variants.draw import variants as drawn
+    from ..variants.pilot import pilot
+    from ..variants.seeds import Seed
+    from ..variants.told import demoted, said_already, told
+
+    if not problem.ranges:
+        typer.echo(
+            Words(
+                f"{problem.id}：没有 vary，所有学生的数据相同", f"{problem.id}: no vary, the same numbers for everybody"
+            ).of(lang)
+        )
+        return
+    first: Pilot = pilot(problem, Seed(assignment=assignment, problem=problem.id, student="", salt=f"{salt}/pilot"))
+    for line in (*told(problem.id, first), *demoted(first), *said_already(problem)):
+        typer.echo(line.of(lang))
+    for number in range(1, count + 1):
+        seed = Seed(assignment=assignment, problem=problem.id, student=f"{number}", salt=salt)
+        for one in islice(drawn(problem, seed, first.standard), 1):
+            typer.echo(f"  {number}: " + ", ".join(f"{name} = {value}" for name, value in one.values.items()))

@@ -1,0 +1,81 @@
+"""A value against another: bands of T for its size, its direction, its sense."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees, hypot
+
+from ..allowance import Allowance
+from ..key import Graded, Kind
+from .measured import Measured
+from .outcome import Outcome
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Target:
+    """What a value is held against: its size or value, T, the direction of a vector."""
+
+    value: float
+    allowed: float
+    degrees: float | None = None
+    mm: float | None = None
+    at: tuple[float, float] | None = None
+
+
+def target_of(graded: Graded) -> Target:
+    """The exact value with its T."""
+    return Target(value=graded.exact, allowed=graded.allowed, degrees=graded.degrees, mm=graded.mm, at=graded.at)
+
+
+def gap(value: float, graded: Graded, target: Target) -> float:
+    """How far a value is off, by size where its sense is told apart."""
+    if graded.kind in (Kind.VECTOR, Kind.SIGNED, Kind.READING):
+        return abs(value) - abs(target.value)
+    if graded.unit == "deg":
+        return (value - target.value + 180.0) % 360.0 - 180.0
+    return value - target.value
+
+
+def weigh(given: Measured, graded: Graded, target: Target, rule: Allowance) -> Outcome:
+    """The outcome: ≤ T right, ≤ `wrong` T close; a sense or a direction is looked at where the size is right."""
+    if graded.kind is Kind.YES_NO:
+        return Outcome.RIGHT if given.yes == bool(target.value) else Outcome.WRONG
+    if graded.kind is Kind.PLACE and given.at is not None and target.at is not None:
+        return _band(hypot(given.at[0] - target.at[0], given.at[1] - target.at[1]), target.allowed, rule)
+    off = abs(gap(given.value, graded, target))
+    slack = min(given.half, target.allowed)  # nobody writes more digits than he has
+    sized = _band(off, target.allowed + slack * 0.5, rule)
+    if sized is Outcome.WRONG:
+        return _sign(given, graded, target, rule)
+    return _turned(given, graded, target, rule) or sized
+
+
+def _band(off: float, allowed: float, rule: Allowance) -> Outcome:
+    if off <= allowed * (1 + 1e-9):
+        return Outcome.RIGHT
+    return Outcome.CLOSE if off <= rule.wrong * allowed else Outcome.WRONG
+
+
+def _sign(given: Measured, graded: Graded, target: Target, rule: Allowance) -> Outcome:
+    """Of a number with a sign: whether it is right but for that."""
+    same = abs(abs(given.value) - abs(target.value)) <= rule.wrong * target.allowed
+    return Outcome.SENSE if graded.kind is Kind.SCALAR and same and graded.unit != "deg" else Outcome.WRONG
+
+
+def _turned(given: Measured, graded: Graded, target: Target, rule: Allowance) -> Outcome | None:
+    """What is wrong with the sense or the direction of a value of the right size."""
+    if abs(target.value) <= target.allowed:
+        return None  # a vector of no length has none
+    if graded.kind is Kind.SIGNED:
+        if given.sense == 0:
+            return Outcome.UNSAID
+        return Outcome.SENSE if (given.sense > 0) is not (target.value > 0) else None
+    if graded.kind is not Kind.VECTOR or given.direction is None or target.degrees is None:
+        return None
+    if target.mm is not None and target.mm < rule.short:
+        return None
+    off = abs((given.direction - target.degrees + 180.0) % 360.0 - 180.0)
+    reach = max(rule.direction, rule.wrong * rule.k * graded.turned, degrees(target.allowed / abs(target.value)))
+    if off <= reach:
+        return None
+    return Outcome.SENSE if abs(off - 180.0) <= reach else Outcome.DIRECTION

@@ -1,0 +1,148 @@
+"""Follow-through: what follows from somebody's own earlier values, for one step at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ...answer import bearing
+from ...board.otherwise.amended import Amended, Own
+from ...errors import VecpolyError
+from ...foundation.frozen import FrozenMap
+from ...problem.problem import Problem
+from ..key import AnswerKey, Graded, Kind
+from ..redraw import by_hands
+from ..rules import Rules
+from .band import Target
+from .measured import Measured, UnitFault
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Followed:
+    """What follows for one quantity: `target` from its nearest own values, None where no figure closes; `deep` from all
+    own values below it, which turn its direction too. sources: the nearest own values.
+    """
+
+    target: Target | None
+    sources: tuple[str, ...]
+    deep: Target | None = None
+
+
+@dataclass(slots=True)
+class _Inputs:
+    """The own values that one step goes on with."""
+
+    readings: dict[str, float] = field(default_factory=dict)
+    values: dict[str, float] = field(default_factory=dict)
+    sources: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Follower:
+    """A problem with its key, and what somebody wrote of it (in the key's units, at the key's scales)."""
+
+    problem: Problem
+    key: AnswerKey
+    given: Mapping[str, Measured]
+    rules: Rules
+    trusted: frozenset[str] = frozenset()  # right by own values, however far from the exact ones
+
+    def follow(self, steps: Sequence[Graded]) -> dict[str, Followed]:
+        """For each step that rests on an own value that can be used: what follows from it; all in one drawing."""
+        near = {one.key: self._inputs(one, deep=False) for one in steps}
+        chosen = [one for one in steps if near[one.key].sources]
+        if not chosen or not self.rules.following or any(first not in self.given for first in self.rules.first):
+            return {}
+        hands = [near[one.key] for one in chosen] + [self._inputs(one, deep=True) for one in chosen]
+        own = tuple(Own(readings=FrozenMap(one.readings), values=FrozenMap(one.values)) for one in hands)
+        try:
+            found = by_hands(self.problem, self.key, Amended(own=own))
+        except VecpolyError:
+            return {one.key: Followed(target=None, sources=tuple(near[one.key].sources)) for one in chosen}
+        return {
+            one.key: Followed(
+                target=self._target(one, found[one.key][i]),
+                deep=self._target(one, found[one.key][i + len(chosen)]),
+                sources=tuple(near[one.key].sources),
+            )
+            for i, one in enumerate(chosen)
+            if one.key in found
+        }
+
+    def usable(self, one: Graded) -> bool:
+        """Whether an own value may be continued from: there, not zero, of its dimension, within reach of the exact
+        one.
+        """
+        mine = self.given.get(one.key)
+        if mine is None or mine.fault is UnitFault.DIMENSION or one.key in self.rules.independent:
+            return False
+        if not mine.value or not one.exact or one.kind in (Kind.PLACE, Kind.YES_NO):
+            return False
+        return one.key in self.trusted or 1 / self.rules.reach <= abs(mine.value / one.exact) <= self.rules.reach
+
+    def refused(self, one: Graded) -> tuple[str, ...]:
+        """The own values below a step that are there and may not be continued from."""
+        return tuple(name for name in one.needs if name in self.given and not self.usable(self.key[name]))
+
+    def _inputs(self, step: Graded, *, deep: bool) -> _Inputs:
+        found = _Inputs()
+        self._collect(step.needs, found, {step.key}, deep)
+        return found
+
+    def _collect(self, needs: Sequence[str], found: _Inputs, seen: set[str], deep: bool) -> None:
+        """Own values of the needs; of those that were not written, or of all where `deep`, the own values below
+        them."""
+        for name in needs:
+            if name in seen:
+                continue
+            seen.add(name)
+            one, stands_for = self.key[name], self._standing_for(name, seen)
+            if self.usable(one):
+                self._take(one, self.given[name], found)
+            elif stands_for is not None:
+                found.readings[one.letters] = abs(self.given[stands_for.key].value) / self.key.scales[one.mu]
+                found.sources.append(stands_for.key)
+            elif name in self.given or name in self.rules.independent:
+                continue
+            if deep or not (self.usable(one) or stands_for):
+                self._collect(one.needs, found, seen, deep)
+
+    def _standing_for(self, name: str, seen: set[str]) -> Graded | None:
+        """The value that was written in place of a reading: v_C for pc; of several found from it the first."""
+        if name in self.given or self.key[name].kind is not Kind.READING or self.key[name].mu not in self.key.scales:
+            return None
+        found = [
+            one for one in self.key.quantities if one.line == name and one.kind is Kind.VECTOR and self.usable(one)
+        ]
+        return found[0] if found and found[0].key not in seen else None
+
+    def _take(self, one: Graded, mine: Measured, found: _Inputs) -> None:
+        if one.kind is Kind.READING:
+            found.readings[one.letters] = abs(mine.value)
+        else:
+            other = one.kind is Kind.SIGNED and mine.sense != 0 and (mine.sense > 0) is not (one.exact > 0)
+            found.values[one.key] = -abs(mine.value) if other else abs(mine.value)
+        found.sources.append(one.key)
+
+    def _target(self, one: Graded, found: Any) -> Target | None:
+        if not np.isfinite(found):
+            return None
+        size = float(abs(found)) if one.kind in (Kind.VECTOR, Kind.READING) else float(np.real(found))
+        direction = bearing(complex(found)) if one.kind is Kind.VECTOR and np.iscomplexobj(found) and found else None
+        mm = one.mm * abs(size / one.exact) if one.mm and one.exact else None
+        return Target(value=size, allowed=self._allowed(one, size, mm), degrees=direction, mm=mm)
+
+    def _allowed(self, one: Graded, size: float, mm: float | None) -> float:
+        """No error of the construction, but of reading and reckoning; a length, of the lines drawn in this step."""
+        rule, short = self.key.allowance, self._shortest(one)
+        if one.kind is Kind.READING:
+            return max(one.allowed, rule.floor)
+        return abs(size) * max(rule.arithmetic, rule.reading / short if short else 0.0)
+
+    def _shortest(self, one: Graded) -> float | None:
+        """The shortest length that a value is computed from (mm)."""
+        lengths = [self.key[name].exact for name in one.needs if self.key[name].kind is Kind.READING]
+        return min(lengths, default=None)

@@ -1,0 +1,182 @@
+"""The key of a problem, from the acts of its construction."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ...answer import YES_NO, Answer, bearing
+from ...board.acts import Act, Compute, Measure
+from ...board.acts import Answer as Wrote
+from ...board.otherwise.amended import AS_DRAWN
+from ...board.place import View, views
+from ...errors import VecpolyError
+from ...figures import View as Figured
+from ...methods.drawn import Drawn
+from ...names import parse_rel
+from ...problem.problem import Problem
+from ...solution import Solution, constructed, scales_of, solve
+from ...words import Words
+from ..allowance import STUDENT, Allowance
+from ..key import AnswerKey, Graded, Kind
+from .blocks import block_of
+from .needs import needs, with_lines
+from .rubric import USUAL, Rubric, shared
+from .tolerance import Scatter, with_tolerance
+
+TURNING = ("rad/s", "rad/s^2")
+LEFT_OUT = ("", "deg")  # computed on the way, and no step that one ticks
+ZERO = 1e-9
+
+
+def answer_key(problem: Problem, allowance: Allowance = STUDENT, rubric: Rubric = USUAL) -> AnswerKey:
+    """What is graded of a problem: all that is asked, and every length and value found on the way.
+
+    T = clip(k √(Σ(∂y/∂e σ)² + σ_read²), floor, cap), the root as the scatter of 300 students' hands that draw the
+    whole construction. Raises what `solve` raises, and VecpolyError where an answer is suspect: there is nothing to
+    grade by.
+    """
+    solution = solve(problem, by="exact", repeats=0, precise=False)
+    if solution.construction.warning is not None:
+        raise VecpolyError(
+            Words("不能据此批改：", "no key to grade by: ") + solution.construction.warning, code="suspect"
+        )
+    drawn = constructed(problem, allowance.hand(), AS_DRAWN)
+    found = _Found(solution, drawn)
+    steps = found.steps()
+    known = {act.number: one.key for act, one in steps} | found.on_the_way({one.key for _, one in steps})
+    scales = scales_of(drawn.construction).given
+    scatter = Scatter(drawn, allowance, scales)
+    once: dict[str, tuple[Act, Graded]] = {}
+    first = {key: number for number, key in sorted(known.items(), reverse=True)}
+    for act, one in sorted(steps, key=lambda step: first[step[1].key]):
+        once.setdefault(one.key, (act, one))  # a length that is read again is the same length
+    graded = [
+        with_tolerance(replace(one, needs=needs(drawn.construction.acts, act, known, one.key)), act, scatter)
+        for act, one in once.values()
+    ]
+    graded = with_lines(graded)
+    quantities, stated = shared(rubric, scatter.bounded(graded), scales)
+    return AnswerKey(problem=problem.id, quantities=quantities, scales=dict(scales), stated=stated, allowance=allowance)
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """A solution with the acts of its construction."""
+
+    solution: Solution
+    drawn: Drawn
+
+    def steps(self) -> list[tuple[Act, Graded]]:
+        """Each graded quantity with the act that gave it, in the order of the sheet."""
+        acts = self.drawn.construction.acts
+        asked = {act.key: act for act in acts if isinstance(act, Wrote) and act.key in self.solution.answers}
+        places = {key for key, one in self.solution.answers.items() if one.is_place}
+        read = [act for act in acts if isinstance(act, Measure) and act.mm > ZERO and not _of_place(act, places)]
+        computed = {act.key: act for act in acts if isinstance(act, Compute) and act.key not in asked and _is_step(act)}
+        taken = {*asked, *computed}
+        steps: list[tuple[Act, Graded]] = [(act, _reading(act, _name(act, read, taken))) for act in read]
+        steps += [(act, _computed(act)) for act in computed.values()]
+        steps += [(act, self._asked(self.solution.answers[key])) for key, act in asked.items()]
+        return sorted(steps, key=lambda step: step[0].number)
+
+    def on_the_way(self, keys: set[str]) -> dict[int, str]:
+        """Number → key of the acts that compute what is asked: what follows rests on these, and not on the answer
+        written down.
+        """
+        return {
+            act.number: act.key for act in self.drawn.construction.acts if isinstance(act, Compute) and act.key in keys
+        }
+
+    def _asked(self, answer: Answer) -> Graded:
+        kind, unit = _kind(answer), answer.reading.unit
+        scale = next((v.mu.key for v in views() if v.mu.symbol == answer.reading.scale and v.mu.unit == unit), "")
+        mu = scales_of(self.drawn.construction).given.get(scale)
+        place = answer.exact_vector if kind is Kind.PLACE else None
+        vector = answer.exact_vector if kind is Kind.VECTOR and abs(answer.exact) > ZERO else None
+        return Graded(
+            key=answer.key,
+            symbol=answer.reading.symbol,
+            kind=kind,
+            unit=unit,
+            block=block_of(None, unit),
+            exact=answer.exact,
+            asked=True,
+            mu=scale,
+            mm=abs(answer.exact) / mu if mu and kind is Kind.VECTOR else None,
+            degrees=bearing(vector) if vector is not None else None,
+            at=(place.real, place.imag) if place is not None else None,
+        )
+
+
+def _kind(answer: Answer) -> Kind:
+    """How an answer is compared."""
+    if answer.is_place:
+        return Kind.PLACE
+    if answer.reading.unit == YES_NO:
+        return Kind.YES_NO
+    if answer.exact_vector is not None:
+        return Kind.VECTOR
+    return Kind.SIGNED if answer.turns else Kind.SCALAR
+
+
+def _computed(act: Compute) -> Graded:
+    kind = Kind.SIGNED if act.unit in TURNING else Kind.SCALAR
+    return Graded(
+        key=act.key, symbol=_symbol(act.key), kind=kind, unit=act.unit, block=block_of(None, act.unit), exact=act.value
+    )
+
+
+def _symbol(key: str) -> str:
+    """The textbook's symbol of a quantity on the way."""
+    try:
+        return parse_rel(key).symbol
+    except VecpolyError:
+        head, _, body = key.partition("_")
+        return f"{head}_{{{body}}}" if body else head
+
+
+def _is_step(act: Compute) -> bool:
+    return bool(act.key) and act.key.isascii() and act.unit not in LEFT_OUT
+
+
+def _of_place(act: Measure, places: set[str]) -> bool:
+    """Whether this is how coordinates are read, and no length of the drawing."""
+    return any(key.removeprefix("p_").replace("_", "") == act.key for key in places)
+
+
+def _reading(act: Measure, name: str) -> Graded:
+    view = _view(act)
+    return Graded(
+        key=name,
+        symbol=_lettered(act.key),
+        kind=Kind.READING,
+        unit="mm",
+        block=block_of(view),
+        exact=act.mm,
+        mm=act.mm,
+        degrees=bearing(act.b - act.a),
+        mu=view.mu.key if view else "",
+    )
+
+
+def _lettered(letters: str) -> str:
+    """The letters of a length as they are printed: n2'c2' → n_{2}^′c_{2}^′."""
+    return re.sub(r"([A-Za-z])(\d*)('?)", _letter, letters)
+
+
+def _letter(found: re.Match[str]) -> str:
+    return found[1] + (f"_{{{found[2]}}}" if found[2] else "") + ("^′" if found[3] else "")
+
+
+def _name(act: Measure, read: Sequence[Measure], taken: set[str]) -> str:
+    """The letters of a length, with its figure where two lengths have them, with mm where a quantity has them."""
+    alone = all(abs(one.mm - act.mm) <= ZERO * act.mm for one in read if one.key == act.key)
+    name = act.key if alone else act.names[0]
+    return f"{name} mm" if name in taken else name
+
+
+def _view(act: Act) -> Figured | None:
+    place = act.head.place
+    return None if place is None else place if isinstance(place, View) else place.view

@@ -1,0 +1,90 @@
+"""The tolerance of a graded quantity: what a student's hand scatters by, within bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import inf, isfinite
+from typing import Any
+
+import numpy as np
+
+from ...board.acts import Act
+from ...board.acts import Answer as Wrote
+from ...methods.drawn import Drawn
+from ..allowance import Allowance
+from ..key import Graded, Kind
+
+LOST = 0.1  # share of hands that cannot close a figure, beyond which nothing can be promised
+COMPUTED = 1e-9  # of the largest of its unit: less is zero
+DEGREE = 1.0  # what an angle is read to at best
+
+
+@dataclass(frozen=True, slots=True)
+class Scatter:
+    """One construction by many students' hands."""
+
+    drawn: Drawn
+    allowance: Allowance
+    scales: Mapping[str, float]
+
+    def sigma(self, act: Act) -> float:
+        """σ of what an act gave (SI, readings in mm); infinite where too many hands find nothing."""
+        repeats: Any = self.drawn.repeats.get(act.key) if isinstance(act, Wrote) else self.drawn.hands.get(act.number)
+        if repeats is None or np.ndim(repeats) == 0:
+            return 0.0
+        found = np.asarray(repeats, dtype=float)[1:]
+        closed = found[np.isfinite(found)]
+        return float(np.std(closed)) if closed.size >= (1 - LOST) * found.size else inf
+
+    def turned(self, act: Act) -> float:
+        """σ of the direction of a vector (deg); 0 where its direction by every hand is not known."""
+        repeats: Any = self.drawn.hands.get(act.number)
+        if not isinstance(act, Wrote) or repeats is None or not np.iscomplexobj(repeats) or not repeats[0]:
+            return 0.0
+        off = np.angle(repeats[1:] / repeats[0])
+        return float(np.degrees(np.std(off[np.isfinite(off)])))
+
+    def bounded(self, graded: Sequence[Graded]) -> list[Graded]:
+        """The quantities with T, which for a value without a length of its own is bounded by the lengths that it was
+        computed from.
+        """
+        lengths = {one.key: one.mm for one in graded if one.kind is Kind.READING and one.mm}
+        largest: dict[str, float] = {}
+        for one in graded:
+            largest[one.unit] = max(abs(one.exact), largest.get(one.unit, 0.0))
+        return [self._bounded(one, self._shortest(one, lengths), largest[one.unit] or 1.0) for one in graded]
+
+    def _shortest(self, one: Graded, lengths: dict[str, float]) -> float | None:
+        below = [lengths[key] for key in one.needs if key in lengths]
+        return one.mm or (min(below) if below else None)
+
+    def _bounded(self, one: Graded, mm: float | None, largest: float) -> Graded:
+        rule, size = self.allowance, abs(one.exact)
+        spread, floor = rule.k * one.sigma, self._floor(one, mm, largest)
+        if one.kind is Kind.YES_NO:
+            return one
+        if size <= COMPUTED * largest or one.kind is Kind.PLACE or (one.unit == "deg" and spread):
+            return replace(
+                one, allowed=max(spread, floor) if isfinite(spread) else largest
+            )  # no share of what has no size
+        if spread > rule.share * size:
+            return replace(one, allowed=max(min(spread, size), floor), demoted=True)
+        cap = min(rule.cap / mm if mm else inf, rule.share) * size
+        return replace(one, allowed=max(min(spread, cap), floor))
+
+    def _floor(self, one: Graded, mm: float | None, largest: float) -> float:
+        """What nobody reads or reckons more finely than."""
+        rule, size = self.allowance, abs(one.exact)
+        if one.unit == "deg" and one.sigma:
+            return DEGREE
+        if one.kind is Kind.PLACE or (one.mu in self.scales and size <= COMPUTED * largest):
+            return rule.floor * self.scales.get(one.mu, 0.0)
+        if size <= COMPUTED * largest:
+            return rule.arithmetic * largest
+        return max(size * rule.floor / mm if mm else 0.0, rule.arithmetic * size)
+
+
+def with_tolerance(one: Graded, act: Act, scatter: Scatter) -> Graded:
+    """The quantity with the scatter of the act that gave it."""
+    return replace(one, sigma=scatter.sigma(act), turned=scatter.turned(act))

@@ -1,0 +1,149 @@
+"""The key of a problem: every quantity that may be graded, with its exact value, its tolerance, what it needs, its
+points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cache
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from ..errors import UnknownNameError, VecpolyError
+from ..words import Words
+from .allowance import STUDENT, Allowance
+
+VERSION = 1
+
+
+class Kind(StrEnum):
+    """What is written down of a quantity, and so how it is compared."""
+
+    READING = "reading"  # a length on paper, mm
+    VECTOR = "vector"  # a size and a direction
+    SIGNED = "signed"  # a size and a sense of turning
+    SCALAR = "scalar"  # a number, with its sign
+    PLACE = "place"  # two coordinates
+    YES_NO = "yes/no"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Points:
+    """What a quantity is worth: for the way (M), for the number (A), for the sense of turning (B)."""
+
+    method: float = 0.0
+    accuracy: float = 0.0
+    sense: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """All of them."""
+        return self.method + self.accuracy + self.sense
+
+
+NOTHING = Points()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Graded:
+    """One quantity of a key.
+
+    key, symbol: ``v_C2B``, ``v_{C2B}``; a reading has its letters (``bc2``, with its figure where two have them).
+    exact: SI, a reading in mm; a size for vectors, signed for the rest. mm, degrees: of the exact vector on paper,
+    from +x. mu: the scale it is drawn with (``mu_v``); line: the reading that it is computed from. needs: the graded
+    quantities that it rests on directly. sigma: what a student's hand scatters by; allowed: T, both in the unit of
+    `exact`; turned: what it scatters by in direction (deg). demoted: too badly conditioned to be held against the
+    exact value; it is graded by what it was computed from. points: nothing for a step on the way.
+    """
+
+    key: str
+    symbol: str
+    kind: Kind
+    unit: str
+    block: str
+    exact: float
+    mm: float | None = None
+    degrees: float | None = None
+    at: tuple[float, float] | None = None
+    mu: str = ""
+    line: str = ""
+    needs: tuple[str, ...] = ()
+    sigma: float = 0.0
+    allowed: float = 0.0
+    turned: float = 0.0
+    demoted: bool = False
+    asked: bool = False
+    points: Points = NOTHING
+
+    @property
+    def letters(self) -> str:
+        """Of a reading: the letters by which the construction knows it, with the figure where two have them."""
+        return self.key.removesuffix(" mm")
+
+    @property
+    def allowed_mm(self) -> float | None:
+        """T in mm on paper; None for what is not drawn as a length."""
+        return self.allowed * self.mm / abs(self.exact) if self.mm and self.exact else None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AnswerKey:
+    """The key of one problem, or of one student's variant of it.
+
+    scales: ``mu_v`` → SI per mm. stated: points for a scale that is stated with its unit. allowance: the σ's behind
+    the tolerances.
+    """
+
+    problem: str
+    quantities: tuple[Graded, ...]
+    scales: Mapping[str, float] = field(default_factory=dict)
+    stated: Mapping[str, float] = field(default_factory=dict)
+    allowance: Allowance = STUDENT
+    version: int = VERSION
+
+    def __getitem__(self, key: str) -> Graded:
+        """The quantity of this key. Raises UnknownNameError."""
+        if (found := self.find(key)) is not None:
+            return found
+        raise UnknownNameError(
+            Words(f"题 {self.problem} 的答案中没有 {key}", f"the key of {self.problem} has no {key}")
+        )
+
+    def find(self, key: str) -> Graded | None:
+        """The quantity of this key; None where there is none."""
+        return next((one for one in self.quantities if one.key == key), None)
+
+    @property
+    def worth(self) -> float:
+        """All points."""
+        return sum(one.points.total for one in self.quantities) + sum(self.stated.values())
+
+    def as_json(self) -> dict[str, Any]:
+        """Plain data, to be read back by `from_json`."""
+        data: dict[str, Any] = _adapter().dump_python(self, mode="json")
+        return data
+
+    @classmethod
+    def from_json(cls, data: object) -> AnswerKey:
+        """The key of such data. Raises VecpolyError where they are none."""
+        try:
+            return _adapter().validate_python(data)
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(map(str, first["loc"]))
+            raise VecpolyError(
+                Words(
+                    f"这不是答案键：{where} {first['msg']}；请用 vecpoly 重新生成",
+                    f"this is no answer key: {where}: {first['msg']}; have vecpoly write it again",
+                ),
+                code="no-key",
+                numbers={"path": where},
+            ) from None
+
+
+@cache
+def _adapter() -> TypeAdapter[AnswerKey]:
+    return TypeAdapter(AnswerKey)

@@ -1,0 +1,1 @@
+"""From a sheet to marks: outcomes, follow-through, causes, points, sentences."""

@@ -1,0 +1,149 @@
+"""Why what is wrong is wrong: one cause for as many values as it explains, and none where two would do."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+
+from ...board.otherwise.slip import Slip
+from ..compare.band import target_of
+from ..compare.outcome import Basis, Outcome
+from ..key import Graded, Kind
+from ..slips.mutants import Mutant
+from ..slips.single import explanations
+from ..slips.whole import agrees, explain
+from ..told.catalogue import Told
+from ..told.message import Message, message
+from ..told.slip import told_of
+from .verdict import Verdicts
+
+ALIKE = 3  # values that one wrong scale must explain, at least
+
+
+@dataclass(slots=True, kw_only=True)
+class Causes:
+    """said: root → why; slips: root → the mistake of the catalogue; source: what follows from a root → that root."""
+
+    said: dict[str, Message] = field(default_factory=dict)
+    slips: dict[str, Slip] = field(default_factory=dict)
+    source: dict[str, str] = field(default_factory=dict)
+
+
+def causes(found: Verdicts, mutants: Sequence[Mutant]) -> Causes:
+    """Find the cause of every root; what one cause explains beside its root is right by it (`basis`)."""
+    why = Causes()
+    for one in found.roots():
+        if one.key in why.said or found.basis.get(one.key):
+            continue
+        _of_mistake(found, why, one, mutants)
+        if one.key not in why.said and not why.said:
+            _of_scales(found, why)
+        if one.key not in why.said and not found.basis.get(one.key):
+            _of_itself(found, why, one)
+    return why
+
+
+def _of_mistake(found: Verdicts, why: Causes, root: Graded, mutants: Sequence[Mutant]) -> None:
+    """A mistake of the catalogue: one that explains the whole sheet, or else all that has no other cause."""
+    if _a_single_sense(found, root):
+        return
+    open_ones = [one.key for one in found.roots() if one.key not in why.said and not found.basis.get(one.key)]
+    settled = {name for name in found.given if name in why.said or name in why.source}
+    for pool in (set(found.given) - settled, _near(found, root, open_ones)):
+        explained = explain(found.key, found.given, pool, mutants)
+        if explained.mutant is not None and _of_two(found, root, open_ones):
+            why.said[root.key] = message(Told.TWO_SLIPS)
+            return
+        if explained.mutant is not None:
+            why.said[root.key], why.slips[root.key] = told_of(explained.mutant.slip), explained.mutant.slip
+            _spread(found, why, root.key, open_ones, explained.mutant)
+            return
+        if explained.several:
+            why.said[root.key] = message(Told.TWO_SLIPS)
+            return
+
+
+def _of_two(found: Verdicts, root: Graded, open_ones: Collection[str]) -> bool:
+    """Whether a single wrong value has another explanation too."""
+    if len(open_ones) > 1 or found.outcome[root.key] is not Outcome.WRONG:
+        return False
+    return bool(explanations(root, found.given[root.key], target_of(root), found.key))
+
+
+def _a_single_sense(found: Verdicts, root: Graded) -> bool:
+    """Whether one sense is all that is wrong: whoever lays off a vector the wrong way has more than one reversed."""
+    reversed_ones = [name for name, outcome in found.exact.items() if outcome is Outcome.SENSE]
+    return found.outcome[root.key] is Outcome.SENSE and len(reversed_ones) < 2
+
+
+def _near(found: Verdicts, root: Graded, open_ones: Collection[str]) -> set[str]:
+    """The root, and all that is right by the exact values and does not rest on it."""
+    right = {name for name, outcome in found.exact.items() if outcome.is_right and name in found.given}
+    return {root.key} | {name for name in right - set(open_ones) if not _rests_on(found, name, root.key)}
+
+
+def _rests_on(found: Verdicts, name: str, root: str) -> bool:
+    todo, seen = [name], set[str]()
+    while todo:
+        one = todo.pop()
+        if one == root:
+            return True
+        if one not in seen:
+            seen.add(one)
+            todo += found.key[one].needs
+    return False
+
+
+def _spread(found: Verdicts, why: Causes, root: str, open_ones: Sequence[str], mutant: Mutant) -> None:
+    """What the same mistake makes wrong costs nothing more."""
+    for name in open_ones:
+        agreeing = name in mutant.values and agrees(found.key[name], found.given[name], mutant, found.key.allowance)
+        if name != root and agreeing:
+            found.outcome[name], found.basis[name], why.source[name] = Outcome.RIGHT, Basis.SLIP, root
+
+
+def _of_itself(found: Verdicts, why: Causes, root: Graded) -> None:
+    """A power of ten, 2π, another vector's value: from the exact value, or from what follows from own ones."""
+    if found.outcome[root.key] is not Outcome.WRONG:
+        return
+    targets = [target_of(root)]
+    if (followed := found.followed.get(root.key)) is not None and followed.target is not None:
+        targets.append(followed.target)
+    for target in targets:
+        said = explanations(root, found.given[root.key], target, found.key)
+        if len({(one.id, *one.numbers.items()) for one in said}) == 1:
+            before = next(
+                (name for name, one in why.said.items() if one == said[0] and one.id is not Told.SWAPPED), None
+            )
+            if before is not None and found.key[before].block == root.block:
+                found.outcome[root.key], found.basis[root.key] = Outcome.RIGHT, Basis.SLIP
+                why.source[root.key] = before
+            else:
+                why.said[root.key] = said[0]
+            return
+        if said:
+            why.said[root.key] = message(Told.TWO_SLIPS)
+
+
+def _of_scales(found: Verdicts, why: Causes) -> None:
+    """One factor on all values of a scale, whose lengths are right or not written: the scale was wrong."""
+    for mu in found.key.scales:
+        drawn = [one for one in found.key.quantities if one.mu == mu and one.key in found.given]
+        lengths = [one for one in drawn if one.kind is Kind.READING]
+        values = [one for one in drawn if one.kind is Kind.VECTOR and one.exact]
+        if len(values) < ALIKE or not all(found.exact[one.key].is_right for one in lengths):
+            continue
+        ratios = sorted(abs(found.given[one.key].value / one.exact) for one in values)
+        k = ratios[len(ratios) // 2]
+        wrong = [one for one in values if found.exact[one.key] is Outcome.WRONG]
+        if len(wrong) == len(values) and all(_scaled(found, one, k) for one in values):
+            first = wrong[0].key
+            why.said[first] = message(Told.SCALE_CONST, k=f"{k:.3g}", mu=mu.replace("mu", "μ"))
+            for one in wrong[1:]:
+                found.outcome[one.key], found.basis[one.key] = Outcome.RIGHT, Basis.SCALE
+                why.source[one.key] = first
+            found.outcome[first], found.basis[first] = Outcome.WRONG, Basis.EXACT
+
+
+def _scaled(found: Verdicts, one: Graded, k: float) -> bool:
+    return abs(abs(found.given[one.key].value) / k - abs(one.exact)) <= one.allowed

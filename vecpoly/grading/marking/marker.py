@@ -1,0 +1,106 @@
+"""Mark a sheet: every answer weighed, followed, explained, paid and told of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import isfinite, log10
+
+from ...algebra.quantity import number
+from ...problem.problem import Problem
+from ...words import bare
+from ..compare.band import gap, target_of
+from ..compare.measured import UnitFault
+from ..compare.outcome import Basis, Finding, Outcome
+from ..key import AnswerKey, Graded, Points
+from ..reading.written import State, Written
+from ..rules import USUAL_RULES, Rules
+from ..sheet import Sheet
+from ..slips.mutants import Mutant
+from ..told.catalogue import Told
+from ..told.message import Message, message
+from .causes import Causes, causes
+from .drawn import paid_by_length
+from .marked import Marked
+from .points import earned
+from .scaled import at_own_scales, mutants_at
+from .tell import sentences, source_of
+from .verdict import Verdicts, verdicts
+
+Mutants = Callable[[], Sequence[Mutant]]
+BLANK = Written(raw="", state=State.BLANK)
+ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
+
+
+def mark(problem: Problem, key: AnswerKey, mutants: Mutants, sheet: Sheet, rules: Rules = USUAL_RULES) -> Marked:
+    """The marks of a sheet, with a reason for each.
+
+    problem: the student's own variant, to be drawn anew with own values; mutants: gives those of `slips.mutants`, asked
+    only where something is wrong. The same sheet has the same marks whatever is marked before it, and never fewer with
+    follow-through than without.
+    """
+    paid = paid_by_length(key, sheet)
+    key = at_own_scales(paid, sheet.scales)
+    found = verdicts(problem, key, sheet, rules)
+    why = causes(found, mutants_at(paid, mutants(), sheet.scales)) if found.roots() else Causes()
+    named = {name for name, said in why.said.items() if said.id is not Told.TWO_SLIPS}
+    findings = tuple(_finding(found, why, one, named, rules) for one in key.quantities if _shown(one, sheet))
+    stated = {mu: points for mu, points in key.stated.items() if mu in sheet.stated}
+    faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
+    return Marked(
+        key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, slips=why.slips,
+        roots=tuple(one.key for one in found.roots()), messages=tuple(_of_scales(key, sheet)), faults=sheet.faults,
+    )  # fmt: skip
+
+
+def _shown(one: Graded, sheet: Sheet) -> bool:
+    return one.key in sheet.answers or one.points.total > 0
+
+
+def _finding(found: Verdicts, why: Causes, one: Graded, named: set[str], rules: Rules) -> Finding:
+    if one.key not in found.sheet.answers:
+        return Finding(key=one.key, written=BLANK, outcome=Outcome.BLANK, messages=(message(Told.BLANK),))
+    outcome, basis, mine = found.outcome[one.key], found.basis.get(one.key, Basis.EXACT), found.given.get(one.key)
+    said = sentences(found, why, one, rules)
+    off = gap(mine.value, one, target_of(one)) if mine is not None and mine.at is None else None
+    return Finding(
+        key=one.key, written=found.sheet.answers[one.key], outcome=outcome, basis=basis, messages=said,
+        value=None if mine is None else mine.value, off=off if off is not None and isfinite(off) else None,
+        earned=_points(found, one, one.key in named, rules), chain=_chain(found, one.key),
+        for_a_person=outcome.for_a_person or any(each.id is Told.UNDRAWABLE for each in said),
+    )  # fmt: skip
+
+
+def _points(found: Verdicts, one: Graded, named: bool, rules: Rules) -> Points:
+    """By the better basis: never fewer points than by the exact values alone."""
+    mine = found.given.get(one.key)
+    best = earned(one, found.outcome[one.key], found.basis.get(one.key, Basis.EXACT), mine, named, rules)
+    alone = earned(one, found.exact[one.key], Basis.EXACT, mine, named, rules)
+    return max(best, alone, key=lambda points: points.total)
+
+
+def _chain(found: Verdicts, name: str) -> int:
+    """Through how many own values in a row an answer was followed."""
+    if found.basis.get(name) is not Basis.OWN:
+        return 0
+    return 1 + _chain(found, source_of(found, found.key[name]))
+
+
+def _of_scales(key: AnswerKey, sheet: Sheet) -> list[Message]:
+    """Scales that are not stated, and those that nobody would take."""
+    missing = [message(Told.SCALE_UNDECLARED, mu=_mu(mu)) for mu in key.stated if mu not in sheet.stated]
+    odd = [
+        message(Told.SCALE_ODD, mu=_mu(mu), v=bare(number(value)))
+        for mu, value in sheet.scales.items()
+        if not _round(value)
+    ]
+    return [*missing, *odd]
+
+
+def _round(value: float) -> bool:
+    """Whether a scale is 1, 2, 2.5 or 5 times a power of ten."""
+    digits = 10.0 ** (log10(value) % 1.0)
+    return any(abs(digits / step - 1) < 1e-6 for step in ROUND)
+
+
+def _mu(mu: str) -> str:
+    return mu.replace("mu", "μ")

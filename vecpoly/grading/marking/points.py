@@ -1,0 +1,27 @@
+"""Points for an outcome."""
+
+from __future__ import annotations
+
+from ..compare.measured import Measured
+from ..compare.outcome import Basis, Outcome
+from ..key import NOTHING, Graded, Points
+from ..rules import Rules
+
+
+def earned(one: Graded, outcome: Outcome, basis: Basis, mine: Measured | None, named: bool, rules: Rules) -> Points:
+    """Method, accuracy and sense, each by itself; named: a mistake is told that explains what is wrong."""
+    worth = one.points
+    sense = worth.sense if mine is not None and mine.sense and (mine.sense > 0) is (one.exact > 0) else 0.0
+    sense = worth.sense if not one.exact and outcome.is_right else sense
+    match outcome:
+        case Outcome.RIGHT | Outcome.CLOSE | Outcome.UNSAID:
+            share = rules.own if basis is Basis.OWN else rules.close if outcome is Outcome.CLOSE else 1.0
+            method = worth.method * (rules.own if basis is Basis.OWN else 1.0)
+            return Points(method=method, accuracy=worth.accuracy * share, sense=sense)
+        case Outcome.SENSE | Outcome.DIRECTION:
+            method = worth.method * (1.0 if worth.sense else rules.turned)
+            return Points(method=method, accuracy=worth.accuracy, sense=0.0)
+        case Outcome.WRONG:
+            return Points(method=worth.method * rules.slip if named else 0.0, sense=sense if named else 0.0)
+        case Outcome.BLANK | Outcome.NONE | Outcome.UNREADABLE | Outcome.AMBIGUOUS:
+            return NOTHING

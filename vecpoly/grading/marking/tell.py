@@ -1,0 +1,148 @@
+"""The sentences of one finding."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isfinite
+
+from ...algebra.quantity import number
+from ...names import written_unit
+from ...words import Words, bare
+from ..compare.band import gap, target_of
+from ..compare.measured import UnitFault
+from ..compare.outcome import Basis, Outcome
+from ..key import Graded, Kind
+from ..rules import Rules
+from ..told.catalogue import Told
+from ..told.message import Message, message
+from .causes import Causes
+from .verdict import Verdicts
+
+
+def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[Message, ...]:
+    """What is said of one answer, the outcome first."""
+    text = found.sheet.answers[one.key]
+    return (
+        *_outcome(found, why, one),
+        *_unit(found, one, rules),
+        *_digits(found, one, text.digits, rules),
+        *_read(found, one),
+    )
+
+
+def _outcome(found: Verdicts, why: Causes, one: Graded) -> Iterator[Message]:
+    outcome, basis = found.outcome[one.key], found.basis.get(one.key, Basis.EXACT)
+    raw = found.sheet.answers[one.key]
+    reason = raw.why or Words("写的不是所求的那种量", "it is not the kind of answer that is asked")
+    match outcome:
+        case Outcome.BLANK:
+            yield message(Told.BLANK)
+        case Outcome.NONE:
+            yield message(Told.NONE, raw=raw.raw)
+        case Outcome.UNREADABLE:
+            yield message(Told.UNREADABLE, raw=raw.raw, why=reason)
+        case Outcome.AMBIGUOUS:
+            yield message(Told.AMBIGUOUS, raw=raw.raw, why=reason)
+        case Outcome.RIGHT | Outcome.CLOSE | Outcome.UNSAID:
+            yield _right(found, why, one, outcome, basis)
+            if outcome is Outcome.UNSAID:
+                yield message(Told.SENSE_MISSING)
+        case Outcome.SENSE | Outcome.DIRECTION | Outcome.WRONG:
+            yield from _wrong(found, why, one, outcome)
+
+
+def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: Basis) -> Message:
+    match basis:
+        case Basis.OWN:
+            source = source_of(found, one)
+            return message(Told.OK_OWN, src=found.key[source].symbol, v=_mine(found, source))
+        case Basis.SLIP | Basis.SCALE:
+            return message(Told.OK_SLIP, src=found.key[why.source[one.key]].symbol)
+        case Basis.EXACT:
+            if outcome is Outcome.CLOSE:
+                return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed))
+            if one.allowed_mm is None or one.kind not in (Kind.READING, Kind.VECTOR):
+                return message(Told.OK_RECKONED, e=_off(found, one), t=_amount(one, one.allowed))
+            mm = abs(_gap(found, one)) * one.allowed_mm / one.allowed
+            return message(Told.OK, e=number(mm, 2), t=number(one.allowed_mm, 2))
+
+
+def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Iterator[Message]:
+    said = why.said.get(one.key)
+    if outcome is Outcome.SENSE:
+        yield message({Kind.SIGNED: Told.SENSE, Kind.VECTOR: Told.REVERSED}.get(one.kind, Told.SIGN))
+    elif outcome is Outcome.DIRECTION:
+        direction, exact = found.given[one.key].direction or 0.0, one.degrees or 0.0
+        yield message(Told.DIRECTION, d=f"{abs((direction - exact + 180) % 360 - 180):.0f}")
+    elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
+        yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed))
+    if said is not None:
+        yield said
+    followed = found.followed.get(one.key)
+    if outcome is Outcome.WRONG and followed is not None and followed.target is not None and said is None:
+        source = source_of(found, one)
+        own = _amount(one, followed.target.value)
+        if not found.exact[source].is_right:
+            yield message(Told.WRONG_FROM, src=found.key[source].symbol, v=_mine(found, source), own=own)
+    elif followed is not None and followed.target is None:
+        yield message(Told.UNDRAWABLE)
+    if outcome is Outcome.WRONG:
+        yield from (message(Told.NOT_FOLLOWED, src=found.key[name].symbol) for name in found.follower.refused(one))
+
+
+def source_of(found: Verdicts, one: Graded) -> str:
+    """The own value that a step was continued from: of several the one that is farthest off."""
+    sources = found.followed[one.key].sources
+    return max(sources, key=lambda name: abs(_gap(found, found.key[name])) / max(found.key[name].allowed, 1e-300))
+
+
+def _unit(found: Verdicts, one: Graded, rules: Rules) -> Iterator[Message]:
+    mine = found.given.get(one.key)
+    if mine is None:
+        return
+    if mine.fault is UnitFault.MISSING and not rules.printed:
+        yield message(Told.UNIT_MISSING, u=written_unit(one.unit))
+    if mine.fault is UnitFault.DIMENSION:
+        unit = found.sheet.answers[one.key].unit
+        yield message(Told.UNIT_WRONG, given=unit.text if unit else "", u=written_unit(one.unit))
+
+
+def _digits(found: Verdicts, one: Graded, digits: int, rules: Rules) -> Iterator[Message]:
+    if not found.outcome[one.key].answered or one.kind is Kind.YES_NO or not digits:
+        return
+    if digits < rules.few_digits and abs(_gap(found, one)) > 1e-9 * abs(one.exact):
+        yield message(Told.FEW_DIGITS, n=str(digits))
+    if digits > rules.many_digits:
+        yield message(Told.MANY_DIGITS, n=str(digits))
+
+
+def _read(found: Verdicts, one: Graded) -> Iterator[Message]:
+    """A value against the student's own length × own μ."""
+    if one.line not in found.given or one.mu not in found.key.scales or one.kind is not Kind.VECTOR:
+        return
+    if (mine := found.given.get(one.key)) is None:
+        return
+    mm, mu = abs(found.given[one.line].value), found.key.scales[one.mu]
+    if abs(abs(mine.value) - mm * mu) > mu * found.key.allowance.reading + mine.half:
+        yield message(Told.READ, mm=number(mm, 4), mu=number(mu, 3), own=_amount(one, mm * mu))
+
+
+def _gap(found: Verdicts, one: Graded) -> float:
+    mine = found.given[one.key]
+    if mine.at is not None and one.at is not None:
+        return abs(complex(*mine.at) - complex(*one.at))
+    return gap(mine.value, one, target_of(one))
+
+
+def _off(found: Verdicts, one: Graded) -> str:
+    off = _gap(found, one)
+    return _amount(one, abs(off), 2) if isfinite(off) else "?"
+
+
+def _mine(found: Verdicts, name: str) -> str:
+    return _amount(found.key[name], abs(found.given[name].value), 4)
+
+
+def _amount(one: Graded, value: float, digits: int = 3) -> str:
+    """A number with the unit of its quantity, as it is printed."""
+    return f"{bare(number(value, digits))} {written_unit(one.unit)}".strip()

@@ -1,0 +1,95 @@
+"""The outcome of each answer, by the exact values and by the student's own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from ...problem.problem import Problem
+from ..compare.band import target_of, weigh
+from ..compare.measured import Measured, UnitFault, measured
+from ..compare.outcome import Basis, Outcome
+from ..compare.own import Followed, Follower
+from ..key import AnswerKey, Graded
+from ..reading.written import State, Written
+from ..rules import Rules
+from ..sheet import Sheet
+
+ROUNDS = 3  # in which far values are gone on from
+_UNREAD = {
+    State.BLANK: Outcome.BLANK,
+    State.NONE: Outcome.NONE,
+    State.UNREADABLE: Outcome.UNREADABLE,
+    State.AMBIGUOUS: Outcome.AMBIGUOUS,
+    State.READ: Outcome.UNREADABLE,  # a yes where a number is asked
+}
+
+
+@dataclass(slots=True, kw_only=True)
+class Verdicts:
+    """What is known of a sheet while it is marked. given: what can be compared; exact: outcome by the exact values.
+
+    outcome, basis: the better of both; followed: what follows from own values, of what is not simply right.
+    """
+
+    key: AnswerKey
+    sheet: Sheet
+    follower: Follower
+    given: dict[str, Measured]
+    exact: dict[str, Outcome]
+    outcome: dict[str, Outcome]
+    followed: Mapping[str, Followed]
+    basis: dict[str, Basis] = field(default_factory=dict)
+
+    def roots(self) -> list[Graded]:
+        """What is wrong and does not follow from anything else that is, in the order of the construction."""
+        wrong = (Outcome.WRONG, Outcome.SENSE, Outcome.DIRECTION)
+        return [one for one in self.key.quantities if self.outcome.get(one.key) in wrong]
+
+
+def verdicts(problem: Problem, key: AnswerKey, sheet: Sheet, rules: Rules) -> Verdicts:
+    """Weigh every answer; what is not right by the exact value is held against what follows from own values."""
+    given = {name: it for name, text in sheet.answers.items() if (it := _measured(text, key, name)) is not None}
+    exact = {name: _UNREAD[text.state] for name, text in sheet.answers.items() if name not in given}
+    for name, mine in given.items():
+        exact[name] = weigh(mine, key[name], target_of(key[name]), key.allowance)
+    follower = Follower(problem=problem, key=key, given=given, rules=rules)
+    doubtful = [one for one in key.quantities if one.key in given and exact[one.key] is not Outcome.RIGHT]
+    found = Verdicts(
+        key=key, sheet=sheet, follower=follower, given=given, exact=exact, outcome=dict(exact),
+        followed=follower.follow(doubtful),
+    )  # fmt: skip
+    for one in doubtful:
+        _better(found, one)
+    return _trusting(found)
+
+
+def _trusting(found: Verdicts) -> Verdicts:
+    """Go on from own values that are right by own values, though far from the exact ones, until nothing more is
+    right."""
+    for _ in range(ROUNDS):
+        trusted = frozenset(name for name, basis in found.basis.items() if basis is Basis.OWN)
+        waiting = [one for one in found.roots() if found.follower.refused(one)]
+        if not waiting or trusted <= found.follower.trusted:
+            break
+        found.follower = replace(found.follower, trusted=trusted)
+        found.followed = {**found.followed, **found.follower.follow(waiting)}
+        for one in waiting:
+            _better(found, one)
+    return found
+
+
+def _measured(text: Written, key: AnswerKey, name: str) -> Measured | None:
+    return measured(text, key[name], key.scales.get(key[name].mu))
+
+
+def _better(found: Verdicts, one: Graded) -> None:
+    """By own values, where that is better; what has another dimension is not right by any."""
+    followed, mine = found.followed.get(one.key), found.given[one.key]
+    if followed is None or followed.target is None or mine.fault is UnitFault.DIMENSION:
+        return
+    was, targets = found.exact[one.key], (followed.target, followed.deep)
+    for own in (weigh(mine, one, target, found.key.allowance) for target in targets if target is not None):
+        if own.is_right and (not was.is_right or (was is Outcome.CLOSE and own is Outcome.RIGHT)):
+            found.outcome[one.key], found.basis[one.key] = own, Basis.OWN
+            return

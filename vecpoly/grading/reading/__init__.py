@@ -1,0 +1,1 @@
+"""What a student wrote: numbers, units, senses, symbols, in any of the ways in which people write them."""

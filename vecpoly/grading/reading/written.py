@@ -1,0 +1,155 @@
+"""One answer as it was written: the raw text is kept, and what cannot be read says so; blank is not 0, and neither is
+“—”.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from enum import StrEnum
+
+from ...words import Words
+from .characters import plain
+from .number import NUMBER, number
+from .sense import split_sense
+from .unit import Unit, unit
+
+LONGEST = 80  # characters that an answer has at most
+
+
+class State(StrEnum):
+    """What became of a cell."""
+
+    READ = "read"
+    BLANK = "blank"  # nothing was written
+    NONE = "none"  # it was written that there is none: —
+    UNREADABLE = "unreadable"
+    AMBIGUOUS = "ambiguous"  # its parts contradict each other
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """raw: as it stands in the file. value: the number, with the sign that it has; unit: None where none was written.
+
+    sense: 1 counter-clockwise, −1 clockwise, 0 not said. direction: of a vector (deg). at: two coordinates. digits:
+    significant ones; last: one unit of the last. why: what cannot be read, or contradicts itself.
+    """
+
+    raw: str
+    state: State
+    value: float = 0.0
+    signed: bool = False
+    unit: Unit | None = None
+    sense: int = 0
+    direction: float | None = None
+    at: tuple[float, float] | None = None
+    yes: bool | None = None
+    digits: int = 0
+    last: float = 0.0
+    why: Words | None = None
+
+
+_NONE = {
+    "-",
+    "--",
+    "---",
+    "—",
+    "——",
+    "―",
+    "/",
+    "\\",
+    "无",
+    "没有",
+    "none",
+    "n/a",
+    "na",
+    "nil",
+    "未作",
+    "未做",
+    "×",
+    "x",
+}
+_YES = {"是", "有", "存在", "能", "自锁", "yes", "y", "true", "√", "✓", "✔", "对"}
+_NO = {"否", "不", "不能", "不自锁", "不存在", "no", "n", "false", "错"}
+_LEAD = re.compile(r"^(?:[≈~=≅]|约为|约|大约|about|ca\.?|approx\.?|\s)+", re.I)
+_TURNED = re.compile(r"[,;]?\s*(?:∠|@|方向(?:角)?\s*[:=]?|at)\s*([+-]?\d+(?:\.\d+)?)\s*(?:°|deg|度)?\s*$", re.I)
+_TWO = re.compile(r"^\(\s*([^,;]+?)\s*[,;]\s*([^,;]+?)\s*\)\s*(\S*)$")
+
+
+def written(raw: str | float | None) -> Written:
+    """What was written in a cell, or on a command line."""
+    text = "" if raw is None else f"{raw:.15g}" if isinstance(raw, float) else str(raw)
+    bare = plain(text)
+    if not bare:
+        return Written(raw=text, state=State.BLANK)
+    if bare.lower() in _NONE:
+        return Written(raw=text, state=State.NONE, yes=False if bare in ("无", "没有", "×", "x") else None)
+    if bare.lower() in _YES or bare.lower() in _NO:
+        return Written(raw=text, state=State.READ, yes=bare.lower() in _YES)
+    if len(bare) > LONGEST:
+        return _refused(text, Words("过长，不像一个答案", "too long for an answer"))
+    if (two := _TWO.match(bare)) is not None:
+        return _place(text, two)
+    return _one(text, _LEAD.sub("", bare).rstrip(".,; "))
+
+
+def _one(raw: str, bare: str) -> Written:
+    """A number with what stands beside it."""
+    turned = _TURNED.search(bare)
+    bare, senses = split_sense(bare[: turned.start()] if turned else bare)
+    found = NUMBER.match(bare)
+    if found is None:
+        return _refused(raw, Words("其中没有可读的数", "there is no number in it"))
+    value = number(found)
+    if isinstance(value, Words):
+        return _refused(raw, value)
+    named = bare[found.end() :].strip().rstrip(".,;").strip()
+    known = unit(named) if named else None
+    if named and known is None:
+        return _refused(raw, Words(f"“{named}”不是可识别的单位", f"'{named}' is no unit that is known"))
+    sense = senses[0] if senses else 0
+    if len(set(senses)) > 1 or (sense and value.signed and value.value and (value.value > 0) != (sense > 0)):
+        return Written(
+            raw=raw,
+            state=State.AMBIGUOUS,
+            value=value.value,
+            unit=known,
+            why=Words("符号与转向互相矛盾", "its sign and its sense contradict each other"),
+        )
+    return Written(
+        raw=raw,
+        state=State.READ,
+        value=value.value,
+        signed=value.signed,
+        unit=known,
+        sense=sense,
+        digits=value.digits,
+        last=value.last,
+        direction=float(turned[1]) if turned else None,
+    )
+
+
+def _place(raw: str, two: re.Match[str]) -> Written:
+    """Two coordinates in brackets, with one unit behind them or each with its own."""
+    parts = [_one(raw, part) for part in (two[1], two[2])]
+    bad = next((part for part in parts if part.state is not State.READ), None)
+    if bad is not None:
+        return bad
+    behind = unit(two[3]) if two[3] else None
+    units = {part.unit for part in parts if part.unit} | ({behind} if behind else set())
+    if len(units) > 1 or (two[3] and behind is None):
+        return _refused(
+            raw, Words("两个坐标的单位不一致，或不可识别", "the units of the coordinates differ, or are not known")
+        )
+    return Written(
+        raw=raw,
+        state=State.READ,
+        at=(parts[0].value, parts[1].value),
+        unit=next(iter(units), None),
+        last=max(part.last for part in parts),
+        digits=min(part.digits for part in parts),
+    )
+
+
+def _refused(raw: str, why: Words) -> Written:
+    return Written(raw=raw, state=State.UNREADABLE, why=why)

@@ -1,0 +1,63 @@
+"""The solution of a problem drawn anew by hands that each do something otherwise: every graded quantity by each of
+them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..board.acts import Act, Compute, Measure
+from ..board.acts import Answer as Wrote
+from ..board.hand import steady
+from ..board.otherwise.amended import Amended
+from ..mechanism.model import Mechanism
+from ..methods.drawn import Drawn
+from ..methods.plan import drawn_otherwise
+from ..problem.problem import Problem, Scales
+from ..solution import constructed
+from .key import AnswerKey, Graded, Kind
+
+ByHand = Mapping[
+    str, NDArray[Any]
+]  # key → value by each hand (of a vector x + iy where it is known), without the nominal one
+
+
+def by_hands(problem: Problem, key: AnswerKey, amended: Amended) -> ByHand:
+    """Every graded quantity by each of the hands that `amended` tells of, at the scales of the key; NaN where none was
+    found.
+
+    Raises what drawing the nominal sheet raises.
+    """
+    many = len(amended.each) + len(amended.own)
+    scaled = replace(problem, scales=Scales(dict(key.scales)))
+    linkage = isinstance(problem.subject, Mechanism)
+    drawn = drawn_otherwise(scaled, steady(many), amended) if linkage else constructed(scaled, steady(many), amended)
+    found: dict[str, NDArray[Any]] = {}
+    for one in key.quantities:
+        act = act_of(drawn, one)
+        if act is not None:
+            found[one.key] = np.broadcast_to(values_of(drawn, act), (many + 1,))[1:]
+    return found
+
+
+def act_of(drawn: Drawn, one: Graded) -> Act | None:
+    """The act that gave a quantity."""
+    sort = Measure if one.kind is Kind.READING else Wrote if one.asked else Compute
+    return next((act for act in drawn.construction.acts if isinstance(act, sort) and one.letters in act.names), None)
+
+
+def values_of(drawn: Drawn, act: Act) -> Any:
+    found: Any = drawn.hands.get(act.number)
+    if found is not None:
+        return found
+    match act:
+        case Measure(mm=mm):
+            return mm
+        case Compute(value=value) | Wrote(value=value):
+            return value
+    raise AssertionError(act)

@@ -1,0 +1,73 @@
+"""One student's answers to one problem, as they were written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ..board.construction import Scale
+from ..board.place import views
+from ..errors import FaultError
+from ..figures import scales as kinds
+from ..units.reading import PerMm, read
+from ..words import Words
+from .key import AnswerKey
+from .reading.symbol import keyed
+from .reading.written import Written, written
+
+__all__ = ["Scale", "Sheet", "sheet_of", "views"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sheet:
+    """answers: key → what was written. scales: ``mu_v`` → the student's own (SI per mm); stated: which scales were
+    written down.
+
+    faults: what could not be read of the scales, each in words.
+    """
+
+    answers: Mapping[str, Written]
+    scales: Mapping[str, float] = field(default_factory=dict)
+    stated: frozenset[str] = frozenset()
+    faults: tuple[Words, ...] = ()
+
+
+def sheet_of(key: AnswerKey, cells: Mapping[str, str | float | None], *, printed_scales: bool = True) -> Sheet:
+    """A sheet of cells: symbol, or scale, → what was written there. Raises UnknownNameError for what is neither.
+
+    printed_scales: the sheet prints the scales of the key, so that they count as stated.
+    """
+    names = {one.key for one in key.quantities}
+    answers: dict[str, Written] = {}
+    own: dict[str, float] = {}
+    faults: list[Words] = []
+    for symbol, cell in cells.items():
+        mu = _scale_named(symbol, key)
+        if mu is None:
+            answers[symbol if symbol in names else keyed(symbol, names)] = written(cell)
+        elif (value := _scale(mu, cell, faults)) is not None:
+            own[mu] = value
+    stated = frozenset(key.scales) if printed_scales else frozenset(own)
+    return Sheet(answers=answers, scales=own, stated=stated, faults=tuple(faults))
+
+
+def _scale_named(symbol: str, key: AnswerKey) -> str | None:
+    """The scale that a column is about: mu_v, μ_v, μv."""
+    name = symbol.strip().replace("μ", "mu").replace("_", "").lower()
+    return next((mu for mu in key.scales if mu.replace("_", "").lower() == name), None)
+
+
+def _scale(mu: str, cell: str | float | None, faults: list[Words]) -> float | None:
+    """A scale in SI per mm; a bare number is taken in the unit of its kind per mm."""
+    text = "" if cell is None else str(cell).strip()
+    if not text:
+        return None
+    kind = kinds()[mu]
+    unit = f"({kind.unit})/mm" if "/" in kind.unit else f"{kind.unit}/mm"
+    try:
+        bare = text.replace(".", "").isdigit()
+        value = read(f"{text} {unit}" if bare else text, PerMm(kind.called, kind.unit, kind.example)).si
+    except FaultError as fault:
+        faults.append(fault.words)
+        return None
+    return value if value > 0 else None

@@ -1,0 +1,101 @@
+"""What explains one wrong value by itself: powers of ten, 2π, r/min, another vector taken for this one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import log10, pi, radians
+
+from ...errors import UnknownNameError
+from ...names import Rel, parse_rel
+from ..compare.band import Target, gap
+from ..compare.measured import Measured
+from ..key import AnswerKey, Graded, Kind
+from ..told.catalogue import Told
+from ..told.message import Message, message
+
+NEAR = 0.05  # a factor is one only as near as this
+TENS = 7
+_OF_TIME = ("m/s", "m/s^2", "rad/s", "rad/s^2")
+
+
+def explanations(one: Graded, mine: Measured, target: Target, key: AnswerKey) -> tuple[Message, ...]:
+    """Every explanation that fits; more than one is none."""
+    if one.kind in (Kind.PLACE, Kind.YES_NO):
+        return ()
+    if abs(target.value) <= one.allowed and not one.exact:
+        return (_why_zero(one),)
+    if not target.value or not mine.value:
+        return ()
+    near = min(NEAR, one.allowed / abs(one.exact)) if one.exact else NEAR
+    found = list(_factors(one, abs(mine.value / target.value), near))
+    return (*(said for said, _ in found), *_others(one, mine, key))
+
+
+def _factors(one: Graded, ratio: float, near: float) -> Iterator[tuple[Message, float]]:
+    power = round(log10(ratio))
+    if power and abs(power) <= TENS and _is(ratio, 10.0**power, near):
+        yield message(Told.POW10, n=str(power)), 10.0**power
+    if one.unit in _OF_TIME:
+        squared = (2 * pi, 4 * pi * pi)
+        if any(_is(ratio, factor, near) or _is(ratio, 1 / factor, near) for factor in squared):
+            yield message(Told.TURNS), 2 * pi
+        minutes = (2 * pi / 60, (2 * pi / 60) ** 2)
+        if any(_is(ratio, factor, near) or _is(ratio, 1 / factor, near) for factor in minutes):
+            yield message(Told.PER_MINUTE), 2 * pi / 60
+    if one.unit == "deg" and (_is(ratio, radians(1), near) or _is(ratio, 1 / radians(1), near)):
+        yield message(Told.DEGREES), radians(1)
+
+
+def _is(ratio: float, factor: float, near: float) -> bool:
+    return abs(ratio / factor - 1) <= near
+
+
+def _others(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Message]:
+    """Vectors of the same name or letters whose value this is: v for v_rel, pc for bc, a coincident point of another
+    link.
+    """
+    for other in key.quantities:
+        if other.key == one.key or other.unit != one.unit or other.kind is not one.kind or not _kin(one, other):
+            continue
+        apart = abs(gap(other.exact, one, Target(value=one.exact, allowed=0.0)))
+        target = Target(value=other.exact, allowed=other.allowed)
+        if apart > 2 * (one.allowed + other.allowed) and abs(gap(mine.value, other, target)) <= other.allowed / 2:
+            yield message(Told.SWAPPED, other=other.symbol)
+
+
+def _kin(one: Graded, other: Graded) -> bool:
+    """Whether one is easily taken for the other."""
+    if one.kind is Kind.READING:
+        return one.mu == other.mu and bool(set(_ends(one.letters)) & set(_ends(other.letters)))
+    mine, theirs = _rel(one.key), _rel(other.key)
+    if mine is None or theirs is None:
+        return one.key.partition("_")[0] == other.key.partition("_")[0]  # R_12 and R_32, M and M_0
+    if not mine.kind.is_vector:
+        return mine.kind is theirs.kind
+    return mine.to.point == theirs.to.point and mine.kind.stem[0] == theirs.kind.stem[0]
+
+
+def _ends(letters: str) -> list[str]:
+    """The two letters of a length: bc2 → b, c2; p'c' → p', c'."""
+    parts: list[str] = []
+    for sign in letters.rpartition(":")[2]:
+        if sign.isalpha() or not parts:
+            parts.append(sign)
+        else:
+            parts[-1] += sign
+    return [part for part in parts if part.rstrip("'") != "p"]
+
+
+def _rel(key: str) -> Rel | None:
+    try:
+        return parse_rel(key)
+    except UnknownNameError:
+        return None
+
+
+def _why_zero(one: Graded) -> Message:
+    """Why a value that was given is zero."""
+    rel = _rel(one.key)
+    if rel is not None and not rel.kind.is_vector:
+        return message(Told.TRANSLATES, link=rel.to.link)
+    return message(Told.ZERO)

@@ -1,0 +1,72 @@
+"""One mistake behind many values: the solution of one who makes it, held against all that was written."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..allowance import Allowance
+from ..compare.band import Target, gap, target_of, weigh
+from ..compare.measured import Measured
+from ..compare.outcome import Outcome
+from ..key import AnswerKey, Graded
+from .mutants import Mutant
+
+LONE = 0.7  # of T: as near must a value be that alone bears a mistake out
+MARGIN = 6.0  # by how much the sum of squares of the next best mistake must be larger
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Explained:
+    """The mistake that alone explains what was written; None where several do, or none: `several` tells which."""
+
+    mutant: Mutant | None
+    several: bool = False
+
+
+def explain(
+    key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str], mutants: Sequence[Mutant]
+) -> Explained:
+    """The one mistake whose solution agrees with all of these values.
+
+    Each value must lie within what is not yet wrong of the mistake's; the sum of squares must be smaller by MARGIN than
+    that of any other mistake that agrees.
+    """
+    fitting = [(score, one) for one in mutants if (score := _score(key, given, pool, one)) is not None]
+    if not fitting:
+        return Explained(mutant=None)
+    fitting.sort(key=lambda each: each[0])
+    if len(fitting) > 1 and fitting[1][0] - fitting[0][0] < MARGIN:
+        return Explained(mutant=None, several=True)
+    return Explained(mutant=fitting[0][1])
+
+
+def agrees(one: Graded, mine: Measured, mutant: Mutant, rule: Allowance) -> bool:
+    """Whether a value is what follows from the mistake."""
+    return weigh(mine, one, mutated(one, mutant, rule), rule) in (Outcome.RIGHT, Outcome.CLOSE, Outcome.UNSAID)
+
+
+def mutated(one: Graded, mutant: Mutant, rule: Allowance) -> Target:
+    """The value by this mistake, with a T as much larger as the value is, but no larger than a share of it."""
+    if (value := mutant.values.get(one.key)) is None:
+        return target_of(one)
+    larger = one.allowed * max(1.0, abs(value.value / one.exact)) if one.exact else one.allowed
+    allowed = max(min(larger, rule.share * abs(value.value)), one.allowed)
+    mm = one.mm * abs(value.value / one.exact) if one.mm and one.exact else None
+    return Target(value=value.value, allowed=allowed, degrees=value.degrees, mm=mm)
+
+
+def _score(key: AnswerKey, given: Mapping[str, Measured], pool: Collection[str], mutant: Mutant) -> float | None:
+    """Sum of squares over σ; None where a value does not agree."""
+    total, moved = 0.0, [name for name in pool if name in mutant.values]
+    for name in pool:
+        one, mine = key[name], given[name]
+        if not agrees(one, mine, mutant, key.allowance):
+            return None
+        target = mutated(one, mutant, key.allowance)
+        if target.allowed and mine.at is None and mine.yes is None:
+            off = abs(gap(mine.value, one, target)) / target.allowed
+            if moved == [name] and off > LONE:
+                return None
+            total += (key.allowance.k * off) ** 2
+    return total

@@ -1,0 +1,129 @@
+"""Somebody's answers to one problem, checked at once: right, close, or wrong with a reason."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..errors import ArgumentError, UnknownNameError
+from ..foundation.arguments import of_kind
+from ..names import Rel, parse_rel
+from ..problem.asked.asks import AskRel
+from ..problem.problem import Problem
+from ..words import Lang, Words, bare, language
+from .compare.outcome import Finding
+from .derive.keyed import answer_key
+from .key import AnswerKey
+from .marking.marked import Marked
+from .marking.marker import mark
+from .reading.symbol import keyed, squeezed
+from .sheet import sheet_of
+from .slips.mutants import mutants
+
+_STEM = re.compile(r"(omega|alpha|an|at|ak|ar|v|a|p)(?=[A-Z]|\d)(.+)")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Checked:
+    """Answers to a problem with a verdict on each."""
+
+    problem: Problem
+    marked: Marked
+
+    @property
+    def answers(self) -> tuple[Finding, ...]:
+        """What was written, each with its outcome and its sentences."""
+        return tuple(one for one in self.marked.findings if one.written.raw)
+
+    @property
+    def right(self) -> bool:
+        """Whether all of it is right."""
+        return all(one.is_right for one in self.answers)
+
+    def __str__(self) -> str:
+        """One line for each answer: symbol, what was written, verdict, reason."""
+        return "\n".join("  ".join(row) for row in self.rows(language()))
+
+    def rows(self, lang: Lang) -> list[tuple[str, str, str, str]]:
+        """Symbol, what was written, verdict, reason."""
+        return [
+            (bare(self.marked.key[one.key].symbol), one.written.raw, one.outcome.words.of(lang), _reasons(one, lang))
+            for one in self.answers
+        ]
+
+    def as_json(self) -> dict[str, Any]:
+        """Plain data."""
+        told = [one for one in self.marked.as_json()["answers"] if one["written"]]
+        kept = ("key", "written", "outcome", "basis", "value", "off", "messages")
+        return {
+            "id": self.problem.id,
+            "right": self.right,
+            "answers": [{name: one[name] for name in kept} for one in told],
+        }
+
+
+def check_answers(problem: Problem, answers: Mapping[str, str | float] | Iterable[str]) -> Checked:
+    """Check answers, ``{"v_D": "0.49", "ω5": "4.72 顺"}`` or ``["v_D=0.49"]``, also of quantities that were not asked
+    for.
+
+    Each is held against the exact value within what a drawing may be off by, then against what follows from the other
+    answers, then against every slip that can be made. Raises UnknownNameError for a symbol that the problem does not
+    have, ArgumentError for what is no answer, and what `solve` raises.
+    """
+    of_kind(problem, Problem, Words("题目（load 或 loads 的结果）", "a problem, as load and loads give it,"))
+    given = _split(answers)
+    key, problem = _key_for(problem, tuple(given))
+    sheet = sheet_of(key, given)
+    return Checked(problem=problem, marked=mark(problem, key, lambda: mutants(problem, key), sheet))
+
+
+def _split(answers: Mapping[str, str | float] | Iterable[str]) -> dict[str, str | float | None]:
+    """Symbol → what was written."""
+    if isinstance(answers, Mapping):
+        return dict(answers)
+    found: dict[str, str | float | None] = {}
+    for text in answers:
+        symbol, equals, value = text.partition("=") if "=" in text else text.partition("＝")
+        if not equals or not symbol.strip():
+            raise ArgumentError(
+                Words(f"“{text}”不是答案；请写 v_D=0.49", f"'{text}' is no answer; write v_D=0.49"), code="answer"
+            )
+        if symbol.strip() in found:
+            raise ArgumentError(
+                Words(f"{symbol.strip()} 写了两次；请只留一个", f"{symbol.strip()} is given twice; leave one of them"),
+                code="twice",
+            )
+        found[symbol.strip()] = value.strip()
+    return found
+
+
+def _key_for(problem: Problem, symbols: tuple[str, ...]) -> tuple[AnswerKey, Problem]:
+    """The key, and the problem with what else is answered asked for too."""
+    key = answer_key(problem)
+    known = [one.key for one in key.quantities] + list(key.scales)
+    more = [rel for symbol in symbols if (rel := _unasked(symbol, known)) is not None]
+    if not more:
+        return key, problem
+    asked = replace(problem, asks=(*problem.asks, *(AskRel(rel=rel) for rel in more)))
+    return answer_key(asked), asked
+
+
+def _unasked(symbol: str, known: list[str]) -> Rel | None:
+    """The quantity that a symbol of no key names; raises UnknownNameError, with the nearest, where there is none."""
+    try:
+        keyed(symbol, known)
+    except UnknownNameError as unknown:
+        found = _STEM.fullmatch(squeezed(symbol))
+        if found is None or unknown.code == "ambiguous-symbol":
+            raise
+        try:
+            return parse_rel(f"{found[1]}_{found[2]}")
+        except UnknownNameError:
+            raise unknown from None
+    return None
+
+
+def _reasons(one: Finding, lang: Lang) -> str:
+    return ("；" if lang == "zh" else "; ").join(bare(said.words.of(lang)) for said in one.messages)

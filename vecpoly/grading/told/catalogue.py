@@ -1,0 +1,164 @@
+"""Every sentence that a student may be told about an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import StrEnum
+
+from ...words import Words
+
+
+class Told(StrEnum):
+    """The names of the sentences."""
+
+    OK = "ok"
+    OK_RECKONED = "ok_reckoned"
+    OK_OWN = "ok_own"
+    OK_SLIP = "ok_slip"
+    CLOSE = "close"
+    WRONG = "wrong"
+    WRONG_FROM = "wrong_from"
+    SENSE = "sense"
+    SENSE_MISSING = "sense_missing"
+    SIGN = "sign"
+    REVERSED = "reversed"
+    DIRECTION = "dir"
+    UNIT_MISSING = "unit_missing"
+    UNIT_WRONG = "unit_wrong"
+    POW10 = "pow10"
+    TURNS = "two_pi"
+    PER_MINUTE = "per_minute"
+    DEGREES = "degrees"
+    SCALE_CONST = "scale_const"
+    SCALE_UNDECLARED = "scale_undeclared"
+    SCALE_ODD = "scale_odd"
+    SLIP = "slip"
+    CORIOLIS = "coriolis"
+    CORIOLIS_2 = "coriolis_2"
+    TWO_SLIPS = "two_slips"
+    SWAPPED = "swapped"
+    TRANSLATES = "translates"
+    ZERO = "zero"
+    READ = "read"
+    NOT_FOLLOWED = "not_followed"
+    UNDRAWABLE = "undrawable"
+    FEW_DIGITS = "few_digits"
+    MANY_DIGITS = "many_digits"
+    DEMOTED = "demoted"
+    BLANK = "blank"
+    NONE = "none"
+    UNREADABLE = "unreadable"
+    AMBIGUOUS = "ambiguous"
+    RIGHT = "right"
+    NEARLY = "nearly"
+    NOT_RIGHT = "not_right"
+    TURNED = "turned"
+
+
+SENTENCES: Mapping[Told, Words] = {
+    Told.OK: Words("正确（误差 {e} mm，允许 ±{t} mm）", "Correct (error {e} mm, allowed ±{t} mm)"),
+    Told.OK_RECKONED: Words("正确（误差 {e}，允许 ±{t}）", "Correct (error {e}, allowed ±{t})"),
+    Told.OK_OWN: Words(
+        "按你前面的 ${src}$ = {v} 计算，本步正确，不重复扣分",
+        "Right when continued from your ${src}$ = {v}; not penalised again",
+    ),
+    Told.OK_SLIP: Words(
+        "与 ${src}$ 处的错误一致，不重复扣分", "Follows from the mistake at ${src}$; not penalised again"
+    ),
+    Told.CLOSE: Words(
+        "接近：相差 {e}，作图或量取不够准确（允许 ±{t}）",
+        "Close: off by {e}; drawing or reading not accurate enough (allowed ±{t})",
+    ),
+    Told.WRONG: Words("不正确：与正确值相差 {e}（允许 ±{t}）", "Not correct: off by {e} (allowed ±{t})"),
+    Told.WRONG_FROM: Words(
+        "不正确：按你的 ${src}$ = {v} 应得 {own}", "Not correct: from your ${src}$ = {v} follows {own}"
+    ),
+    Told.SENSE: Words(
+        "大小正确，转向相反：请将切向矢量移到机构图上判断转向",
+        "Magnitude right, sense reversed: place the tangential vector on the diagram to find the sense",
+    ),
+    Told.SENSE_MISSING: Words("大小正确，没有写转向", "Magnitude right, but its sense is not stated"),
+    Told.SIGN: Words("大小正确，符号相反", "Magnitude right, sign reversed"),
+    Told.REVERSED: Words(
+        "大小正确，方向相反：请检查箭头由哪一点指向哪一点",
+        "Magnitude right, direction reversed: check from which point to which the arrow runs",
+    ),
+    Told.DIRECTION: Words("大小正确，但方向差 {d}°", "Magnitude right, direction off by {d}°"),
+    Told.UNIT_MISSING: Words("缺单位（应为 {u}），同题只扣一次", "Unit missing ({u}); deducted once per question"),
+    Told.UNIT_WRONG: Words(
+        "单位“{given}”不是此量的单位（应为 {u}），同题只扣一次",
+        "'{given}' is no unit of this quantity ({u}); deducted once per question",
+    ),
+    Told.POW10: Words(
+        "数字对，差 10 的 {n} 次方：检查 mm/m 换算或比例尺", "Digits right, off by 10^{n}: check mm/m or the scale"
+    ),
+    Told.TURNS: Words(
+        "与少乘（或多乘）2π 的结果一致：r/s 不是 rad/s", "Matches a 2π left out (or too many): r/s is not rad/s"
+    ),
+    Told.PER_MINUTE: Words(
+        "与把 r/min 当作 rad/s（或相反）的结果一致", "Matches r/min taken for rad/s, or the other way round"
+    ),
+    Told.DEGREES: Words(
+        "与把度当作弧度（或相反）的结果一致", "Matches degrees taken for radians, or the other way round"
+    ),
+    Told.SCALE_CONST: Words(
+        "各结果同乘 {k}：比例尺 ${mu}$ 用错，只扣一次",
+        "All results differ by the same factor {k}: wrong scale ${mu}$; deducted once",
+    ),
+    Told.SCALE_UNDECLARED: Words("没有写比例尺 ${mu}$ 及其单位", "The scale ${mu}$ and its unit are not stated"),
+    Told.SCALE_ODD: Words(
+        "比例尺 ${mu}$ = {v} 不是推荐值（1、2、2.5、5 × 10ⁿ）", "The scale ${mu}$ = {v} is none of 1, 2, 2.5, 5 × 10ⁿ"
+    ),
+    Told.SLIP: Words("与“${what}$ {mistake}”的结果一致", "Matches what follows when ${what}$ is {mistake}"),
+    Told.CORIOLIS: Words(
+        "与漏掉哥氏加速度 2$ω$·$v_r$（${what}$）的结果一致",
+        "Matches the result without the Coriolis term 2$ω$·$v_r$ (${what}$)",
+    ),
+    Told.CORIOLIS_2: Words(
+        "与哥氏加速度 ${what}$ = 2$ω$·$v_r$ 漏乘 2 的结果一致", "Matches the 2 of ${what}$ = 2$ω$·$v_r$ left out"
+    ),
+    Told.TWO_SLIPS: Words(
+        "不止一种错误能得到这些结果，不能断定原因",
+        "More than one mistake gives these results; which one cannot be told",
+    ),
+    Told.SWAPPED: Words(
+        "这是 ${other}$ 的值：是否取错了矢量？", "This is the value of ${other}$: was the wrong vector taken?"
+    ),
+    Told.TRANSLATES: Words(
+        "构件 {link} 此时不转动（平动），此量为 0", "Link {link} does not turn here, it translates: this is 0"
+    ),
+    Told.ZERO: Words("此量为零", "This quantity is zero"),
+    Told.READ: Words(
+        "与你自己量得的 {mm} mm × {mu} = {own} 不一致", "Does not agree with your own reading: {mm} mm × {mu} = {own}"
+    ),
+    Told.NOT_FOLLOWED: Words(
+        "你的 ${src}$ 为零、单位不对或相差 5 倍以上，不能据以连带计分",
+        "Your ${src}$ is zero, of another dimension or off by more than a factor 5; nothing is continued from it",
+    ),
+    Told.UNDRAWABLE: Words(
+        "按你前面的结果图形不能闭合，已转人工批改",
+        "With your earlier results the figure does not close; sent to manual marking",
+    ),
+    Told.FEW_DIGITS: Words(
+        "有效数字太少（{n} 位），图解法宜取 3 位", "Too few significant digits ({n}); 3 suit a drawing"
+    ),
+    Told.MANY_DIGITS: Words(
+        "有效数字太多（{n} 位），图解法宜取 3 位", "Too many significant digits ({n}); 3 suit a drawing"
+    ),
+    Told.DEMOTED: Words(
+        "此量作图误差大，只按你前面的结果核对",
+        "So sensitive to drawing errors that it is held against your own earlier results only",
+    ),
+    Told.BLANK: Words("没有作答", "Not answered"),
+    Told.NONE: Words("写作“{raw}”，按没有作答处理", "Written as '{raw}': taken as not answered"),
+    Told.UNREADABLE: Words(
+        "无法识别“{raw}”，已转人工批改：{why}", "Could not read '{raw}'; sent to manual marking: {why}"
+    ),
+    Told.AMBIGUOUS: Words(
+        "“{raw}”自相矛盾，已转人工批改：{why}", "'{raw}' contradicts itself; sent to manual marking: {why}"
+    ),
+    Told.RIGHT: Words("正确", "Correct"),
+    Told.NEARLY: Words("接近，作图或量取不够准确", "Close; drawing or reading not accurate enough"),
+    Told.NOT_RIGHT: Words("不正确", "Not correct"),
+    Told.TURNED: Words("大小正确，但方向不对", "Magnitude right, direction wrong"),
+}

@@ -1,0 +1,39 @@
+"""Which sentence tells of a slip."""
+
+from __future__ import annotations
+
+from ...board.otherwise.slip import Mistake, Slip
+from ...errors import UnknownNameError
+from ...names import parse_rel
+from ...words import Words
+from .catalogue import Told
+from .message import Message, message
+
+_SAID = {
+    Mistake.REVERSED: Words("方向画反", "laid off the wrong way"),
+    Mistake.DROPPED: Words("漏画", "left out"),
+    Mistake.HALVED: Words("小了一半（如漏乘 2）", "half as large (a factor 2 left out)"),
+    Mistake.DOUBLED: Words("大了一倍（如以直径代半径）", "twice as large (a diameter for a radius, say)"),
+    Mistake.TURNED: Words("方向转过了 90°（⊥ 与 ∥ 混淆）", "turned by 90° (∥ for ⊥)"),
+    Mistake.SCALED: Words("用错了比例尺", "laid off with another figure's scale"),
+    Mistake.COINCIDENT: Words("取错了重合点", "taken of the wrong coincident point"),
+    Mistake.OTHER_MEETING: Words("取了另一个交点", "found at the other meeting"),
+    Mistake.OTHER_TANGENT: Words("切于摩擦圆的另一侧", "on the wrong side of the friction circle"),
+}
+
+
+def told_of(slip: Slip) -> Message:
+    """The sentence of a slip: with the Coriolis term it has words of its own."""
+    key = slip.key.rpartition(":")[2]
+    if key.startswith("ak_") and slip.mistake in (Mistake.DROPPED, Mistake.HALVED):
+        return message(Told.CORIOLIS if slip.mistake is Mistake.DROPPED else Told.CORIOLIS_2, what=symbol_of(key))
+    return message(Told.SLIP, what=symbol_of(key), mistake=_SAID[slip.mistake])
+
+
+def symbol_of(key: str) -> str:
+    """A key as it is printed: ``a^k_{C2C3}``, ``R_{32}``, ``bc2``."""
+    try:
+        return parse_rel(key).symbol
+    except UnknownNameError:
+        head, low, body = key.partition("_")
+        return f"{head}_{{{body}}}" if low and body else head

@@ -1,0 +1,73 @@
+"""Answers that are another student's: they agree throughout with somebody else's key, and not with one's own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ..batch.register import Register
+from ..grading.compare.band import target_of, weigh
+from ..grading.compare.measured import measured
+from ..grading.compare.outcome import Finding
+from ..grading.key import AnswerKey
+from ..grading.marking.marked import Marked
+from ..grading.marking.marker import mark
+from ..grading.reading.written import Written
+from ..grading.rules import Rules
+from ..grading.sheet import Sheet
+from ..words import Words
+from .work import Result, Scheme
+
+FEWEST = 2  # answers that one's own key does not bear out
+
+
+def own_work(register: Register, result: Result, scheme: Scheme) -> Result:
+    """The result; where the answers are another's, marked by one's own exact values alone, and left for a person."""
+    for problem, marked in result.marks.items():
+        whose = _whose(register, result.student.number, problem, marked)
+        if whose is not None:
+            result = _alone(register, result, problem, marked, scheme.rules, whose)
+    return result
+
+
+def _whose(register: Register, number: str, problem: str, marked: Marked) -> str | None:
+    """The number of the student whose key all answers agree with."""
+    given = {one.key: one.written for one in marked.findings if one.outcome.answered}
+    if sum(_off(one, marked.key) for one in marked.findings) < FEWEST:
+        return None
+    for sheet in register.sheets:
+        part = next((part for part in sheet.parts if part.problem == problem), None)
+        if part is not None and sheet.student.number != number and _agree(given, part.key):
+            return sheet.student.number
+    return None
+
+
+def _off(one: Finding, key: AnswerKey) -> bool:
+    """Whether an answer is not right by one's own exact values."""
+    graded = key[one.key]
+    return one.off is not None and abs(one.off) > key.allowance.wrong * graded.allowed
+
+
+def _agree(given: Mapping[str, Written], key: AnswerKey) -> bool:
+    for name, text in given.items():
+        one = key.find(name)
+        mine = None if one is None else measured(text, one, key.scales.get(one.mu))
+        if one is None or mine is None or not weigh(mine, one, target_of(one), key.allowance).is_right:
+            return False
+    return True
+
+
+def _alone(register: Register, result: Result, problem: str, marked: Marked, rules: Rules, whose: str) -> Result:
+    sheet = register.sheet(result.student.number)
+    part = next(part for part in sheet.parts if part.problem == problem) if sheet else None
+    if part is None:
+        return result
+    answers = {one.key: one.written for one in marked.findings if one.written.raw}
+    written = Sheet(answers=answers, stated=frozenset(marked.stated))
+    again = mark(register.variant(part), marked.key, tuple, written, replace(rules, following=False))
+    said = Words(
+        f"题 {problem} 的答案与学号 {whose} 的数据一致，而与本人的不符；未作连带评分，请人工核对",
+        f"the answers to {problem} agree with the numbers of student {whose}, and not with one's own; nothing was "
+        "followed through, check them",
+    )
+    return replace(result, marks={**result.marks, problem: again}, faults=(*result.faults, said))

@@ -1,0 +1,98 @@
+"""From a class folder and answer files to a folder of grades, feedback, analysis and queue."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..batch.register import Register
+from ..errors import Fault
+from ..foundation.files import write_whole
+from ..grading.key import AnswerKey
+from ..words import Lang, Words
+from .foreign import own_work
+from .intake.read import read_answers
+from .intake.returned import Returned
+from .out.items import items
+from .out.queue import queue_rows
+from .out.record import NAME, differences, read_record, record, record_bytes
+from .out.tables import csv_bytes, grade_rows, xlsx_bytes
+from .work import Result, Scheme, mark_class
+
+Told = Callable[[Words, int, int], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Order:
+    """What is to be marked, by which scheme, where the marks go; before: marks of another day to compare with."""
+
+    register: Register
+    files: tuple[Path, ...]
+    out: Path
+    scheme: Scheme
+    lang: Lang
+    jobs: int = 1
+    feedback: bool = True
+    before: Path | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Graded:
+    """What came out: everybody's results, what could not be used, the files, what is marked otherwise than before."""
+
+    results: tuple[Result, ...]
+    faults: tuple[Fault, ...]
+    files: tuple[Path, ...]
+    changed: tuple[tuple[str | float, ...], ...] | None = None
+
+
+def grade(order: Order, told: Told) -> Graded:
+    """Mark a class. Raises what reading the files raises; what is wrong with one row or sheet is kept and told."""
+    register = order.register
+    before = None if order.before is None else read_record(order.before)
+    returned = gathered(register, order.files)
+    marked = mark_class(register, returned, order.scheme, order.jobs)
+    results = tuple(own_work(register, one, order.scheme) for one in _counted(marked, len(register.sheets), told))
+    faults = tuple(returned.faults)
+    changed = None if before is None else differences(before, record(results, register.assignment))
+    files = list(_tables(order, results, faults, changed))
+    if order.feedback:
+        from .out.feedback import feedback_files
+
+        files += feedback_files(register, results, order.out, order.lang, told, open_=order.scheme.rules.open)
+    kept = None if changed is None else tuple(map(tuple, changed))
+    return Graded(results=results, faults=faults, files=tuple(files), changed=kept)
+
+
+def gathered(register: Register, files: Sequence[Path]) -> Returned:
+    """The answers of all files, in their order."""
+    keys = {sheet.student.number: {part.problem: part.key for part in sheet.parts} for sheet in register.sheets}
+    any_keys: Mapping[str, AnswerKey] = next(iter(keys.values()), {})
+    whole = Returned()
+    for file in files:
+        one = read_answers(file, any_keys, keys.get)
+        for answers in one.answers.values():
+            whole.add(answers)
+        whole.faults += one.faults
+    return whole
+
+
+def _counted(results: Iterator[Result], count: int, told: Told) -> Iterator[Result]:
+    for done, result in enumerate(results, 1):
+        told(Words("批改", "marking"), done, count)
+        yield result
+
+
+def _tables(
+    order: Order, results: Sequence[Result], faults: Sequence[Fault], changed: list[list[str | float]] | None
+) -> Iterator[Path]:
+    out, lang = order.out, order.lang
+    yield write_whole(out / "grades.csv", csv_bytes(grade_rows(results, lang)))
+    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang))
+    yield write_whole(out / "queue.csv", csv_bytes(queue_rows(results, lang, faults)))
+    yield write_whole(out / NAME, record_bytes(results, order.register.assignment))
+    if changed is not None:
+        head: list[Any] = ["number", "problem", "quantity", "points before", "outcome before", "written before"]
+        yield write_whole(out / "changes.csv", csv_bytes([[*head, "points", "outcome", "written"], *changed]))

@@ -1,0 +1,150 @@
+"""An answer file of any kind: what was returned, by student and problem."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from ...errors import Place, TableError, UnknownNameError
+from ...grading.key import AnswerKey
+from ...words import Words
+from .documents import documents
+from .heads import Head, Part, head, identity
+from .joined import joined
+from .pages import Page, pages
+from .returned import Answers, Returned
+
+KeysOf = Callable[[str], Mapping[str, AnswerKey] | None]  # of a student: problem → key; None for a stranger
+HEADS = 10  # rows among which the header is looked for
+_LONG = {
+    "step": ("step", "量", "symbol", "符号", "quantity"),
+    "value": ("value", "值", "答案", "answer"),
+    "unit": ("unit", "单位"),
+    "sense": ("sense", "转向"),
+    "mm": ("mm",),
+    "deg": ("deg", "方向"),
+    "problem": ("problem", "题号", "题"),
+}
+
+
+def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf) -> Returned:
+    """What a file holds; any_keys: problem → the key of some student, for the names; keys_of: those of one.
+
+    Raises TableError where no page of it can be read, OSError. What belongs to nobody is kept as a fault.
+    """
+    returned = Returned()
+    if path.suffix.lower() in (".yaml", ".yml", ".json"):
+        documents(path, any_keys, keys_of, returned)
+        return returned
+    found = [_read(page, any_keys, keys_of, returned) for page in pages(path)]
+    if not any(found):
+        raise TableError(
+            Words(
+                f"{path}：前 {HEADS} 行中没有“学号”一列；请用生成的答案表，或加表头 学号,v_C,…",
+                f"{path}: no column of student numbers in the first {HEADS} rows; use the answers form, or add a "
+                "header number,v_C,...",
+            ),
+            code="no-header",
+        )
+    return returned
+
+
+def _read(page: Page, keys: Mapping[str, AnswerKey], keys_of: KeysOf, returned: Returned) -> bool:
+    """Read one page; whether it has a header."""
+    for i, row in enumerate(page.rows[:HEADS]):
+        columns = {what: j for j, cell in enumerate(row) if (what := identity(cell)) is not None}
+        if "student" not in columns:
+            continue
+        long = _long(row)
+        if "step" in long and "value" in long:
+            _long_rows(page, i, columns["student"], long, keys_of, returned)
+        else:
+            _wide_rows(page, i, columns["student"], _heads(page, i, columns, keys, returned), keys_of, returned)
+        return True
+    return False
+
+
+def _heads(
+    page: Page, i: int, columns: Mapping[str, int], keys: Mapping[str, AnswerKey], returned: Returned
+) -> dict[int, Head]:
+    """Column → head; what is no symbol of any problem is told."""
+    found: dict[int, Head] = {}
+    default = page.name if page.name in keys else None
+    for j, cell in enumerate(page.rows[i]):
+        if j in columns.values() or not cell.strip():
+            continue
+        try:
+            found[j] = head(cell, keys, default)
+        except UnknownNameError as error:
+            returned.fault(page.place(i, j), "column", error.words)
+    return found
+
+
+def _wide_rows(
+    page: Page, i: int, student: int, heads: Mapping[int, Head], keys_of: KeysOf, returned: Returned
+) -> None:
+    """One row a student; a row of units under the header is left out."""
+    for n, row in enumerate(page.rows[i + 1 :], i + 1):
+        number = row[student].strip() if student < len(row) else ""
+        if not number:
+            if any(cell.strip() for cell in row) and n > i + 1:
+                returned.fault(
+                    page.place(n, student),
+                    "no-number",
+                    Words("此行没有学号；请补上", "this row has no student number; add it"),
+                )
+            continue
+        keys = keys_of(number)
+        if keys is None:
+            returned.fault(page.place(n, student), "stranger", _stranger(number))
+            continue
+        for problem, key in keys.items():
+            parts = {one: row[j] for j, one in heads.items() if one.problem == problem and j < len(row)}
+            if any(text.strip() for text in parts.values()):  # a row of blanks is nobody's work
+                places = {one.symbol: page.place(n, j).words.en for j, one in heads.items() if one.problem == problem}
+                returned.add(Answers(student=number, problem=problem, cells=joined(key, parts), places=places))
+
+
+def _long(row: Sequence[str]) -> dict[str, int]:
+    bare = [cell.strip().lower() for cell in row]
+    return {what: j for what, heads in _LONG.items() for j, cell in enumerate(bare) if cell in heads}
+
+
+def _long_rows(
+    page: Page, i: int, student: int, columns: Mapping[str, int], keys_of: KeysOf, returned: Returned
+) -> None:
+    """One row an answer: student, step, value, unit, sense, mm, deg."""
+    parts: dict[tuple[str, str], dict[Head, str]] = {}
+    places: dict[tuple[str, str], dict[str, str]] = {}
+    for n, row in enumerate(page.rows[i + 1 :], i + 1):
+        cell = {what: row[j].strip() if j < len(row) else "" for what, j in {**columns, "student": student}.items()}
+        keys = keys_of(cell["student"])
+        if keys is None:
+            if cell["student"]:
+                returned.fault(page.place(n, student), "stranger", _stranger(cell["student"]))
+            continue
+        symbol = f"{cell['problem']}:{cell['step']}" if cell.get("problem") else cell["step"]
+        try:
+            one = head(symbol, keys)
+        except UnknownNameError as error:
+            returned.fault(page.place(n, columns["step"]), "step", error.words)
+            continue
+        mine = parts.setdefault((cell["student"], one.problem), {})
+        mine[one] = " ".join(filter(None, (cell["value"], cell.get("unit", ""))))
+        for what, part in (("sense", Part.SENSE), ("mm", Part.LENGTH), ("deg", Part.DIRECTION)):
+            if cell.get(what):
+                mine[Head(one.problem, one.symbol, part)] = cell[what]
+        places.setdefault((cell["student"], one.problem), {})[one.symbol] = page.place(n, columns["value"]).words.en
+    for (number, problem), mine in parts.items():
+        key = (keys_of(number) or {})[problem]
+        returned.add(Answers(student=number, problem=problem, cells=joined(key, mine), places=places[number, problem]))
+
+
+def _stranger(number: str) -> Words:
+    return Words(
+        f"名册中没有学号 {number}；请核对学号，或用这个班的作业文件夹",
+        f"the register has no student {number}; check the number, or name the folder of this class",
+    )
+
+
+__all__ = ["Place", "read_answers"]

@@ -1,0 +1,1 @@
+"""What marking writes: grade tables, feedback sheets, item analysis, the queue."""

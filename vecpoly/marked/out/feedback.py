@@ -1,0 +1,127 @@
+"""A feedback sheet for everybody: marks, reasons in sentences, the own polygon over the exact one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ...batch.register import Part, Register
+from ...board.hand import hand
+from ...board.otherwise.amended import AS_DRAWN
+from ...drawing.backends.pdf import draw_pdf
+from ...drawing.scene import Scene
+from ...errors import VecpolyError
+from ...foundation.data import data_dir
+from ...foundation.files import write_whole
+from ...grading.compare.outcome import Basis, Finding
+from ...grading.marking.marked import Marked
+from ...grading.told.veiled import veiled
+from ...names import written_unit
+from ...problem.problem import Scales
+from ...report.content import Objects
+from ...report.document import FIELDS
+from ...report.flow.blocks import Drawing
+from ...report.flow.doc import Metadata, ReportDoc
+from ...report.flow.table import DataTable
+from ...report.flow.xml import to_flowables
+from ...report.templates import filled
+from ...solution import constructed
+from ...typeset.box import MM
+from ...words import Lang, Words, label
+from ..work import Result
+from .overlay import overlays
+
+Told = Callable[[Words, int, int], None]
+_HEAD = {
+    "zh": ("量", "所写", "结论", "得分", "满分", "说明"),
+    "en": ("Quantity", "Written", "Verdict", "Points", "of", "Why"),
+}
+_WIDTHS = (28.0, 27.0, 24.0, 12.0, 12.0, 67.0)
+_OWN = Words("由前正确", "right by own values")
+_TITLE = Words("批改反馈", "feedback")
+_WIDE, _HIGH = 168.0, 150.0  # mm that a figure may take
+
+
+def feedback_files(
+    register: Register, results: Sequence[Result], out: Path, lang: Lang, told: Told, *, open_: bool = False
+) -> list[Path]:
+    """Write one PDF for each student who returned something, feedback/NUMBER_NAME.pdf."""
+    written = [one for one in results if one.returned]
+    files: list[Path] = []
+    for done, result in enumerate(written, 1):
+        files.append(
+            write_whole(out / "feedback" / f"{_file(result)}.pdf", feedback_bytes(register, result, lang, open_=open_))
+        )
+        told(Words("写反馈", "writing feedback"), done, len(written))
+    return files
+
+
+def feedback_bytes(register: Register, result: Result, lang: Lang, *, open_: bool = False) -> bytes:
+    """The PDF of one student; open_: nothing that gives the right values away."""
+    objects = Objects()
+    title = Words(f"{register.title.zh}　{_TITLE.zh}", f"{register.title.en}: {_TITLE.en}").of(lang)
+    sheet = register.sheet(result.student.number)
+    parts = {part.problem: part for part in sheet.parts} if sheet else {}
+    problems = [_problem(register, parts[name], marked, lang, objects, open_) for name, marked in result.marks.items()]
+    context = {"title": title, "fields": _fields(result, lang), "problems": problems}
+    xml = filled(f"feedback.{lang}.xml.j2", (data_dir("templates"),), context)
+    meta = Metadata(title=title, subject=title, keywords=tuple(result.marks), lang=lang)
+    return ReportDoc(to_flowables(xml, objects.named, lang), meta, None).made()[0]
+
+
+def _fields(result: Result, lang: Lang) -> list[tuple[str, str]]:
+    known = (result.student.team, result.student.name, result.student.number, f"{result.total:g} / {result.worth:g}")
+    return list(zip(FIELDS[lang], (*known, "", ""), strict=True))
+
+
+def _problem(
+    register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects, open_: bool
+) -> dict[str, Any]:
+    problem = register.variant(part)
+    rows = [_row(one, marked, lang, open_) for one in marked.findings]
+    table = DataTable(_HEAD[lang], rows, _WIDTHS, "lllrrl", lang=lang)
+    said = [*(one.words.of(lang) for one in marked.messages), *(fault.of(lang) for fault in marked.faults)]
+    return {
+        "label": label(problem.id).of(lang), "title": problem.title.of(lang), "total": f"{marked.total:g}",
+        "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
+        "stated": f"{sum(marked.stated.values()):g}" if marked.stated else "",
+        "lost": f"{marked.lost:g}" if marked.lost else "",
+        "figures": [] if open_ else _figures(register, part, marked, lang, objects),
+    }  # fmt: skip
+
+
+def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ...]:
+    graded = marked.key[one.key]
+    verdict = _OWN if one.basis in (Basis.OWN, Basis.SLIP, Basis.SCALE) and one.is_right else one.outcome.words
+    messages = veiled(one.messages) if open_ else one.messages
+    why = ("；" if lang == "zh" else "; ").join(said.words.of(lang) for said in messages)
+    unit = f" /({written_unit(graded.unit)})" if written_unit(graded.unit) else ""
+    points = (f"{one.earned.total:.2g}", f"{graded.points.total:.2g}") if graded.points.total else ("", "")
+    return (f"${graded.symbol}${unit}", one.written.raw or "—", verdict.of(lang), *points, why)
+
+
+def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects) -> list[str]:
+    """The polygons at the student's own scales."""
+    problem = replace(register.variant(part), scales=Scales(dict(marked.key.scales)))
+    try:
+        construction = constructed(problem, hand("exact"), AS_DRAWN).construction
+    except VecpolyError:
+        return []  # at a scale of the student's own that no paper holds
+    return [objects.add("pic", _block(scene)) for _, scene in overlays(construction, marked, lang) if _fits(scene)]
+
+
+def _fits(scene: Scene) -> bool:
+    return scene.extents.width <= _WIDE and scene.extents.height <= _HIGH
+
+
+def _block(scene: Scene) -> Drawing:
+    e = scene.extents
+    return Drawing(e.width, e.height, lambda canvas, x, y: draw_pdf(scene, canvas, x - e.x0 * MM, y - e.y0 * MM))
+
+
+def _file(result: Result) -> str:
+    """NUMBER_NAME, in letters that every system's files may have."""
+    bare = "".join(char if char.isalnum() or char in "-._" else "_" for char in result.student.name)
+    return f"{result.student.number}_{bare}" if bare else result.student.number

@@ -1,0 +1,79 @@
+"""A student's vectors over the exact polygon, with the circle of what is allowed at each tip."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+from dataclasses import replace
+from math import pi, radians
+
+from ...board.acts import Arrow
+from ...board.construction import Construction, Figure
+from ...board.paper.marks import Dot, Mark, Point, Role
+from ...board.place import View
+from ...drawing.figure import draw_figure
+from ...drawing.scene import Item, Layer, Scene, Stroke
+from ...drawing.style import RESULT, THIN, Dash, Hue
+from ...grading.compare.outcome import Finding
+from ...grading.key import AnswerKey, Graded, Kind
+from ...grading.marking.marked import Marked
+from ...words import Lang
+
+_CORNERS = 36
+_HEAD, _HALF = 3.0, radians(9.5)  # mm, half the angle of an arrowhead
+_LEFT_OUT = (Role.DIRECTION, Role.CONSTRUCTION)
+POLYGONS = (View.VELOCITY, View.ACCELERATION, View.FORCE)
+
+
+def overlays(construction: Construction, marked: Marked, lang: Lang) -> Iterator[tuple[Figure, Scene]]:
+    """Each polygon on which something of this student can be drawn."""
+    for figure in construction.figures:
+        if figure.view not in POLYGONS:
+            continue
+        arrows = _arrows(construction, figure)
+        own = [one for one in marked.findings if _drawable(one, marked.key) and one.key in arrows]
+        if own:
+            items = tuple(item for one in own for item in _items(one, marked.key[one.key], arrows[one.key]))
+            yield figure, draw_figure(_cleared(figure), lang=lang) + Scene.of(items)
+
+
+def _drawable(one: Finding, key: AnswerKey) -> bool:
+    return key[one.key].kind is Kind.VECTOR and one.value is not None and bool(key[one.key].mm)
+
+
+def _arrows(construction: Construction, figure: Figure) -> dict[str, tuple[complex, complex]]:
+    """Key → from where to where the exact vector runs on this figure."""
+    here = f"{figure.view.name} {figure.name}".strip()
+    acts = [act for act in construction.acts if isinstance(act, Arrow) and act.key and act.figure == here]
+    return {act.key: (act.a, act.b) for act in acts}
+
+
+def _cleared(figure: Figure) -> Figure:
+    """The polygon without the lines that only helped to draw it."""
+    kept = (mark for mark in figure.marks if getattr(mark, "role", None) not in _LEFT_OUT and not _direction(mark))
+    return replace(figure, marks=tuple(kept))
+
+
+def _direction(mark: Mark) -> bool:
+    """The letters at the end of a direction line: ⊥BC."""
+    return isinstance(mark, Point) and mark.dot is Dot.NONE
+
+
+def _items(one: Finding, graded: Graded, ends: tuple[complex, complex]) -> Iterator[Item]:
+    start, end = ends
+    exact = end - start
+    if not abs(exact) or one.value is None or graded.mm is None:
+        return
+    size = abs(one.value / graded.exact) * graded.mm
+    direction = one.written.direction
+    along = exact / abs(exact) if direction is None else cmath.exp(1j * radians(direction))
+    tip, hue = start + size * along, Hue.BLACK if one.is_right else Hue.ALARM
+    yield Stroke(points=(start, tip), width=RESULT, dash=Dash.DASHED, hue=hue, layer=Layer.OVER)
+    for side in (-_HALF, _HALF):
+        yield Stroke(points=(tip, tip - _HEAD * along * cmath.exp(1j * side)), width=RESULT, hue=hue, layer=Layer.HEAD)
+    yield _circle(end, graded.allowed_mm or 0.0)
+
+
+def _circle(centre: complex, radius: float) -> Stroke:
+    around = tuple(centre + radius * cmath.exp(2j * pi * i / _CORNERS) for i in range(_CORNERS))
+    return Stroke(points=around, width=THIN, dash=Dash.SHORT, hue=Hue.BLACK, closed=True, layer=Layer.OVER)

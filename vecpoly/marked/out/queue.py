@@ -1,0 +1,34 @@
+"""What a person must look at: whose answer, what was written, where it stands, why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...errors import Fault
+from ...words import Lang, Words, bare
+from ..work import Result
+
+_HEAD = (
+    Words("学号", "number"),
+    Words("题号", "problem"),
+    Words("量", "quantity"),
+    Words("所写", "written"),
+    Words("位置", "place"),
+    Words("原因", "why"),
+)
+
+
+def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = ()) -> list[list[str | float]]:
+    """A row for each answer that waits for a person, and for each row of the answer file that could not be used."""
+    rows: list[list[str | float]] = [[word.of(lang) for word in _HEAD]]
+    for result in results:
+        for problem, marked in result.marks.items():
+            for one in marked.queue:
+                why = "; ".join(bare(said.words.of(lang)) for said in one.messages)
+                place = result.places.get((problem, one.key), "")
+                rows.append([result.student.number, problem, one.key, one.written.raw, place, why])
+        rows += [[result.student.number, "", "", "", "", fault.of(lang)] for fault in result.faults]
+    rows += [
+        ["", "", "", "", fault.place.words.of(lang) if fault.place else "", fault.said.of(lang)] for fault in faults
+    ]
+    return rows

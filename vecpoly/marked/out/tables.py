@@ -1,0 +1,93 @@
+"""Grades as tables: a row for each student, a column for each answer, totals, flags; CSV and XLSX say the same."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from io import BytesIO, StringIO
+from typing import Any
+
+import xlsxwriter
+
+from ...batch.profile import guarded
+from ...grading.marking.marked import Marked
+from ...words import Lang, Words
+from ..work import Result
+from .items import Item, item_rows
+from .queue import queue_rows
+
+Cell = str | float
+Rows = list[list[Cell]]
+_HEAD = (Words("学号", "number"), Words("姓名", "name"), Words("班级", "class"), Words("卷号", "sheet"))
+_TAIL = (
+    Words("总分", "total"),
+    Words("满分", "of"),
+    Words("待人工", "for a person"),
+    Words("错误原因", "causes"),
+    Words("备注", "remarks"),
+)
+_NOTHING = Words("没有交", "nothing returned")
+_PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"))
+
+
+def grade_rows(results: Sequence[Result], lang: Lang) -> Rows:
+    """The header, and a row for each student."""
+    columns = [
+        (problem, one.key) for problem, marked in _first(results) for one in marked.key.quantities if one.points.total
+    ]
+    problems = [problem for problem, _ in _first(results)]
+    head = [*(word.of(lang) for word in _HEAD), *problems, *(f"{problem}:{key}" for problem, key in columns)]
+    return [[*head, *(word.of(lang) for word in _TAIL)], *(_row(one, problems, columns, lang) for one in results)]
+
+
+def _first(results: Sequence[Result]) -> list[tuple[str, Marked]]:
+    return list(results[0].marks.items()) if results else []
+
+
+def _row(result: Result, problems: Sequence[str], columns: Sequence[tuple[str, str]], lang: Lang) -> list[Cell]:
+    points = {
+        (problem, one.key): one.earned.total for problem, marked in result.marks.items() for one in marked.findings
+    }
+    waiting = sum(len(marked.queue) for marked in result.marks.values())
+    slips = [
+        f"{problem}:{root} {slip}" for problem, marked in result.marks.items() for root, slip in marked.slips.items()
+    ]
+    remarks = [fault.of(lang) for fault in result.faults] or ([] if result.returned else [_NOTHING.of(lang)])
+    who = result.student
+    return [
+        who.number, who.name, who.team, result.sheet, *(result.marks[problem].total for problem in problems),
+        *(round(points.get(column, 0.0), 3) for column in columns), result.total, result.worth, float(waiting),
+        "; ".join(slips), "; ".join(remarks),
+    ]  # fmt: skip
+
+
+def csv_bytes(rows: Rows) -> bytes:
+    """With the mark of UTF-8, by which spreadsheets know it; no text is taken for a formula."""
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\r\n")
+    for row in rows:
+        writer.writerow(guarded(cell) if isinstance(cell, str) else f"{cell:g}" for cell in row)
+    return text.getvalue().encode("utf-8-sig")
+
+
+def xlsx_bytes(results: Sequence[Result], items: Sequence[Item], lang: Lang) -> bytes:
+    """Grades, item analysis and queue on a page each."""
+    target = BytesIO()
+    book = xlsxwriter.Workbook(target, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
+    head = book.add_format({"bold": True, "bg_color": "#DDDDDD"})
+    tables = (grade_rows(results, lang), item_rows(items, lang), queue_rows(results, lang))
+    for name, rows in zip(_PAGES, tables, strict=True):
+        _page(book.add_worksheet(name.of(lang)), rows, head)
+    book.close()
+    return target.getvalue()
+
+
+def _page(page: Any, rows: Rows, head: Any) -> None:
+    for i, row in enumerate(rows):
+        for j, cell in enumerate(row):
+            if isinstance(cell, str):
+                page.write_string(i, j, cell, head if i == 0 else None)
+            else:
+                page.write_number(i, j, cell)
+    page.freeze_panes(1, min(4, len(rows[0])) if rows else 0)
+    page.set_column(0, len(rows[0]) if rows else 0, 12)

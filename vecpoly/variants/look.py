@@ -1,0 +1,108 @@
+"""One drawing of a variant, looked at: what the gate goes by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import asin, pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..board.acts import Act, Compute, Follow, Image, LayOff, Locate, Measure, Meet, Parallel, Touch, Transfer
+from ..board.construction import Construction
+from ..board.hand import hand, steady
+from ..board.otherwise.amended import AS_DRAWN, Amended
+from ..board.otherwise.slip import Slip
+from ..figures import views
+from ..grading.derive.keyed import answer_key
+from ..grading.key import AnswerKey, Graded, Kind
+from ..mechanism.model import Mechanism
+from ..methods.every_hand import by_every_hand
+from ..methods.plan import drawn_alone
+from ..mistakes import slips_of
+from ..plane.geometry import cross
+from ..problem.problem import Problem, Scales
+from ..solution import constructed
+from ..task import task_of
+
+_WORK = (Locate, LayOff, Transfer, Parallel, Meet, Measure, Compute, Image, Follow, Touch)
+MEASURED = (Kind.VECTOR, Kind.SIGNED, Kind.SCALAR)
+
+
+@dataclass(frozen=True)
+class Look:
+    """A problem with the scales that it is drawn at; everything else is found when it is asked for."""
+
+    problem: Problem
+    sketch: Construction
+
+    @cached_property
+    def key(self) -> AnswerKey:
+        """What is graded, with tolerances."""
+        return answer_key(self.problem)
+
+    @property
+    def asked(self) -> tuple[Graded, ...]:
+        """What is asked and has a size on paper, or a sense."""
+        return tuple(one for one in self.key.quantities if one.asked and one.kind in MEASURED)
+
+    @cached_property
+    def slips(self) -> tuple[Slip, ...]:
+        """Every mistake that can be made here."""
+        return slips_of(self.sketch.acts)
+
+    @cached_property
+    def places(self) -> NDArray[np.complex128]:
+        """Each asked quantity (columns) over its tolerance T: of the right drawing (row 0), and of every slip; NaN
+        where one does not close."""
+        values = _by_slips(self.problem, self.sketch, self.slips)
+        count = len(self.slips) + 1
+        with np.errstate(invalid="ignore", divide="ignore"):
+            columns = [np.broadcast_to(values[one.key], (count,)) / one.allowed for one in self.asked]
+        return np.array(columns, dtype=np.complex128).reshape(-1, count).T
+
+
+def sketch_of(problem: Problem, like: Scales | None = None) -> Construction:
+    """The construction by an exact hand; like: scales for a drawing of which only the proportions are of use."""
+    if like is not None and isinstance(problem.subject, Mechanism):
+        given = Scales({**like.given, **problem.scales.given})
+        return drawn_alone(replace(problem, scales=given), hand("exact"))
+    return constructed(problem, hand("exact"), AS_DRAWN).construction
+
+
+def work(acts: Sequence[Act]) -> tuple[tuple[str, str], ...]:
+    """What is done, in order, without what only leaves ink: two variants with the same work are as hard as each
+    other."""
+    return tuple((type(act).__name__, act.key) for act in acts if isinstance(act, _WORK))
+
+
+def least_meeting(acts: Sequence[Act]) -> float:
+    """The smallest angle (rad) at which two ruled lines meet."""
+    return min((_angle(act, acts) for act in acts if isinstance(act, Meet) and act.other is None), default=pi / 2)
+
+
+def _angle(meet: Meet, acts: Sequence[Act]) -> float:
+    lines = [one.along for n in meet.inputs if isinstance(one := acts[n], Parallel)]
+    if len(lines) != 2:
+        return pi / 2
+    return asin(min(1.0, abs(float(cross(lines[0], lines[1])))))
+
+
+def sizes_mm(problem: Problem, sketch: Construction) -> Mapping[str, float]:
+    """How long each asked vector is on paper, at the scales of the problem."""
+    mu = {view.mu.symbol: problem.scales.of(view.mu) for view in views()}
+    return {
+        key: abs(one.scalar) / scale
+        for key, one in sketch.readings.items()
+        if one.vector is not None and (scale := mu.get(one.scale)) and one.unit != "m"
+    }
+
+
+def _by_slips(problem: Problem, sketch: Construction, slips: Sequence[Slip]) -> Mapping[str, NDArray[np.complex128]]:
+    by, amended = steady(len(slips)), Amended(each=tuple(slips))
+    if isinstance(problem.subject, Mechanism):
+        return {key: np.asarray(found) for key, found in by_every_hand(problem, by, sketch, amended).items()}
+    repeats = task_of(problem).draw(by, amended).repeats
+    return {key: np.asarray(found) for key, found in repeats.items()}

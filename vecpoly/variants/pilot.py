@@ -1,0 +1,140 @@
+"""A pilot before the class: what is graded, what is demoted, what can be told apart, how many draws pass."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+from ..board.otherwise.slip import Slip
+from ..errors import VecpolyError
+from ..problem.problem import Problem
+from ..solution import scales_of
+from ..words import Words
+from .conditions import Condition
+from .draw import Trial, tried
+from .frames import scaled
+from .judge import Standard, deviation, failing, long_enough, signs, told_apart, visible
+from .look import Look, sketch_of, work
+from .seeds import Seed
+
+SETS = 12  # of values that are tried
+MOST = 0.5  # a quantity that fails in more of the drawings than this is demoted
+LEAST = 0.01  # yield below which the ranges are refused
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pilot:
+    """The standard of a problem's variants; how many of the draws pass it, and how many fail on what (of one draw)."""
+
+    standard: Standard
+    passed: float
+    failed: Mapping[Condition, float]
+    asked: tuple[str, ...]
+    slips: int
+
+
+def pilot(problem: Problem, seed: Seed) -> Pilot:
+    """Draw some variants that nobody gets. Raises VecpolyError where too few draws pass, with what fails most and what
+    to relax."""
+    problem = replace(problem, printed=(), tables=())
+    first = _standard(problem)
+    trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
+    looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
+    asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
+    standard = _with_slips(_with_demoted(first, looks, asked), looks)
+    passed, failed = _weighed(trials, standard)
+    if looks and standard.demoted >= {one.key for look in looks for one in look.asked}:  # nothing is left to be graded
+        passed, failed = 0.0, {_worst(looks): 1.0}
+    if passed < LEAST:
+        raise _too_few(problem.id, passed, failed)
+    slips = max((len(look.slips) for look in looks), default=0)
+    return Pilot(standard=standard, passed=passed, failed=failed, asked=asked, slips=slips)
+
+
+def _whole(trial: Trial) -> Trial:
+    """With all that is to be drawn, drawn."""
+    return replace(trial, drawn=tuple(trial.drawn))
+
+
+def _standard(problem: Problem) -> Standard:
+    """The problem as it stands: its work, and the senses of its answers. Vectors are looked at later, one by one."""
+    sketch = sketch_of(problem)
+    look = Look(scaled(problem, sketch) or problem, sketch)
+    return Standard(
+        work=work(sketch.acts),
+        signs=signs(look),
+        scales=scales_of(sketch),
+        demoted=frozenset(one.key for one in look.key.quantities),
+    )
+
+
+def _with_demoted(standard: Standard, looks: Sequence[Look], asked: Sequence[str]) -> Standard:
+    """What is too short, or scatters too much, in most drawings."""
+    demoted = {key for key in asked if looks and sum(_good(look, key) for look in looks) < (1 - MOST) * len(looks)}
+    return replace(standard, demoted=frozenset(demoted))
+
+
+def _worst(looks: Sequence[Look]) -> Condition:
+    """Why most quantities are demoted: too short, or drawn too badly."""
+    short = sum(not long_enough(one, look) for look in looks for one in look.asked)
+    badly = sum(deviation(one) > look.problem.gate.deviation for look in looks for one in look.asked)
+    return Condition.VECTORS if short >= badly else Condition.DEVIATION
+
+
+def _good(look: Look, key: str) -> bool:
+    one = look.key.find(key)
+    return one is None or (long_enough(one, look) and deviation(one) <= look.problem.gate.deviation)
+
+
+def _with_slips(standard: Standard, looks: Sequence[Look]) -> Standard:
+    """What does not show in most drawings in which it can be made."""
+    made, unseen = Counter[Slip](), Counter[Slip]()
+    pairs, alike = Counter[frozenset[Slip]](), Counter[frozenset[Slip]]()
+    for look in looks:
+        least, shown, apart = look.problem.gate.slips, visible(look), told_apart(look)
+        made.update(look.slips)
+        unseen.update(slip for slip, by in zip(look.slips, shown, strict=True) if by <= least)
+        for (i, one), (j, other) in combinations(enumerate(look.slips), 2):
+            pairs[frozenset((one, other))] += 1
+            alike[frozenset((one, other))] += int(apart[i, j] <= least)
+    hidden = frozenset(slip for slip in made if unseen[slip] > MOST * made[slip])
+    twins = frozenset(pair for pair in pairs if alike[pair] > MOST * pairs[pair])
+    return replace(standard, hidden=hidden, twins=twins)
+
+
+def _weighed(trials: Sequence[Trial], standard: Standard) -> tuple[float, dict[Condition, float]]:
+    """The share of draws that pass, and that fail on each condition: of places of the drive that passed the oracle, as
+    those that were drawn."""
+    passed, total, failed = 0.0, 0.0, defaultdict[Condition, float](float)
+    for trial in trials:
+        left = float(len(trial.swept.passed))
+        total += left + sum(trial.swept.failed.values())
+        for condition, count in trial.swept.failed.items():
+            failed[condition] += count
+        drawn = tuple(trial.drawn)
+        weight = left / len(drawn) if drawn else 0.0
+        for _, look in drawn:
+            verdict = failing(look, standard) if isinstance(look, Look) else look
+            if verdict is None:
+                passed += weight
+            else:
+                failed[verdict] += weight
+    shares = {condition: count / total for condition, count in failed.items() if count} if total else {}
+    return passed / total if total else 0.0, shares
+
+
+def _too_few(name: str, passed: float, failed: Mapping[Condition, float]) -> VecpolyError:
+    worst = max(failed, key=lambda one: failed[one], default=Condition.REFUSED)
+    share = failed.get(worst, 0.0)
+    return VecpolyError(
+        Words(
+            f"题 {name}：随机取值中只有 {100 * passed:.1f} % 合格（至少要 {100 * LEAST:g} %），"
+            f"最常见的原因是{worst.words.zh}（{100 * share:.0f} %）；请{worst.remedy.zh}",
+            f"problem {name}: only {100 * passed:.1f} % of the draws pass (at least {100 * LEAST:g} % must); "
+            f"most fail because of this: {worst.words.en} ({100 * share:.0f} %); {worst.remedy.en}",
+        ),
+        code="low-yield",
+        numbers={"yield": passed, "condition": str(worst), "failed": share},
+    )

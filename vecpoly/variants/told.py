@@ -1,0 +1,56 @@
+"""What a pilot found, in sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..problem.problem import Problem
+from ..problem.values.vary import parameters
+from ..words import Words
+from .pilot import Pilot
+
+
+def told(name: str, pilot: Pilot) -> Iterator[Words]:
+    """The yield, and what the others fail on."""
+    most = sorted(pilot.failed.items(), key=lambda item: -item[1])
+    zh = "、".join(f"{condition.words.zh} {100 * share:.1f} %" for condition, share in most)
+    en = ", ".join(f"{condition.words.en} {100 * share:.1f} %" for condition, share in most)
+    yield Words(
+        f"{name}：随机取值的 {100 * pilot.passed:.1f} % 合格" + (f"；不合格的原因：{zh}" if zh else ""),
+        f"{name}: {100 * pilot.passed:.1f} % of the draws pass" + (f"; the others fail: {en}" if en else ""),
+    )
+
+
+def said_already(problem: Problem) -> Iterator[Words]:
+    """Where the text of the problem tells a value that now differs from student to student."""
+    known = parameters(problem)
+    for one in problem.ranges:
+        written = known.get(one.name, "")
+        if len(written) > 1 and any(
+            written.replace(" ", "") in text.replace(" ", "") for text in (problem.statement.zh, problem.statement.en)
+        ):
+            yield Words(
+                f"{problem.id}：题目正文中写有 {one.name} = {written}，而它现在因人而异；请从 statement 中删去",
+                f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to "
+                f"student; take it out",
+            )
+
+
+def demoted(pilot: Pilot) -> Iterator[Words]:
+    """What is graded by follow-through only, and which slips no number shows."""
+    if keys := [key for key in pilot.asked if key in pilot.standard.demoted]:
+        names = ", ".join(keys)
+        yield Words(
+            f"降为连带评分（多数情况下太短或误差太大，不按精确值评分）：{names}",
+            f"demoted to follow-through (in most variants too short, or drawn too badly, to be held against "
+            f"the exact value): {names}",
+        )
+    if hidden := sorted(map(str, pilot.standard.hidden)):
+        names = ", ".join(hidden)
+        yield Words(f"读数上看不出的错误：{names}", f"slips that no answer shows: {names}")
+    if pilot.standard.twins:
+        count = len(pilot.standard.twins)
+        yield Words(
+            f"{count} 对错误的读数相同，只能给出其一",
+            f"{count} pairs of slips give the same readings; either may be named",
+        )
