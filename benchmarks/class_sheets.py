@@ -27,10 +27,11 @@ problems:
   - problem: 3-9
     scales: null
     find: [v_C2B, v_C2C3, omega_3, v_E, at_C2B, alpha_3, a_E]
-    vary: {AB: 24 mm .. 40 mm by 2 mm, x_C: -120 mm .. -80 mm by 5 mm, phi: 0 deg .. 355 deg by 5 deg}
+    vary: {AB: 24 mm .. 40 mm by 2 mm, x_C: -120 mm .. -80 mm by 5 mm, phi: 0 deg .. 355 deg by 5 deg,
+           omega: 5 rad/s cw .. 25 rad/s cw by 0.5 rad/s}
   - problem: 3-7a
     scales: null
-    vary: {AB: 40 mm .. 60 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s ccw .. 12 rad/s ccw by 0.5 rad/s}
+    vary: {AB: 40 mm .. 60 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 5 rad/s ccw .. 25 rad/s ccw by 0.5 rad/s}
 """
 
 

@@ -123,8 +123,8 @@ def run(folder: Path, out: str) -> subprocess.Popen[bytes]:
 
 def test_more_students_than_values_is_refused_before_anything_is_drawn(tmp_path: Path) -> None:
     few = TEXT.replace(
-        "vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s cw "
-        "by 0.5 rad/s}",
+        "vary: {AB: 24 mm .. 40 mm by 2 mm, phi: 0 deg .. 355 deg by 5 deg, omega: 8 rad/s cw .. 12 rad/s "
+        "cw by 0.5 rad/s}",
         "vary: {phi: 20 deg .. 70 deg by 5 deg}",
     )
     with pytest.raises(VecpolyError, match=r"of 11 sets of values some \d+ pass, for 60 students"):

@@ -17,7 +17,7 @@ from vecpoly.batch.bundles import merged, zipped
 from vecpoly.batch.forms.columns import columns_of
 from vecpoly.batch.forms.profile import read_profile, table_bytes
 from vecpoly.batch.forms.workbooks import answers_bytes, key_bytes
-from vecpoly.batch.moodle.quiz import cloze_bytes, numerical_bytes
+from vecpoly.batch.moodle.quiz import Quizzes
 from vecpoly.batch.register import Register
 from vecpoly.batch.run.tasks import question_file
 from vecpoly.batch.student import Student
@@ -100,7 +100,7 @@ _NUMERICAL = re.compile(
 
 
 def test_every_blank_of_a_cloze_question_is_one_to_moodle(done: tuple[Path, Register]) -> None:
-    root = xml.fromstring(cloze_bytes(done[1]))
+    root = xml.fromstring(Quizzes(done[1]).cloze())
     questions = root.findall("question[@type='cloze']")
     assert len(questions) == 2 and root[0].get("type") == "category"
     for question, sheet in zip(questions, sorted(done[1].sheets, key=lambda one: one.sheet), strict=True):
@@ -120,7 +120,7 @@ def test_every_blank_of_a_cloze_question_is_one_to_moodle(done: tuple[Path, Regi
 
 
 def test_a_numerical_question_tries_the_narrow_band_before_the_wide_one(done: tuple[Path, Register]) -> None:
-    root = xml.fromstring(numerical_bytes(done[1]))
+    root = xml.fromstring(Quizzes(done[1]).numerical())
     questions = root.findall("question[@type='numerical']")
     assert questions
     for question in questions:

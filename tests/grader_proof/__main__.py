@@ -6,18 +6,9 @@ import argparse
 import time
 from collections import Counter
 
+from tests.grader_proof.judge import Tally, Trial
 from tests.grader_proof.students import drawn_class
-from tests.grader_proof.trials import (
-    Tally,
-    Trial,
-    blanks,
-    foreign,
-    misread,
-    right_work,
-    single_slips,
-    two_slips,
-    uncatalogued,
-)
+from tests.grader_proof.trials import blanks, foreign, misread, right_work, single_slips, two_slips, uncatalogued
 from vecpoly import Problem, load
 from vecpoly.errors import VecpolyError
 
@@ -38,16 +29,12 @@ PROBLEMS = (
     "5-2",
 )
 BARS = {
-    "pencil: whole sheets accepted": (">=", 0.95),
-    "pencil: quantities accepted": (">=", 0.99),
+    "pencil: whole sheets accepted": (">=", 0.95), "pencil: quantities accepted": (">=", 0.99),
     "pencil: accused of a slip": ("<=", 0.01),
-    "single slips caught": (">=", 0.99),
-    "single slips named rightly": (">=", 0.95),
-    "uncatalogued errors named as a slip": ("<=", 0.05),
-    "another student's sheet accepted": ("<=", 0.0),
-    "follow-through lowered a mark": ("<=", 0.0),
-    "one misreading costs once": (">=", 1.0),
-}
+    "single slips caught": (">=", 0.99), "single slips named rightly": (">=", 0.95),
+    "uncatalogued errors named as a slip": ("<=", 0.05), "another student's sheet accepted": ("<=", 0.0),
+    "follow-through lowered a mark": ("<=", 0.0), "one misreading costs once": (">=", 1.0),
+}  # fmt: skip
 
 
 def others(problem: Problem) -> list[Problem]:
@@ -69,15 +56,12 @@ def prove(name: str, count: int, seed: int = 1) -> tuple[Tally, Counter[str]]:
     trial, total, missed = Trial.of(load(name)), Tally(), Counter[str]()
     group = drawn_class(trial.problem, trial.key, "pencil", count, seed + 7)
     for part in (
-        right_work(trial, "pencil", count, seed),
-        right_work(trial, "student", count, seed),
-        right_work(trial, "sloppy", count // 2, seed),
-        two_slips(trial, count // 10, seed),
-        uncatalogued(trial, group, count // 2, seed),
-        misread(trial, group, count // 20, seed),
+        right_work(trial, "pencil", count, seed), right_work(trial, "student", count, seed),
+        right_work(trial, "sloppy", count // 2, seed), two_slips(trial, count // 10, seed),
+        uncatalogued(trial, group, count // 2, seed), misread(trial, group, count // 20, seed),
         blanks(trial, group, count // 4, seed),
         foreign(trial, others(load(name)), count // 10, seed),
-    ):
+    ):  # fmt: skip
         for tally in part:
             total += tally
     for slip, tally in single_slips(trial, count, seed):

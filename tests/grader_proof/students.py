@@ -50,7 +50,8 @@ def drawn_class(
     problem: Problem, key: AnswerKey, skill: str, count: int, seed: int, amended: Amended = AS_DRAWN
 ) -> Class:
     """So many students of this skill (pencil, student: as the key assumes, sloppy), all with the same mistake where
-    there is one."""
+    there is one.
+    """
     known = {"pencil": hand_of("pencil").repeated, "student": STUDENT.hand(0).repeated, "sloppy": SLOPPY}[skill]
     exact = Skill(reading=0, protractor=0, dividers=0, square=0)
     by = Hand("pencil", exact, known, count, np.random.Generator(np.random.PCG64(seed)))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from tests.grader_proof.judge import Tally, Trial, apart
 from tests.grader_proof.students import Cells, Class, drawn_class
 from vecpoly import Problem
 from vecpoly.board.otherwise.amended import Amended
@@ -15,52 +15,13 @@ from vecpoly.board.otherwise.slip import Slip
 from vecpoly.errors import VecpolyError
 from vecpoly.grading.compare.outcome import Basis, Outcome
 from vecpoly.grading.derive.keyed import answer_key
-from vecpoly.grading.key import AnswerKey, Kind
-from vecpoly.grading.marking.marked import Marked
-from vecpoly.grading.marking.marker import mark
+from vecpoly.grading.key import Kind
 from vecpoly.grading.rules import Rules
-from vecpoly.grading.sheet import sheet_of
-from vecpoly.grading.slips.mutants import Mutant, Value, mutants
+from vecpoly.grading.slips.mutants import Mutant, Value
 
 VISIBLE = 2.0  # T: a slip shows where it moves an answer by more
 ALONE = Rules(following=False)
-
-
-@dataclass(slots=True)
-class Tally:
-    """So many of so many, by name."""
-
-    hits: dict[str, int] = field(default_factory=dict)
-    of: dict[str, int] = field(default_factory=dict)
-
-    def add(self, name: str, hits: int | bool, of: int = 1) -> None:
-        self.hits[name] = self.hits.get(name, 0) + int(hits)
-        self.of[name] = self.of.get(name, 0) + of
-
-    def share(self, name: str) -> float:
-        return self.hits.get(name, 0) / self.of[name] if self.of.get(name) else float("nan")
-
-    def __iadd__(self, other: Tally) -> Tally:
-        for name in other.of:
-            self.add(name, other.hits.get(name, 0), other.of[name])
-        return self
-
-
-@dataclass(frozen=True, slots=True)
-class Trial:
-    """A problem with its key and its mutants."""
-
-    problem: Problem
-    key: AnswerKey
-    mutants: tuple[Mutant, ...]
-
-    @classmethod
-    def of(cls, problem: Problem) -> Trial:
-        key = answer_key(problem)
-        return cls(problem, key, mutants(problem, key))
-
-    def mark(self, cells: Cells, rules: Rules | None = None) -> Marked:
-        return mark(self.problem, self.key, lambda: self.mutants, sheet_of(self.key, dict(cells)), rules or Rules())
+REACH = Rules().reach
 
 
 def right_work(trial: Trial, skill: str, count: int, seed: int) -> Iterator[Tally]:
@@ -230,6 +191,8 @@ def misread(trial: Trial, group: Class, count: int, seed: int) -> Iterator[Tally
     for _ in range(count if lengths else 0):
         one = lengths[int(rng.integers(len(lengths)))]
         own = one.exact + float(rng.choice([-1, 1])) * max(5.0, 4 * one.allowed)
+        if not 1 / REACH < own / one.exact < REACH:
+            continue  # nothing is continued from what is so far off
         exact = drawn_class_exactly(trial, Amended(own=(Own(readings=FrozenMap({one.letters: round(own, 1)})),)))
         cells = exact.sheet(0, rng)
         followed, alone, tally = trial.mark(cells), trial.mark(cells, ALONE), Tally()
@@ -267,6 +230,8 @@ def foreign(trial: Trial, others: Sequence[Problem], count: int, seed: int) -> I
     for other in others:
         try:
             theirs = answer_key(other)
+            if not apart(trial.key, theirs):
+                continue  # the gate of a class hands out no two such variants
             group: Any = drawn_class(other, theirs, "pencil", max(1, count // len(others)), seed)
         except VecpolyError:
             continue

@@ -6,14 +6,9 @@ import pytest
 
 from tests.grader_proof.__main__ import BARS, prove
 
-FEW = (
-    "pencil: whole sheets accepted",
-    "pencil: quantities accepted",
-    "pencil: accused of a slip",
-    "single slips caught",
-    "another student's sheet accepted",
-    "follow-through lowered a mark",
-)
+FEW = ("pencil: whole sheets accepted", "pencil: quantities accepted", "pencil: accused of a slip",
+       "single slips caught",
+       "another student's sheet accepted", "follow-through lowered a mark")  # fmt: skip
 
 
 @pytest.mark.parametrize("name", ["3-9", "4-3a"])

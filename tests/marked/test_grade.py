@@ -1,5 +1,4 @@
-"""A class is marked from whatever file its answers come in; nothing is lost, nothing is guessed, a mark has a
-reason."""
+"""A class is marked from whatever file its answers come in; nothing is lost or guessed, a mark has a reason."""
 
 from __future__ import annotations
 
@@ -178,31 +177,27 @@ def test_rules_and_points_are_the_lecturers(tmp_path: Path) -> None:
     assert done.results[0].marks["3-9"]["v_E"].earned.total == 5
 
 
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [
-        ("points: {3-9: {v_Q: {method: 1}}}", "no v_Q"),
-        ("points: {9-9: {v_E: {method: 1}}}", "9-9"),
-        ("rules: {owl: 1}", "owl"),
-        ("totals: {3-9: 21}", "come to 20, totals says 21"),
-        ("rules: {own: 2}", "rules.own"),
-    ],
-)
+def test_the_rules_of_the_manual_can_be_used(tmp_path: Path) -> None:
+    text = (Path(__file__).parents[2] / "docs" / "class.md").read_text(encoding="utf-8")
+    (tmp_path / "rules.yaml").write_text(text.split("```yaml\n")[-1].partition("```")[0], encoding="utf-8")
+    assert read_scheme(tmp_path / "rules.yaml", register()).rules.independent == ("bc2",)
+
+
+@pytest.mark.parametrize(("text", "why"), [
+    ("points: {3-9: {v_Q: {method: 1}}}", "no v_Q"), ("points: {9-9: {v_E: {method: 1}}}", "9-9"),
+    ("rules: {owl: 1}", "owl"),
+    ("totals: {3-9: 21}", "come to 20, totals says 21"), ("rules: {own: 2}", "rules.own"),
+])  # fmt: skip
 def test_rules_that_cannot_be_meant_are_refused_with_where(tmp_path: Path, text: str, why: str) -> None:
     (tmp_path / "rules.yaml").write_text(text, encoding="utf-8")
     with pytest.raises((VecpolyError, UnknownNameError), match=why):
         read_scheme(tmp_path / "rules.yaml", register())
 
 
-@pytest.mark.parametrize(
-    ("name", "data"),
-    [
-        ("a.csv", b"name,v_E\nx,1\n"),
-        ("a.xlsx", b"no workbook"),
-        ("a.csv", b"\xff\xff\xff\xfe\x80\x81"),
-        ("a.yaml", b"answers: 3\n"),
-    ],
-)
+@pytest.mark.parametrize(("name", "data"), [
+    ("a.csv", b"name,v_E\nx,1\n"), ("a.xlsx", b"no workbook"),
+    ("a.csv", b"\xff\xff\xff\xfe\x80\x81"), ("a.yaml", b"answers: 3\n"),
+])  # fmt: skip
 def test_a_file_of_no_answers_is_refused_by_name(tmp_path: Path, name: str, data: bytes) -> None:
     (tmp_path / name).write_bytes(data)
     with pytest.raises((TableError, VecpolyError), match=name):

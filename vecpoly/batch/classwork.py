@@ -125,8 +125,8 @@ def _old(order: Order) -> Register | None:
         raise VecpolyError(
             Words(
                 f"{order.out / NAME} 属于作业 {old.assignment}，而不是 {order.assignment.id}；请另取 -o 文件夹",
-                f"{order.out / NAME} is of assignment {old.assignment}, not {order.assignment.id}; name another "
-                "folder with -o",
+                f"{order.out / NAME} is of assignment {old.assignment}, not {order.assignment.id}; name "
+                f"another folder with -o",
             ),
             code="other-class",
         )
@@ -193,7 +193,7 @@ def _no_twin_sheets(register: Register) -> None:
                 Words(
                     f"学号 {other} 与 {sheet.student.number} 得到同一卷号 {sheet.sheet}；请在作业中写 salt: 另一文本",
                     f"the numbers {other} and {sheet.student.number} give one sheet id {sheet.sheet}; write "
-                    "another salt in the assignment",
+                    f"another salt in the assignment",
                 ),
                 code="twin",
             )

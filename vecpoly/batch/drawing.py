@@ -8,14 +8,12 @@ from math import prod
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..errors import VecpolyError
 from ..grading.key import AnswerKey
 from ..problem.problem import Problem
+from ..variants.apart import Apart, Taken
 from ..variants.conditions import Condition
 from ..variants.judge import Standard
-from ..variants.look import MEASURED
 from ..variants.seeds import Seed
 from ..words import Words
 from .register import Part
@@ -25,7 +23,6 @@ from .run.tasks import Draw, cut
 
 BATCH = 10  # students of one task
 ROUNDS = 48  # in which somebody may be too near to another
-READINGS = 2  # in which two students differ
 Told = Callable[[str, int, int], None]  # what is being done, how much of it, of how much
 
 
@@ -36,30 +33,6 @@ class Course:
     problem: Problem
     fingerprint: str
     standard: Standard
-
-
-class Apart:
-    """The answers of those who have their values, against which a new variant is held."""
-
-    def __init__(self, least: float) -> None:
-        self._least = least
-        self._keys: tuple[str, ...] = ()
-        self._sizes: list[list[float]] = []
-        self._allowed: list[list[float]] = []
-
-    def takes(self, key: AnswerKey) -> bool:
-        """Whether this variant is far enough from all so far; if so it is one of them from now on."""
-        asked = [one for one in key.quantities if one.asked and one.kind in MEASURED and not one.demoted]
-        self._keys = self._keys or tuple(one.key for one in asked)
-        sizes, allowed = [one.exact for one in asked], [one.allowed for one in asked]
-        if self._sizes and self._least and tuple(one.key for one in asked) == self._keys:
-            limit = self._least * np.maximum(np.array(self._allowed), np.array(allowed))
-            differing = (np.abs(np.array(self._sizes) - np.array(sizes)) > limit).sum(axis=1)
-            if (differing < min(READINGS, len(asked))).any():
-                return False
-        self._sizes.append(sizes)
-        self._allowed.append(allowed)
-        return True
 
 
 def drawn(
@@ -78,7 +51,7 @@ def drawn(
     waiting, refused = [(seed, 0) for seed in first], dict[str, VecpolyError]()
     for _ in range(ROUNDS):
         left: list[tuple[Seed, int]] = []
-        for seed, found in _found(course, waiting, run, out, told):
+        for seed, found in _found(course, waiting, apart.taken, run, out, told):
             good = next((part for part in found if apart.takes(part.key)), None)
             if good is not None:
                 parts[seed.student] = good
@@ -86,14 +59,14 @@ def drawn(
                 refused[seed.student] = _no_variant(course, Condition.REFUSED)
             else:
                 left.append((seed, found[-1].attempt + 1))
-        waiting = left
-        if not waiting:
+        stuck, waiting = bool(waiting) and len(left) == len(waiting), left
+        if stuck or not waiting:  # in a round in which nobody got any, the ranges hold no more
             break
     return parts, refused | {seed.student: _no_variant(course, Condition.APART) for seed, _ in waiting}
 
 
 def _found(
-    course: Course, waiting: Sequence[tuple[Seed, int]], run: Runner, out: Path, told: Told
+    course: Course, waiting: Sequence[tuple[Seed, int]], taken: Taken, run: Runner, out: Path, told: Told
 ) -> Iterator[tuple[Seed, list[Part]]]:
     """The variants of each from an attempt on, in this order."""
     tasks = [
@@ -101,6 +74,7 @@ def _found(
             problem=course.problem,
             fingerprint=course.fingerprint,
             standard=course.standard,
+            taken=taken,
             seeds=tuple(seed for seed, _ in piece),
             starts=tuple(start for _, start in piece),
         )
@@ -133,8 +107,8 @@ def refuse_too_few(problem: Problem, passed: float, students: int) -> None:
             Words(
                 f"题 {problem.id}：{count} 组数据中约 {good} 组合格，而学生有 {students} 名；"
                 f"请{Condition.APART.remedy.zh}，如 0",
-                f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} "
-                f"students; {Condition.APART.remedy.en}, say to 0",
+                f"problem {problem.id}: of {count} sets of values some {good} pass, for {students} students; "
+                f"{Condition.APART.remedy.en}, say to 0",
             ),
             code="too-few",
             numbers={"good": good, "students": students},

@@ -10,7 +10,7 @@ from ..words import Words
 from .bundles import merged, zipped
 from .forms.profile import Profile, table_bytes
 from .forms.workbooks import answers_bytes, key_bytes
-from .moodle.quiz import cloze_bytes, numerical_bytes
+from .moodle.quiz import Quizzes
 from .register import NAME, Register
 from .run.tasks import question_file
 
@@ -19,11 +19,12 @@ Told = Callable[[Words, int, int], None]
 
 def outputs(register: Register, out: Path, profile: Profile | None, told: Told) -> Iterator[Path]:
     """Write the forms and bundles, and name each file when it is there."""
+    quizzes = Quizzes(register)
     plan: list[tuple[str, Callable[[], bytes]]] = [
         ("key.xlsx", lambda: key_bytes(register)),
         ("answers.xlsx", lambda: answers_bytes(register)),
-        ("moodle-cloze.xml", lambda: cloze_bytes(register)),
-        ("moodle-numerical.xml", lambda: numerical_bytes(register)),
+        ("moodle-cloze.xml", quizzes.cloze),
+        ("moodle-numerical.xml", quizzes.numerical),
         ("questions.pdf", lambda: merged(register, out)),
         ("solutions.pdf", lambda: merged(register, out, solutions=True)),
         ("questions.zip", lambda: zipped([out / question_file(sheet.student) for sheet in register.sheets], out)),

@@ -114,8 +114,8 @@ def read_register(path: Path) -> Register:
             raise VecpolyError(
                 Words(
                     f"{file}：名册版本为 {data.get('version')}，只能读版本 {VERSION}；请用写它的 vecpoly 版本",
-                    f"{file}: the register has version {data.get('version')}, only {VERSION} is read; use the "
-                    "vecpoly that wrote it",
+                    f"{file}: the register has version {data.get('version')}, only {VERSION} is read; use "
+                    f"the vecpoly that wrote it",
                 ),
                 code="version",
             )

@@ -60,8 +60,8 @@ def read_roster(path: Path) -> Roster:
         raise RosterError(
             Words(
                 f"{path}：前 10 行中没有“学号”一列（第 1 行为 {heads}）；请加表头：学号,姓名,班级",
-                f"{path}: no column of student numbers in the first 10 rows (row 1 has {heads}); add a header: "
-                "number,name,class",
+                f"{path}: no column of student numbers in the first 10 rows (row 1 has {heads}); add a "
+                f"header: number,name,class",
             ),
             code="no-header",
         )

@@ -11,5 +11,5 @@ from ..variants.pilot import Pilot
 def same_for_all(problem: Problem) -> Pilot:
     """The pilot of a problem without ranges."""
     demoted = frozenset(one.key for one in answer_key(problem).quantities if one.asked and one.demoted)
-    asked = tuple(ask.rel.key for ask in problem.asks)
+    asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
     return Pilot(standard=Standard(work=(), signs={}, demoted=demoted), passed=1.0, failed={}, asked=asked, slips=0)

@@ -153,15 +153,6 @@ HELP = {
         "给名单上的每个人一组数据：题目与解答 PDF、登记表、答案键、答案录入表、Moodle 题目。\n\n随时中断，"
         "再次运行即从中断处继续。"
     ),
-    "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for what "
-    "a person must see.\n\nRight within what a drawing may be off by, or right by one's own earlier "
-    "values; each mistake costs once, and is named where one slip alone explains it. Marked again, the "
-    "same answers have the same marks; --diff tells what changed.\n\nExit code: 0 all was marked, 2 "
-    "something could not be read (the rest is marked all the same).": (
-        "批改全班的答案：成绩、每人一份反馈、逐题分析、待人工批改的清单。\n\n在作图允许误差之内为正确，"
-        "按自己前面的结果算对的也为正确；每个错误只扣一次，只有一种差错能解释时说明原因。同样的答案再批一次，"
-        "成绩相同；--diff 列出与前次的不同。\n\n退出码：0 全部批改，2 有读不出的内容（其余照常批改）。"
-    ),
     "The folder that 'vecpoly class' wrote.": ("vecpoly class 写出的文件夹。"),
     "Answers: the form, CSV, YAML or JSON.": ("答案：生成的答案表、CSV、YAML 或 JSON。"),
     "Rules and points, as YAML.": ("评分规则和分值（YAML）。"),
@@ -181,4 +172,14 @@ HELP = {
     "How many variants to draw.": ("列出几组数据。"),
     "Another text gives other numbers.": ("换一个文本就换一批数据。"),
     "The problems, and answers such as v_D=0.49.": ("题目，以及 v_D=0.49 之类的答案。"),
+    "Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a "
+    "person.\n\nRight within what a drawing may be off by, or right by one's own earlier values; each "
+    "mistake costs once, and is named where one slip alone explains it. Marked again, the same answers "
+    "have the same marks; --diff tells what changed.\n\nExit code: 0 all was marked, 2 something could not "
+    "be read (the rest is marked all the same).": (
+        "批改全班的答案：成绩、每人一份反馈、逐题分析、待人工批改的清单。\n\n在作图允许误差之内为正确，"
+        "按自己前面的结果算对的也为正确；每个错误只扣一次，只有一种差错能解释时说明原因。"
+        "同样的答案再批一次，成绩相同；--diff 列出与前次的不同。\n\n退出码：0 全部批改，"
+        "2 有读不出的内容（其余照常批改）。"
+    ),
 }

@@ -1,2 +1,1 @@
-"""The marked work of a class: answer files read, sheets marked, grades, feedback, item analysis, what waits for a
-person."""
+"""The marked work of a class: answers read, sheets marked, grades, feedback, item analysis, a queue."""

@@ -67,7 +67,7 @@ def _alone(register: Register, result: Result, problem: str, marked: Marked, rul
     again = mark(register.variant(part), marked.key, tuple, written, replace(rules, following=False))
     said = Words(
         f"题 {problem} 的答案与学号 {whose} 的数据一致，而与本人的不符；未作连带评分，请人工核对",
-        f"the answers to {problem} agree with the numbers of student {whose}, and not with one's own; "
-        "nothing was followed through, check them",
+        f"the answers to {problem} agree with the numbers of student {whose}, and not with one's own; nothing was "
+        "followed through, check them",
     )
     return replace(result, marks={**result.marks, problem: again}, faults=(*result.faults, said))

@@ -56,8 +56,7 @@ class SchemeSpec(_Strict):
 
 
 def read_scheme(path: Path | None, register: Register) -> Scheme:
-    """The scheme of a file, or the usual one. Raises VecpolyError for what is not known, or totals that do not
-    agree."""
+    """The scheme of a file, or the usual one. Raises VecpolyError for what is not known, or other totals."""
     if path is None:
         return Scheme()
     try:
@@ -94,8 +93,7 @@ def _checked(path: Path, scheme: Scheme, register: Register, totals: Mapping[str
                 Words(
                     f"{path}：题 {problem} 各项分值之和为 {key.worth:g}，而 totals 写的是 "
                     f"{totals[problem]:g}；请改正其一",
-                    f"{path}: the points of {problem} come to {key.worth:g}, totals says "
-                    f"{totals[problem]:g}; correct one",
+                    f"{path}: the points of {problem} come to {key.worth:g}, totals says {totals[problem]:g}; mend one",
                 ),
                 code="totals",
                 numbers={"points": key.worth, "total": totals[problem]},

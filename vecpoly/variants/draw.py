@@ -11,6 +11,7 @@ from ..errors import VecpolyError
 from ..grading.key import AnswerKey
 from ..problem.problem import Problem
 from ..problem.values.vary import vary
+from .apart import Taken
 from .conditions import Condition
 from .judge import Standard, failing, looked_at
 from .look import Look
@@ -18,6 +19,7 @@ from .seeds import Seed
 from .sweep import Swept, drive_range, sweep
 
 ATTEMPTS = 300  # sets of values that are drawn for one student, at most
+NOBODY = Taken(0.0)
 TRIALS = 3  # places of the drive that are drawn of each set
 
 
@@ -41,27 +43,31 @@ class Trial:
     drawn: Iterable[tuple[Mapping[str, str], Look | Condition]]  # one after another, as they are asked for
 
 
-def variants(problem: Problem, seed: Seed, standard: Standard, start: int = 0) -> Iterator[Variant]:
-    """The variants of a student from this attempt on, until so many are used up: the first is given unless it is too
-    near to another's."""
+def variants(
+    problem: Problem, seed: Seed, standard: Standard, taken: Taken = NOBODY, start: int = 0
+) -> Iterator[Variant]:
+    """The variants of a student from this attempt on, until so many are used up; too near to those who have theirs is
+    left out."""
     graded = frozenset(ask.rel.key for ask in problem.asks) - standard.demoted
     for attempt in range(start, start + ATTEMPTS):
-        for values, look in tried(problem, seed, attempt, standard, graded).drawn:
+        for values, look in tried(problem, seed, attempt, standard, graded, taken).drawn:
             if isinstance(look, Look) and failing(look, standard) is None:
                 yield Variant(seed=seed, attempt=attempt, values=values, problem=look.problem, key=look.key)
 
 
-def tried(problem: Problem, seed: Seed, attempt: int, standard: Standard, graded: frozenset[str]) -> Trial:
+def tried(
+    problem: Problem, seed: Seed, attempt: int, standard: Standard, graded: frozenset[str], taken: Taken = NOBODY
+) -> Trial:
     """One set of values, by the stream of this attempt."""
     stream, along = seed.stream(attempt), drive_range(problem)
     values = {one.name: one.at(stream.below(one.count)) for one in problem.ranges}
     if along is None:
-        return Trial(attempt=attempt, swept=Swept((0,), Counter()), drawn=(_drawn(problem, values, standard),))
+        return Trial(attempt=attempt, swept=Swept((0,), Counter(), {}), drawn=(_drawn(problem, values, standard),))
     try:
         swept = sweep(vary(problem, values | {along.name: along.at(0)}), along, standard.signs, graded)
     except VecpolyError:
-        return Trial(attempt=attempt, swept=Swept((), Counter({Condition.REFUSED: 1})), drawn=())
-    places = stream.shuffled(swept.passed)[:TRIALS]
+        return Trial(attempt=attempt, swept=Swept((), Counter({Condition.REFUSED: 1}), {}), drawn=())
+    places = [number for number in stream.shuffled(swept.passed) if taken.leaves(swept.answers(number))][:TRIALS]
     drawn = (_drawn(problem, values | {along.name: along.at(number)}, standard) for number in places)
     return Trial(attempt=attempt, swept=swept, drawn=drawn)
 

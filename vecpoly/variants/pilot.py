@@ -42,7 +42,7 @@ def pilot(problem: Problem, seed: Seed) -> Pilot:
     first = _standard(problem)
     trials = [_whole(tried(problem, seed, attempt, first, frozenset())) for attempt in range(SETS)]
     looks = [look for trial in trials for _, look in trial.drawn if isinstance(look, Look)]
-    asked = tuple(ask.rel.key for ask in problem.asks)
+    asked = tuple(dict.fromkeys(ask.rel.key for ask in problem.asks))
     standard = _with_slips(_with_demoted(first, looks, asked), looks)
     passed, failed = _weighed(trials, standard)
     if looks and standard.demoted >= {one.key for look in looks for one in look.asked}:  # nothing is left to be graded

@@ -32,10 +32,16 @@ _POLYGONS = (("v_",), ("a_", "an_", "at_", "ak_", "ar_"))
 
 @dataclass(frozen=True, slots=True)
 class Swept:
-    """The values of the drive's range that pass, by number, and how many of the others failed on which condition."""
+    """The values of the drive's range that pass, by number, and how many of the others failed on which condition; the
+    answers there."""
 
     passed: tuple[int, ...]
     failed: Counter[Condition]
+    told: Mapping[int, Mapping[str, float]]
+
+    def answers(self, number: int) -> Mapping[str, float]:
+        """What is asked, as far as the oracle told it: sizes of vectors, signed values of the rest (SI)."""
+        return self.told.get(number, {})
 
 
 def drive_range(problem: Problem) -> Range | None:
@@ -67,7 +73,7 @@ def sweep(problem: Problem, along: Range | None, signs: Mapping[str, float], gra
         (Condition.SENSES, everywhere & _alike(asked, signs) if problem.gate.alike else everywhere),
         (Condition.SHORT, everywhere & _even(asked, graded, problem.gate.vectors)),
     ]
-    return _judged(numbers, tests)
+    return _judged(numbers, tests, asked)
 
 
 def _asked(problem: Problem, motion: oracle.Motion, count: int) -> Iterator[tuple[str, Values]]:
@@ -83,12 +89,16 @@ def _table(values: Values, count: int) -> Values:
     return np.broadcast_to(values, (count * STEPS,)).reshape(count, STEPS)
 
 
-def _judged(numbers: Sequence[int], tests: Iterable[tuple[Condition, NDArray[np.bool_]]]) -> Swept:
+def _judged(
+    numbers: Sequence[int], tests: Iterable[tuple[Condition, NDArray[np.bool_]]], asked: Mapping[str, Values]
+) -> Swept:
     left, failed = np.ones(len(numbers), bool), Counter[Condition]()
     for condition, good in tests:
         failed[condition] += int((left & ~good).sum())
         left &= good
-    return Swept(tuple(number for number, good in zip(numbers, left, strict=True) if good), failed)
+    sizes = {key: np.abs(values) if np.iscomplexobj(values) else values for key, values in asked.items()}
+    told = {numbers[int(i)]: {key: float(values[i]) for key, values in sizes.items()} for i in np.flatnonzero(left)}
+    return Swept(tuple(told), failed, told)
 
 
 def _numbers(along: Range) -> range:

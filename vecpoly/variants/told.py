@@ -31,8 +31,8 @@ def said_already(problem: Problem) -> Iterator[Words]:
         ):
             yield Words(
                 f"{problem.id}：题目正文中写有 {one.name} = {written}，而它现在因人而异；请从 statement 中删去",
-                f"{problem.id}: the statement says {one.name} = {written}, which now differs from student "
-                "to student; take it out",
+                f"{problem.id}: the statement says {one.name} = {written}, which now differs from student to "
+                f"student; take it out",
             )
 
 
@@ -42,7 +42,7 @@ def demoted(pilot: Pilot) -> Iterator[Words]:
         names = ", ".join(keys)
         yield Words(
             f"降为连带评分（多数情况下太短或误差太大，不按精确值评分）：{names}",
-            "demoted to follow-through (in most variants too short, or drawn too badly, to be held against "
+            f"demoted to follow-through (in most variants too short, or drawn too badly, to be held against "
             f"the exact value): {names}",
         )
     if hidden := sorted(map(str, pilot.standard.hidden)):

@@ -44,10 +44,10 @@ def read_profile(path: Path) -> Profile:
         where = ".".join(map(str, first["loc"]))
         raise VecpolyError(
             Words(
-                f"{path}：{where}：{first['msg']}；如写 {{file: xuexitong.csv, columns: [{{head: 学号, "
-                "holds: number}]}",
-                f"{path}: {where}: {first['msg']}; write e.g. {{file: xuexitong.csv, columns: [{{head: No, "
-                "holds: number}]}",
+                f"{path}：{where}：{first['msg']}；如写 "
+                f"{{file: xuexitong.csv, columns: [{{head: 学号, holds: number}}]}}",
+                f"{path}: {where}: {first['msg']}; write e.g. "
+                f"{{file: xuexitong.csv, columns: [{{head: No, holds: number}}]}}",
             ),
             code="profile",
         ) from None

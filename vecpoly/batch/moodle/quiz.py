@@ -6,6 +6,7 @@ from __future__ import annotations
 from base64 import b64encode
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from html import escape
 from xml.etree import ElementTree as xml
 
@@ -48,30 +49,38 @@ class _Asked:
         return f"{self.part.problem} {self.sheet.sheet}"
 
 
-def cloze_bytes(register: Register) -> bytes:
-    """A cloze question for each variant: all blanks of it, with units and senses."""
-    root = xml.Element("quiz")
-    lang = _lang(register)
-    for problem, variants in _by_problem(register):
-        _category(root, register, problem, "cloze", lang)
-        for one in variants:
-            question = _question(root, "cloze", one, one.name, _text(one, lang, blanks=True), lang)
-            _tell(question, "hidden", "0")
-    return _written(root)
+@dataclass(frozen=True)
+class Quizzes:
+    """Both sorts of questions, over the same variants."""
 
+    register: Register
 
-def numerical_bytes(register: Register) -> bytes:
-    """A numerical question for each asked quantity of each variant."""
-    root = xml.Element("quiz")
-    lang = _lang(register)
-    for problem, variants in _by_problem(register):
-        for key in dict.fromkeys(one.key for variant in variants for one in variant.asked):
-            _category(root, register, f"{problem}/{key}", "numerical", lang)
-            for variant in variants:
-                for one in variant.asked:
-                    if one.key == key:
-                        _numerical(root, variant, one, lang)
-    return _written(root)
+    @cached_property
+    def variants(self) -> tuple[tuple[str, list[_Asked]], ...]:
+        """The variants of each problem, solved once."""
+        return tuple(_by_problem(self.register))
+
+    def cloze(self) -> bytes:
+        """A cloze question for each variant: all blanks of it, with units and senses."""
+        root, lang = xml.Element("quiz"), _lang(self.register)
+        for problem, variants in self.variants:
+            _category(root, self.register, problem, "cloze", lang)
+            for one in variants:
+                question = _question(root, "cloze", one, one.name, _text(one, lang, blanks=True), lang)
+                _tell(question, "hidden", "0")
+        return _written(root)
+
+    def numerical(self) -> bytes:
+        """A numerical question for each asked quantity of each variant."""
+        root, lang = xml.Element("quiz"), _lang(self.register)
+        for problem, variants in self.variants:
+            for key in dict.fromkeys(one.key for variant in variants for one in variant.asked):
+                _category(root, self.register, f"{problem}/{key}", "numerical", lang)
+                for variant in variants:
+                    for one in variant.asked:
+                        if one.key == key:
+                            _numerical(root, variant, one, lang)
+        return _written(root)
 
 
 def _lang(register: Register) -> Lang:
@@ -139,10 +148,8 @@ def _text(one: _Asked, lang: Lang, *, blanks: bool) -> str:
 
 
 def _numerical(root: xml.Element, variant: _Asked, one: Graded, lang: Lang) -> None:
-    text = (
-        f"{_text(variant, lang, blanks=False)}<p>{_FIND.of(lang)}{escape(bare(one.symbol))} "
-        f"({escape(written_unit(one.unit))})</p>"
-    )
+    asked = f"{_FIND.of(lang)}{escape(bare(one.symbol))} ({escape(written_unit(one.unit))})"
+    text = f"{_text(variant, lang, blanks=False)}<p>{asked}</p>"
     question = _question(root, "numerical", variant, f"{variant.name} {one.key}", text, lang)
     _tell(question, "defaultgrade", "1")
     _tell(question, "hidden", "0")

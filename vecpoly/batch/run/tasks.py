@@ -12,6 +12,7 @@ from ...errors import VecpolyError
 from ...foundation.files import write_whole
 from ...problem.problem import Problem
 from ...solution import solve
+from ...variants.apart import Taken
 from ...variants.draw import Variant, variants
 from ...variants.judge import Standard
 from ...variants.seeds import Seed
@@ -37,17 +38,22 @@ class Draw:
     standard: Standard
     seeds: tuple[Seed, ...]
     starts: tuple[int, ...]
+    taken: Taken
 
     @property
     def address(self) -> str:
-        return digest(["draw", self.fingerprint, [asdict(seed) for seed in self.seeds], self.starts])
+        return digest(
+            ["draw", self.fingerprint, [asdict(seed) for seed in self.seeds], self.starts, asdict(self.taken)]
+        )
 
     def run(self, out: Path) -> list[list[dict[str, Any]]]:
         """For each student the variants that were found, as plain data."""
         found = [
             [
                 _plain(one, self.standard)
-                for one in islice(variants(self.problem, seed, self.standard, start), SEVERAL if start else 1)
+                for one in islice(
+                    variants(self.problem, seed, self.standard, self.taken, start), SEVERAL if start else 1
+                )
             ]
             for seed, start in zip(self.seeds, self.starts, strict=True)
         ]

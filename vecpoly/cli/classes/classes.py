@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ...errors import VecpolyError
+from ...errors import Fault, VecpolyError
 from ...words import Words
 from ..errors import REFUSED, tell
 from ..options import JobsOption, LangOption, OutsideOption, place
@@ -22,7 +22,6 @@ from ..tongue import told_in
 if TYPE_CHECKING:
     from ...batch.classwork import Made
     from ...batch.forms.profile import Profile
-    from ...batch.roster import Roster
 
 Told = Callable[[Words, int, int], None]
 Sheet = Annotated[
@@ -102,13 +101,14 @@ def classes(
         if part is None:
             _bundle(made, output, columns, told)
     _report(made)
-    _refused(people, made)
+    _settle(people.faults, made.refused)
 
 
-def _refused(people: Roster, made: Made) -> None:
-    """Tell every row and every student for whom nothing could be made; the rest was made all the same."""
-    errors: list[Exception] = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in people.faults]
-    errors += [error.led_by(Words(f"{number}：", f"{number}: ")) for number, error in sorted(made.refused.items())]
+def _settle(faults: Sequence[Fault], refused: Mapping[str, VecpolyError]) -> None:
+    """Tell which rows and which students came to nothing, and leave with an exit code of failure where there were
+    any."""
+    errors: list[Exception] = [VecpolyError(fault.words, code=fault.code, faults=(fault,)) for fault in faults]
+    errors += [error.led_by(Words(f"{number}：", f"{number}: ")) for number, error in sorted(refused.items())]
     for error in errors:
         tell(error)
     if errors:

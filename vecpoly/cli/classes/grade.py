@@ -49,8 +49,7 @@ def grade(
     lang: LangOption = "zh",
     jobs: JobsOption = 0,
 ) -> None:
-    """Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for what a person
-    must see.
+    """Mark the answers of a class: grades, a feedback sheet for everybody, item analysis, a queue for a person.
 
     Right within what a drawing may be off by, or right by one's own earlier values; each mistake costs once, and is
     named where one slip alone explains it. Marked again, the same answers have the same marks; --diff tells what

@@ -12,14 +12,17 @@ from .blocks import DIAGRAM
 
 
 def needs(acts: Sequence[Act], act: Act, known: Mapping[int, str], key: str) -> tuple[str, ...]:
-    """The keys of the graded acts that this one was found from, without those that another of them rests on.
+    """The keys of the graded acts that this one was found from; of those that only the figure leads to, the last ones.
 
     known: number of a graded act → its key; key: of this one, which may have been computed before it was written down.
+    What stands in its own formula is a need even where another need rests on it too: l of ω²l.
     """
     computed = [number for number in needed(acts, (act.number,)) if known.get(number) == key]
-    nearest = _nearest(acts, acts[min(computed, default=act.number)], known)
+    found = acts[min(computed, default=act.number)]
+    nearest = _nearest(acts, found, known)
     below = {lower for number in nearest for lower in needed(acts, (number,)) if lower != number}
-    return tuple(dict.fromkeys(known[number] for number in sorted(nearest) if number not in below))
+    kept = (number for number in sorted(nearest) if number not in below or number in found.inputs)
+    return tuple(dict.fromkeys(known[number] for number in kept))
 
 
 def _nearest(acts: Sequence[Act], act: Act, known: Mapping[int, str]) -> set[int]:

@@ -44,13 +44,7 @@ def shared(
     rubric: Rubric, graded: Sequence[Graded], scales: Mapping[str, float]
 ) -> tuple[tuple[Graded, ...], dict[str, float]]:
     """The quantities with their points, and the points of each scale that is used."""
-    blocks = {one.block for one in graded if one.asked} - {DIAGRAM}
-    lines = {one.line for one in graded if one.kind is Kind.VECTOR and one.asked}  # these are marked with their vectors
-    worth = [
-        one
-        for one in graded
-        if one.asked or (one.kind is Kind.READING and one.key not in lines and one.block in blocks)
-    ]
+    worth = [one for one in graded if one.asked]  # a length on the way is worth what the lecturer says
     points: dict[str, Points] = {}
     stated: dict[str, float] = {}
     for name in dict.fromkeys(one.block for one in worth):

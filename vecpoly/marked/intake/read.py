@@ -41,8 +41,8 @@ def read_answers(path: Path, any_keys: Mapping[str, AnswerKey], keys_of: KeysOf)
         raise TableError(
             Words(
                 f"{path}：前 {HEADS} 行中没有“学号”一列；请用生成的答案表，或加表头 学号,v_C,…",
-                f"{path}: no column of student numbers in the first {HEADS} rows; use the answers form, or "
-                "add a header number,v_C,...",
+                f"{path}: no column of student numbers in the first {HEADS} rows; use the answers form, or add a "
+                "header number,v_C,...",
             ),
             code="no-header",
         )

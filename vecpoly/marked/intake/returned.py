@@ -40,8 +40,7 @@ class Returned:
             "twice",
             Words(
                 f"学号 {one.student} 的题 {one.problem} 已在 {before} 读入；此行未用，请只留一行",
-                f"problem {one.problem} of {one.student} was read from {before} already; this row is not "
-                "used, keep one",
+                f"problem {one.problem} of {one.student} was read from {before} already; this row is not used",
             ),
         )
 

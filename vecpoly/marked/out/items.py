@@ -14,20 +14,13 @@ from ..work import Result
 _HEAD = tuple(
     Words(*both)
     for both in (
-        ("题号", "problem"),
-        ("量", "quantity"),
-        ("作答", "answered"),
-        ("正确", "right"),
-        ("接近", "close"),
-        ("连带正确", "right by own values"),
-        ("转向或方向错", "sense or direction"),
-        ("错误", "wrong"),
-        ("未答", "blank"),
-        ("待人工", "for a person"),
-        ("得分率", "share of points"),
+        ("题号", "problem"), ("量", "quantity"), ("作答", "answered"), ("正确", "right"),
+        ("接近", "close"), ("连带正确", "right by own values"),
+        ("转向或方向错", "sense or direction"), ("错误", "wrong"), ("未答", "blank"),
+        ("待人工", "for a person"), ("得分率", "share of points"),
         ("常见错误", "slips"),
     )
-)
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -145,9 +145,8 @@ def _compose(plain: Narrowed, name: str) -> Any:
         place = Place(name, found.line + 1, plain.column(found.line, found.column) + 1)
         raise _refused(place, found.words) from None
     except RecursionError:
-        raise _refused(
-            Place(name), Words("嵌套过深；题目文件只有四层", "nested too deeply; a problem file has four levels")
-        ) from None
+        deep = Words("嵌套过深；题目文件只有四层", "nested too deeply; a problem file has four levels")
+        raise _refused(Place(name), deep) from None
     except (YAMLError, ValueError) as error:
         said = str(error).splitlines()[0]
         raise _refused(Place(name), Words(f"不是有效的 YAML（{said}）", f"no valid YAML: {said}")) from None

@@ -1,0 +1,55 @@
+"""vecpoly grade on the command line: the folder of a class in, a folder of marks out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from typer.testing import CliRunner
+
+from tests.marked.classes import NUMBERS, answers, register, wide
+from vecpoly.batch.register import NAME
+from vecpoly.cli.app import app
+
+
+def run(folder: Path, *arguments: str) -> tuple[int, str]:
+    (folder / "hw").mkdir(exist_ok=True)
+    (folder / "hw" / NAME).write_bytes(register().as_bytes())
+    wide(folder / "a.csv", {number: answers(number) for number in NUMBERS[:2]})
+    words = ["grade", str(folder / "hw"), str(folder / "a.csv"), "-o", str(folder / "out"), "-j", "1", *arguments]
+    done = CliRunner().invoke(app, words)
+    return done.exit_code, done.stderr
+
+
+def test_the_marks_of_a_class_are_written_and_told(tmp_path: Path) -> None:
+    code, said = run(tmp_path, "--no-feedback")
+    assert code == 0 and "3 students, 1 returned nothing, 0 answers wait for a person" in said
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {
+        "grades.csv",
+        "grades.xlsx",
+        "queue.csv",
+        "marks.json",
+    }
+    again, said = run(tmp_path, "--no-feedback", "--diff", str(tmp_path / "out"))
+    assert again == 0 and "0 answers are marked otherwise" in said
+
+
+def test_what_cannot_be_graded_is_refused_in_a_sentence(tmp_path: Path) -> None:
+    for words, why in ((("--rules", "none.yaml"), "none.yaml"), (("--diff", str(tmp_path)), "marks.json")):
+        code, said = run(tmp_path, "--no-feedback", *words)
+        assert code == 2 and why in said and "Traceback" not in said
+
+
+def test_a_stranger_in_the_answers_is_told_and_the_rest_is_marked(tmp_path: Path) -> None:
+    run(tmp_path)
+    wide(tmp_path / "b.csv", {"2099999": answers(NUMBERS[0])})
+    words = [
+        "grade",
+        str(tmp_path / "hw"),
+        str(tmp_path / "a.csv"),
+        str(tmp_path / "b.csv"),
+        "-o",
+        str(tmp_path / "two"),
+        "--no-feedback",
+    ]
+    done = CliRunner().invoke(app, words)
+    assert done.exit_code == 2 and "2099999" in done.stderr and (tmp_path / "two" / "grades.csv").exists()
