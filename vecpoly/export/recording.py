@@ -11,6 +11,7 @@ from ..board import acts as done
 from ..board.construction import Scale, View
 from ..board.hand import hand
 from ..board.otherwise.amended import AS_DRAWN
+from ..board.place import view_of
 from ..devices.base import Device
 from ..errors import NoMethodError, VecpolyError
 from ..mechanism.model import Drive
@@ -97,7 +98,12 @@ def scales_of(problem: Problem) -> dict[View, Scale]:
 
 
 def _spots(acts: Sequence[done.Act]) -> dict[tuple[str, str], complex]:
-    return {(act.figure, act.key): act.at for act in acts if isinstance(act, done.Locate)}
+    return {(act.figure, act.key): act.at for act in acts if isinstance(act, done.Locate) and not _is_aside(act)}
+
+
+def _is_aside(act: done.Act) -> bool:
+    """Whether it is done on a figure beside the diagram and the polygons, such as that of the centres."""
+    return act.head.place is not None and view_of(act.head.place) is not act.head.place
 
 
 def _answers(acts: Sequence[done.Act]) -> dict[tuple[str, str], complex]:
@@ -115,7 +121,7 @@ class _Proof:
         self.spots, self.answers = tuple(spots), tuple(answers)
         self.roots: list[Term] = [part for value in (*spots.values(), *answers.values()) for part in terms.parts(value)]
         self.fails: set[str] = set()
-        self.stale: set[int] = set()
+        self.stale: set[int] = {act.number for act in acts if isinstance(act, done.Locate) and _is_aside(act)}
 
     def range(self) -> tuple[float, float]:
         """How far to either side the drawing is right: whole turns, or as far as it was found to be."""
