@@ -120,6 +120,7 @@ def test_the_table_that_vecpoly_writes_of_a_cycle_is_reproduced_with_its_forces(
 def test_a_table_with_another_length_is_explained_by_it(
     against: Callable[..., TableCheck], problem: str, digits: int, noise: int, data: st.DataObject
 ) -> None:
+    assume(digits > 4 or noise < 2)  # four digits, the last unsure by two: an angle of B-24 cannot tell 7 % of a length
     crank = lengths(load(problem).mechanism)[0]
     value = round(crank.value * data.draw(st.sampled_from([0.85, 0.93, 1.06])), 4)
     try:

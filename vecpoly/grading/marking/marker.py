@@ -29,6 +29,7 @@ from .verdict import Verdicts, verdicts
 Mutants = Callable[[], Sequence[Mutant]]
 BLANK = Written(raw="", state=State.BLANK)
 ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
+SAME = 1e-6  # of a scale: nearer to each other two are one
 
 
 def mark(problem: Problem, key: AnswerKey, mutants: Mutants, sheet: Sheet, rules: Rules = USUAL_RULES) -> Marked:
@@ -86,12 +87,12 @@ def _chain(found: Verdicts, name: str) -> int:
 
 
 def _of_scales(key: AnswerKey, sheet: Sheet) -> list[Message]:
-    """Scales that are not stated, and those that nobody would take."""
+    """Scales that are not stated, and those that nobody would take; that of the sheet may be any."""
     missing = [message(Told.SCALE_UNDECLARED, mu=_mu(mu)) for mu in key.stated if mu not in sheet.stated]
     odd = [
         message(Told.SCALE_ODD, mu=_mu(mu), v=bare(number(value)))
         for mu, value in sheet.scales.items()
-        if not _round(value)
+        if not _round(value) and abs(value / key.scales.get(mu, value * 2) - 1) > SAME
     ]
     return [*missing, *odd]
 
@@ -99,7 +100,7 @@ def _of_scales(key: AnswerKey, sheet: Sheet) -> list[Message]:
 def _round(value: float) -> bool:
     """Whether a scale is 1, 2, 2.5 or 5 times a power of ten."""
     digits = 10.0 ** (log10(value) % 1.0)
-    return any(abs(digits / step - 1) < 1e-6 for step in ROUND)
+    return any(abs(digits / step - 1) < SAME for step in ROUND)
 
 
 def _mu(mu: str) -> str:
