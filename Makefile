@@ -12,7 +12,7 @@ test: $(VENV)/installed-dev
 	$(BIN)/ruff check vecpoly tests benchmarks
 	$(BIN)/ruff format --check --quiet vecpoly tests benchmarks
 	$(BIN)/mypy
-	$(BIN)/pytest $(SHARED)
+	PYTHONDONTWRITEBYTECODE= $(BIN)/pytest $(SHARED)  # compiled once, not in every process that a test starts
 
 soak: $(VENV)/installed-dev
 	$(BIN)/python -m tests.generators --count 300 --seed 1 --jobs 2

@@ -63,7 +63,12 @@ def wide(path: Path, rows: Mapping[str, Mapping[str, str]], *, encoding: str = "
 
 
 def graded(
-    out: Path, *files: Path, scheme: Scheme | None = None, before: Path | None = None, feedback: bool = False
+    out: Path,
+    *files: Path,
+    scheme: Scheme | None = None,
+    before: Path | None = None,
+    feedback: bool = False,
+    drawings: Path | None = None,
 ) -> Graded:
     """Mark these files into a folder."""
     order = Order(
@@ -73,6 +78,7 @@ def graded(
         scheme=scheme or Scheme(),
         lang="zh",
         feedback=feedback,
+        drawings=drawings,
         before=before,
     )
     return grade(order, lambda *_: None)

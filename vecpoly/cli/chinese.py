@@ -155,6 +155,9 @@ HELP = {
     ),
     "The folder that 'vecpoly class' wrote.": ("vecpoly class 写出的文件夹。"),
     "Answers: the form, CSV, YAML or JSON.": ("答案：生成的答案表、CSV、YAML 或 JSON。"),
+    "Drawings (DXF, SVG, PDF, GGB) named NUMBER_PROBLEM, graded vector by vector.": (
+        "作图文件（DXF、SVG、PDF、GGB），命名为 学号_题号，逐个矢量批改。"
+    ),
     "Rules and points, as YAML.": ("评分规则和分值（YAML）。"),
     "Tell what is marked otherwise than there.": ("列出与该文件夹中批改结果的不同。"),
     "Write a feedback sheet for everybody.": ("为每人写一份反馈。"),

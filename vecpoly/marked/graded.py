@@ -26,7 +26,10 @@ Told = Callable[[Words, int, int], None]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Order:
-    """What is to be marked, by which scheme, where the marks go; before: marks of another day to compare with."""
+    """What is to be marked, by which scheme, where the marks go.
+
+    before: marks of another day to compare with; drawings: the folder of the students' drawings.
+    """
 
     register: Register
     files: tuple[Path, ...]
@@ -36,6 +39,7 @@ class Order:
     jobs: int = 1
     feedback: bool = True
     before: Path | None = None
+    drawings: Path | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,6 +66,11 @@ def grade(order: Order, told: Told) -> Graded:
         from .out.feedback import feedback_files
 
         files += feedback_files(register, results, order.out, order.lang, told, open_=order.scheme.rules.open)
+    if order.drawings is not None:
+        from .drawn import grade_drawings
+
+        drawn = grade_drawings(register, order.drawings, order.out, order.lang, told)
+        files, faults = [*files, *drawn.files], (*faults, *drawn.faults)
     kept = None if changed is None else tuple(map(tuple, changed))
     return Graded(results=results, faults=faults, files=tuple(files), changed=kept)
 

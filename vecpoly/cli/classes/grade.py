@@ -36,6 +36,15 @@ DiffOption = Annotated[
     Path | None,
     typer.Option("--diff", metavar="FOLDER", help="Tell what is marked otherwise than there.", show_default=False),
 ]
+DrawingsOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--drawings",
+        metavar="FOLDER",
+        help="Drawings (DXF, SVG, PDF, GGB) named NUMBER_PROBLEM, graded vector by vector.",
+        show_default=False,
+    ),
+]
 FeedbackOption = Annotated[bool, typer.Option("--feedback/--no-feedback", help="Write a feedback sheet for everybody.")]
 
 
@@ -45,6 +54,7 @@ def grade(
     output: OutOption,
     rules: RulesOption = None,
     diff: DiffOption = None,
+    drawings: DrawingsOption = None,
     feedback: FeedbackOption = True,
     lang: LangOption = "zh",
     jobs: JobsOption = 0,
@@ -65,7 +75,7 @@ def grade(
     register = read_register(folder)
     order = Order(
         register=register, files=tuple(answers), out=output, scheme=read_scheme(rules, register), lang=lang,
-        jobs=jobs or os.cpu_count() or 1, feedback=feedback, before=diff,
+        jobs=jobs or os.cpu_count() or 1, feedback=feedback, before=diff, drawings=drawings,
     )  # fmt: skip
     with progress_bar() as told:
         done = graded(order, told)
