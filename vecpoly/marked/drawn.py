@@ -18,10 +18,10 @@ from ..grading.drawings.grade import grade_drawing
 from ..grading.drawings.judging.mark import DrawingMark
 from ..grading.drawings.model import drawing_key
 from ..grading.drawings.overlay import overlay
+from ..grading.drawings.readers.door import READERS
 from ..words import Lang, Words
 from .out.tables import csv_bytes
 
-ENDINGS = (".dxf", ".svg", ".pdf", ".ggb")
 HEAD = (
     Words("学号", "number"),
     Words("姓名", "name"),
@@ -51,7 +51,7 @@ def grade_drawings(register: Register, folder: Path, out: Path, lang: Lang, told
     Writes drawings.csv, a row for each vector, and for each file its polygons over the exact ones. No points follow
     from a drawing: they are a person's to give.
     """
-    found = sorted(path for path in folder.rglob("*") if path.suffix.lower() in ENDINGS)
+    found = sorted(path for path in folder.rglob("*") if path.suffix.lower() in READERS)
     marks: list[tuple[Sheet, Part, DrawingMark]] = []
     files: list[Path] = []
     faults: list[Fault] = []
