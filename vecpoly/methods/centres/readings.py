@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.formula import Row, Txt, row, sym
+from ...algebra.formula import Row, Txt, sym
 from ...algebra.quantity import worked
 from ...board.construction import Reading
 from ...errors import NoMethodError
@@ -79,8 +79,7 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
     if found.along is not None:
         angle = _upright(fig.board.gauge(0j, found.along))
         text = Row((sym(named.symbol), Txt(f" → ∞, {float(nominal(angle)):.4g}°")))
-        _keep(
-            fig,
+        fig.board.keep(
             Reading(
                 key=named.key, symbol=f"{named.symbol}^{{∞}}", unit=ENDLESS, scalar=float(nominal(angle)), formula=text
             ),
@@ -88,22 +87,7 @@ def _read_place(fig: CentreFigure, pair: Pair) -> None:
         )
         return
     mm = _far_place(fig, pair) if pair in fig.paper.far else _near_place(fig, pair)
-    metres = mm * fig.paper.scale.value
-    vector = complex(nominal(metres))
-    text = Row((*row(named.symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-    _keep(
-        fig,
-        Reading(
-            key=named.key,
-            symbol=named.symbol,
-            unit="m",
-            scalar=abs(vector),
-            vector=vector,
-            scale=fig.paper.scale.symbol,
-            formula=text,
-        ),
-        np.abs(metres),
-    )
+    fig.keep_place(named.key, named.symbol, mm)
 
 
 def _near_place(fig: CentreFigure, pair: Pair) -> Points:
@@ -154,7 +138,3 @@ def _upright(angle: Reals) -> Reals:
     first = 0.0 if 180.0 - first < 1e-7 else first
     near: Reals = first + (degrees - first + 90.0) % 180.0 - 90.0
     return near if np.ndim(near) else first
-
-
-def _keep(fig: CentreFigure, reading: Reading, scalars: Reals) -> None:
-    fig.board.keep(reading, scalars)

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...algebra.formula import Row, Txt, row
 from ...board.board import Board
-from ...board.construction import Pane
+from ...board.construction import Pane, Reading
 from ...board.paper.marks import Dot, Point, Role, Segment, Vector
 from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
-from ...plane import Line, nominal
+from ...plane import Line, Points, nominal
 from ..desk import Desk
 from .geometry import Centre
 from .size import Paper
@@ -73,6 +74,17 @@ class CentreFigure:
             centre = Centre(at=self.board.locate(self.pane, self.symbol(*pair), centre.at))
         self.known.centres[pair] = centre
         return centre
+
+    def keep_place(self, key: str, symbol: str, mm: Points) -> None:
+        """The place of a point, read in mm from the origin, as an answer in m."""
+        metres = mm * self.paper.scale.value
+        vector = complex(nominal(metres))
+        text = Row((*row(symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
+        scale = self.paper.scale.symbol
+        reading = Reading(
+            key=key, symbol=symbol, unit="m", scalar=abs(vector), vector=vector, scale=scale, formula=text
+        )
+        self.board.keep(reading, np.abs(metres))
 
     def letter(self, pair: Pair, dot: Dot, start: complex) -> None:
         """Letter a centre: a point, or an arrow from `start` towards infinity;

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from ....algebra.formula import Row, Txt, row
-from ....board.construction import Reading
 from ....board.paper.marks import Dot, Role
 from ....errors import NoMethodError
 from ....mechanism.model import FRAME
@@ -14,7 +10,6 @@ from ....plane import Line, Points, foot, nominal, unit
 from ....problem.asked.asks import AskPoint
 from ....words import Words
 from ...registry import Stage, method
-from ..state import CentreFigure
 from .motions import Motions
 from .spots import spot_of
 
@@ -52,25 +47,7 @@ def find_slowest(motions: Motions, ask: AskPoint) -> None:
     at = foot(Line(ends[0], along), centre.at)
     motions.places[ask.name] = at
     _draw(motions, at, ends, centre.at, name)
-    _kept(fig, ask, name, fig.board.coordinates(at, ask.name) * fig.paper.scale.value)
-
-
-def _kept(fig: CentreFigure, ask: AskPoint, name: str, metres: Points) -> None:
-    """The place of the point (m) as an answer."""
-    vector = complex(nominal(metres))
-    text = Row((*row(name).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
-    fig.board.keep(
-        Reading(
-            key=ask.rel.key,
-            symbol=name,
-            unit="m",
-            scalar=abs(vector),
-            vector=vector,
-            scale=fig.paper.scale.symbol,
-            formula=text,
-        ),
-        np.abs(metres),
-    )
+    fig.keep_place(ask.rel.key, name, fig.board.coordinates(at, ask.name))
 
 
 def _draw(motions: Motions, at: Points, ends: list[Points], centre: Points, name: str) -> None:

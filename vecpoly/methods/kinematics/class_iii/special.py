@@ -19,7 +19,7 @@ from ....names import At
 from ....plane import Line, cross, lines_meet, nominal, unit
 from ....words import Words
 from ...desk import Desk
-from .star import Axial, Guided, Hinged, Slotted, Star, axis_of, point_of
+from .star import Axial, Guided, Hinged, Slotted, Star, axis_of
 
 LETTERS = "SWZUTXYVQRNJL"
 FLAT = 1e-9  # below this the three axes meet in one point, or are parallel
@@ -156,8 +156,3 @@ def _axis_words(star: Star, leg: Axial) -> Words:
                 f"过 ${q}$ 所作构件 {star.plate}、{leg.link} 间导路的垂线",
                 f"the normal at ${q}$ to the slide between links {star.plate} and {leg.link}",
             )
-
-
-def point_letters(special: Special, star: Star) -> tuple[str, str]:
-    """Letters of the special point and of the third leg's point on the diagram."""
-    return special.at.point, point_of(star, special.third).point
