@@ -35,7 +35,7 @@ def cam_body(posed: Posed, body: Link) -> Iterator[Mark]:
     """A link that takes part in a contact: its discs, and its bar; an eccentric has no bar but its centre line."""
     discs = _discs(posed, body.name)
     for centre, radius in discs.items():
-        yield Disc(centre=posed.at[centre], radius=posed.mm * radius)
+        yield Disc(centre=posed.at[centre], radius=posed.mm(radius))
     pivot = posed.fixed_pivot(body.name)
     about = next((c for c, r in discs.items() if pivot and abs(body.points[c] - body.points[pivot]) < r), "")
     if about:
@@ -90,13 +90,13 @@ def _roller(posed: Posed, body: Link, discs: Mapping[str, float]) -> Iterator[Ma
         centre, radius = next(iter(discs.items()))
         other = next((p for p in body.points if p != centre), centre)
         arm = posed.at[centre] - posed.at[other]
-        spot = posed.at[centre] + (0.5 * posed.mm * radius * arm / abs(arm) if arm else 0)
+        spot = posed.at[centre] + (0.5 * posed.mm(radius) * arm / abs(arm) if arm else 0)
         yield LinkNumber(a=spot, b=spot, number=roller)
 
 
 def _eccentric(posed: Posed, body: Link, pivot: str, centre: str, radius: float) -> Iterator[Mark]:
     """Centre line and base circle r_0 = R − e of a disc about its pivot; the number inside, off the centre line."""
-    a, o, r = posed.at[pivot], posed.at[centre], posed.mm * radius
+    a, o, r = posed.at[pivot], posed.at[centre], posed.mm(radius)
     arm = o - a
     if abs(arm) > EDGE:
         yield Segment(a=a, b=o, role=Role.CENTRE)

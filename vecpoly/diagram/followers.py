@@ -99,7 +99,7 @@ def _tip(posed: Posed, contact: Contact, link: str, line: Way) -> tuple[complex,
     """Where the stem begins, and how far its tip reaches (mm): a round tip's centre, or the guide's line."""
     for end in (contact.disc, contact.on):
         if isinstance(end, Circle) and end.link == link:
-            return posed.at[end.centre], posed.mm * end.radius
+            return posed.at[end.centre], posed.mm(end.radius)
     face = posed.face(contact)
     across = (1j * face.along).conjugate()
     return line.spot((across * (face.at - line.at)).real / (across * line.along).real), 0.0

@@ -22,7 +22,7 @@ BESIDE = 0.3  # mm: a pin nearer to the pitch line stands on it
 def gear_marks(posed: Posed, circle: Circle, joint: Rolling, drawn: Sequence[Mark]) -> Iterator[Mark]:
     """The pitch circle, unless it is on the paper; arms to the pins of a gear that is no bar;
     its number; the hatching of a fixed one."""
-    centre, radius = posed.at[circle.centre], posed.mm * circle.radius
+    centre, radius = posed.at[circle.centre], posed.mm(circle.radius)
     circles = (mark for mark in drawn if isinstance(mark, GearMark))
     if any(abs(mark.centre - centre) < BESIDE and abs(mark.radius - radius) < BESIDE for mark in circles):
         return
@@ -42,7 +42,7 @@ def rack_marks(posed: Posed, joint: Rolling, rack: Rack) -> Iterator[Mark]:
     """The pitch line about the pitch point, as far as the rack's own pins; arms to pins beside it."""
     along = posed.axis(rack.link) * cmath.rect(1.0, rack.direction)
     foot = posed.pitch_point(joint)
-    half = posed.mm * joint.gear.radius * HALF
+    half = posed.mm(joint.gear.radius) * HALF
     pins = [] if rack.link == FRAME else posed.spots(rack.link)
     travels = [float((along.conjugate() * (p - foot)).real) for p in pins]
     low, high = min(-half, *travels, 0.0), max(half, *travels, 0.0)

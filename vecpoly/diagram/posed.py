@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling, Side
+from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling
+from ..plane import Line
 from ..problem.problem import Shape
+from .lines import contact_of, face_line, guide_line, line_on, normal_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,18 +35,22 @@ class Way:
         return self.spot(self.travel(spot))
 
 
+def _way(line: Line) -> Way:
+    return Way(complex(line.at), complex(line.along))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Posed:
     """Links and letters where they stand on a figure.
 
-    mm: of paper for a metre; at: the letters found so far (mm); located: of every link found so far the place of its
-    origin (mm) and the direction of its x axis, a unit vector; loaded:
-    whether forces follow, so that no pressure angle is marked.
+    per_metre: mm of paper for one metre; at: the letters found so far (mm); located: of every link found so far the
+    place of its origin (mm) and the direction of its x axis, a unit vector; loaded: whether forces follow, so that no
+    pressure angle is marked.
     """
 
     mech: Mechanism
     shapes: Mapping[str, Shape]
-    mm: float
+    per_metre: float
     at: Mapping[str, complex]
     located: Mapping[str, tuple[complex, complex]]
     loaded: bool = False
@@ -76,50 +81,40 @@ class Posed:
         """Whether all of these have been found; the frame always is."""
         return set(links) <= {*self.located, FRAME}
 
+    def mm(self, metres: float) -> float:
+        """A length of the mechanism on paper."""
+        return metres * self.per_metre
+
     def place(self, link: str, local: complex) -> complex:
         """A point given in link coordinates (m), on paper."""
         origin, along = (0j, 1 + 0j) if link == FRAME else self.located[link]
-        return origin + along * self.mm * local
+        return origin + along * self.mm(1.0) * local
 
     def axis(self, link: str) -> complex:
         """The direction of the link's x axis on paper."""
         return 1 + 0j if link == FRAME else self.located[link][1]
 
-    def line(self, link: str, origin: complex, direction: float) -> Way:
-        """A line of a link on paper."""
-        return Way(self.place(link, origin), self.axis(link) * cmath.rect(1.0, direction))
-
     def guide(self, joint: Prismatic) -> Way:
-        """The guide of a sliding pair, from whichever of its two links is found."""
-        if self.is_located(joint.guide):
-            return self.line(joint.guide, joint.origin, joint.direction)
-        along = self.axis(joint.block) * cmath.rect(1.0, -joint.turn)
-        pin = self.body(joint.block).points[joint.pin]
-        return Way(self.place(joint.block, pin) - 1j * along * self.mm * joint.offset, along)
+        """The guide of a sliding pair."""
+        return _way(guide_line(self, joint))
 
     def face(self, contact: Contact) -> Way:
         """The flat face of a contact."""
-        assert isinstance(contact.on, Rack)
-        return self.line(contact.on.link, contact.on.origin, contact.on.direction)
+        return _way(face_line(self, contact))
 
     def normal(self, contact: Contact) -> complex:
         """The common normal of a contact: from the disc's centre through the point of contact, into the other link."""
-        if isinstance(contact.on, Rack):
-            return self.face(contact).along * (-1j if contact.side is Side.LEFT else 1j)
-        way = self.at[contact.on.centre] - self.at[contact.disc.centre]
-        return (-way if contact.internal else way) / abs(way)
+        return complex(normal_of(self, contact))
 
     def touching(self, contact: Contact) -> complex:
-        """Where the links of a contact touch: the foot of the disc's centre on the face, or on the line of centres."""
-        centre = self.at[contact.disc.centre]
-        if isinstance(contact.on, Rack):
-            return self.face(contact).foot(centre)
-        return centre + self.normal(contact) * self.mm * contact.disc.radius
+        """Where the links of a contact touch."""
+        return complex(contact_of(self, contact))
 
     def pitch_point(self, joint: Rolling) -> complex:
         """The pitch point of a rack: the foot of the gear's centre on the pitch line."""
         assert isinstance(joint.on, Rack)
-        return self.line(joint.on.link, joint.on.origin, joint.on.direction).foot(self.at[joint.gear.centre])
+        line = _way(line_on(self, joint.on.link, joint.on.origin, joint.on.direction))
+        return line.foot(self.at[joint.gear.centre])
 
     def slides(self) -> tuple[Prismatic, ...]:
         """All sliding pairs."""

@@ -9,9 +9,10 @@ import numpy as np
 
 from ..board.board import Board
 from ..board.construction import View
+from ..diagram.lines import contact_of, face_line, guide_line, line_on, normal_of
 from ..diagram.posed import Posed
-from ..mechanism.model import FRAME, Contact, Mechanism, Prismatic, Rack, Rolling, Side
-from ..plane import Line, Points, foot, nominal, unit
+from ..mechanism.model import FRAME, Contact, Mechanism, Prismatic, Rack, Rolling
+from ..plane import Line, Points, nominal, unit
 from ..problem.problem import Shape
 
 
@@ -38,6 +39,10 @@ class Diagram:
         """A length of the mechanism on paper."""
         return metres / self.board.scales[View.MECHANISM].value
 
+    def is_located(self, *links: str) -> bool:
+        """Whether all of these are drawn; the frame always is."""
+        return set(links) <= {*self.pose, FRAME}
+
     def place(self, link: str, local: complex) -> Points:
         """Paper point of a point given in link coordinates (m)."""
         if link == FRAME:
@@ -56,7 +61,7 @@ class Diagram:
         return Posed(
             mech=self.mech,
             shapes=self.shapes,
-            mm=self.mm(1.0),
+            per_metre=self.mm(1.0),
             at={letter: complex(nominal(at)) for letter, at in self.at.items()},
             located={
                 link: (complex(nominal(pose.origin)), complex(nominal(pose.along))) for link, pose in self.pose.items()
@@ -92,17 +97,9 @@ class Diagram:
             if name not in self.at:
                 self.letter(name, self.place(link, local))
 
-    def line_on(self, link: str, origin: complex, direction: float) -> Line:
-        """A line that is fixed on a link, given in link coordinates (m, rad)."""
-        return Line(self.place(link, origin), self.axis(link) * np.exp(1j * direction))
-
     def guide_line(self, joint: Prismatic) -> Line:
         """The guide of a sliding pair as drawn, found from whichever of its two links is drawn."""
-        if joint.guide == FRAME or joint.guide in self.pose:
-            return self.line_on(joint.guide, joint.origin, joint.direction)
-        along = self.axis(joint.block) * np.exp(-1j * joint.turn)
-        pin = self.mech.link(joint.block).points[joint.pin]
-        return Line(self.place(joint.block, pin) - 1j * along * self.mm(joint.offset), along)
+        return guide_line(self, joint)
 
     def offset(self, joint: Prismatic, link: str, point: str) -> float:
         """How far (m) a point of either link lies to the left of the guide."""
@@ -121,7 +118,7 @@ class Diagram:
         """Pitch point of a rolling pair as drawn: foot on the rack, or on the line of centres."""
         centre = self.at[joint.gear.centre]
         if isinstance(joint.on, Rack):
-            line = self.line_on(joint.on.link, joint.on.origin, joint.on.direction)
+            line = line_on(self, joint.on.link, joint.on.origin, joint.on.direction)
             off = (np.conj(line.along) * (centre - line.at)).imag
             return centre - 1j * line.along * off
         return centre + unit(self.at[joint.on.centre] - centre) * self.mm(joint.gear.radius) * (
@@ -129,25 +126,16 @@ class Diagram:
         )
 
     def normal_of(self, contact: Contact) -> Points:
-        """Common normal of a contact as drawn:
-        unit vector from the disc's centre through the point of contact, into the other link."""
-        if isinstance(contact.on, Rack):
-            return self.face_line(contact).along * (-1j if contact.side is Side.LEFT else 1j)
-        way = self.towards(contact.disc.centre, contact.on.centre)
-        return -way if contact.internal else way
+        """The common normal of a contact as drawn, into the other link."""
+        return normal_of(self, contact)
 
     def contact_of(self, contact: Contact) -> Points:
-        """Point of contact as drawn: foot of the disc's centre on the face,
-        or on the line of centres at the disc's radius."""
-        centre = self.at[contact.disc.centre]
-        if isinstance(contact.on, Rack):
-            return foot(self.face_line(contact), centre)
-        return centre + self.normal_of(contact) * self.mm(contact.disc.radius)
+        """The point of contact as drawn."""
+        return contact_of(self, contact)
 
     def face_line(self, contact: Contact) -> Line:
         """The flat face of a contact as drawn."""
-        assert isinstance(contact.on, Rack)
-        return self.line_on(contact.on.link, contact.on.origin, contact.on.direction)
+        return face_line(self, contact)
 
     def letters(self, link: str) -> tuple[str, ...]:
         """Letters of the link: its points and its rolling contacts."""

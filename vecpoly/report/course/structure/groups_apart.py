@@ -85,7 +85,7 @@ def _posed(
         located[link.name] = (spots[letter] - along * per_m * local, along)
     thought = {contact.substitute: contact.point for contact in mech.contacts}
     names = {link.name: thought.get(link.name, mech.number(link.name)) for link in mech.links}
-    posed = Posed(mech=mech, shapes=problem.given.shapes, mm=per_m, at=spots, located=located, names=names)
+    posed = Posed(mech=mech, shapes=problem.given.shapes, per_metre=per_m, at=spots, located=located, names=names)
     return replace(posed, at=spots | {contact.point: posed.touching(contact) for contact in mech.contacts})
 
 
