@@ -77,9 +77,10 @@ def _slot(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> I
     start, end = line.spot(t - HALF_SLOT), line.spot(t + HALF_SLOT)
     yield Slot(a=start, b=end)
     for spot in own:
-        near = min((start, end), key=lambda s: abs(s - spot))
-        near += HALF_BLOCK * (spot - near) / abs(spot - near)  # the rounded end of the slot
-        off = abs(line.off(spot))
+        near, off = min((start, end), key=lambda s: abs(s - spot)), abs(line.off(spot))
+        if abs(spot - near) <= HALF_BLOCK:
+            continue  # inside the rounded end of the slot
+        near += HALF_BLOCK * (spot - near) / abs(spot - near)
         if abs(line.travel(spot) - t) > HALF_SLOT or off > ARM:
             yield Segment(a=spot, b=near, role=Role.LINK)
         if off > ARM:

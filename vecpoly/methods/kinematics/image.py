@@ -17,6 +17,8 @@ from ..desk import QUANTITY, VECTOR, Desk
 from .lengths import write_lengths
 from .terms import key, known, normal, ref_at, symbol
 
+_ONE_PLACE = 1e-6  # mm on paper: nearer points have no direction from one to the other
+
 
 def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
     """Points thought on this link whose vectors are drawn: (letter, which point), at different places."""
@@ -26,7 +28,7 @@ def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
     passed = [at for v, at in desk.tips if v is view and at.link == link]
     for at in (*own, *passed):
         place = complex(nominal(desk.where(at))) if {at.point, str(at)} & set(desk.at) else None
-        if place is None or not desk.has_tip(view, at) or any(abs(place - p) < 1e-6 for p in places):
+        if place is None or not desk.has_tip(view, at) or any(abs(place - p) < _ONE_PLACE for p in places):
             continue
         found.append((at.point, at))
         places.append(place)
@@ -41,6 +43,8 @@ def imaged(desk: Desk, view: View, link: str, at: At) -> None:
         desk.put_tip(view, at, desk.tip(view, held[0][1]))
     elif len(held) >= 2:
         _by_image(desk, view, link, at, held)
+    elif held and abs(complex(nominal(desk.where(at) - desk.where(held[0][1])))) < _ONE_PLACE:
+        _at_one_place(desk, view, link, at, held[0][1])
     elif held:
         _by_turning(desk, view, link, at, held[0][1])
 
@@ -104,6 +108,23 @@ def _in_line(desk: Desk, p: At, q: At, x: At) -> bool:
     """Whether three points of a link lie on one straight line."""
     a, b, c = (complex(nominal(desk.where(at))) for at in (p, q, x))
     return abs(float(cross(b - a, c - a))) < 1e-6 * abs(b - a) * abs(c - a)
+
+
+def _at_one_place(desk: Desk, view: View, link: str, at: At, held: At) -> None:
+    """v_X = v_P, a_X = a_P: X stands at the very place of P in this position."""
+    board, x, p = desk.board, desk.name(at), desk.name(held)
+    label, there = desk.tip_label(view, at), desk.tip_label(view, held)
+    board.step(
+        Words(
+            f"此位置上 ${x}$ 与构件 {link} 上的 ${p}$ 重合，故 ${label}$ 与 ${there}$ 重合。",
+            f"In this position ${x}$ coincides with ${p}$ of link {link}, so ${label}$ coincides with ${there}$.",
+        ),
+        view,
+    )
+    letter_at_pole(desk, view, held)
+    tip = desk.put_tip(view, at, desk.tip(view, held))
+    board.plot(view, tip, label)
+    board.arrow(view, 0j, tip, Role.RESULT, key=key(desk, Rel(VECTOR[view], at)))
 
 
 def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
