@@ -6,13 +6,15 @@ from collections.abc import Sequence
 
 import pytest
 
-MADE = ("tests.drawn_library", "tests.studies")  # who imports from one of these wants what it has made already
+# who imports from one of these wants what it has made already
+MADE = ("tests.drawn_library", "tests.studies", "tests.batch.homework", "tests.sources")
 FAMILIES = ("test_course", "test_printed_tables")  # files of one name solve the same problems
 LONGEST = (
     "test_course",
     "test_generated",
     "test_printed_tables",
     "tests.drawn_library",
+    "tests.batch.homework",
     "test_player",
     "test_no_key_is_ignored",
     "test_labels",

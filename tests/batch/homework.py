@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import vecpoly
 from vecpoly.batch.classwork import Made, Order, make_class
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
@@ -26,12 +27,22 @@ def people(numbers: Sequence[int]) -> tuple[Student, ...]:
     return tuple(Student(number=f"2023{n:04}", name=f"学生{n}", team="机械 1 班") for n in numbers)
 
 
-def made(out: Path, students: Sequence[Student], text: str = TEXT) -> Made:
+FIVE = people(range(5))
+
+
+def ordered(out: Path, students: Sequence[Student], text: str = TEXT) -> Order:
+    """The order for this class, its assignment beside the folder; as the command gives it."""
     out.mkdir(parents=True, exist_ok=True)
     file = out.parent / "hw3.yaml"
     file.write_text(text, encoding="utf-8")
-    order = Order(assignment=load_assignment(file), students=tuple(students), out=out, lang="zh", version="test")
-    return make_class(order, Here(), lambda *_: None)
+    return Order(
+        assignment=load_assignment(file), students=tuple(students), out=out, lang="zh", version=vecpoly.__version__
+    )
+
+
+def made(out: Path, students: Sequence[Student], text: str = TEXT) -> Made:
+    """The whole class in this process."""
+    return make_class(ordered(out, students, text), Here(), lambda *_: None)
 
 
 def files(out: Path) -> dict[str, bytes]:
@@ -45,10 +56,7 @@ def files(out: Path) -> dict[str, bytes]:
 
 def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:
     """Each shard by itself, then the run that completes the folder."""
-    out.mkdir(parents=True, exist_ok=True)
-    file = out.parent / "hw3.yaml"
-    file.write_text(TEXT, encoding="utf-8")
-    order = Order(assignment=load_assignment(file), students=tuple(students), out=out, lang="zh", version="test")
+    order = ordered(out, students)
     for shard in range(count):
         make_class(order, Here(), lambda *_: None, (shard, count))
     make_class(order, Here(), lambda *_: None)

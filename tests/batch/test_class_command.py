@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
+from typer.testing import CliRunner, Result
 
 from tests.batch.homework import TEXT, files
 from vecpoly.batch.register import read_register
@@ -15,16 +17,39 @@ from vecpoly.problem.assignment import load_assignment
 ROSTER = "学号,姓名,班级\n20230001,王小明,1\n,无号,1\n20230003,李雷,1\n"
 
 
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    Path("hw3.yaml").write_text(TEXT, encoding="utf-8")
+COMMAND = ("class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1")
+
+
+def prepared(folder: Path, text: str = TEXT) -> None:
+    """Go into the folder, with an assignment and a roster in it."""
+    os.chdir(folder)
+    Path("hw3.yaml").write_text(text, encoding="utf-8")
     Path("名单.csv").write_bytes(ROSTER.encode("gb18030"))
-    return tmp_path
 
 
-def test_one_bad_row_never_stops_the_rest(folder: Path) -> None:
-    done = CliRunner().invoke(app, ["class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1"])
+@pytest.fixture(autouse=True)
+def back(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.chdir(tmp_path)  # and back where it was, whoever goes where
+
+
+@pytest.fixture(scope="module")
+def first(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
+    """The class, made once, and what was said of it."""
+    folder = tmp_path_factory.mktemp("first")
+    prepared(folder)
+    return folder, CliRunner().invoke(app, COMMAND)
+
+
+@pytest.fixture(scope="module")
+def variants(tmp_path_factory: pytest.TempPathFactory) -> Result:
+    """Two variants, of a problem whose statement tells a value that is varied."""
+    told = TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n")
+    prepared(tmp_path_factory.mktemp("variants"), told)
+    return CliRunner().invoke(app, ["variants", "hw3.yaml", "-n", "2"])
+
+
+def test_one_bad_row_never_stops_the_rest(first: tuple[Path, Result]) -> None:
+    folder, done = first
     assert done.exit_code == 2 and "名单.csv, line 3, column 1" in done.stderr
     assert [sheet.student.number for sheet in read_register(folder / "hw").sheets] == ["20230001", "20230003"]
     made = {path.name for path in (folder / "hw").iterdir()}
@@ -41,34 +66,27 @@ def test_one_bad_row_never_stops_the_rest(folder: Path) -> None:
     assert "% of the draws pass" in done.stderr
 
 
-def test_a_second_run_changes_no_byte(folder: Path) -> None:
-    def made() -> dict[str, bytes]:
-        CliRunner().invoke(app, ["class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1"])
-        return files(folder / "hw")
-
-    first = made()
-    assert len(first) >= 12 and made() == first
-    (folder / "hw" / "questions" / "20230001_王小明.pdf").unlink()
-    assert made() == first
+def test_a_second_run_changes_no_byte_and_makes_again_what_is_lost(first: tuple[Path, Result], tmp_path: Path) -> None:
+    shutil.copytree(first[0], tmp_path, dirs_exist_ok=True)
+    (tmp_path / "hw" / "questions" / "20230001_王小明.pdf").unlink()
+    CliRunner().invoke(app, COMMAND)
+    made = files(tmp_path / "hw")
+    assert len(made) >= 12 and made == files(first[0] / "hw")
 
 
-def test_a_statement_that_tells_a_varied_value_is_named(folder: Path) -> None:
-    Path("hw3.yaml").write_text(
-        TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n"), encoding="utf-8"
-    )
-    done = CliRunner().invoke(app, ["variants", "hw3.yaml", "-n", "0"])
-    assert "the statement says AB = 30 mm" in done.stdout
+def test_a_statement_that_tells_a_varied_value_is_named(variants: Result) -> None:
+    assert "the statement says AB = 30 mm" in variants.stdout
 
 
-def test_the_yield_is_shown_before_anything_is_printed(folder: Path) -> None:
-    done = CliRunner().invoke(app, ["variants", "hw3.yaml", "-n", "2"])
-    assert done.exit_code == 0
-    assert "% of the draws pass" in done.stdout and done.stdout.count("AB = ") == 2
+def test_the_yield_is_shown_before_anything_is_printed(variants: Result) -> None:
+    assert variants.exit_code == 0
+    assert "% of the draws pass" in variants.stdout and variants.stdout.count(": AB = ") == 2
 
 
 @pytest.mark.parametrize(("extra", "says"), [(["--shard", "4/4"], "0/4"), (["--profile", "none.yaml"], "none.yaml")])
-def test_a_wrong_option_is_refused_in_a_sentence(folder: Path, extra: list[str], says: str) -> None:
-    done = CliRunner().invoke(app, ["class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1", *extra])
+def test_a_wrong_option_is_refused_in_a_sentence(tmp_path: Path, extra: list[str], says: str) -> None:
+    prepared(tmp_path)
+    done = CliRunner().invoke(app, [*COMMAND, *extra])
     assert done.exit_code == 2 and says in done.stderr and "Traceback" not in done.stderr
 
 

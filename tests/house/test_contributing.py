@@ -6,7 +6,6 @@ import ast
 import doctest
 import json
 import re
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -44,8 +43,7 @@ def test_its_commands_do_what_they_say(
 def test_the_tests_that_it_runs_are_there() -> None:
     *whole, (_, file, *words) = [words for words in commands() if words[0] == "pytest"]
     assert [(ROOT / path).is_file() for _, path in whole] == [True]
-    asked = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--collect-only", "-q", file, *words]
-    assert file in subprocess.run(asked, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    assert words[0] == "-k" and re.search(rf"^def test_\w*{words[1]}", (ROOT / file).read_text("utf-8"), re.M)
 
 
 def test_make_knows_what_it_is_told_to_make() -> None:

@@ -76,8 +76,7 @@ def test_the_wheel_holds_fonts_templates_problems_and_licences(wheel: Path) -> N
 
 def test_an_installed_wheel_solves_and_reports_away_from_the_checkout(wheel: Path, tmp_path: Path) -> None:
     home = tmp_path / "site"
-    words = ["-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--target", str(home), str(wheel)]
-    subprocess.run([sys.executable, *words], check=True, capture_output=True, timeout=120)
+    ZipFile(wheel).extractall(home)  # all that there is to installing a wheel of pure Python
     env = {**os.environ, "PYTHONPATH": str(home)}
 
     def run(*more: str) -> str:

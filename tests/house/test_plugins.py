@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -27,6 +28,23 @@ def absolute(text: str) -> str:
     )
 
 
+TELL = """
+import json, sys
+from typer.testing import CliRunner
+from vecpoly.cli import app
+done = [CliRunner().invoke(app, words.split()) for words in sys.argv[1:]]
+print(json.dumps([(one.exit_code, one.stdout, one.stderr) for one in done]))
+"""
+
+
+class Done(NamedTuple):
+    """How a command ended, and what it said."""
+
+    returncode: int
+    stdout: str
+    stderr: str
+
+
 class Package:
     """A package installed in a folder: its modules and its entry points."""
 
@@ -40,11 +58,12 @@ class Package:
         (about / "entry_points.txt").write_text(f"[{group}]\nmore = {module}\n", encoding="utf-8")
         (self.home / f"{module}.py").write_text(text, encoding="utf-8")
 
-    def vecpoly(self, *words: str) -> subprocess.CompletedProcess[str]:
+    def vecpoly(self, *commands: str) -> list[Done]:
+        """What comes of these commands, one after the other, where the package is installed."""
         env = {**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT), str(self.home))), "PYTHONUTF8": "1"}
-        return subprocess.run(
-            [sys.executable, "-m", "vecpoly", *words], env=env, capture_output=True, encoding="utf-8", check=False
-        )
+        command = [sys.executable, "-c", TELL, *commands]
+        told = subprocess.run(command, env=env, cwd=self.home, capture_output=True, encoding="utf-8", check=True)
+        return [Done(*one) for one in json.loads(told.stdout)]
 
 
 @pytest.fixture
@@ -52,61 +71,46 @@ def package(tmp_path: Path) -> Package:
     return Package(tmp_path)
 
 
-def answers(done: subprocess.CompletedProcess[str]) -> dict[str, dict[str, float]]:
+def answers(done: Done) -> dict[str, dict[str, float]]:
     assert done.returncode == 0, done.stderr
     found: dict[str, dict[str, float]] = json.loads(done.stdout)["answers"]
     return found
 
 
 def test_another_package_adds_a_method(package: Package) -> None:
-    problem = package.home / "inclined-rack.yaml"
-    problem.write_text(blocks("docs/architecture.md", "yaml")[0], encoding="utf-8")
-    without = package.vecpoly("solve", str(problem))
-    assert without.returncode == 2 and "RGP" in without.stderr
+    """Without it the problem is refused: test_architecture.py."""
+    (package.home / "rack.yaml").write_text(blocks("docs/architecture.md", "yaml")[0], encoding="utf-8")
     package.install("racks", absolute(blocks("docs/architecture.md", "python")[0]), "vecpoly.methods")
-    found = answers(package.vecpoly("solve", str(problem), "--hand", "exact", "--json", "-"))
-    assert found["v_D"]["drawn"] == pytest.approx(found["v_D"]["exact"], rel=1e-9)
-    assert "RGP" in package.vecpoly("list", "methods").stdout
+    solved, listed = package.vecpoly("solve rack.yaml --hand exact --json -", "list methods")
+    assert answers(solved)["v_D"]["drawn"] == pytest.approx(answers(solved)["v_D"]["exact"], rel=1e-9)
+    assert "RGP" in listed.stdout
 
 
-@pytest.fixture
-def levers(package: Package) -> Package:
+def test_another_package_adds_a_device_that_is_solved_drawn_and_reported(package: Package) -> None:
     package.install("levers", blocks("CONTRIBUTING.md", "python")[0], "vecpoly.devices")
     (package.home / "lever.yaml").write_text(blocks("CONTRIBUTING.md", "yaml")[0], encoding="utf-8")
-    return package
+    solved, schema, *others = package.vecpoly(
+        "solve lever.yaml --json -",
+        "schema",
+        "draw lever.yaml --figure mechanism -o lever.svg",
+        "report lever.yaml -o lever.pdf",
+    )
+    force = answers(solved)["F"]
+    assert force["drawn"] == pytest.approx(40.0) and force["exact"] == pytest.approx(40.0)
+    assert "lever" in schema.stdout
+    assert [done.returncode for done in others] == [0, 0], others
+    assert (package.home / "lever.svg").read_text(encoding="utf-8").startswith("<svg")
+    assert (package.home / "lever.pdf").read_bytes().startswith(b"%PDF")
 
 
-def test_another_package_adds_a_device(levers: Package) -> None:
-    found = answers(levers.vecpoly("solve", str(levers.home / "lever.yaml"), "--json", "-"))
-    assert found["F"]["drawn"] == pytest.approx(40.0) and found["F"]["exact"] == pytest.approx(40.0)
-    assert "lever" in levers.vecpoly("schema").stdout
-
-
-def test_a_device_of_another_package_is_drawn_and_reported(levers: Package) -> None:
-    picture, report = levers.home / "lever.svg", levers.home / "lever.pdf"
-    for words in (
-        ("draw", "lever.yaml", "--figure", "mechanism", "-o", picture),
-        ("report", "lever.yaml", "-o", report),
-    ):
-        done = levers.vecpoly(*(str(levers.home / word) if word == "lever.yaml" else str(word) for word in words))
-        assert done.returncode == 0, done.stderr
-    assert picture.read_text(encoding="utf-8").startswith("<svg") and report.read_bytes().startswith(b"%PDF")
-
-
-def test_a_package_that_cannot_be_loaded_is_told_by_name_in_both_languages(package: Package) -> None:
+def test_a_package_that_cannot_be_loaded_is_told_by_name_and_hinders_nothing_else(package: Package) -> None:
     package.install("broken", 'raise RuntimeError("out of paper")', "vecpoly.devices")
     (package.home / "x.yaml").write_text("id: x\ntitle: x\ndevice: lever\ndata: {}\n", encoding="utf-8")
-    for lang, word in (
-        ("en", "the plug-in others (broken) cannot be loaded: RuntimeError: out of paper"),
-        ("zh", "插件 others（broken）不能载入"),
-    ):
-        done = package.vecpoly("solve", str(package.home / "x.yaml"), "--lang", lang)
-        assert done.returncode == 2 and word in done.stderr and "Traceback" not in done.stderr
-
-
-def test_a_broken_package_does_not_hinder_what_the_house_has(package: Package) -> None:
-    package.install("broken", 'raise RuntimeError("out of paper")', "vecpoly.devices")
-    assert answers(package.vecpoly("solve", "5-1", "--json", "-"))["F"]["drawn"] > 0
+    en, zh, own = package.vecpoly("solve x.yaml --lang en", "solve x.yaml --lang zh", "solve 5-1 --json -")
+    assert "the plug-in others (broken) cannot be loaded: RuntimeError: out of paper" in en.stderr
+    assert "插件 others（broken）不能载入" in zh.stderr
+    assert all(done.returncode == 2 and "Traceback" not in done.stderr for done in (en, zh))
+    assert answers(own)["F"]["drawn"] > 0
 
 
 def test_two_devices_of_one_name_are_refused(package: Package) -> None:
@@ -115,5 +119,5 @@ def test_two_devices_of_one_name_are_refused(package: Package) -> None:
         "from vecpoly.devices.base import Device\n\nclass Mine(Device):\n    kind = 'incline'\n",
         "vecpoly.devices",
     )
-    done = package.vecpoly("schema")
+    (done,) = package.vecpoly("schema")
     assert done.returncode == 2 and "two devices are named 'incline'" in done.stderr

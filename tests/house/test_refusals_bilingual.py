@@ -6,16 +6,15 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
 import vecpoly.errors
+from tests.sources import HOUSE, nodes, sources, text
 from vecpoly.errors import Fault, FaultError, Place, ProblemFileError, VecpolyError
 from vecpoly.problem.load import loads
 from vecpoly.words import Words
 
-PACKAGE = Path(vecpoly.errors.__file__).parent
 OURS = {
     name
     for name, thing in vars(vecpoly.errors).items()
@@ -37,18 +36,17 @@ WRITTEN = (
 )
 
 
-def calls() -> Iterator[tuple[str, ast.Call, str]]:
-    """Every call of one of our errors, with its file and source."""
-    for path in sorted(PACKAGE.rglob("*.py")):
-        source = path.read_text(encoding="utf-8")
-        for node in ast.walk(ast.parse(source)):
+def calls() -> Iterator[tuple[str, ast.Call]]:
+    """Every call of one of our errors, with its file."""
+    for path in sources():
+        for node in nodes(text(path)):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in OURS and node.args:
-                yield str(path.relative_to(PACKAGE)), node, ast.get_source_segment(source, node) or ""
+                yield str(path.relative_to(HOUSE)), node
 
 
 def texts() -> Iterator[tuple[str, int, str, str]]:
     """The two faces of every Words(...) inside such a call: file, line, Chinese source, English source."""
-    for file, call, _ in calls():
+    for file, call in calls():
         for node in ast.walk(call):
             if (
                 isinstance(node, ast.Call)
@@ -61,9 +59,7 @@ def texts() -> Iterator[tuple[str, int, str, str]]:
 
 def test_no_refusal_is_raised_in_one_language() -> None:
     found = list(calls())
-    plain = [
-        f"{file}:{call.lineno}" for file, call, _ in found if isinstance(call.args[0], ast.JoinedStr | ast.Constant)
-    ]
+    plain = [f"{file}:{call.lineno}" for file, call in found if isinstance(call.args[0], ast.JoinedStr | ast.Constant)]
     assert len(found) > 350 and not plain, plain
 
 

@@ -6,11 +6,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
-HOUSE = Path(__file__).resolve().parents[2] / "vecpoly"
+from tests.sources import nodes, sources, text
+
 _EXAMPLE = re.compile(r"'[^']*'")  # between quotes: what the reader may write, in either language
 FULL_WIDTH = re.compile("[\u3000-\u303f\uff00-\uffef]")
 _HAN, _WORD = re.compile("[\u4e00-\u9fff]"), re.compile(r"\b[a-z]{4,}\b")
@@ -47,7 +47,7 @@ def by_language(node: ast.IfExp) -> str:
 
 def chosen_wrongly(source: str) -> Iterator[tuple[int, str]]:
     """(line, text) of every choice by language that gives Chinese to English readers, or none to Chinese ones."""
-    for node in ast.walk(ast.parse(source)):
+    for node in nodes(source):
         if isinstance(node, ast.IfExp) and (which := by_language(node)):
             zh, en = (
                 literal(part) for part in ((node.body, node.orelse) if which == "zh" else (node.orelse, node.body))
@@ -63,7 +63,7 @@ def chosen_wrongly(source: str) -> Iterator[tuple[int, str]]:
 def misplaced(source: str) -> Iterator[tuple[int, str]]:
     """(line, text) of every sentence of which the English has a Chinese letter,
     or the Chinese has none and the English has words."""
-    for node in ast.walk(ast.parse(source)):
+    for node in nodes(source):
         if (
             isinstance(node, ast.Call)
             and isinstance(node.func, ast.Name)
@@ -116,23 +116,12 @@ def test_a_language_chosen_wrongly_is_seen(text: str) -> None:
 
 
 def test_who_reads_chinese_is_given_chinese_and_who_reads_english_english() -> None:
-    sources = {file.relative_to(HOUSE): file.read_text(encoding="utf-8") for file in sorted(HOUSE.rglob("*.py"))}
-    assert (
-        sum(
-            isinstance(node, ast.IfExp) and bool(by_language(node))
-            for text in sources.values()
-            for node in ast.walk(ast.parse(text))
-        )
-        > 30
-    )
-    found = {f"{file}:{line}": said for file, text in sources.items() for line, said in chosen_wrongly(text)}
+    choices = [node for file in sources() for node in nodes(text(file)) if isinstance(node, ast.IfExp)]
+    assert sum(map(bool, map(by_language, choices))) > 30
+    found = {f"{file}:{line}": said for file in sources() for line, said in chosen_wrongly(text(file))}
     assert not found, found
 
 
 def test_chinese_stands_first_in_every_sentence_of_the_code() -> None:
-    found = {
-        f"{file.relative_to(HOUSE)}:{line}": text
-        for file in sorted(HOUSE.rglob("*.py"))
-        for line, text in misplaced(file.read_text(encoding="utf-8"))
-    }
+    found = {f"{file}:{line}": said for file in sources() for line, said in misplaced(text(file))}
     assert not found, found
