@@ -27,11 +27,15 @@ IDS = tuple(entry.id for entry in library())
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A problem, what was drawn, and the desk on which it lay (none for a device)."""
+    """A problem, its solution, what was drawn, and the desk on which it lay (none for a device)."""
 
     problem: Problem
-    construction: Construction
+    solution: Solution
     desk: Desk | None
+
+    @property
+    def construction(self) -> Construction:
+        return self.solution.construction
 
     def figures(self, view: View) -> tuple[Figure, ...]:
         """All figures of a kind."""
@@ -52,7 +56,7 @@ def drawn(name: str) -> Drawn:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(plan, "draw", watched)
         solution = solve(problem, by="exact", repeats=0, precise=False)
-    return Drawn(problem, solution.construction, desks[-1] if desks else None)
+    return Drawn(problem, solution, desks[-1] if desks else None)
 
 
 @cache

@@ -2,35 +2,46 @@
 
 from __future__ import annotations
 
+import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from vecpoly.drawing.figure import Drawing
 from vecpoly.drawing.labels.placing import Placed
 from vecpoly.drawing.labels.wants import Thing
-from vecpoly.drawing.scene import Fill, Stroke, TextBox
+from vecpoly.drawing.scene import Fill, Item, Rect, Stroke, TextBox
 from vecpoly.typeset import Glyphs
 
 
 def faults(drawn: Drawing) -> list[str]:
     """Every label that stands on a line, an arrowhead, a dot or another label."""
-    found: list[str] = []
-    boxes = [shapely.box(r.x0, r.y0, r.x1, r.y1) for r in drawn.label_boxes]
-    for i, box in enumerate(boxes):
-        found += [f"label {i} on label {j}" for j in range(i) if box.intersects(boxes[j])]
-        for item in drawn.obstacles:
-            shape: shapely.Geometry
-            match item:
-                case Stroke(points=points, width=width):
-                    shape = shapely.LineString([(z.real, z.imag) for z in points]).buffer(width / 2, cap_style="flat")
-                case Fill(points=points, hue=hue) if not hue.is_tint:
-                    shape = shapely.Polygon([(z.real, z.imag) for z in points])
-                case TextBox(rect=r):
-                    shape = shapely.box(r.x0, r.y0, r.x1, r.y1)
-                case _:
-                    continue
-            if box.intersection(shape).area > 1e-6:
-                found.append(f"label {i} on {item}")
-    return found
+    boxes = np.array([_box(rect) for rect in drawn.label_boxes], dtype=object)
+    met = [(shape, item) for item in drawn.obstacles if (shape := _shape(item)) is not None]
+    found = [f"label {i} on label {j}" for i, j in _pairs(boxes, boxes) if j < i]
+    over = _pairs(boxes, np.array([shape for shape, _ in met], dtype=object))
+    return found + [f"label {i} on {met[j][1]}" for i, j in over if boxes[i].intersection(met[j][0]).area > 1e-6]
+
+
+def _pairs(boxes: NDArray[np.object_], shapes: NDArray[np.object_]) -> list[tuple[int, int]]:
+    """Which box meets which shape."""
+    return [(int(i), int(j)) for i, j in np.argwhere(shapely.intersects(boxes[:, None], shapes[None, :]))]
+
+
+def _box(r: Rect) -> shapely.Polygon:
+    return shapely.box(r.x0, r.y0, r.x1, r.y1)
+
+
+def _shape(item: Item) -> shapely.Geometry | None:
+    """What a label must not stand on; None where it may."""
+    match item:
+        case Stroke(points=points, width=width):
+            return shapely.LineString([(z.real, z.imag) for z in points]).buffer(width / 2, cap_style="flat")
+        case Fill(points=points, hue=hue) if not hue.is_tint:
+            return shapely.Polygon([(z.real, z.imag) for z in points])
+        case TextBox(rect=r):
+            return _box(r)
+        case _:
+            return None
 
 
 def astray(drawn: Drawing) -> list[str]:
@@ -39,7 +50,7 @@ def astray(drawn: Drawing) -> list[str]:
     for label in drawn.labels:
         if label.foot is not None or label.want.thing is Thing.OTHER:
             continue
-        box = shapely.box(label.rect.x0, label.rect.y0, label.rect.x1, label.rect.y1)
+        box = _box(label.rect)
         own = _apart(box, label)
         for other in drawn.labels:
             if (

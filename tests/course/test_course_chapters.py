@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from contextlib import closing
 from functools import cache
-from pathlib import Path
+from io import BytesIO
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pypdf import PdfReader
 from pypdfium2 import PdfDocument
 
-from tests.studies import solved, studied
+from tests.studies import course_of, course_report, studied
 from tests.texts import CLASS_III
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
@@ -33,13 +33,12 @@ from vecpoly.report.course.modelling.dimensions import rounded
 from vecpoly.report.course.results.tabled import _formats
 from vecpoly.report.course.statement import assumed
 from vecpoly.report.course.structure.undrawn import undrawn
-from vecpoly.report.document import write_report
 from vecpoly.report.picture import picture
 
 
-def text_of(path: Path) -> str:
+def text_of(pdf: bytes) -> str:
     """All text without blanks."""
-    with closing(PdfDocument(path)) as document:
+    with closing(PdfDocument(pdf)) as document:
         return "".join(re.sub(r"\s", "", page.get_textpage().get_text_range()) for page in document)
 
 
@@ -97,10 +96,8 @@ def test_a_jacobian_is_the_derivative_of_its_loops(angles: list[float]) -> None:
             assert row[j].value(env) == pytest.approx((f.value(up) - f.value(down)) / 2e-6, abs=1e-9)
 
 
-def test_a_class_three_mechanism_has_a_course_report_without_sheets(tmp_path: Path) -> None:
-    problem = loads(CLASS_III)
-    path = write_report([undrawn(problem, NoMethodError("none"))], tmp_path / "c3.pdf", lang="en", style="course")
-    text = text_of(path)
+def test_a_class_three_mechanism_has_a_course_report_without_sheets() -> None:
+    text = text_of(course_of(class_three(), "en"))
     for said in ("classIIImechanism", "TheJacobian", "Newton", "checkedindependentlyinchapter7", "Themodelchecked"):
         assert said in text, said
 
@@ -175,9 +172,8 @@ def test_a_longer_bar_may_be_tried_in_the_printed_formulas() -> None:
 
 
 @pytest.mark.parametrize("name", ["3-1a", "A-30"])
-def test_small_and_large_mechanisms_alike_have_fifteen_to_thirty_pages(name: str, tmp_path: Path) -> None:
-    path = write_report([solved(name)], tmp_path / "r.pdf", lang="zh", style="course")
-    assert 15 <= len(PdfReader(path).pages) <= 30
+def test_small_and_large_mechanisms_alike_have_fifteen_to_thirty_pages(name: str) -> None:
+    assert 15 <= len(PdfReader(BytesIO(course_report(name, "zh"))).pages) <= 30
 
 
 @pytest.mark.parametrize("name", ["A-27", "3-5", "3-7c", "3-11", "A-16", "six-bar-dynamic"])

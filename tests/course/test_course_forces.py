@@ -12,6 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from tests.oracle.test_oracle_forces_models import slider_crank
 from tests.studies import studied
 from vecpoly.algebra.formula import plain
@@ -57,7 +58,7 @@ def turns(draw: st.DrawFn) -> Cycle:
     return cycle(mech, loads=Loads(forces=(force,), moments=(Moment(name="M_1", link="1"),), friction=friction))
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=often(8))
 @given(turns(), st.sampled_from(["M_1", "eta", "R_12", "R_43"]))
 def test_no_value_on_a_dense_grid_lies_beyond_the_extremes(turn: Cycle, key: str) -> None:
     """Whatever breaks the column: self-locking, a change of the side of friction, the end of a piece."""
@@ -72,7 +73,7 @@ def test_no_value_on_a_dense_grid_lies_beyond_the_extremes(turn: Cycle, key: str
     assert found.lowest.value <= known.min() + small and found.highest.value >= known.max() - small
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=often(8))
 @given(turns(), st.integers(0, 1000))
 def test_the_duties_cover_the_turn_and_agree_with_the_powers_everywhere(turn: Cycle, seed: int) -> None:
     found = duties(turn)

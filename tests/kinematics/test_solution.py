@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from tests.drawn_library import IDS, drafted
+from tests.drawn_library import drawn as by_exact_hand
 from vecpoly import load, loads
 from vecpoly.errors import AssemblyError, DeadPointError
 from vecpoly.mechanism.model import Mechanism
-from vecpoly.problem.library import library
 from vecpoly.solution import solve
 
-LIBRARY = [e.id for e in library()]
 FOUR_BAR = """
 id: four-bar
 title: {{zh: 四杆机构, en: four-bar}}
@@ -41,17 +41,19 @@ def four_bar(
     return FOUR_BAR.format(ab=ab, bc=bc, cd=cd, ad=ad, phi=phi, branch=branch)
 
 
-@pytest.mark.parametrize("name", LIBRARY)
+@pytest.mark.parametrize("name", IDS)
 def test_the_exact_hand_agrees_with_the_oracle(name: str) -> None:
-    for key, a in solve(load(name), by="exact").answers.items():
+    for key, a in by_exact_hand(name).solution.answers.items():
         drawn = a.drawn_vector if a.drawn_vector is not None else a.drawn
         exact = a.exact_vector if a.exact_vector is not None else a.exact
         assert abs(drawn - exact) <= 1e-9 * max(abs(exact), 1e-4), key
 
 
-@pytest.mark.parametrize("name", LIBRARY)
+@pytest.mark.parametrize("name", IDS)
 def test_drafting_readings_lie_within_their_expected_error(name: str) -> None:
-    for key, a in solve(load(name), by="drafting").answers.items():
+    solution = drafted(name)
+    assert solution is not None
+    for key, a in solution.answers.items():
         assert abs(a.deviation) <= a.expected_error + 1e-12 * max(1.0, abs(a.exact)), key
 
 
@@ -157,7 +159,7 @@ def test_what_is_replaced_in_python_is_printed_as_it_is() -> None:
 
 def test_data_of_which_nothing_was_replaced_stay_as_they_were_written() -> None:
     bound = 0
-    for name in LIBRARY:
+    for name in IDS:
         problem = load(name)
         if isinstance(problem.subject, Mechanism):
             bound += len(problem.given.bound or ())

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from tests.texts import ZH, equation
 from vecpoly.algebra.formula import Row, Txt, sym
 from vecpoly.report.flow import DataTable, EquationFlow, Para
@@ -24,7 +25,7 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=often(150))
 @given(st.lists(PIECES, min_size=1, max_size=150), st.floats(30.0, 120.0))
 def test_no_line_starts_or_ends_with_what_may_not(pieces: list[str], width: float) -> None:
     found = cells("".join(pieces), EM, True)
@@ -41,7 +42,7 @@ def _unbreakable(row: tuple[Cell, ...]) -> bool:
     return not any(gap(a, b, EM).breakable for a, b in pairwise(row))
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=often(100))
 @given(st.integers(20, 150), st.floats(60.0, 170.0))
 def test_lines_fill_the_measure_and_never_exceed_it(count: int, width: float) -> None:
     for line in break_lines(cells((ZH * 3)[:count].replace("$", ""), EM, True), width, EM, 2 * EM):

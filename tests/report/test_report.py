@@ -119,9 +119,10 @@ def chapter() -> list[Solution]:
 
 @pytest.mark.parametrize("lang", ["zh", "en"])
 def test_no_page_of_text_is_nearly_empty(chapter: list[Solution], lang: Lang, tmp_path: Path) -> None:
-    path = write_report(chapter, tmp_path / "r.pdf", lang=lang)
+    half = chapter[lang == "en" :: 2]  # a page is laid out in one way, whatever its language
+    path = write_report(half, tmp_path / "r.pdf", lang=lang)
     with pypdfium2.PdfDocument(path) as document:
-        assert len(document) > len(chapter)
+        assert len(document) > len(half)
         for number, page in enumerate(document, 1):
             assert len(page.get_textpage().get_text_range().splitlines()) >= 6, number
 
