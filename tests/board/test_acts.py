@@ -11,9 +11,10 @@ from functools import cache
 from unicodedata import east_asian_width
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import Mistake, Slip, Solution, load, slips, solve
 from vecpoly.board.acts import Act, Answer, Compute, Locate, Measure
 from vecpoly.board.chain import following, numbers
@@ -102,6 +103,7 @@ def test_every_answer_is_an_act_that_rests_on_others_unless_it_is_given(problem:
     assert set(construction.readings) <= set(answers)
 
 
+@settings(max_examples=often(25))
 @given(data=st.data())
 def test_going_on_with_ones_own_reading_or_point_changes_nothing_to_the_bit(data: st.DataObject) -> None:
     problem = data.draw(st.sampled_from(SEVERAL))
@@ -109,6 +111,7 @@ def test_going_on_with_ones_own_reading_or_point_changes_nothing_to_the_bit(data
     assert drawn(problem, amended(act, 0.0)).acts == drawn(problem).acts
 
 
+@settings(max_examples=often(25))
 @given(data=st.data())
 def test_another_reading_or_point_changes_nothing_but_what_rests_on_it(data: st.DataObject) -> None:
     problem = data.draw(st.sampled_from(SEVERAL))
@@ -168,7 +171,7 @@ def test_a_construction_survives_json_pickle_and_copy(problem: str) -> None:
     assert deepcopy(construction) == construction
 
 
-@pytest.mark.parametrize("problem", ["3-9", "3-12", "4-3a", "tipper"])
+@pytest.mark.parametrize("problem", ["3-9", "4-3a", "tipper"])
 def test_every_slip_that_is_offered_leads_to_another_answer_or_to_no_mechanism(problem: str) -> None:
     right, quiet = solved(problem), set[str]()
     for slip in slips(load(problem)):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import json
+from functools import cache
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.construction import Construction, Pane, View
 from vecpoly.board.paper.marks import Point, Role, Segment, Vector
@@ -29,7 +31,7 @@ from vecpoly.record import from_json, to_json
 from vecpoly.solution import Answer, Solution
 
 DATA: dict[str, Any] = json.loads((Path(__file__).resolve().parents[1] / "data" / "centres.json").read_text("utf-8"))
-SOME = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
+SOME = settings(max_examples=often(15), suppress_health_check=[HealthCheck.filter_too_much])
 FOUR_BAR = """
 id: four-bar
 title: four-bar
@@ -276,7 +278,7 @@ def test_laws_of_random_cams(e: int, l: int, phi: int) -> None:  # noqa: E741
     check_laws(solved(CAM.format(e=e, l=l, phi=phi)))
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
+@settings(max_examples=often(10), suppress_health_check=[HealthCheck.filter_too_much])
 @given(phi=st.integers(0, 359), name=st.sampled_from(["A-26", "A-27", "A-16", "B-24", "3-1d", "3-3"]))
 def test_laws_of_six_bars_in_any_position(phi: int, name: str) -> None:
     rates = ", ".join(f"omega_{link}" for link in load(name).mechanism.bodies)
@@ -306,8 +308,12 @@ def test_each_centre_is_sought_when_its_side_closes_two_triangles_of_known_ones(
 
 def sought(name: str, pair: tuple[str, str]) -> bool:
     """Whether the drawing shows the pair as a dashed line of the polygon."""
-    solution = changed(name, find="[centres]").solve(by="exact")
-    return pair in lines_of_polygon(solution)[1]
+    return pair in dashed(name)
+
+
+@cache
+def dashed(name: str) -> list[tuple[str, str]]:
+    return lines_of_polygon(changed(name, find="[centres]").solve(by="exact"))[1]
 
 
 def lines_of_polygon(solution: Solution) -> tuple[list[tuple[str, str]], list[tuple[str, str]]]:

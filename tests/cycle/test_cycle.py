@@ -18,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner, Result
 
+from tests.laws import often
 from vecpoly.cli import app
 from vecpoly.cycle import (
     Cycle,
@@ -40,7 +41,7 @@ from vecpoly.oracle.forces import forces
 from vecpoly.problem.load import load
 
 Run = Callable[..., Result]
-QUICK = settings(max_examples=25, deadline=None)
+QUICK = settings(max_examples=often(10))
 rates = st.sampled_from([10.0, -7.0])
 
 

@@ -11,13 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.cycle.test_cycle import four_bar, nephroid, slider_crank
+from tests.laws import often
 from vecpoly.cycle import Cycle, cycle, extremes
 from vecpoly.cycle.facts.breaks import breaks
 from vecpoly.cycle.unbroken import pieces
 from vecpoly.mechanism.model import Drive, Link, Mechanism, Prismatic, Revolute
 from vecpoly.problem.load import load
 
-QUICK = settings(max_examples=8, deadline=None)
+QUICK = settings(max_examples=often(8))
 STEPS = st.sampled_from([13, 72, 361])
 
 

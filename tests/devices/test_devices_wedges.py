@@ -16,6 +16,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from tests.laws import often
 from vecpoly import Problem, load, loads
 from vecpoly.board.construction import Construction, Reading, View
 from vecpoly.board.hand import hand
@@ -35,7 +36,7 @@ from vecpoly.problem.problem import Scales
 from vecpoly.words import Words
 
 CASES = json.loads((Path(__file__).resolve().parents[1] / "data" / "ch5-wedges.json").read_text(encoding="utf-8"))
-few = settings(max_examples=25, deadline=None)
+few = settings(max_examples=often(12))
 
 
 def deg(value: float) -> str:

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import oracle
 from vecpoly.board.construction import Construction, View
 from vecpoly.board.hand import hand
@@ -28,9 +29,7 @@ from vecpoly.problem.asked.asks import AskNamed
 from vecpoly.problem.problem import Problem
 from vecpoly.words import Words
 
-CHECKED = settings(
-    max_examples=8, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow]
-)
+CHECKED = settings(max_examples=often(5), suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow])
 angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, 3.0, 10.0])
 sizes = st.floats(0.6, 1.6)
@@ -420,7 +419,7 @@ def test_a_balancing_load_that_does_no_work_is_refused_by_name() -> None:
 # ---------------------------------------------------------------------------------------------------------------------
 
 RUBBED = settings(
-    CHECKED, max_examples=4, phases=(Phase.explicit, Phase.reuse, Phase.generate)
+    CHECKED, max_examples=often(2), phases=(Phase.explicit, Phase.reuse, Phase.generate)
 )  # each example costs a dozen passes
 RUBBING: dict[Kind, Friction] = {
     rrr: Friction(pins={"A": 0.004, "B": 0.003, "C": 0.003, "D": 0.005}),

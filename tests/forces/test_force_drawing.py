@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from tests import force_figures as ff
 from tests.label_faults import faults
+from tests.laws import often
 from vecpoly.board.construction import Construction, Figure, Scale, View
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.marks import (
@@ -302,7 +303,7 @@ def test_no_page_of_several_holds_one_small_drawing_alone() -> None:
 sizes = st.tuples(st.floats(20, 150), st.floats(15, 110))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=often(20))
 @given(st.lists(sizes, min_size=1, max_size=9))
 def test_however_many_figures_all_are_placed_in_order_inside_the_frame_and_apart(
     wanted: list[tuple[float, float]],
@@ -325,7 +326,7 @@ def test_however_many_figures_all_are_placed_in_order_inside_the_frame_and_apart
         assert not any(a.grown(4.9).overlaps(b) for i, a in enumerate(boxes) for b in boxes[:i])
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=often(15))
 @given(st.lists(sizes, min_size=2, max_size=7))
 def test_no_page_could_be_saved_by_breaking_elsewhere(wanted: list[tuple[float, float]]) -> None:
     drawn = tuple(Drawn(View.BODY, str(i), Scene((), Rect(0, 0, *size))) for i, size in enumerate(wanted))

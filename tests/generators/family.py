@@ -25,7 +25,7 @@ def content(solution: Solution) -> str:
 class Family:
     """One kind of problem: its name, what writes a random member, a further check of the solution (a third party's).
 
-    often: members that are judged in every run of the tests; fewer where one takes long.
+    often: members that are judged in every run of the tests, fewer where one takes long; `make soak` judges hundreds.
     """
 
     name: str
@@ -37,7 +37,7 @@ class Family:
 _FAMILIES: dict[str, Family] = {}
 
 
-def family(name: str, also: Check = content, often: int = 10) -> Callable[[Make], Make]:
+def family(name: str, also: Check = content, often: int = 6) -> Callable[[Make], Make]:
     """Register a function as the maker of a family's members."""
 
     def register(make: Make) -> Make:

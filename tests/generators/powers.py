@@ -74,7 +74,7 @@ def of_class_iii(rng: np.random.Generator) -> str:
     return loaded(rng, class_iii(rng))
 
 
-@family("forces-floating-cylinder", also=in_equilibrium, often=4)
+@family("forces-floating-cylinder", also=in_equilibrium, often=3)
 def of_cylinders(rng: np.random.Generator) -> str:
     """A cylinder between two links of a four-bar whose thrust balances, with every reaction."""
     text = inside(rng)

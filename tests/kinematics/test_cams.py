@@ -12,6 +12,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import Problem, load, loads, oracle
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
@@ -197,7 +198,7 @@ def test_the_replaced_mechanism_is_made_of_the_textbooks_groups(problem: Problem
 
 
 @given(phi=st.floats(0.0, 360.0))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=often(12))
 def test_the_round_tappet_follows_the_closed_formula(phi: float) -> None:
     e, x, reach, t, w = 0.03, 0.015, 0.062, radians(phi), 4.0
     u, s = e * cos(t) - x, e * sin(t)
@@ -216,7 +217,7 @@ def test_the_round_tappet_follows_the_closed_formula(phi: float) -> None:
 
 
 @given(phi=st.floats(0.0, 360.0), turn=st.floats(-120.0, -60.0))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=often(12))
 def test_the_flat_tappet_follows_the_closed_formula(phi: float, turn: float) -> None:
     e, x, radius, t, w = 0.03, 0.015, 0.05, radians(phi), 4.0
     n = exp(1j * radians(90.0 + turn)) * 1j  # square to the face, away from the disc
@@ -253,7 +254,7 @@ discs = {
 
 
 @given(data=st.fixed_dictionaries(discs))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=often(15))
 def test_discs_touch_in_one_point_and_slide_along_the_common_tangent(data: dict[str, object]) -> None:
     problem = lever(**data)
     mech = problem.mechanism
@@ -271,7 +272,7 @@ def test_discs_touch_in_one_point_and_slide_along_the_common_tangent(data: dict[
 
 
 @given(phi=st.floats(0.0, 360.0), left=st.floats(-20.0, 30.0), side=st.sampled_from(["left", "right"]))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=often(15))
 def test_a_face_touches_its_disc_and_slides_along_itself(phi: float, left: float, side: str) -> None:
     problem = face(phi, left, side)
     mech, motion = problem.mechanism, oracle.solve(problem.mechanism)

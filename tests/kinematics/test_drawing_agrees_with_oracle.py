@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import oracle
 from vecpoly.board.hand import hand
 from vecpoly.check.nudged import nudged
@@ -29,7 +30,7 @@ angles = st.floats(-pi, pi)
 rates = st.sampled_from([-12.0, -1.0, 3.0, 10.0])
 accels = st.sampled_from([0.0, 5.0, -20.0])
 sides = st.sampled_from([Side.LEFT, Side.RIGHT])
-CHECKED = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.filter_too_much])
+CHECKED = settings(max_examples=often(30), suppress_health_check=[HealthCheck.filter_too_much])
 
 
 def agree(mech: Mechanism, keys: str) -> None:

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly import oracle
 from vecpoly.cycle.pose import posed
 from vecpoly.names import At
@@ -26,7 +27,7 @@ def off_the_way(problem: Problem, there: Problem) -> float:
     return max(abs(complex(own.position(at)) - complex(way.position(at))) for at in letters) / moved.scale
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=often(12))
 @given(name=st.sampled_from(MOVING), share=st.floats(0.01, 0.99))
 def test_wherever_the_drive_is_put_the_assembly_is_that_of_the_way_there(name: str, share: float) -> None:
     problem = load(name)

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from vecpoly.devices.structure import Structure
 from vecpoly.methods.devices.structure.count import count, freedom
 from vecpoly.methods.devices.structure.groups import take_apart
@@ -17,7 +18,7 @@ from vecpoly.oracle.devices.structure.match import assur, rank_of
 from vecpoly.oracle.devices.structure.rank import determined, ranks
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP", "III", "IV")
-LIMITED = settings(max_examples=30, deadline=None, derandomize=True)
+LIMITED = settings(max_examples=often(20), derandomize=True)
 LETTERS = [f"{letter}{digit}" for digit in ("", *"123456789") for letter in "ABCDEFGHIJKLMNPQRSTUVWXYZ"]
 
 
@@ -106,7 +107,7 @@ def test_count_and_rank_agree_for_generic_mechanisms(maker: Maker) -> None:
 
 
 @given(BUILT, st.integers(0, 10**6))
-@settings(max_examples=15, deadline=None, derandomize=True)
+@settings(max_examples=often(10), derandomize=True)
 def test_a_bar_more_locks_a_mechanism_and_a_pair_less_frees_it(maker: Maker, seed: int) -> None:
     maker.dice = np.random.default_rng(10**7 + seed)
     less = maker.device().chain

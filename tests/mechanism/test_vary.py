@@ -12,6 +12,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import vecpoly
+from tests.laws import often
 from vecpoly import Problem, load, loads, solve, to_json
 from vecpoly.errors import ArgumentError, ProblemFileError, UnknownNameError, VecpolyError
 from vecpoly.foundation.data import data_dir
@@ -81,7 +82,7 @@ def other(written: str, by: float) -> str:
     return f"{float(m[1].replace('−', '-')) * by:.12g} {m[2] or ''}".strip()
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=often(20))
 @given(st.sampled_from(CASES), st.floats(0.98, 1.02))
 def test_a_varied_problem_solves_as_its_file_with_the_changed_text(case: Case, by: float) -> None:
     problem = load(case.problem)
@@ -121,7 +122,7 @@ def test_its_own_value_changes_nothing_anywhere_in_the_library() -> None:
             assert varied == problem and varied.written == problem.written, (problem.id, name)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=often(20))
 @given(st.data())
 def test_two_changes_commute_and_may_be_made_at_once(data: st.DataObject) -> None:
     problem = data.draw(st.sampled_from(everything()))

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from tests.oracle.test_oracle_models import (
     MM,
     a16,
@@ -493,7 +494,7 @@ def test_the_oracle_takes_two_drives() -> None:
 
 lengths = st.floats(0.05, 0.3)
 angles = st.floats(-pi, pi)
-CHECKED = settings(max_examples=120, deadline=None)
+CHECKED = settings(max_examples=often(60))
 
 
 def well_conditioned(mech: Mechanism, guide: float | None = None) -> None:

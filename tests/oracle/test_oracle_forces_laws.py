@@ -10,6 +10,7 @@ import numpy as np
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import often
 from tests.oracle.test_oracle_forces_models import (
     disc_cam,
     four_bar,
@@ -27,7 +28,7 @@ from vecpoly.oracle import solve
 from vecpoly.oracle.forces import Forces, forces
 
 Case = tuple[Callable[[float], Mechanism], Callable[[float], Loads]]  # both as functions of how far the paper is turned
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=often(30))
 
 
 def real(low: float, high: float) -> st.SearchStrategy[float]:

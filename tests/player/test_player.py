@@ -18,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
+from tests.laws import often
 from vecpoly import oracle
 from vecpoly.board.paper.extent import bounds
 from vecpoly.board.paper.scales import round_up
@@ -239,7 +240,7 @@ def test_drawn_values_follow_the_oracle_round_the_turn(name: str) -> None:
 def test_the_assembly_is_kept_round_the_turn(name: str) -> None:
     """The statement 'C above AD' may have to become 'C below AD': the drawing goes on where the oracle does."""
     solution = solved(name)
-    turns = cycle(solution, PLACES).turns
+    turns = cycle(solution, FEW).turns
     mech = solution.problem.mechanism
     places = np.array([turn.solution.problem.mechanism.drive.position for turn in turns])
     motion = oracle.solve(mech, places, order=0)
@@ -264,7 +265,7 @@ BESIDE_A_DEAD_POINT = "B-24"  # its accelerations grow to twenty times those of 
 
 @cache
 def turned_and_drawn(name: str) -> tuple[Cycle, list[dict[str, Any]], Ink]:
-    ink, through = Ink(), cycle(solved(name), 36)
+    ink, through = Ink(), cycle(solved(name), FEW)
     return through, moving(through, solved(name).construction, ink), ink
 
 
@@ -307,7 +308,7 @@ def test_the_scale_under_a_figure_is_that_of_its_drawing_at_every_place() -> Non
     reaches=st.lists(st.tuples(*[st.floats(-3, 3)] * 2), min_size=1, max_size=12),
     given=st.sampled_from([0.003, 0.02, 1.0, 25.0]),
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=often(60))
 def test_any_polygons_fit_together_at_round_scales(reaches: list[tuple[float, float]], given: float) -> None:
     tips = [complex(np.sign(x) * 10 ** abs(x), np.sign(y) * 10 ** abs(y)) for x, y in reaches]
     boxes = [{"": Rect(min(z.real, 0), min(z.imag, 0), max(z.real, 0), max(z.imag, 0))} for z in tips]
@@ -326,10 +327,10 @@ def test_a_drive_that_passes_dead_points_goes_round_from_the_given_place() -> No
 
 
 def test_a_rocker_that_cannot_turn_round_is_run_through_from_end_to_end() -> None:
-    through = cycle(solved("3-4a"), PLACES)
-    assert not through.whole and not through.round and 2 < len(through.turns) < PLACES
+    through = cycle(solved("3-4a"), FEW)
+    assert not through.whole and not through.round and 2 < len(through.turns) < FEW
     angles = np.array([turn.solution.problem.mechanism.drive.position for turn in through.turns])
-    assert np.allclose(np.abs((np.diff(angles) + np.pi) % (2 * np.pi) - np.pi), 2 * np.pi / PLACES)
+    assert np.allclose(np.abs((np.diff(angles) + np.pi) % (2 * np.pi) - np.pi), 2 * np.pi / FEW)
 
 
 def test_a_sliding_drive_is_moved_over_its_travel() -> None:

@@ -4,6 +4,9 @@ changed or left out, the solution differs, or the file is refused, or a note is 
 from __future__ import annotations
 
 import pickle
+from collections.abc import Iterator
+from functools import cache
+from itertools import zip_longest
 
 import pytest
 from pydantic import BaseModel
@@ -12,6 +15,7 @@ from vecpoly.check.printed.answers import check_problem
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.errors import VecpolyError
 from vecpoly.problem.load import load, loads
+from vecpoly.problem.problem import Problem
 from vecpoly.problem.schema.models import (
     DeviceSpec,
     FindSpec,
@@ -186,14 +190,23 @@ SPECS: dict[str, type[BaseModel]] = {
 }
 
 
-def effect(text: str) -> object:
-    """Everything that a file leads to: answers, drawing, sheets, checks, what a report prints of it; or its refusal."""
+def effects(text: str) -> Iterator[object]:
+    """Everything that a file leads to, one thing after the other: answers and drawing, what a report prints of it,
+    checks, sheets; or its refusal. Who has seen a difference asks for no more."""
     try:
         problem = loads(text)
-        solution = solve(problem, by="exact", repeats=0)
+        solution = solve(problem, by="exact", repeats=0, precise=False)
+        yield pickle.dumps((solution.as_json(), solution.construction.figures))
+        yield pickle.dumps((said(problem), solve(problem, by="exact", repeats=0).warnings))
+        yield pickle.dumps(check_problem(problem).answers)
+        yield [sheet.landscape for sheet in sheets(solution.construction, way=problem.orientation)]
     except VecpolyError as error:
-        return str(error)
-    said = (
+        yield str(error)
+
+
+def said(problem: Problem) -> tuple[object, ...]:
+    """What a report prints of the problem itself."""
+    return (
         problem.id,
         problem.title,
         problem.source,
@@ -203,24 +216,19 @@ def effect(text: str) -> object:
         problem.ranges,
         problem.gate,
         problem.given,
-        solution.warnings,
     )
-    return pickle.dumps(
-        (
-            said,
-            solution.as_json(),
-            solution.construction.figures,
-            check_problem(problem).answers,
-            [sheet.landscape for sheet in sheets(solution.construction, way=problem.orientation)],
-        )
-    )
+
+
+@cache
+def effect(text: str) -> tuple[object, ...]:
+    return tuple(effects(text))
 
 
 @pytest.mark.parametrize("key", CHANGES)
 def test_a_key_that_is_changed_changes_something(key: str) -> None:
     text, old, new = CHANGES[key]
     assert text.count(old) >= 1
-    assert effect(text) != effect(text.replace(old, new, 1))
+    assert any(one != other for one, other in zip_longest(effects(text.replace(old, new, 1)), effect(text)))
 
 
 def test_every_key_of_the_schema_is_tried() -> None:
@@ -230,7 +238,7 @@ def test_every_key_of_the_schema_is_tried() -> None:
 
 @pytest.mark.parametrize("text", [BASE, SLIDE, DRIVEN, CENTRES, CYLINDER, MOTOR])
 def test_the_files_that_are_changed_are_good(text: str) -> None:
-    assert isinstance(effect(text), bytes), effect(text)
+    assert len(effect(text)) == 4, effect(text)
 
 
 def test_the_keys_of_a_device_are_those_of_a_problem_and_its_data() -> None:

@@ -4,7 +4,7 @@ are the same data at the same lines and columns."""
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -41,10 +41,10 @@ def punctuation(text: str) -> Iterator[tuple[int, str]]:
             yield at, WIDE[type(token)]
 
 
-def typed(text: str, chance: random.Random, share: float) -> str:
+def typed(text: str, spots: Sequence[tuple[int, str]], chance: random.Random, share: float) -> str:
     """The text with some of its punctuation in full width; behind a full-width colon no space is needed."""
     signs = list(text)
-    for at, ways in punctuation(text):
+    for at, ways in spots:
         if chance.random() < share:
             signs[at] = chance.choice(ways[1:])
             if ways[0] == ":" and text[at + 1 : at + 2] == " " and chance.random() < 0.5:
@@ -56,9 +56,10 @@ def typed(text: str, chance: random.Random, share: float) -> str:
 def test_a_file_in_full_width_is_the_same_file(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
     plain = parse(text, "x")
-    assert len(list(punctuation(text))) > 5
-    for seed, share in ((1, 1.0), (2, 0.5), (3, 0.1)):
-        wide = parse(typed(text, random.Random(seed), share), "x")
+    spots = tuple(punctuation(text))
+    assert len(spots) > 5
+    for seed, share in ((1, 1.0), (2, 0.3)):
+        wide = parse(typed(text, spots, random.Random(seed), share), "x")
         assert wide.data == plain.data
         assert {at: place.line for at, place in wide.places.items()} == {
             at: place.line for at, place in plain.places.items()
@@ -75,7 +76,7 @@ def damaged(text: str, chance: random.Random) -> tuple[str, int]:
 @pytest.mark.parametrize("path", FILES[::5], ids=lambda path: path.stem)
 def test_a_missing_bracket_is_told_at_its_line(path: Path) -> None:
     text, chance = path.read_text(encoding="utf-8"), random.Random(path.stem)
-    for _ in range(6):
+    for _ in range(4):
         broken, line = damaged(text, chance)
         with pytest.raises(ProblemFileError) as caught:
             parse(broken, "x")

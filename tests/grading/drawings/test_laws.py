@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 from tests.grading.drawings.made import as_svg, drawn, key_of, marked, put, verdicts, with_slip
+from tests.laws import often
 from vecpoly.cli.app import app
 from vecpoly.drawing.backends.pdf import to_pdf
 from vecpoly.drawing.backends.svg import to_svg
@@ -18,7 +19,7 @@ from vecpoly.drawing.scene import Stroke
 from vecpoly.drawing.style import Dash
 from vecpoly.grading.drawings.overlay import overlay
 
-FEW = settings(max_examples=12, deadline=None)
+FEW = settings(max_examples=often(8))
 places = st.complex_numbers(max_magnitude=5_000, allow_nan=False, allow_infinity=False)
 WRONG = ("an_C2B reversed", "ak_C2C3 halved", "v_B turned")
 
