@@ -6,7 +6,7 @@ import gc
 import sys
 
 # new ones between two looks for garbage: a command lives for a second, and hardly leaves any in circles
-_OBJECTS = 50_000
+_OBJECTS = 250_000
 
 
 def main() -> None:

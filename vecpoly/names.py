@@ -10,10 +10,11 @@ ASCII forms (the textbook's symbol in brackets):
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from .errors import UnknownNameError
+from .foundation.slotted import dataclass
 from .words import Words
 
 

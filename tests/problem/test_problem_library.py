@@ -159,4 +159,4 @@ def test_asks_and_problem_come_without_pydantic_yaml_and_pint() -> None:
 
 def test_the_library_loads_without_pint() -> None:
     loaded = modules_after("import sys; from vecpoly.problem.load import load; load('3-9'); load('C-conveyor')")
-    assert "pint" not in loaded and "ruamel.yaml" in loaded
+    assert "pint" not in loaded and "ruamel.yaml" not in loaded and "yaml" in loaded

@@ -6,11 +6,11 @@ Values are SI (lengths on paper in mm, scales in SI per mm), `float` or arrays o
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, cast
 
 import numpy as np
 
+from ..foundation.slotted import dataclass
 from ..plane import Reals, nominal
 from .formula import Frac, Node, Over, Power, Row, Txt, named, signed
 

@@ -8,8 +8,7 @@ Points, directions and lengths are those of the nominal sheet, in mm on the figu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ..foundation.slotted import dataclass
 from .paper.marks import Dot, Mark, Role
 from .place import Place, called, named
 

@@ -4,10 +4,11 @@ Everything that comes after drawing reads this, and only this."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from ..algebra.formula import Node
 from ..foundation.frozen import FrozenMap
+from ..foundation.slotted import dataclass
 from ..words import Words, language
 from .acts import Act
 from .chain import following, keys_of, needed, numbers

@@ -8,7 +8,6 @@ array is the nominal sheet, the others are repetitions.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import pi
 from typing import Literal
 
@@ -16,6 +15,7 @@ import numpy as np
 
 from ..errors import UnknownNameError
 from ..foundation.arguments import whole_number
+from ..foundation.slotted import dataclass
 from ..limits import REPEATS, SEED
 from ..plane import Points, Reals
 from ..plane.traced import acts_of, bare, traced

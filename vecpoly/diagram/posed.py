@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from ..foundation.slotted import dataclass
 from ..mechanism.model import FRAME, Contact, Link, Mechanism, Prismatic, Rack, Revolute, Rolling
 from ..plane import Line
 from ..problem.problem import Shape

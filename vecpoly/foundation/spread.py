@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from typing import TypeVar
 
@@ -17,5 +16,7 @@ def spread(work: Callable[[A], B], items: Sequence[A], jobs: int) -> Iterator[Ca
     if jobs < 2 or len(items) < 2:
         yield from (partial(work, item) for item in items)
         return
+    from concurrent.futures import ProcessPoolExecutor
+
     with ProcessPoolExecutor(min(jobs, len(items))) as pool:
         yield from (future.result for future in [pool.submit(work, item) for item in items])

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from ..foundation.slotted import dataclass
 from .dimensions.placements import Side
 
 FRAME = "0"  # the name of the fixed link

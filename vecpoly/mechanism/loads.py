@@ -9,11 +9,12 @@ against the relative motion.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import pi, sqrt
 from typing import Literal
 
 from ..foundation.frozen import FrozenMap
+from ..foundation.slotted import dataclass
 
 Role = Literal["", "driving", "resisting"]  # what the problem says of a load; its power must agree
 

@@ -8,9 +8,10 @@ one point, along its guide line). A point of the plane, or of a link, is one com
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ..foundation.frozen import FrozenMap
+from ..foundation.slotted import dataclass
 from .assembly.start import Start
 from .assembly.statements import Shaped as Shaped
 from .assembly.statements import SideOf as SideOf

@@ -4,13 +4,13 @@ adding the file adds the method."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import Generic, Never, TypeVar, cast
 
 from ..board.place import View
 from ..errors import NoMethodError
 from ..foundation.plugins import METHODS, load_entries, load_modules
+from ..foundation.slotted import dataclass
 from ..words import Words
 
 

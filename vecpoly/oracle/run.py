@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import DeadPointError
+from ..foundation.slotted import dataclass
 from ..words import Words
 from .state import Points, Reals
 

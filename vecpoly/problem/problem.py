@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from ..figures import Mu
 from ..foundation.frozen import FrozenMap
+from ..foundation.slotted import dataclass
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key

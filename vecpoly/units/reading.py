@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from enum import Enum
 
 from ..errors import FaultError
+from ..foundation.slotted import dataclass
 from ..limits import LEAST, MOST, MOST_ANGLE, MOST_LENGTH
 from ..words import Words
 from .names import unit_of

@@ -11,10 +11,9 @@ closes at its start, R_12 + R_32 + Q = 0; being no relative vectors, they make n
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ..board.construction import EquationTable
 from ..errors import EquationError
+from ..foundation.slotted import dataclass
 from ..names import At, Key, Kind, Named, Rel, ascii_key
 from ..plane import Points, Reals
 from ..words import Words

@@ -4,12 +4,12 @@ somebody's own readings and points, with which the construction goes on."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
 
 from ...foundation.frozen import FrozenMap
+from ...foundation.slotted import dataclass
 from ...plane import Points, Reals, nominal
 from ...plane.traced import acts_of, bare, traced
 from ..place import Place, named

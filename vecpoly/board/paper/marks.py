@@ -6,9 +6,9 @@ Marks follow from acts (`ink`). Drawing code reads marks and nothing else.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
+from ...foundation.slotted import dataclass
 from ...words import Words
 
 

@@ -3,9 +3,9 @@ on which side a point lies, or which figure a four-bar makes all the way round."
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 
+from ...foundation.slotted import dataclass
 from ...words import Words
 from ..dimensions.placements import Side
 

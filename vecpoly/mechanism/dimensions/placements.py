@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from math import nan
+
+from ...foundation.slotted import dataclass
 
 
 class Side(StrEnum):

@@ -7,10 +7,9 @@ and `changes` where they change sides; `fold` is 0 where they meet.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group
 from ..changes import Changes
 from ..run import Run

@@ -8,10 +8,9 @@ acceleration). A gear whose centre is the hinge rolls as it goes: its ω and α 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ...mechanism.model import Circle, Link, Prismatic, Rack, Rolling, Side
 from ..iterated.standing import Turned
 from ..run import Run

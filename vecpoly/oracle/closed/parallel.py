@@ -3,10 +3,9 @@ a parallelogram ABCD, in which BC stays parallel to AD, or a folded kite, in whi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group
 from ...mechanism.model import Mechanism, Revolute
 from ..run import Run

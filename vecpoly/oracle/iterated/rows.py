@@ -7,11 +7,10 @@ the derivatives with respect to (x, y, φ) of either link. Where a joint is `hel
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import ends
 from ...mechanism.model import Circle, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling, Side
 from ..run import wrapped

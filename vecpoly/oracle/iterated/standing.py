@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ...errors import MobilityError
+from ...foundation.slotted import dataclass
 from ...mechanism.assembly.start import Start
 from ...mechanism.groups.assur import Group, ends
 from ...mechanism.model import Circle, Mechanism, Prismatic, Rolling

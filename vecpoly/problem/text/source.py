@@ -8,15 +8,15 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from ... import limits
-from ...errors import Fault, FaultError, ProblemFileError, of_system
+from ...errors import FaultError, ProblemFileError, of_system
 from ...units.reading import refuse_comma
 from ...words import Words
 from ..reach import Reach
 from ..schema.faults import Path, Place
 from .characters import refuse_unwanted
 from .commas import braced, is_braced, parted
-from .misread import misread
 from .narrow import Narrowed, narrowed
+from .nodes import composed, refused
 
 PROSE = frozenset({"statement", "source", "errata", "note"})  # below these keys people write sentences
 _SHORT = 50_000  # signs; a problem file has a few thousand
@@ -97,11 +97,11 @@ def _kept(text: str, name: str) -> Tree:
 def _parsed(text: str, name: str) -> Tree:
     refuse_unwanted(text, name)
     plain = narrowed(text, name)
-    node = _compose(plain, name)
+    node = composed(plain, name)
     tree = Tree(name, {}, text=text)
     data = None if node is None else _Reader(tree, plain).value(node, ())
     if data is None:
-        raise _refused(
+        raise refused(
             Place(name, 1),
             Words(
                 "文件是空的；用 vecpoly new 可写出一个样板", "the file is empty; 'vecpoly new' writes one to start from"
@@ -109,7 +109,7 @@ def _parsed(text: str, name: str) -> Tree:
         )
     if not isinstance(data, dict):
         kind = Words("一个列表", "a list") if isinstance(data, list) else Words("单个值", "a single value")
-        raise _refused(
+        raise refused(
             Place(name, 1),
             Words(
                 f"文件应为映射（键: 值），而不是{kind.zh}", f"the file must be a mapping (key: value), not {kind.en}"
@@ -130,28 +130,6 @@ def _copied(value: Value) -> Value:
             return value
 
 
-def _refused(place: Place, words: Words, code: str = "yaml") -> ProblemFileError:
-    return ProblemFileError.of(Fault(said=words, code=code, place=place))
-
-
-def _compose(plain: Narrowed, name: str) -> Any:
-    from ruamel.yaml import YAML
-    from ruamel.yaml.error import MarkedYAMLError, YAMLError
-
-    try:
-        return YAML(typ="safe", pure=True).compose(plain.text)
-    except MarkedYAMLError as error:
-        found = misread(error, plain.text)
-        place = Place(name, found.line + 1, plain.column(found.line, found.column) + 1)
-        raise _refused(place, found.words) from None
-    except RecursionError:
-        deep = Words("嵌套过深；题目文件只有四层", "nested too deeply; a problem file has four levels")
-        raise _refused(Place(name), deep) from None
-    except (YAMLError, ValueError) as error:
-        said = str(error).splitlines()[0]
-        raise _refused(Place(name), Words(f"不是有效的 YAML（{said}）", f"no valid YAML: {said}")) from None
-
-
 class _Reader:
     """Walks the nodes once; refuses aliases, duplicate keys and depth."""
 
@@ -166,7 +144,7 @@ class _Reader:
         place = self.place(node.start_mark)
         self.tree.places.setdefault(path, place)
         if id(node) in self.seen or len(path) > limits.DEPTH:
-            raise _refused(
+            raise refused(
                 place,
                 Words(
                     "不支持 YAML 别名，也不能嵌套过深；请直接写出值",
@@ -182,7 +160,7 @@ class _Reader:
                 self.counted(node, place)
                 return [self.value(item, (*path, i)) for i, item in enumerate(node.value)]
             case _:
-                empty = node.style is None and node.value in ("", "~", "null")
+                empty = not node.style and node.value in ("", "~", "null")
                 return (
                     None
                     if empty
@@ -194,7 +172,7 @@ class _Reader:
     def scalar(self, text: str, place: Place, most: int) -> str:
         """A text that is not too long, and holds no sign that escapes (`"\\e"`) have brought in."""
         if len(text) > most:
-            raise _refused(
+            raise refused(
                 place,
                 Words(
                     f"此处有 {len(text)} 个字符，最多 {most} 个；请缩短",
@@ -208,7 +186,7 @@ class _Reader:
     def counted(self, node: Any, place: Place) -> None:
         """A list or mapping of not too many entries."""
         if len(node.value) > limits.ENTRIES:
-            raise _refused(
+            raise refused(
                 place,
                 Words(
                     f"此处有 {len(node.value)} 项，最多 {limits.ENTRIES} 项",
@@ -220,7 +198,7 @@ class _Reader:
     def mapping(self, node: Any, path: Path) -> dict[str, Value]:
         data: dict[str, Value] = {}
         if is_braced(node):
-            raise _refused(self.place(node.start_mark), braced([key.value for key, _ in node.value]), "spelling")
+            raise refused(self.place(node.start_mark), braced([key.value for key, _ in node.value]), "spelling")
         for (key, item), (_, before) in zip(node.value, [(None, None), *node.value], strict=False):
             place = self.place(key.start_mark)
             if before is not None and (number := parted(before, key)):
@@ -234,17 +212,17 @@ class _Reader:
         try:
             refuse_comma(number)
         except FaultError as error:
-            raise _refused(place, error.words, error.code) from None
+            raise refused(place, error.words, error.code) from None
 
     def _check_key(self, key: Any, place: Place, data: dict[str, Value], path: Path) -> None:
         if key.id != "scalar":
-            raise _refused(place, Words("键应为一个词", "a key must be a plain word"))
+            raise refused(place, Words("键应为一个词", "a key must be a plain word"))
         self.scalar(key.value, place, limits.SCALAR)
         if ":" in key.value:
             zh, en = f"“{key.value}”：冒号后要写空格和值", f"'{key.value}': write a space and a value after the ':'"
-            raise _refused(place, Words(zh, en))
+            raise refused(place, Words(zh, en))
         if key.value in data:
             first = self.tree.places[(*path, key.value)].line
             zh = f"键“{key.value}”重复（首次在第 {first} 行）"
             en = f"key '{key.value}' occurs twice (first in line {first})"
-            raise _refused(place, Words(zh, en), "duplicate-key")
+            raise refused(place, Words(zh, en), "duplicate-key")

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 from ...foundation.frozen import FrozenMap
+from ...foundation.slotted import dataclass
 from ...words import Lang, Words
 
 

@@ -10,10 +10,10 @@ Each leg lets one point of the central link move in one direction only and holds
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import assert_never
 
 from ....errors import NoMethodError
+from ....foundation.slotted import dataclass
 from ....mechanism.groups.assur import Group, Outer, ends
 from ....mechanism.model import FRAME, Joint, Prismatic, Revolute
 from ....names import At
