@@ -12,6 +12,7 @@ from vecpoly.grading.key import Kind
 from vecpoly.grading.marking.marked import Marked
 from vecpoly.grading.rules import Rules
 from vecpoly.grading.told.catalogue import SENTENCES, Told
+from vecpoly.grading.told.slip import told_of
 from vecpoly.words import bare
 
 SEVERAL = ("3-9", "golden", "3-12", "4-3a")
@@ -210,3 +211,19 @@ def test_every_sentence_has_both_languages_with_the_same_gaps(name: Told) -> Non
         for text in (said.zh, said.en)
     ]
     assert gaps[0] == gaps[1] and said.zh and said.en
+
+
+@pytest.mark.parametrize("mistake", Mistake)
+def test_every_mistake_has_a_sentence_of_its_own_in_both_languages(mistake: Mistake) -> None:
+    said = told_of(Slip(mistake, "v_B", "C")).words
+    others = {told_of(Slip(other, "v_B", "C")).words for other in Mistake if other is not mistake}
+    assert "$v_{B}$" in said.zh and "$v_{B}$" in said.en and said not in others
+
+
+@pytest.mark.parametrize("name", SEVERAL)
+def test_a_small_error_is_told_no_finer_than_two_digits_of_what_is_allowed(name: str) -> None:
+    for one in marked(name, right(name)).findings:
+        for said in one.messages:
+            if said.id in (Told.OK, Told.OK_RECKONED) and "×" not in str(said.numbers["t"]):
+                e, t = (str(said.numbers[key]).partition(" ")[0].partition(".") for key in ("e", "t"))
+                assert len(e[2]) <= max(len(t[2]), 1), (one.key, said.numbers)

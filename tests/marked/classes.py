@@ -11,8 +11,8 @@ from vecpoly.batch.register import Exercise, Part, Register, Sheet
 from vecpoly.batch.student import Student
 from vecpoly.grading.derive.keyed import answer_key
 from vecpoly.grading.key import Kind
+from vecpoly.grading.scheme import Scheme
 from vecpoly.marked.graded import Graded, Order, grade
-from vecpoly.marked.work import Scheme
 from vecpoly.problem.values.vary import data_of
 from vecpoly.words import Words
 

@@ -15,9 +15,9 @@ from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from vecpoly.errors import TableError, UnknownNameError, VecpolyError
 from vecpoly.grading.key import Points
 from vecpoly.grading.rules import Rules
+from vecpoly.grading.scheme import Scheme
 from vecpoly.marked.out.record import read_record
 from vecpoly.marked.scheme import read_scheme
-from vecpoly.marked.work import Scheme
 
 
 def halved(key: str, text: str) -> str:
@@ -184,9 +184,13 @@ def test_the_rules_of_the_manual_can_be_used(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("text", "why"), [
-    ("points: {3-9: {v_Q: {method: 1}}}", "no v_Q"), ("points: {9-9: {v_E: {method: 1}}}", "9-9"),
-    ("rules: {owl: 1}", "owl"),
-    ("totals: {3-9: 21}", "come to 20, totals says 21"), ("rules: {own: 2}", "rules.own"),
+    ("points: {3-9: {v_Q: {method: 1}}}", "line 1, column 16: points.3-9.v_Q: no quantity 'v_Q'"),
+    ("points: {9-9: {v_E: {method: 1}}}", "9-9"),
+    ("rules: {owl: 1}", "unknown key 'owl'; did you mean 'own'"),
+    ("points: {3-9: {v_E: {methods: 1}}}", "unknown key 'methods'; did you mean 'method'"),
+    ("rules:\n  own: 1\n  independent: [bc2, bc7]", "line 3, column 22.*no quantity 'bc7'"),
+    ("rules: {own: much}", "a number is expected"), ("rubric: {speed: {drawn: 3}}", "unknown key 'speed'"),
+    ("totals: {3-9: 21}", "come to 20, totals says 21"), ("rules: {own: 2}", "rules.own: 2 must be not above 1"),
 ])  # fmt: skip
 def test_rules_that_cannot_be_meant_are_refused_with_where(tmp_path: Path, text: str, why: str) -> None:
     (tmp_path / "rules.yaml").write_text(text, encoding="utf-8")

@@ -10,8 +10,10 @@ from typing import Any
 from ..errors import VecpolyError
 from ..foundation.data import data_dir
 from ..foundation.files import write_whole
+from ..grading.scheme import USUAL_SCHEME, Scheme, scheme_of
 from ..problem.assignment import Assignment
 from ..problem.problem import Problem
+from ..problem.schema.marking import MarkingSpec
 from ..problem.values.vary import data_of
 from ..variants.pilot import Pilot, pilot
 from ..variants.seeds import Seed
@@ -59,7 +61,7 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
 
     Raises VecpolyError where a problem gives too few variants; a student who cannot be served does not stop the others.
     """
-    old = _old(order)
+    old, scheme = _old(order), _scheme(order.assignment)
     pilots, courses, exercises = {}, dict[str, Course](), list[Exercise]()
     for problem in map(_bare, order.assignment.problems):
         found = _pilot(order, problem)
@@ -85,10 +87,22 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
     )
     _no_twin_sheets(register)
     layouts, failed = _printed(order, register, run, told, shard)
-    done = replace(register, sheets=laid_out(register.sheets, layouts))
+    done = replace(register, sheets=laid_out(register.sheets, layouts)).marked_by(scheme)
     if shard is None:
         write_whole(order.out / NAME, done.as_bytes())
     return Made(register=done, pilots=pilots, refused=refused | failed)
+
+
+def _scheme(assignment: Assignment) -> Scheme:
+    """How the class is marked; where points or rules name what there is not, this is told before anything is drawn."""
+    from ..grading.derive.keyed import answer_key
+
+    said = assignment.marking.said
+    if said == MarkingSpec():
+        return USUAL_SCHEME
+    everywhere = bool(said.rules.independent or said.rules.first)
+    asked = [one for one in assignment.problems if everywhere or one.id in {*said.points, *said.totals}]
+    return scheme_of(assignment.marking, {one.id: answer_key(one) for one in asked})
 
 
 def _bare(problem: Problem) -> Problem:
@@ -139,8 +153,12 @@ def _kept(old: Register | None, course: Course) -> dict[str, Part]:
         one.id == course.problem.id and one.fingerprint == course.fingerprint for one in old.exercises
     ):
         return {}
+    usual = old.marked_by(USUAL_SCHEME)  # pages do not follow from points
     return {
-        sheet.student.number: part for sheet in old.sheets for part in sheet.parts if part.problem == course.problem.id
+        sheet.student.number: part
+        for sheet in usual.sheets
+        for part in sheet.parts
+        if part.problem == course.problem.id
     }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from ..errors import UnknownNameError, VecpolyError
 from ..grading.key import AnswerKey
+from ..grading.scheme import USUAL_SCHEME, Scheme
 from ..problem.problem import Problem, Scales
 from ..problem.values.made import problem as made
 from ..problem.values.vary import vary
@@ -72,7 +73,7 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Register:
-    """A class: its assignment, its problems, its sheets in the order of their numbers."""
+    """A class: its assignment, its problems, its sheets in the order of their numbers, how they are marked."""
 
     assignment: str
     salt: str
@@ -81,6 +82,7 @@ class Register:
     vecpoly: str
     exercises: tuple[Exercise, ...]
     sheets: tuple[Sheet, ...]
+    scheme: Scheme = USUAL_SCHEME
     version: int = VERSION
 
     def exercise(self, problem: str) -> Exercise:
@@ -99,10 +101,19 @@ class Register:
         problem = self.exercise(part.problem).problem
         return replace(vary(problem, part.values) if part.values else problem, scales=Scales(part.scales))
 
+    def marked_by(self, scheme: Scheme) -> Register:
+        """The class with this scheme, whose points stand in every key."""
+        sheets = (replace(sheet, parts=tuple(map(partial(_pointed, scheme), sheet.parts))) for sheet in self.sheets)
+        return replace(self, sheets=tuple(sheets), scheme=scheme)
+
     def as_bytes(self) -> bytes:
         """The file, the same for the same class."""
         data = _adapter().dump_python(self, mode="json")
         return (json.dumps(data, ensure_ascii=False, indent=1) + "\n").encode()
+
+
+def _pointed(scheme: Scheme, part: Part) -> Part:
+    return replace(part, key=scheme.key(part.key))
 
 
 def read_register(path: Path) -> Register:

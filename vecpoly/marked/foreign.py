@@ -14,9 +14,10 @@ from ..grading.marking.marked import Marked
 from ..grading.marking.marker import mark
 from ..grading.reading.written import Written
 from ..grading.rules import Rules
+from ..grading.scheme import Scheme
 from ..grading.sheet import Sheet
 from ..words import Words
-from .work import Result, Scheme
+from .work import Result
 
 FEWEST = 2  # answers that one's own key does not bear out
 

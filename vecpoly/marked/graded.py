@@ -11,6 +11,7 @@ from ..batch.register import Register
 from ..errors import Fault
 from ..foundation.files import write_whole
 from ..grading.key import AnswerKey
+from ..grading.scheme import Scheme
 from ..words import Lang, Words
 from .foreign import own_work
 from .intake.read import read_answers
@@ -19,7 +20,7 @@ from .out.items import items
 from .out.queue import queue_rows
 from .out.record import NAME, differences, read_record, record, record_bytes
 from .out.tables import csv_bytes, grade_rows, xlsx_bytes
-from .work import Result, Scheme, mark_class
+from .work import Result, mark_class
 
 Told = Callable[[Words, int, int], None]
 
@@ -65,7 +66,7 @@ def grade(order: Order, told: Told) -> Graded:
     if order.feedback:
         from .out.feedback import feedback_files
 
-        files += feedback_files(register, results, order.out, order.lang, told, open_=order.scheme.rules.open)
+        files += feedback_files(register, results, order.out, order.lang, told, order.scheme.rules)
     if order.drawings is not None:
         from .drawn import grade_drawings
 
@@ -99,7 +100,7 @@ def _tables(
 ) -> Iterator[Path]:
     out, lang = order.out, order.lang
     yield write_whole(out / "grades.csv", csv_bytes(grade_rows(results, lang)))
-    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang))
+    yield write_whole(out / "grades.xlsx", xlsx_bytes(results, items(results), lang, order.scheme.rules))
     yield write_whole(out / "queue.csv", csv_bytes(queue_rows(results, lang, faults)))
     yield write_whole(out / NAME, record_bytes(results, order.register.assignment))
     if changed is not None:

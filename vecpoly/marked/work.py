@@ -11,10 +11,9 @@ from ..batch.register import Part, Register, Sheet
 from ..batch.student import Student
 from ..board.otherwise.slip import Slip
 from ..errors import VecpolyError
-from ..grading.key import AnswerKey, Points
 from ..grading.marking.marked import Marked
 from ..grading.marking.marker import mark
-from ..grading.rules import USUAL_RULES, Rules
+from ..grading.scheme import Scheme
 from ..grading.sheet import sheet_of
 from ..grading.slips.mutants import mutants
 from ..mistakes import slips
@@ -23,22 +22,6 @@ from .intake.returned import Answers, Returned
 
 Catalogue = Callable[[str], tuple[Slip, ...]]  # of a problem: the slips that can be made with it
 PIECE = 10  # students of one task
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Scheme:
-    """How the class is marked: the rules, and points of single quantities, by problem."""
-
-    rules: Rules = USUAL_RULES
-    points: Mapping[str, Mapping[str, Points]] = field(default_factory=dict)
-
-    def key(self, part: Part) -> AnswerKey:
-        """A student's key with the lecturer's points."""
-        own = self.points.get(part.problem, {})
-        if not own:
-            return part.key
-        quantities = tuple(replace(one, points=own.get(one.key, one.points)) for one in part.key.quantities)
-        return replace(part.key, quantities=quantities)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +93,7 @@ def _result(
 def _one(
     register: Register, part: Part, mine: Answers | None, scheme: Scheme, catalogue: Catalogue, faults: list[Words]
 ) -> Marked:
-    key, variant = scheme.key(part), register.variant(part)
+    key, variant = scheme.key(part.key), register.variant(part)
     written = sheet_of(key, mine.cells if mine is not None else {}, printed_scales=mine is not None)
     faults += written.faults
     try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from ..foundation.frozen import FrozenMap
 from ..words import Words
 from .build import build
 from .load import opened
+from .marking import NOTHING_SAID, Marking, marking_in
 from .problem import Problem
 from .reach import Reach, Resolver
 from .schema.faults import Faults, meant
@@ -42,6 +43,7 @@ class Assignment:
     path: Path | None = None
     id: str = ""  # in codes and seeds
     salt: str = ""
+    marking: Marking = NOTHING_SAID
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "block", FrozenMap(dict(self.block)))
@@ -65,7 +67,12 @@ def load_assignment(where: str | Path, *, allow_outside: bool = False, resolver:
     faults.settle()
     found = tuple(problem for problem in problems if problem is not None)
     _no_twins(found, faults)
-    return Assignment(title=spec.title, block=block, problems=found, path=path, id=spec.id or path.stem, salt=spec.salt)
+    marking = marking_in(tree, spec)
+    _refuse_strangers(marking, {problem.id for problem in found})
+    return Assignment(
+        title=spec.title, block=block, problems=found, path=path, id=spec.id or path.stem, salt=spec.salt,
+        marking=marking,
+    )  # fmt: skip
 
 
 def _tree(path: Path, name: str, reach: Reach) -> Tree:
@@ -143,6 +150,21 @@ def part(tree: Tree, path: tuple[str | int, ...]) -> Tree:
         tree.files,
         tree.reach,
     )
+
+
+def _refuse_strangers(marking: Marking, problems: Collection[str]) -> None:
+    """Raise where points or totals stand for a problem that the assignment does not have."""
+    faults = marking.faults
+    for key, named in (("points", marking.said.points), ("totals", marking.said.totals)):
+        for problem in named:
+            with faults.at(key, problem):
+                if problem not in problems:
+                    raise FaultError(
+                        Words(f"作业中没有题“{problem}”", f"the assignment has no problem '{problem}'")
+                        + meant(problem, problems),
+                        code="unknown-name",
+                    )
+    faults.settle()
 
 
 def _no_twins(problems: tuple[Problem, ...], faults: Faults) -> None:

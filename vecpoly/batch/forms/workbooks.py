@@ -10,8 +10,9 @@ from typing import Any
 import xlsxwriter
 
 from ...grading.key import Graded, Kind
+from ...grading.told.scheme import SCHEME, scheme_rows
 from ...names import written_unit
-from ...words import Words
+from ...words import Lang, Words
 from ..register import Part, Register, Sheet
 from .columns import IDENTITY, Column, What, columns_of
 
@@ -77,7 +78,8 @@ def _validated(page: Any, i: int, column: Column, count: int, lang: str) -> None
 
 
 def key_bytes(register: Register) -> bytes:
-    """The key: a sheet for each problem, a row for each student: values, scales, exact answers, tolerances."""
+    """The key: a page for each problem, a row for each student: values, scales, exact answers, tolerances; and one
+    with what everything is worth."""
     target = BytesIO()
     book = _book(target)
     bold = book.add_format({"bold": True, "bg_color": "#DDDDDD"})
@@ -89,15 +91,32 @@ def key_bytes(register: Register) -> bytes:
             page.write_string(0, i, text, bold)
             page.write_string(1, i, unit, bold)
         for row, (sheet, part) in enumerate(parts, 2):
-            for i, value in enumerate(_key_row(sheet, part)):
-                if isinstance(value, str):
-                    page.write_string(row, i, value)
-                else:
-                    page.write_number(row, i, value)
+            write_row(page, row, _key_row(sheet, part))
         page.freeze_panes(2, len(IDENTITY))
         page.set_column(0, len(heads), 12)
+    points_page(book, register, bold)
     book.close()
     return target.getvalue()
+
+
+def points_page(book: Any, register: Register, head: Any) -> None:
+    """A page of what everything is worth, and the rules that are not the usual ones."""
+    lang: Lang = "zh" if register.lang == "zh" else "en"
+    page = book.add_worksheet(SCHEME.of(lang))
+    keys = [part.key for part in register.sheets[0].parts] if register.sheets else []
+    for i, row in enumerate(scheme_rows(keys, register.scheme.rules, lang)):
+        write_row(page, i, row, head if i == 0 else None)
+    page.freeze_panes(1, 0)
+    page.set_column(0, 6, 12)
+
+
+def write_row(page: Any, row: int, cells: Sequence[str | float], look: Any = None) -> None:
+    """Texts as texts, never as formulas; numbers as numbers."""
+    for i, cell in enumerate(cells):
+        if isinstance(cell, str):
+            page.write_string(row, i, cell, look)
+        else:
+            page.write_number(row, i, cell, look)
 
 
 def _key_heads(part: Part, lang: str) -> tuple[list[str], list[str]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from ..key import Graded, Kind, Points
+from ..key import NOTHING, Graded, Kind, Points
 from .blocks import ACCELERATION, DIAGRAM, FORCE, OTHER, VELOCITY
 
 
@@ -54,7 +54,7 @@ def shared(
         if mu and block.scale:
             stated[mu] = block.scale
     points |= rubric.own
-    return tuple(replace(one, points=points[one.key]) if one.key in points else one for one in graded), stated
+    return tuple(replace(one, points=points.get(one.key, NOTHING)) for one in graded), stated
 
 
 def _shared(block: Block, here: Sequence[Graded]) -> dict[str, Points]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite
+from math import floor, isfinite, log10
 
 from ...algebra.quantity import number
 from ...names import written_unit
@@ -17,6 +17,8 @@ from ..told.catalogue import Told
 from ..told.message import Message, message
 from .causes import Causes
 from .verdict import Verdicts
+
+FINEST = 1e-4  # of T: of less so many noughts are no help
 
 
 def sentences(found: Verdicts, why: Causes, one: Graded, rules: Rules) -> tuple[Message, ...]:
@@ -60,11 +62,11 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
             return message(Told.OK_SLIP, src=found.key[why.source[one.key]].symbol)
         case Basis.EXACT:
             if outcome is Outcome.CLOSE:
-                return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed))
+                return message(Told.CLOSE, e=_off(found, one), t=_amount(one, one.allowed, 2))
             if one.allowed_mm is None or one.kind not in (Kind.READING, Kind.VECTOR):
-                return message(Told.OK_RECKONED, e=_off(found, one), t=_amount(one, one.allowed))
+                return message(Told.OK_RECKONED, e=_off(found, one), t=_amount(one, one.allowed, 2))
             mm = abs(_gap(found, one)) * one.allowed_mm / one.allowed
-            return message(Told.OK, e=number(mm, 2), t=number(one.allowed_mm, 2))
+            return message(Told.OK, e=_rounded(mm, one.allowed_mm), t=number(one.allowed_mm, 2))
 
 
 def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Iterator[Message]:
@@ -75,7 +77,7 @@ def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Itera
         direction, exact = found.given[one.key].direction or 0.0, one.degrees or 0.0
         yield message(Told.DIRECTION, d=f"{abs((direction - exact + 180) % 360 - 180):.0f}")
     elif said is None or said.id in (Told.TWO_SLIPS, Told.SWAPPED):
-        yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed))
+        yield message(Told.WRONG, e=_off(found, one), t=_amount(one, one.allowed, 2))
     if said is not None:
         yield said
     followed = found.followed.get(one.key)
@@ -135,8 +137,15 @@ def _gap(found: Verdicts, one: Graded) -> float:
 
 
 def _off(found: Verdicts, one: Graded) -> str:
-    off = _gap(found, one)
-    return _amount(one, abs(off), 2) if isfinite(off) else "?"
+    off = abs(_gap(found, one))
+    return f"{_rounded(off, one.allowed)} {written_unit(one.unit)}".strip() if isfinite(off) else "?"
+
+
+def _rounded(off: float, allowed: float) -> str:
+    """An error to two digits; a small one to the decimals of T with two digits, beyond which nobody measures."""
+    if off >= allowed or allowed < FINEST:
+        return bare(number(off, 2))
+    return f"{off:.{max(0, 1 - floor(log10(allowed * (1 + 1e-9))))}f}"
 
 
 def _mine(found: Verdicts, name: str) -> str:

@@ -18,6 +18,7 @@ _SAID = {
     Mistake.SCALED: Words("用错了比例尺", "laid off with another figure's scale"),
     Mistake.COINCIDENT: Words("取错了重合点", "taken of the wrong coincident point"),
     Mistake.OTHER_MEETING: Words("取了另一个交点", "found at the other meeting"),
+    Mistake.OTHER_CENTRE: Words("所在直线连错了瞬心", "on a line through the wrong two centres"),
     Mistake.OTHER_TANGENT: Words("切于摩擦圆的另一侧", "on the wrong side of the friction circle"),
 }
 

@@ -17,6 +17,8 @@ from ...foundation.data import data_dir
 from ...foundation.files import write_whole
 from ...grading.compare.outcome import Basis, Finding
 from ...grading.marking.marked import Marked
+from ...grading.rules import USUAL_RULES, Rules
+from ...grading.told.scheme import rules_told
 from ...grading.told.veiled import veiled
 from ...names import written_unit
 from ...problem.problem import Scales
@@ -45,27 +47,27 @@ _WIDE, _HIGH = 168.0, 150.0  # mm that a figure may take
 
 
 def feedback_files(
-    register: Register, results: Sequence[Result], out: Path, lang: Lang, told: Told, *, open_: bool = False
+    register: Register, results: Sequence[Result], out: Path, lang: Lang, told: Told, rules: Rules = USUAL_RULES
 ) -> list[Path]:
     """Write one PDF for each student who returned something, feedback/NUMBER_NAME.pdf."""
     written = [one for one in results if one.returned]
     files: list[Path] = []
     for done, result in enumerate(written, 1):
-        files.append(
-            write_whole(out / "feedback" / f"{_file(result)}.pdf", feedback_bytes(register, result, lang, open_=open_))
-        )
+        sheet = feedback_bytes(register, result, lang, rules)
+        files.append(write_whole(out / "feedback" / f"{_file(result)}.pdf", sheet))
         told(Words("写反馈", "writing feedback"), done, len(written))
     return files
 
 
-def feedback_bytes(register: Register, result: Result, lang: Lang, *, open_: bool = False) -> bytes:
-    """The PDF of one student; open_: nothing that gives the right values away."""
-    objects = Objects()
+def feedback_bytes(register: Register, result: Result, lang: Lang, rules: Rules = USUAL_RULES) -> bytes:
+    """The PDF of one student; while answers can be handed in again nothing that gives the right values away."""
+    objects, open_ = Objects(), rules.open
     title = Words(f"{register.title.zh}　{_TITLE.zh}", f"{register.title.en}: {_TITLE.en}").of(lang)
     sheet = register.sheet(result.student.number)
     parts = {part.problem: part for part in sheet.parts} if sheet else {}
     problems = [_problem(register, parts[name], marked, lang, objects, open_) for name, marked in result.marks.items()]
-    context = {"title": title, "fields": _fields(result, lang), "problems": problems}
+    said = ("；" if lang == "zh" else "; ").join(one.of(lang) for one in rules_told(rules))
+    context = {"title": title, "fields": _fields(result, lang), "problems": problems, "rules": said}
     xml = filled(f"feedback.{lang}.xml.j2", (data_dir("templates"),), context)
     meta = Metadata(title=title, subject=title, keywords=tuple(result.marks), lang=lang)
     return ReportDoc(to_flowables(xml, objects.named, lang), meta, None).made()[0]

@@ -10,7 +10,10 @@ from typing import Any
 import xlsxwriter
 
 from ...batch.forms.profile import guarded
+from ...batch.forms.workbooks import write_row
 from ...grading.marking.marked import Marked
+from ...grading.rules import USUAL_RULES, Rules
+from ...grading.told.scheme import SCHEME, scheme_rows
 from ...words import Lang, Words
 from ..work import Result
 from .items import Item, item_rows
@@ -27,7 +30,7 @@ _TAIL = (
     Words("备注", "remarks"),
 )
 _NOTHING = Words("没有交", "nothing returned")
-_PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"))
+_PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"), SCHEME)
 
 
 def grade_rows(results: Sequence[Result], lang: Lang) -> Rows:
@@ -70,12 +73,13 @@ def csv_bytes(rows: Rows) -> bytes:
     return text.getvalue().encode("utf-8-sig")
 
 
-def xlsx_bytes(results: Sequence[Result], items: Sequence[Item], lang: Lang) -> bytes:
-    """Grades, item analysis and queue on a page each."""
+def xlsx_bytes(results: Sequence[Result], items: Sequence[Item], lang: Lang, rules: Rules = USUAL_RULES) -> bytes:
+    """Grades, item analysis, queue, and what everything is worth, on a page each."""
     target = BytesIO()
     book = xlsxwriter.Workbook(target, {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False})
     head = book.add_format({"bold": True, "bg_color": "#DDDDDD"})
-    tables = (grade_rows(results, lang), item_rows(items, lang), queue_rows(results, lang))
+    worth = scheme_rows([marked.key for _, marked in _first(results)], rules, lang)
+    tables = (grade_rows(results, lang), item_rows(items, lang), queue_rows(results, lang), worth)
     for name, rows in zip(_PAGES, tables, strict=True):
         _page(book.add_worksheet(name.of(lang)), rows, head)
     book.close()
@@ -84,10 +88,6 @@ def xlsx_bytes(results: Sequence[Result], items: Sequence[Item], lang: Lang) -> 
 
 def _page(page: Any, rows: Rows, head: Any) -> None:
     for i, row in enumerate(rows):
-        for j, cell in enumerate(row):
-            if isinstance(cell, str):
-                page.write_string(i, j, cell, head if i == 0 else None)
-            else:
-                page.write_number(i, j, cell)
+        write_row(page, i, row, head if i == 0 else None)
     page.freeze_panes(1, min(4, len(rows[0])) if rows else 0)
     page.set_column(0, len(rows[0]) if rows else 0, 12)

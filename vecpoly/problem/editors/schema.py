@@ -10,6 +10,7 @@ from ...figures import scales
 from ...units.patterns import NUMBER
 from ...units.reading import Dim, PerMm
 from ..read_ranges import SPAN, STEP
+from ..schema.marking import KEYS as MARKING
 from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
 from .device_words import DATA
@@ -116,11 +117,14 @@ def _with_devices(schema: Schema) -> None:
 def _with_assignments(schema: Schema) -> None:
     """A file that lists problems is an assignment;
     any other needs an id and says what it is about, or extends another."""
-    sheet = AssignmentSpec.model_json_schema()["properties"]
+    whole = AssignmentSpec.model_json_schema()
+    sheet = whole["properties"]
+    schema["$defs"] |= whole["$defs"]
     changes = {"type": "object", "required": ["problem"], "properties": {"problem": _loose({"type": "string"})}}
     schema["properties"] |= {
         "title_block": sheet["title_block"],
         "salt": _loose(sheet["salt"]),
+        **{key: sheet[key] for key in MARKING},
         "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}},
     }
     schema["required"] = ["title"]

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ValidationError
 from ...errors import FaultError
 from ...words import Words
 from .faults import Faults, meant
+from .marking import BlockSpec, PointsSpec, RubricSpec, RulesSpec
 from .models import (
     FindSpec,
     FrictionSpec,
@@ -35,7 +36,10 @@ _MODELS: dict[str, type[BaseModel]] = {
     "friction": FrictionSpec,
     "masses": MassSpec,
     "gate": GateSpec,
+    "rules": RulesSpec,
+    "rubric": RubricSpec,
 }
+_DEEPER: dict[tuple[str, int], type[BaseModel]] = {("rubric", 2): BlockSpec, ("points", 3): PointsSpec}
 _PAIR = Words("此处应为两个值，如 [100 mm, 0 mm]", "two values are expected here, e.g. [100 mm, 0 mm]")
 _MAPPING = Words("此处应为映射（键: 值）", "a mapping (key: value) is expected here")
 _SAID = {
@@ -45,6 +49,8 @@ _SAID = {
     "tuple_type": _PAIR,
     "too_short": Words("此处至少要有一项", "at least one entry is needed here"),
     "too_long": _PAIR,
+    "float_parsing": Words("此处应为数", "a number is expected here"),
+    "bool_parsing": Words("此处应为 true 或 false", "true or false is expected here"),
 }
 _SENTENCES = ("branch", "joints")
 _LISTS = {
@@ -55,6 +61,8 @@ _LISTS = {
     "tables": "[table.csv]",
     "problems": "[3-8, 3-9]",
     "errata": "['...']",
+    "independent": "[bc2]",
+    "first": "[v_C]",
 }
 _UNION = {"str", "InputSpec", "list[InputSpec]", "FindSpec", "dict[str,any]"}
 
@@ -121,8 +129,21 @@ def _fault(model: type[BaseModel], path: tuple[str | int, ...], item: Any) -> Fa
                 *path,
                 code="spelling",
             )
+        case "greater_than_equal" | "less_than_equal" | "greater_than" as kind:
+            return FaultError(_bounded(kind, written, item["ctx"]), *path, code="range")
         case kind:
             return FaultError(_SAID.get(kind, Words(f"不能读取（{kind}）", str(item["msg"]))), *path)
+
+
+def _bounded(kind: str, written: Any, ctx: dict[str, Any]) -> Words:
+    """That a number lies beyond its bound."""
+    sign, zh, en = {
+        "greater_than_equal": ("ge", "不小于", "not below"),
+        "less_than_equal": ("le", "不大于", "not above"),
+        "greater_than": ("gt", "大于", "above"),
+    }[kind]
+    bound = f"{ctx[sign]:g}"
+    return Words(f"{written} 应{zh} {bound}", f"{written} must be {en} {bound}")
 
 
 def _list_wanted(path: tuple[str | int, ...], written: Any) -> Words:
@@ -142,4 +163,6 @@ def _list_wanted(path: tuple[str | int, ...], written: Any) -> Words:
 def _model_at(model: type[BaseModel], path: tuple[str | int, ...]) -> type[BaseModel]:
     if not path or str(path[0]) not in model.model_fields:
         return model
+    if (deeper := _DEEPER.get((str(path[0]), len(path)))) is not None:
+        return deeper
     return RodSpec if path[-1] == "rod" else _MODELS.get(str(path[0]), model)
