@@ -1,0 +1,1 @@
+"""Closed forms of the synthesis of linkages; a stranger to everything drawn."""
