@@ -1,1 +1,1 @@
-"""Closed forms of the synthesis of linkages; a stranger to everything drawn."""
+"""All solutions of each task of synthesis in closed form; a stranger to the drawings of `methods/synthesis`."""
