@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from vecpoly.board.construction import Construction, Figure, View
-from vecpoly.devices.base import Device
 from vecpoly.errors import VecpolyError
+from vecpoly.mechanism.model import Mechanism
 from vecpoly.methods import draw as drawing
 from vecpoly.methods import plan
 from vecpoly.methods.desk import Desk
@@ -71,7 +71,7 @@ def drafted(name: str) -> Solution | None:
 @cache
 def ids(*, mechanisms: bool = True, view: View | None = None) -> tuple[str, ...]:
     """The problems about mechanisms (else about devices), those that draw a figure of this kind."""
-    of_kind = (name for name in IDS if isinstance(load(name).subject, Device) != mechanisms)
+    of_kind = (name for name in IDS if isinstance(load(name).subject, Mechanism) is mechanisms)
     return tuple(name for name in of_kind if view is None or drawn(name).figures(view))
 
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 
 from .board.construction import Construction, Figure
 from .board.hand import hand
-from .devices.base import Device
 from .drawing.figure import caption_items
 from .drawing.labels.following import Choice, Follower
 from .drawing.labels.following import Name as Label
 from .drawing.scene import Scene
 from .foundation.frozen import FrozenMap
+from .mechanism.model import Mechanism
 from .methods.plan import drawn_alone
 from .problem.problem import Problem
 from .solution import Solution, scales_of, solve
@@ -67,7 +67,7 @@ def redraw(last: Solution | Redrawn, problem: Problem, *, lang: Lang = "zh") -> 
 
 
 def _constructed(last: Construction, problem: Problem) -> Construction:
-    if isinstance(problem.subject, Device):
+    if not isinstance(problem.subject, Mechanism):
         return solve(problem, by=last.hand, repeats=0, precise=False).construction
     return drawn_alone(replace(problem, scales=scales_of(last)), hand(last.hand, repeats=0))
 

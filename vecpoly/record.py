@@ -36,6 +36,7 @@ _MODULES = (
     "board.place",
     "board.paper.marks",
     "board.acts",
+    "board.candidates",
     "board.construction",
     "mechanism.dimensions.placements",
     "mechanism.assembly.start",
@@ -88,7 +89,11 @@ def _classes() -> Mapping[str, type]:
     """Every class that a record may hold, by its name; where two have one name, the second with its module."""
     found: dict[str, type] = {}
     devices = import_module(".devices", __package__)
-    for part in (*_MODULES, *(f"devices.{one.name}" for one in iter_modules(devices.__path__))):
+    designs = import_module(".designs", __package__)
+    data = (
+        f"{of.__name__.rpartition('.')[2]}.{one.name}" for of in (devices, designs) for one in iter_modules(of.__path__)
+    )
+    for part in (*_MODULES, *data):
         module = import_module(f".{part}", __package__)
         for name, kind in vars(module).items():
             if (

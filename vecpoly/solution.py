@@ -17,6 +17,7 @@ from .board.otherwise.amended import Amended
 from .board.otherwise.slip import Slip
 from .board.paper.sizes import unfit
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
+from .check.candidates import objection
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt, size_of
@@ -159,7 +160,8 @@ def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construc
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(task.truth, drawn.motion) if rel.key not in answers]
     readings = {key: answer.reading for key, answer in answers.items()}
-    return replace(drawn.construction, readings=readings, warning=warning(wrong))
+    said, other = warning(wrong), objection(task.problem, [one.verdict for one in drawn.construction.candidates])
+    return replace(drawn.construction, readings=readings, warning=said + other if said and other else said or other)
 
 
 def fewer_digits(solution: Solution) -> Words | None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import pytest
 from pydantic import BaseModel
 
@@ -9,7 +12,7 @@ from tests.texts import SLIDER_CRANK
 from vecpoly.devices.base import Angle, Device, Length, Ratio
 from vecpoly.errors import ProblemFileError, UnknownNameError
 from vecpoly.names import Named
-from vecpoly.problem import devices
+from vecpoly.problem import by_data
 from vecpoly.problem.load import loads
 
 GOOD = (
@@ -452,8 +455,9 @@ find: [eta]
 @pytest.fixture
 def ramp(monkeypatch: pytest.MonkeyPatch) -> None:
     """The ramp is the one device on file."""
-    monkeypatch.setattr(devices, "kinds", lambda: {"test-ramp": Ramp})
-    monkeypatch.setattr(devices, "kind_of", base_kind_of)
+    changed: Any = {"kinds": lambda: {"test-ramp": Ramp}, "kind_of": base_kind_of}
+    ramps = replace(by_data.SORTS[0], **changed)
+    monkeypatch.setattr(by_data, "SORTS", (ramps,))
 
 
 def base_kind_of(name: str) -> type[Ramp]:

@@ -110,6 +110,14 @@ class Parallel(Done):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Ray(Done):
+    """Set out a line through a point at an angle from a drawn direction, by protractor."""
+
+    at: complex
+    along: complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Rule(Done):
     """Leave a direction line on the paper, from a to b, with its direction in letters at b."""
 
@@ -231,7 +239,6 @@ class Depict(Done):
 
 
 Leaving = Plot | Join | Arrow | Rule | Swing | Corner | Tint | Depict  # ink
-Inkless = (
-    Locate | Turn | Parallel | LayOff | Follow | Transfer | Meet | Touch | Image | Measure | Gauge | Compute | Answer
-)
+Found = Locate | Meet | Touch | Image | Measure | Gauge | Compute | Answer
+Inkless = Found | Turn | Parallel | Ray | LayOff | Follow | Transfer
 Act = Leaving | Inkless

@@ -21,10 +21,10 @@ from ..plane.derived import variable
 from ..plane.traced import Acts, acts_of, traced
 from ..words import Words
 from . import acts as done
+from .compass import Compass
 from .construction import Reading, Scale
 from .hand import Hand
 from .hand import hand as hand_of
-from .instruments import Instruments
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
 from .otherwise.wrongly import FACTOR
 from .place import Place, View
@@ -34,7 +34,7 @@ from .strokes import NO_ARROW, NO_LENGTH, amount, spot
 __all__ = ["NO_ARROW", "NO_LENGTH", "Board", "Scratch", "letters_node", "spot"]
 
 
-class Board(Instruments):
+class Board(Compass):
     """One sheet under one hand (and its repetitions), drawn as the hand would, or with amendments."""
 
     def __init__(

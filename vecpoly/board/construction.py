@@ -11,6 +11,7 @@ from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
 from ..words import Words, language
 from .acts import Act
+from .candidates import Candidate
 from .chain import following, keys_of, needed, numbers
 from .paper.marks import Mark
 from .place import Pane, Place, View, view_of
@@ -157,6 +158,7 @@ class Construction:
         default_factory=dict
     )  # everything that a force analysis found, asked for or not
     acts: tuple[Act, ...] = ()  # what was done, in order; the marks of the figures follow from it
+    candidates: tuple[Candidate, ...] = ()  # the linkages that a synthesis found, in the order of their numbers
     warning: Words | None = None  # stands in red on every sheet: answers that must not be taken for right
 
     def __post_init__(self) -> None:

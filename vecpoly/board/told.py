@@ -83,6 +83,7 @@ def _object(act: Act) -> str:
         case (
             done.Arrow()
             | done.Parallel()
+            | done.Ray()
             | done.Follow()
             | done.Transfer()
             | done.Touch()
@@ -120,6 +121,7 @@ _VERBS: dict[type, Words] = {
     done.Answer: Words("结果", "answer"),
     done.Arrow: Words("画矢量", "vector"),
     done.Parallel: Words("作方向线", "direction of"),
+    done.Ray: Words("作射线", "ray"),
     done.Follow: Words("沿已有矢量", "go along"),
     done.Transfer: Words("移画", "transfer"),
     done.Touch: Words("作切线", "tangent"),

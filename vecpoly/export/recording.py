@@ -12,9 +12,8 @@ from ..board.construction import Scale, View
 from ..board.hand import hand
 from ..board.otherwise.amended import AS_DRAWN
 from ..board.place import view_of
-from ..devices.base import Device
 from ..errors import NoMethodError, VecpolyError
-from ..mechanism.model import Drive
+from ..mechanism.model import Drive, Mechanism
 from ..methods.desk import Desk
 from ..methods.plan import drawn_exactly, scale_symbols
 from ..problem.asked.asks import AskNamed
@@ -78,7 +77,11 @@ def record(problem: Problem) -> Recording:
 
 def moving(problem: Problem) -> Problem:
     """The problem without its loads: what moves."""
-    if isinstance(problem.subject, Device) or len(problem.mechanism.drives) != 1 or problem.mechanism.drive.between:
+    if (
+        not isinstance(problem.subject, Mechanism)
+        or len(problem.mechanism.drives) != 1
+        or problem.mechanism.drive.between
+    ):
         raise NoMethodError(
             Words(
                 "GeoGebra 文件须有一个相对机架转动或移动的原动件，此题没有；可用 vecpoly draw 或 vecpoly play",

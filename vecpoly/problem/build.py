@@ -45,8 +45,8 @@ from .values.written import written_of
 def build(tree: Tree, path: Path | None = None) -> Problem:
     """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
     faults = Faults(tree.name, tree.places)
-    if {"device", "data"} & tree.data.keys() and (device := _device(tree, path)) is not None:
-        return device
+    if {"device", "synthesis", "data"} & tree.data.keys() and (by_data := _by_data(tree, path)) is not None:
+        return by_data
     spec = validate(ProblemSpec, {k: v for k, v in tree.data.items() if v is not None}, faults)
     bodies = _bodies(spec, faults)
     masses, weights = read_masses(spec, bodies, faults)
@@ -90,11 +90,11 @@ def _settle(mechanism: Mechanism, tree: Tree, faults: Faults) -> None:
     faults.settle()
 
 
-def _device(tree: Tree, path: Path | None) -> Problem | None:
-    """The problem, where it is about a device."""
-    from .devices import about_device, build_device  # late: a mechanism needs none of it
+def _by_data(tree: Tree, path: Path | None) -> Problem | None:
+    """The problem, where it is about a device, or about a mechanism that is to be found."""
+    from .by_data import build_by_data, sort_of  # late: a mechanism needs none of it
 
-    return build_device(tree, path) if about_device(tree) else None
+    return build_by_data(tree, sort, path) if (sort := sort_of(tree)) is not None else None
 
 
 def _mechanism(spec: ProblemSpec, bodies: Bodies, faults: Faults) -> tuple[Mechanism, tuple[Datum, ...]]:

@@ -24,6 +24,7 @@ from .values.given import Datum, Given, Shape, as_printed
 from .values.written import Written
 
 if TYPE_CHECKING:
+    from ..designs.base import Design
     from ..devices.base import Device  # not at once: pydantic, which checks its data, is slow to load
 
 __all__ = ["Datum", "Given", "Printed", "Problem", "Scales", "Shape", "as_printed"]
@@ -117,4 +118,12 @@ class Problem:
         from ..devices.base import Device  # late: its data are checked by pydantic, which is slow to load
 
         assert isinstance(self.subject, Device), f"problem {self.id} is about no device"
+        return self.subject
+
+    @property
+    def design(self) -> Design:
+        """What is asked of the mechanism that is to be found; a problem about anything else has none."""
+        from ..designs.base import Design  # late, likewise
+
+        assert isinstance(self.subject, Design), f"problem {self.id} is about no synthesis"
         return self.subject

@@ -12,7 +12,9 @@ from ..errors import ProblemFileError
 from ..foundation.data import data_dir
 from ..words import Words
 
-_PROBLEM = re.compile(r"""^[\s{"']*(?:id|title|extends|device|problems|frame|links|find)["']?\s*[:：]""", re.M)
+_PROBLEM = re.compile(
+    r"""^[\s{"']*(?:id|title|extends|device|synthesis|problems|frame|links|find)["']?\s*[:：]""", re.M
+)
 
 
 # a name as written in a problem -> what stands there; None: look for a file

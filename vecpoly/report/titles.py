@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from enum import Enum
 
+from ..designs.base import Design
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..solution import YES_NO, Solution
@@ -18,6 +19,7 @@ class Kind(Enum):
     KINEMATICS = Words("平面机构运动分析图解作业", "Graphical kinematics of planar mechanisms")
     FORCES = Words("平面机构力分析图解作业", "Graphical force analysis of planar mechanisms")
     STRUCTURE = Words("平面机构结构分析作业", "Structure of planar mechanisms")
+    SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 
 
@@ -29,7 +31,7 @@ def subject(solutions: Sequence[Solution]) -> Words:
     """The title that covers all these problems."""
     found = {kind_of(solution.problem) for solution in solutions}
     if len(found) > 1:
-        return _MIXED if found & {Kind.KINEMATICS, Kind.STRUCTURE} else _FORCES_AND_EFFICIENCY
+        return _MIXED if found & {Kind.KINEMATICS, Kind.STRUCTURE, Kind.SYNTHESIS} else _FORCES_AND_EFFICIENCY
     words: Words = found.pop().value
     return words
 
@@ -38,6 +40,8 @@ def kind_of(problem: Problem) -> Kind:
     """Kinematics, forces, structure, or efficiency and self-locking."""
     if isinstance(problem.subject, Mechanism):
         return Kind.KINEMATICS if problem.loads is None else Kind.FORCES
+    if isinstance(problem.subject, Design):
+        return Kind.SYNTHESIS
     if problem.subject.kind == "structure":
         return Kind.STRUCTURE
     efficiency = any(is_efficiency(ask.rel.key, ask.rel.unit) or ask.rel.unit == YES_NO for ask in problem.asks)

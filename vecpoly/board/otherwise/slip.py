@@ -21,6 +21,8 @@ class Mistake(StrEnum):
     OTHER_MEETING = "other meeting"  # the links put together the other way
     OTHER_CENTRE = "other centre"  # a line through the wrong two centres
     OTHER_TANGENT = "other tangent"  # on the wrong side of the friction circle
+    COMPLEMENT = "complement"  # θ set out for 90° − θ, or the other way round
+    OTHER_SIDE = "other side"  # an angle set out on the wrong side
 
     @property
     def words(self) -> Words:
@@ -39,6 +41,8 @@ _WORDS = {
     Mistake.OTHER_MEETING: "取了另一交点",
     Mistake.OTHER_CENTRE: "连错瞬心",
     Mistake.OTHER_TANGENT: "切于摩擦圆的另一侧",
+    Mistake.COMPLEMENT: "取了余角",
+    Mistake.OTHER_SIDE: "角作在另一侧",
 }
 
 

@@ -34,6 +34,7 @@ def _problems(lang: Lang) -> None:
 def _methods(lang: Lang) -> None:
     from ...methods.devices.registry import device_methods
     from ...methods.registry import methods
+    from ...methods.synthesis.registry import design_methods
 
     names = {
         "zh": ("步骤", "杆组或装置", "方法", "例题", "出处"),
@@ -49,5 +50,16 @@ def _methods(lang: Lang) -> None:
         add(
             made,
             ({"zh": "装置", "en": "device"}[lang], one.device.kind, bare(one.title.of(lang)), one.example, one.source),
+        )
+    for task in design_methods():
+        add(
+            made,
+            (
+                {"zh": "综合", "en": "synthesis"}[lang],
+                task.design.kind,
+                bare(task.title.of(lang)),
+                task.example,
+                task.source,
+            ),
         )
     show(made)

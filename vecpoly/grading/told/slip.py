@@ -20,6 +20,8 @@ _SAID = {
     Mistake.OTHER_MEETING: Words("取了另一个交点", "found at the other meeting"),
     Mistake.OTHER_CENTRE: Words("所在直线连错了瞬心", "on a line through the wrong two centres"),
     Mistake.OTHER_TANGENT: Words("切于摩擦圆的另一侧", "on the wrong side of the friction circle"),
+    Mistake.COMPLEMENT: Words("取了余角（如以 θ 代 90° − θ）", "at the complementary angle (θ for 90° − θ, say)"),
+    Mistake.OTHER_SIDE: Words("角作在了另一侧", "at the angle on the other side"),
 }
 
 

@@ -3,9 +3,13 @@ pydantic's, with patterns, descriptions, and what YAML writes as numbers or null
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
-from ...devices.base import kinds
+from pydantic import BaseModel
+
+from ...designs import base as designs
+from ...devices import base as devices
 from ...figures import scales
 from ...units.patterns import NUMBER
 from ...units.reading import Dim, PerMm
@@ -13,6 +17,7 @@ from ..read_ranges import SPAN, STEP
 from ..schema.marking import KEYS as MARKING
 from ..schema.models import AssignmentSpec, ProblemSpec
 from . import patterns
+from .design_words import DESIGNS
 from .device_words import DATA
 from .patterns import Schema, quantity
 from .words import KEYS
@@ -69,14 +74,16 @@ _SEVERAL = {"links": "Link", "frame": "", "guesses": ""}
 def json_schema() -> Schema:
     """The JSON Schema of a problem or an assignment file."""
     schema = ProblemSpec.model_json_schema()
-    _with_devices(schema)
+    schema["allOf"] = []
+    _with_data(schema, "device", devices.kinds())
+    _with_data(schema, "synthesis", designs.kinds())
     schema = _loose(schema)
     _with_assignments(schema)
     for name, spec in schema["$defs"].items():
         _finish(spec, name)
     for branch in schema["allOf"]:
         data = branch["then"]["properties"]["data"]
-        _finish(data, branch["if"]["properties"]["device"]["const"])
+        _finish(data, next(iter(branch["if"]["properties"].values()))["const"])
         data["description"] = _said("Problem.data")
     _finish(schema, "Problem")
     for key in ("frame", "guesses"):
@@ -99,18 +106,14 @@ def json_schema() -> Schema:
     return head | {key: value for key, value in schema.items() if key != "title"}
 
 
-def _with_devices(schema: Schema) -> None:
-    """Add `device` and, for each device on file, what its `data` hold."""
-    schema["properties"] |= {"device": {"enum": list(kinds())}, "data": {"type": "object"}}
-    schema["allOf"] = []
-    for name, kind in kinds().items():
+def _with_data(schema: Schema, key: str, kinds: Mapping[str, type[BaseModel]]) -> None:
+    """Add `device`, or `synthesis`, and for each of them on file what its `data` hold."""
+    schema["properties"] |= {key: {"enum": list(kinds)}, "data": {"type": "object"}}
+    for name, kind in kinds.items():
         data = kind.model_json_schema()
         schema["$defs"] |= data.pop("$defs", {})
         schema["allOf"].append(
-            {
-                "if": {"properties": {"device": {"const": name}}, "required": ["device"]},
-                "then": {"properties": {"data": data}},
-            }
+            {"if": {"properties": {key: {"const": name}}, "required": [key]}, "then": {"properties": {"data": data}}}
         )
 
 
@@ -128,7 +131,12 @@ def _with_assignments(schema: Schema) -> None:
         "problems": {"type": "array", "minItems": 1, "items": {"anyOf": [_loose({"type": "string"}), changes]}},
     }
     schema["required"] = ["title"]
-    about = [{"required": ["extends"]}, {"required": ["frame", "links", "input"]}, {"required": ["device", "data"]}]
+    about = [
+        {"required": ["extends"]},
+        {"required": ["frame", "links", "input"]},
+        {"required": ["device", "data"]},
+        {"required": ["synthesis", "data"]},
+    ]
     asked = {
         "properties": {
             "find": {"type": ["array", "null"], "items": {"anyOf": [patterns.symbols(), {"$ref": "#/$defs/FindSpec"}]}}
@@ -137,7 +145,7 @@ def _with_assignments(schema: Schema) -> None:
     problem = {
         "required": ["id"],
         "anyOf": about,
-        "allOf": [{"if": {"required": ["device"]}, "else": asked}],
+        "allOf": [{"if": {"anyOf": [{"required": ["device"]}, {"required": ["synthesis"]}]}, "else": asked}],
         "not": {"required": ["title_block"]},
     }
     schema |= {"if": {"required": ["problems"]}, "then": {"propertyNames": {"enum": list(sheet)}}, "else": problem}
@@ -159,7 +167,7 @@ def _finish(spec: Schema, name: str) -> None:
 
 
 def _said(place: str) -> str:
-    words = KEYS.get(place) or DATA.get(place)
+    words = KEYS.get(place) or DATA.get(place) or DESIGNS.get(place)
     if words is None:
         return place  # a test asks for its words
     return f"{words.zh} / {words.en}"

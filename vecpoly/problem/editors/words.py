@@ -108,7 +108,10 @@ KEYS = {
         "机械装置的种类：不是连杆机构而是斜面、螺旋等",
         "a device instead of a mechanism: a wedge, a screw, a train of machines",
     ),
-    "Problem.data": Words("机械装置的已知数据", "the data of the device"),
+    "Problem.synthesis": Words(
+        "综合题型：机构待求，如 crank-rocker", "a mechanism that is to be found, by its task: crank-rocker"
+    ),
+    "Problem.data": Words("机械装置或综合题的已知数据", "the data of the device, or of the synthesis"),
     "Problem.salt": Words("换一个文本，全班的数据就都不同", "another text gives everybody other numbers"),
     **_MARKING,
     "Problem.title_block": Words("作业的标题栏：课程、班级、姓名", "title block of an assignment: course, class, name"),

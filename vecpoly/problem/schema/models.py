@@ -165,15 +165,14 @@ class ProblemSpec(Spec):
     gate: GateSpec = GateSpec()
 
 
-class DeviceSpec(Spec):
-    """A problem file about a device: wedge, screw, clamp, train of machines."""
+class DataSpec(Spec):
+    """A problem file whose givens all stand in `data`."""
 
     id: str = Field(pattern=ID)
     title: Text
     extends: str | None = None
     source: Text | None = None
     statement: Text = Words.same("")
-    device: str
     data: dict[str, Any] = {}
     scales: ScalesSpec = ScalesSpec()
     find: list[str] = Field([], min_length=1)
@@ -182,6 +181,18 @@ class DeviceSpec(Spec):
     sheet: SheetSpec | None = None
     vary: dict[str, Number] = {}
     gate: GateSpec = GateSpec()
+
+
+class DeviceSpec(DataSpec):
+    """A problem file about a device: wedge, screw, clamp, train of machines."""
+
+    device: str
+
+
+class DesignSpec(DataSpec):
+    """A problem file about a mechanism that is to be found."""
+
+    synthesis: str
 
 
 class AssignmentSpec(MarkingSpec):

@@ -1,0 +1,80 @@
+"""Crank-rockers from K: cases with every solution listed, laws on random data, refusals with the range."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import vecpoly
+from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
+
+CASES: dict[str, Any] = json.loads((Path(__file__).resolve().parents[1] / "data" / "synthesis.json").read_text("utf-8"))
+KEYS = {"a": "AB", "b": "BC", "c": "CD", "d": "AD", "gamma_min": "gamma_min", "swing": "psi", "K": "K"}
+
+
+def posed(**data: str) -> vecpoly.Problem:
+    """A crank-rocker with these data."""
+    return vecpoly.problem({"id": "t", "title": "t", "synthesis": "crank-rocker", "data": data})
+
+
+@pytest.mark.parametrize("case", CASES["crank_rocker"], ids=lambda case: case["id"])
+def test_every_listed_solution_is_drawn(case: dict[str, Any]) -> None:
+    problem = posed(**case["data"])
+    drawn = problem.solve(by="exact").construction.candidates
+    assert [one.verdict for one in drawn] == ["VALID"] * len(case["solutions"])
+    digits = case["digits"]
+    for one, true in zip(drawn, case["solutions"], strict=True):
+        assert {key: one.values[KEYS[key]] for key in true} == pytest.approx(true, rel=digits)
+
+
+def test_two_solutions_of_8_4_are_drawn_and_the_ray_on_the_other_side_misses() -> None:
+    solution = vecpoly.load("8-4").solve(by="exact")
+    found = {key: answer.drawn for key, answer in solution.answers.items()}
+    assert found["AB_1"] == pytest.approx(22.511995, abs=1e-6)
+    assert found["BC_2"] == pytest.approx(120.152418, abs=1e-6)
+    assert found["gamma_min_1"] == pytest.approx(13.5159, abs=1e-4)
+    assert "不相交" in "".join(step.words.zh for step in solution.construction.steps)
+
+
+def test_the_solution_that_is_taken_has_the_keys_without_a_number() -> None:
+    data = {"K": "1.5", "CD": "75 mm", "AD": "100 mm", "ADC": "45 deg"}
+    first, second = (posed(**data, take=n).solve(by="exact").answers["AB"].drawn for n in "12")
+    assert (first, second) == pytest.approx((22.511995, 49.311764), abs=1e-6)
+
+
+def test_a_solution_that_does_not_exist_is_refused_by_its_number() -> None:
+    with pytest.raises(NotAskedError, match="only 2 valid"):
+        posed(K="1.5", CD="75 mm", AD="100 mm", ADC="45 deg", take="3").solve()
+
+
+def test_a_frame_out_of_reach_is_refused_with_the_admissible_range() -> None:
+    with pytest.raises(AssemblyError, match=r"41\.04 to 60 mm or 60 to 118\.2 mm") as refused:
+        posed(K="1.4", CD="60 mm", swing="50 deg", AD="200 mm").solve()
+    assert "41.04 至 60 mm 或 60 至 118.2 mm" in refused.value.words.zh
+
+
+def test_limits_on_opposite_sides_of_the_frame_are_no_solution() -> None:
+    with pytest.raises(AssemblyError, match="opposite sides"):
+        posed(K="1.5", CD="75 mm", AD="100 mm", ADC="135 deg").solve()
+
+
+def test_k_below_one_is_refused_with_its_inverse() -> None:
+    with pytest.raises(ProblemFileError, match=r"write its inverse 1\.25"):
+        posed(K="0.8", CD="60 mm", swing="50 deg", AD="70 mm")
+
+
+def test_k_of_one_puts_a_on_the_line_of_the_limits() -> None:
+    found = posed(K="1", CD="60 mm", swing="60 deg", BC="80 mm").solve(by="exact").answers
+    assert (found["AB"].drawn, found["theta"].drawn) == pytest.approx((30.0, 0.0), abs=1e-9)
+    assert not posed(K="1", CD="60 mm", swing="60 deg", AD="100 mm").solve().suspect
+    with pytest.raises(AssemblyError, match="AB = 20 mm"):
+        posed(K="1", CD="60 mm", swing="60 deg", AB="20 mm").solve()
+
+
+@pytest.mark.parametrize("datum", [{}, {"AD": "70 mm", "BC": "60 mm"}, {"ADC": "30 deg", "AD": "70 mm"}])
+def test_too_few_or_too_many_data_are_told(datum: dict[str, str]) -> None:
+    with pytest.raises(ProblemFileError, match=r"just one of|either swing"):
+        posed(K="1.4", CD="60 mm", swing="50 deg", **datum)

@@ -1,0 +1,28 @@
+"""A linkage that a synthesis found on paper: one of several that fit the data, of any use or not."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from ..foundation.frozen import FrozenMap
+from ..words import Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Candidate:
+    """Its number, its pins (mm on paper, every position's), what was read of it, and why it is rejected.
+
+    verdict: the name of the reason, VALID where there is none; values: by the key of a quantity without a number,
+    lengths in mm, angles in deg.
+    """
+
+    number: int
+    pins: Mapping[str, complex]
+    verdict: str
+    reason: Words | None = None
+    values: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pins", FrozenMap(dict(self.pins)))
+        object.__setattr__(self, "values", FrozenMap(dict(self.values)))

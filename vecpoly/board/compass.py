@@ -1,0 +1,51 @@
+"""Constructions of a few strokes that methods of synthesis are made of: circles, bisectors, rays at a given angle."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from ..plane import Line, Points, Reals, nominal, unit
+from ..plane.traced import traced
+from ..words import Words
+from . import acts as done
+from .instruments import Instruments
+from .otherwise.slip import Mistake
+from .place import Place
+from .strokes import amount, spot
+
+WIDER = 0.62  # of a segment: radius of the equal arcs about its ends that bisect it
+
+
+class Compass(Instruments):
+    """Compass and protractor in a hand."""
+
+    def circle(self, view: Place, centre: Points, radius: Reals) -> None:
+        """Leave a whole compass circle."""
+        head = self.head(centre, radius, on=view)
+        self.log(done.Swing(head=head, centre=spot(centre), radius=amount(radius), start=0.0, sweep=2 * pi))
+
+    def bisector(self, view: Place, a: Points, b: Points) -> Line:
+        """The perpendicular bisector of a segment, by equal arcs about both ends."""
+        radius = WIDER * np.abs(b - a)
+        one, other = self.arcs(a, radius, b, radius, Words("作中垂线", "the perpendicular bisector"))
+        for centre in (a, b):
+            for end in (one, other):
+                self.swing(view, centre, radius, end)
+        return Line(other, unit(one - other))
+
+    def ray(self, at: Points, base: Points, angle: Reals, *, key: str = "") -> Line:
+        """A ray at an angle (rad, counter-clockwise) from a drawn direction, by protractor."""
+        wrong = self.amended.wrong(self.here, key)
+        angle = self.amended.altered(angle, ((hand, _misread(slip.mistake, angle)) for hand, slip in wrong))
+        along = self.hand.tilt(base * np.exp(1j * angle))
+        act = self.log(done.Ray(head=self.head(at, base, angle, key=key), at=spot(at), along=spot(along)))
+        return Line(traced(at, act), traced(along, act))
+
+
+def _misread(mistake: Mistake, angle: Reals) -> Reals:
+    """The angle as somebody sets it out who takes its complement, or the other side."""
+    if mistake is Mistake.COMPLEMENT:
+        return (pi / 2 if float(nominal(angle)) > 0 else -pi / 2) - angle
+    return -angle if mistake is Mistake.OTHER_SIDE else angle

@@ -1,0 +1,112 @@
+"""The base of every design: the `data:` of a problem that says `synthesis: NAME`, and what may be asked of it.
+
+A new task of synthesis is one file here (its data), one in `methods/synthesis` (how it is drawn) and one in
+`oracle/synthesis` (its solutions in closed form); nothing else is edited. Its `kind` is what a problem file writes
+after `synthesis:`.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Annotated, Any, ClassVar
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
+
+from ..errors import FaultError, UnknownNameError
+from ..foundation.plugins import load_modules
+from ..names import Named
+from ..units.reading import Quantity, pure
+from ..words import Words
+
+MOST = 9  # solutions of a task, at most
+
+
+def _advance(text: Any) -> Quantity:
+    """K, a pure number not below 1."""
+    if isinstance(text, Quantity):
+        return text
+    if (value := pure(text, "1.4")) < 1:
+        raise FaultError(
+            Words(
+                f"行程速比系数 K = {text}：K 是慢行程与快行程所需时间之比，允许范围 K ≥ 1；若工作行程是快的一个，"
+                f"请写其倒数 {1 / value if value > 0 else 1.4:.4g}",
+                f"K = {text}: K is the time of the slow stroke over that of the quick one, so that K ≥ 1 is "
+                f"admissible; where the quick stroke is meant, write its inverse {1 / value if value > 0 else 1.4:.4g}",
+            ),
+            code="out-of-range",
+            numbers={"K": value},
+        )
+    return Quantity(value, str(text))
+
+
+def _which(text: Any) -> int:
+    """The number of a solution."""
+    if isinstance(text, int):
+        return text
+    if not (str(text).isdigit() and 1 <= int(text) <= MOST):
+        raise FaultError(
+            Words(
+                f"“{text}”不是解的编号；应写 1 至 {MOST} 的整数，如 2",
+                f"'{text}' is no number of a solution; write a whole number from 1 to {MOST}, e.g. 2",
+            ),
+            code="out-of-range",
+        )
+    return int(text)
+
+
+Advance = Annotated[Quantity, BeforeValidator(_advance), WithJsonSchema({"type": ["string", "number"]})]
+Which = Annotated[int, BeforeValidator(_which), WithJsonSchema({"type": ["string", "integer"]})]
+
+
+class Design(BaseModel):
+    """Data of a task of synthesis, frozen; its fields are quantities in SI together with how they were written.
+
+    take: which of the solutions is meant by a quantity without a number.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
+    kind: ClassVar[str] = ""
+    take: Which = 1
+
+    def __hash__(self) -> int:
+        return hash((type(self), tuple(str(value) for _, value in self)))
+
+    def quantities(self) -> tuple[Named, ...]:
+        """All that may be asked of one solution, in the order in which it is found."""
+        raise NotImplementedError
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
+        raise NotImplementedError
+
+    @property
+    def size(self) -> float:
+        """A length typical of its drawing (m), from which a scale is guessed before it is fitted."""
+        raise NotImplementedError
+
+    def askable(self) -> tuple[Named, ...]:
+        """What may be asked: of the solution that is taken, and of each by its number (AB_2)."""
+        one = self.quantities()
+        return (*one, *(numbered(named, n) for n in range(1, MOST + 1) for named in one))
+
+
+def numbered(named: Named, number: int) -> Named:
+    """The quantity of one of several solutions: AB_2, l_{AB} with (2) above."""
+    return Named(f"{named.key}_{number}", f"{named.symbol}^{{({number})}}", named.unit)
+
+
+@cache
+def kinds() -> dict[str, type[Design]]:
+    """Every task of synthesis on file, by the name that a problem file uses."""
+    load_modules("vecpoly.designs")
+    return {sub.kind: sub for sub in sorted(Design.__subclasses__(), key=lambda s: s.kind)}
+
+
+def kind_of(name: str) -> type[Design]:
+    """The class of this task; raises UnknownNameError."""
+    if name not in kinds():
+        known = ", ".join(kinds())
+        raise UnknownNameError(
+            Words(f"没有综合题型“{name}”；已有：{known}", f"no synthesis '{name}'; known: {known}"), code="unknown-name"
+        )
+    return kinds()[name]

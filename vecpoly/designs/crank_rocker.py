@@ -1,0 +1,110 @@
+"""A crank-rocker from the coefficient K of its quick return, its rocker, and one datum more."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import ClassVar, Literal
+
+from pydantic import model_validator
+
+from ..devices.base import Angle, Length
+from ..errors import FaultError
+from ..names import Named
+from ..words import Words
+from .base import Advance, Design
+from .place import Carried
+from .quantities import FOUR_BAR, GAMMA_MIN, SWING, THETA
+from .quantities import K as ADVANCE
+
+_ONE_MORE = ("AD", "AB", "BC", "gamma_min", "A", "best")
+
+
+class CrankRocker(Design):
+    """K and CD; then the swing and one of AD, AB, BC, gamma_min, A (a line), best; or ADC in a limit position, and AD.
+
+    With the swing D is the origin and the limit positions lie evenly beside the y axis; with ADC A is the origin, D
+    lies on the x axis.
+    """
+
+    kind: ClassVar[str] = "crank-rocker"
+    K: Advance
+    CD: Length
+    swing: Angle | None = None
+    ADC: Angle | None = None
+    AD: Length | None = None
+    AB: Length | None = None
+    BC: Length | None = None
+    gamma_min: Angle | None = None
+    A: Carried | None = None
+    best: Literal["gamma_min"] | None = None
+
+    @model_validator(mode="after")
+    def _determined(self) -> CrankRocker:
+        if (self.swing is None) == (self.ADC is None):
+            raise FaultError(
+                Words(
+                    "摇杆的极限位置应由 swing（摆角）或 ADC（一个极限位置的 ∠ADC）之一给定；如写 swing: 50 deg",
+                    "the limit positions of the rocker follow from either swing, or ADC in one of them; "
+                    "write e.g. swing: 50 deg",
+                ),
+                code="contradiction",
+            )
+        more = [name for name in _ONE_MORE if getattr(self, name) is not None]
+        wanted = _ONE_MORE if self.swing is not None else ("AD",)
+        if len(more) != 1 or more[0] not in wanted:
+            raise FaultError(
+                Words(
+                    f"还须且只须给定 {'、'.join(wanted)} 之一，此处有：{'、'.join(more) or '无'}；如写 AD: 70 mm",
+                    f"just one of {', '.join(wanted)} is needed beside, and here are: {', '.join(more) or 'none'}; "
+                    "write e.g. AD: 70 mm",
+                ),
+                code="contradiction",
+            )
+        self._angles()
+        return self
+
+    def _angles(self) -> None:
+        """Each angle in the range in which there is a rocker."""
+        for name, angle, most in (
+            ("swing", self.swing, pi),
+            ("ADC", self.ADC, pi),
+            ("gamma_min", self.gamma_min, pi / 2),
+        ):
+            if angle is not None and not 0 < angle.si < most:
+                raise FaultError(
+                    Words(
+                        f"{name} = {angle.text}：应在 0 与 {180 * most / pi:g}° 之间",
+                        f"{name} = {angle.text} must lie between 0 and {180 * most / pi:g} deg",
+                    ),
+                    code="out-of-range",
+                    numbers={name: angle.si},
+                )
+
+    def quantities(self) -> tuple[Named, ...]:
+        """θ, the four lengths, swing and least transmission angle, K."""
+        return (THETA, *FOUR_BAR, SWING, GAMMA_MIN, ADVANCE)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """K, the rocker, its limits, and what is given beside."""
+        written = (
+            ("K", self.K),
+            ("l_{CD}", self.CD),
+            ("ψ", self.swing),
+            ("∠ADC", self.ADC),
+            ("l_{AD}", self.AD),
+            ("l_{AB}", self.AB),
+            ("l_{BC}", self.BC),
+            ("γ_{min}", self.gamma_min),
+            ("A", self.A),
+        )
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    @property
+    def theta(self) -> float:
+        """θ = π (K − 1) / (K + 1), rad."""
+        return pi * (self.K.si - 1) / (self.K.si + 1)
+
+    @property
+    def size(self) -> float:
+        """The rocker."""
+        return 2 * self.CD.si

@@ -1,0 +1,13 @@
+"""What is asked of a linkage that is found: its lengths (mm) and its angles (deg)."""
+
+from __future__ import annotations
+
+from ..names import Named
+
+AB, BC = Named("AB", "l_{AB}", "mm"), Named("BC", "l_{BC}", "mm")
+CD, AD = Named("CD", "l_{CD}", "mm"), Named("AD", "l_{AD}", "mm")
+FOUR_BAR = (AB, BC, CD, AD)
+THETA = Named("theta", "θ", "deg")  # 极位夹角
+K = Named("K", "K", "")  # 行程速比系数
+SWING = Named("psi", "ψ", "deg")  # of the rocker
+GAMMA_MIN = Named("gamma_min", "γ_{min}", "deg")  # least transmission angle

@@ -1,0 +1,25 @@
+"""Why a linkage that was found on paper is no solution."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from ..words import Words
+
+
+class Verdict(Enum):
+    """What is said of a candidate."""
+
+    VALID = Words("可用", "valid")
+    OPPOSITE = Words(
+        "$C_1$、$C_2$ 分居 $AD$ 两侧，$A$ 在禁用弧上，摇杆不能连续摆过",
+        "$C_1$ and $C_2$ lie on opposite sides of $AD$: $A$ is on the forbidden arc, the rocker cannot swing across",
+    )
+    FAR_ARC = Words(
+        "此处弦 $C_{1}C_{2}$ 所张的角是 $180° − θ$ 而不是 $θ$",
+        "from there the chord $C_{1}C_{2}$ is seen under $180° − θ$",
+    )
+    NO_CRANK = Words(
+        "$A$ 在 $C_{1}C_{2}$ 的中垂线上，$l_{AB} = 0$", "$A$ lies on the bisector of $C_{1}C_{2}$: $l_{AB} = 0$"
+    )
+    NOT_GRASHOF = Words("不满足曲柄存在条件", "no link can turn fully (Grashof)")

@@ -1,0 +1,1 @@
+"""How linkages are found on paper: one task of synthesis, one file, or a folder where it has several ways."""

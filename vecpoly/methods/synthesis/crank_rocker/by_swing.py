@@ -1,0 +1,120 @@
+"""A crank-rocker from K and the swing of its rocker: A on a circle from which C₁C₂ is seen under θ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi
+
+import numpy as np
+
+from ....algebra.quantity import Quantity
+from ....board.paper.marks import Role
+from ....designs.crank_rocker import CrankRocker
+from ....designs.verdict import Verdict
+from ....plane import Line, Points, nominal, unit
+from ....words import Words
+from ..draft import SHEET, Draft
+from ..limits import judged, limits_of, settled
+from ..linkage import pin, point
+from .locus import Eta, Locus, Rocker, Straight
+from .pivots import pivots
+
+
+def by_swing(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
+    """The two limit positions of the rocker, the circle η and its mirror image, and A on each of them."""
+    rocker = _rocker(draft, design)
+    for locus in _loci(draft, rocker, theta):
+        _solutions(draft, design, rocker, locus)
+
+
+def _rocker(draft: Draft, design: CrankRocker) -> Rocker:
+    board = draft.board
+    assert design.swing is not None
+    board.section(Words("摇杆的极限位置", "Limit positions of the rocker"))
+    board.step(
+        Words(
+            "选 $μ_l$，任取 $D$ 点，按摇杆长 $l_CD$ 和摆角 $ψ$ 作摇杆的两极限位置 $C_{1}D$、$C_{2}D$，连 "
+            "$C_{1}C_{2}$。",
+            "Choose $μ_l$ and a point $D$; with the length $l_CD$ and the swing $ψ$ draw the rocker in its limit "
+            "positions "
+            "$C_{1}D$ and $C_{2}D$. Join $C_{1}C_{2}$.",
+        ),
+        SHEET,
+    )
+    d, half = pin(draft, "D", 0j), board.given(design.swing.si, "swing") / 2
+    c1, c2 = (
+        pin(
+            draft,
+            f"C_{i}",
+            board.lay_off(d, board.ray(d, 1j, way * half, key=f"DC{i}").along, draft.mm(design.CD.si), key=f"CD{i}"),
+        )
+        for i, way in ((1, 1), (2, -1))
+    )
+    for one, other in ((d, c1), (d, c2), (c1, c2)):
+        board.join(SHEET, one, other, Role.CONSTRUCTION)
+    return Rocker(d=d, c1=c1, c2=c2)
+
+
+def _loci(draft: Draft, rocker: Rocker, theta: Quantity) -> Iterator[Locus]:
+    """Where C₁C₂ is seen under θ: two circles, or the line itself where θ = 0."""
+    board, chord = draft.board, unit(rocker.c2 - rocker.c1)
+    board.section(Words("$A$ 点所在的圆", "The circle of $A$"))
+    if float(nominal(theta.value)) < 1e-9:
+        board.step(
+            Words(
+                "$K = 1$，$θ = 0$，无急回；$A$ 在直线 $C_{1}C_{2}$ 上。",
+                "$K = 1$ and $θ = 0$: no quick return, and $A$ lies on the line $C_{1}C_{2}$.",
+            ),
+            SHEET,
+        )
+        yield Straight(line=board.parallel(rocker.c1, chord, key="C1C2"))
+        return
+    middle = None
+    for way in (-1, 1):
+        yield (locus := _eta(draft, rocker, chord, theta, way, middle))
+        middle = locus.bisector
+
+
+def _eta(draft: Draft, rocker: Rocker, chord: Points, theta: Quantity, way: int, middle: Line | None) -> Eta:
+    """The circle on C₁P, P where the perpendicular at C₂ meets the ray at 90° − θ from C₁; way −1: on the side of D."""
+    board, marks = draft.board, "" if way < 0 else "′"
+    first = Words(
+        "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
+        "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
+        "（圆心 $O$ 在 $C_{1}C_{2}$ 的中垂线上），圆上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此圆上。",
+        "Draw the perpendicular to $C_{1}C_{2}$ at $C_2$ and from $C_1$ a ray at $90° − θ$ to $C_{1}C_{2}$; they meet "
+        "in $P$, so that "
+        "$∠C_{1}PC_{2} = θ$. From every point of the circle $η$ on the diameter $C_{1}P$ (its centre $O$ on the "
+        "bisector of "
+        "$C_{1}C_{2}$) the chord is seen under $θ$: $A$ lies on it.",
+    )
+    again = Words(
+        "在 $C_{1}C_{2}$ 的另一侧同样作 $P′$ 和圆 $η′$（$η$ 对 $C_{1}C_{2}$ 的镜像）。",
+        "Draw $P′$ and the circle $η′$ likewise on the other side of $C_{1}C_{2}$: the mirror image of $η$.",
+    )
+    board.step(first if way < 0 else again, SHEET)
+    normal = board.parallel(rocker.c2, 1j * chord, key=f"C2P{marks}")
+    ray = board.ray(rocker.c1, chord, way * (pi / 2 - theta.value * pi / 180), key=f"C1P{marks}")
+    p = point(draft, f"P{marks}", board.meet(normal, ray, Words(f"求 $P{marks}$", f"finding $P{marks}$")))
+    board.rule(SHEET, normal, p)
+    board.rule(SHEET, ray, p)
+    middle = middle or board.bisector(SHEET, rocker.c1, rocker.c2)
+    o = point(draft, f"O{marks}", board.meet(middle, ray, Words("求圆心", "the centre")))
+    radius = np.abs(rocker.c1 - o)
+    board.circle(SHEET, o, radius)
+    return Eta(centre=o, radius=radius, side=way, bisector=middle)
+
+
+def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> None:
+    """Each A on this locus, and its linkage."""
+    for a in pivots(draft, design, rocker, locus):
+        letter = draft.letter("A")
+        a = pin(draft, letter, a)
+        verdict = judged(a, rocker.d, rocker.c1, rocker.c2) if _sees(a, rocker, locus) else Verdict.FAR_ARC
+        settled(draft, limits_of(a, rocker.d, rocker.c1, rocker.c2, (letter, "C_1", "C_2")), verdict)
+
+
+def _sees(a: Points, rocker: Rocker, locus: Locus) -> bool:
+    """Whether the chord is seen under θ from there, and not under 180° − θ."""
+    place = complex(nominal((a - rocker.c1) / (rocker.c2 - rocker.c1)))
+    return not 0 <= place.real <= 1 if isinstance(locus, Straight) else place.imag * locus.side > 0

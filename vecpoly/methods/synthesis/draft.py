@@ -1,0 +1,145 @@
+"""What a synthesis works on: a board, the candidates found so far, and the answers read off each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from math import nan
+
+import numpy as np
+
+from ...algebra.formula import Txt
+from ...algebra.quantity import Expr, Quantity, magnitude, stated
+from ...board.candidates import Candidate
+from ...board.construction import Place, Reading, View
+from ...designs.base import MOST, Design, numbered
+from ...designs.verdict import Verdict
+from ...foundation.frozen import FrozenMap
+from ...names import Named, subscripted
+from ...plane import Points, Reals, nominal
+from ..devices.bench import Bench
+
+ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
+HALF_TURN = Quantity(Txt("180°"), 180.0, "deg")
+SHEET = View.MECHANISM
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Found:
+    """A candidate on paper: its number, its pins by every hand (mm), its verdict, and by what it is ordered."""
+
+    number: int
+    pins: Mapping[str, Points]
+    verdict: Verdict
+    order: tuple[float, ...]
+
+
+@dataclass(slots=True)
+class Draft(Bench):
+    """The state of one synthesis.
+
+    numbers: the number of each candidate in the order in which they are found, as a first sketch tells it.
+    asked: the keys that are to be read.
+    """
+
+    numbers: tuple[int, ...] = ()
+    asked: frozenset[str] = frozenset()
+    found: list[Found] = field(default_factory=list)
+
+    # -- numbers and letters ---------------------------------------------------------------------------------
+
+    @property
+    def number(self) -> int:
+        """The number of the candidate that is found next."""
+        n = len(self.found)
+        return self.numbers[n] if n < len(self.numbers) else n + 1
+
+    @property
+    def alone(self) -> bool:
+        """Whether there is only one candidate."""
+        return len(self.numbers) == 1
+
+    def letter(self, letter: str) -> str:
+        """A letter of the candidate that is found next: B1 as B_1, of the second B′_1."""
+        head, sub = letter[0], letter[1:]
+        return subscripted(f"{head}{'′' * (self.number - 1)}{sub}") if sub else head + "′" * (self.number - 1)
+
+    def of_this(self, named: Named) -> Named:
+        """A quantity of the candidate that is found next, under its number; printed without where it is alone."""
+        one = numbered(named, self.number)
+        return replace(one, symbol=named.symbol) if self.alone else one
+
+    def candidate(self, verdict: Verdict, order: tuple[Reals, ...], **pins: Points) -> None:
+        """A candidate is finished; the next has another number."""
+        by = tuple(float(nominal(value)) for value in order)
+        self.found.append(Found(number=self.number, pins=pins, verdict=verdict, order=by))
+
+    # -- reading --------------------------------------------------------------------------------------------
+
+    def mu(self, place: Place = SHEET) -> Quantity:
+        """μ_l in mm a millimetre, for lengths that are told in mm."""
+        return magnitude("μ_l", self.board.scale_of(place).value * 1e3, "mm/mm")
+
+    def mm(self, metres: float) -> float:
+        """A given length on paper."""
+        return float(self.board.to_paper(SHEET, metres))
+
+    def length(self, named: Named, on_paper: Expr, letters: str, place: Place = SHEET) -> Quantity:
+        """A length of the linkage: μ_l times what is read on paper."""
+        found = self.worked(named, self.mu(place) * on_paper)
+        self.read_off(named, place, replace(found, value=on_paper.value), letters)
+        return found
+
+    def angle(self, at: Points, one: Points, other: Points) -> Reals:
+        """The angle at a point between two others, by protractor (deg)."""
+        return np.degrees(np.abs(self.board.gauge(0j, (other - at) / (one - at))))
+
+    def shared(self, named: Named, value: Reals) -> Quantity:
+        """What all candidates have in common, given or found before them."""
+        result = magnitude(named.symbol, value, named.unit)
+        self._keep(_reading(named, value), value)
+        return result
+
+    # -- the end -------------------------------------------------------------------------------------------
+
+    def settle(self, design: Design) -> None:
+        """Answer what is asked without a number by the solution that is taken; what is shared, of each."""
+        valid = sorted(one.number for one in self.found if one.verdict is Verdict.VALID)
+        taken = valid[design.take - 1] if design.take <= len(valid) else 0
+        for named in design.quantities():
+            for key, number in ((named, taken), *((numbered(named, n), n) for n in range(1, MOST + 1))):
+                if key.key in self.asked and key.key not in self.board.readings:
+                    self._copy(numbered(named, number) if number else named, named, key)
+
+    def _copy(self, source: Named, shared: Named, named: Named) -> None:
+        """Keep an answer under another key; what was not found is no number."""
+        here = next((key for key in (source.key, shared.key) if key in self.board.readings), None)
+        if here is None:
+            self._keep(_reading(named, nan), np.float64(nan))
+            return
+        self._keep(replace(self.board.readings[here], key=named.key, symbol=named.symbol), self.board.found[here])
+
+    def candidates(self, design: Design) -> tuple[Candidate, ...]:
+        """What was found, as it stands on the nominal sheet, in the order of the numbers."""
+        return tuple(self._candidate(one, design) for one in sorted(self.found, key=lambda one: one.number))
+
+    def _candidate(self, one: Found, design: Design) -> Candidate:
+        read = self.board.readings
+        keys = {named.key: (numbered(named, one.number).key, named.key) for named in design.quantities()}
+        values = {
+            key: read[found].scalar
+            for key, where in keys.items()
+            if (found := next((k for k in where if k in read), None)) is not None
+        }
+        return Candidate(
+            number=one.number,
+            pins=FrozenMap({letter: complex(nominal(at)) for letter, at in one.pins.items()}),
+            verdict=one.verdict.name,
+            reason=None if one.verdict is Verdict.VALID else one.verdict.value,
+            values=FrozenMap(values),
+        )
+
+
+def _reading(named: Named, value: Reals) -> Reading:
+    node = stated(magnitude(named.symbol, value, named.unit))
+    return Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=float(nominal(value)), formula=node)

@@ -1,0 +1,80 @@
+"""A crank-rocker from A and the two limit positions of its rocker: half the difference, half the sum."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...designs.quantities import AB, AD, BC, SWING
+from ...designs.verdict import Verdict
+from ...plane import Points, cross, nominal, unit
+from .draft import TWO, Draft
+from .linkage import drawn, pin, rejected
+from .transmission import least_angle
+
+EVEN = 1e-6  # mm: A on the bisector
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limits:
+    """The fixed pins, and C where the crank and the coupler overlap (folded) and where one prolongs the other.
+
+    letters: of A, C folded and C extended on the sheet. first: whether C folded is C₁.
+    """
+
+    a: Points
+    d: Points
+    folded: Points
+    extended: Points
+    letters: tuple[str, str, str]
+    first: bool
+
+
+def judged(a: Points, d: Points, c1: Points, c2: Points) -> Verdict:
+    """The verdict on limit positions that are seen from A under θ, as they stand on the sheet."""
+    if abs(float(nominal(np.abs(c1 - a) - np.abs(c2 - a)))) < EVEN:
+        return Verdict.NO_CRANK
+    sides = [float(nominal(cross(d - a, c - a))) for c in (c1, c2)]
+    return Verdict.OPPOSITE if sides[0] * sides[1] <= 0 else Verdict.VALID
+
+
+def limits_of(a: Points, d: Points, c1: Points, c2: Points, letters: tuple[str, str, str]) -> Limits:
+    """Which of C₁ and C₂ is the folded limit. letters: of A, C₁, C₂."""
+    first = float(nominal(np.abs(c1 - a) - np.abs(c2 - a))) <= 0
+    folded, extended = (c1, c2) if first else (c2, c1)
+    of_a, *ends = letters
+    near, far = ends if first else reversed(ends)
+    return Limits(a=a, d=d, folded=folded, extended=extended, letters=(of_a, near, far), first=first)
+
+
+def settled(draft: Draft, limits: Limits, verdict: Verdict) -> None:
+    """The linkage in both limits, thick in the extended one; of a valid one AB, BC and what follows from them."""
+    a, d, near, far = limits.a, limits.d, limits.folded, limits.extended
+    crank = (np.abs(far - a) - np.abs(near - a)) / 2
+    of_near: Points = a - unit(near - a) * crank
+    of_far: Points = a + unit(far - a) * crank
+    drawn(draft, (a, of_far, far, d), (a, of_near, near, d), verdict=verdict)
+    rejected(draft, verdict)
+    if verdict is Verdict.VALID:
+        numbers = "12" if limits.first else "21"
+        of_near, of_far = (
+            pin(draft, draft.letter(f"B{i}"), b) for i, b in zip(numbers, (of_near, of_far), strict=True)
+        )
+        _read(draft, limits)
+    order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(d - a), a.real
+    draft.candidate(verdict, order, A=a, D=d, B1=of_near, C1=near, B2=of_far, C2=far)
+
+
+def _read(draft: Draft, limits: Limits) -> None:
+    """l_AB = μ_l (AC_far − AC_near) / 2, l_BC = μ_l (AC_far + AC_near) / 2; then AD, the swing and γ_min."""
+    board, (of_a, of_near, of_far) = draft.board, limits.letters
+    far = board.measure(limits.a, limits.extended, f"{of_a} {of_far}")
+    near = board.measure(limits.a, limits.folded, f"{of_a} {of_near}")
+    crank = draft.length(draft.of_this(AB), (far - near) / TWO, f"{of_a} B")
+    coupler = draft.length(draft.of_this(BC), (far + near) / TWO, "B C")
+    if AD.key not in board.readings:
+        draft.length(draft.of_this(AD), board.measure(limits.a, limits.d, f"{of_a} D"), f"{of_a} D")
+    if SWING.key not in board.readings:
+        draft.stated(draft.of_this(SWING), draft.angle(limits.d, limits.folded, limits.extended))
+    least_angle(draft, crank, coupler)

@@ -1,0 +1,48 @@
+"""A linkage that is found, on the sheet: thick in one position, thin in the others, dashed where it is rejected."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from ...board.paper.marks import Dot, Role
+from ...designs.verdict import Verdict
+from ...plane import Points
+from ...words import Words
+from .draft import SHEET, Draft
+
+Chain = tuple[Points, ...]
+
+
+def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.VALID) -> None:
+    """The links of a candidate as chains of pins in its positions; a rejected one is dashed in all of them."""
+    for chain in thin:
+        _bars(draft, chain, Role.CONSTRUCTION if verdict is Verdict.VALID else Role.HIDDEN)
+    _bars(draft, thick, Role.LINK if verdict is Verdict.VALID else Role.HIDDEN)
+
+
+def _bars(draft: Draft, chain: Chain, role: Role) -> None:
+    for a, b in pairwise(chain):
+        draft.board.join(SHEET, a, b, role)
+
+
+def pin(draft: Draft, letter: str, at: Points, dot: Dot = Dot.JOINT) -> Points:
+    """A pin of the linkage gets its letter."""
+    at = draft.board.locate(SHEET, letter, at)
+    draft.board.plot(SHEET, at, letter, dot)
+    return at
+
+
+def point(draft: Draft, letter: str, at: Points) -> Points:
+    """A point of the construction gets its letter."""
+    return pin(draft, letter, at, Dot.POINT)
+
+
+def rejected(draft: Draft, verdict: Verdict) -> None:
+    """Why the candidate found now is no solution."""
+    if verdict is not Verdict.VALID:
+        n, why = draft.number, verdict.value
+        draft.board.remark(
+            Words(
+                f" 候选解 {n} 舍去：{why.zh}，以虚线保留。", f" Candidate {n} is rejected: {why.en}; it stays dashed."
+            )
+        )

@@ -1,0 +1,82 @@
+"""The least transmission angle of a crank-rocker: drawn with the crank on the line of the frame, both ways."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...algebra.quantity import Quantity, magnitude, stated
+from ...board.construction import View
+from ...board.paper.marks import Dot, Role
+from ...board.place import Pane
+from ...designs.quantities import AD, CD, GAMMA_MIN
+from ...plane import Points, Reals, nominal
+from ...words import Words
+from .draft import Draft
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Extreme:
+    """A position with the crank on the line of the frame: its letters' primes, B and C, and the transmission angle."""
+
+    marks: str
+    b: Points
+    c: Points
+    gamma: Reals
+
+
+def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
+    """γ = ∠BCD, or 180° − ∠BCD where that is obtuse, at B′ on AD and at B″ on DA produced; the lesser is γ_min."""
+    board, n = draft.board, draft.number
+    which = Words.same("") if draft.alone else Words(f"（解 {n}）", f" (solution {n})")
+    place = board.open_pane(View.MECHANISM, f"gamma {n}", Words("最小传动角", "Least transmission angle") + which)
+    board.step(
+        Words(
+            "最小传动角出现在曲柄与机架共线的两位置之一。按求得的长度作此两位置，量 $∠BCD$；若为钝角，取其补角。",
+            "The transmission angle is least in one of the two positions in which the crank lies on the line of the "
+            "frame. Draw both with the lengths found and read $∠BCD$; of an obtuse one take the supplement.",
+        ),
+        place,
+    )
+    frame = _mm(draft, draft.of_this(AD).key, AD.key)
+    a = board.locate(place, "A", 0j)
+    d = board.locate(place, "D", board.lay_off(a, 1 + 0j, frame, key="AD"))
+    both = [_extreme(draft, place, (a, d), crank, coupler, side) for side in (1, -1)]
+    _linkages(draft, place, (a, d), both)
+    draft.stated(draft.of_this(GAMMA_MIN), np.minimum(both[0].gamma, both[1].gamma))
+
+
+def _mm(draft: Draft, *keys: str) -> Reals:
+    """A length found, or given, on paper."""
+    found = next(draft.board.found[key] for key in keys if key in draft.board.found)
+    return found * 1e-3 / draft.board.scale_of(View.MECHANISM).value
+
+
+def _extreme(
+    draft: Draft, place: Pane, ends: tuple[Points, Points], crank: Quantity, coupler: Quantity, side: int
+) -> Extreme:
+    """The position with the crank along AD (side 1), or along DA produced (−1)."""
+    board, (a, d), marks = draft.board, ends, "′" if side > 0 else "″"
+    per_mm = 1e-3 / board.scale_of(place).value
+    b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm, key=f"AB{marks}"))
+    what = Words(f"求 $C{marks}$", f"finding $C{marks}$")
+    c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, CD.key), what)
+    c = board.locate(place, f"C{marks}", c)
+    angle = draft.angle(c, b, d)
+    gamma = np.minimum(angle, 180.0 - angle)
+    board.write(stated(magnitude(f"γ{marks}", gamma, "deg")))
+    return Extreme(marks=marks, b=b, c=c, gamma=gamma)
+
+
+def _linkages(draft: Draft, place: Pane, ends: tuple[Points, Points], both: list[Extreme]) -> None:
+    """Both positions, that of the lesser angle thick."""
+    board, (a, d) = draft.board, ends
+    for one in sorted(both, key=lambda one: -float(nominal(one.gamma))):
+        role = Role.LINK if one.gamma is min(both, key=lambda e: float(nominal(e.gamma))).gamma else Role.CONSTRUCTION
+        for start, end in ((a, one.b), (one.b, one.c), (one.c, d)):
+            board.join(place, start, end, role)
+        board.plot(place, one.b, f"B{one.marks}", Dot.JOINT)
+        board.plot(place, one.c, f"C{one.marks}", Dot.JOINT)
+    board.plot(place, a, "A", Dot.JOINT)
+    board.plot(place, d, "D", Dot.JOINT)

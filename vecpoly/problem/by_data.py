@@ -1,0 +1,161 @@
+"""A problem all of whose givens stand in ``data:``, instead of frame, links, joints and input.
+
+``device: screw-jack`` names a machine, ``synthesis: crank-rocker`` a task in which the mechanism is to be found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..designs import base as designs
+from ..devices import base as devices
+from ..errors import FaultError, UnknownNameError
+from ..names import Named
+from ..words import Words
+from .asked.asks import AskNamed
+from .asked.drawn_to import read_scales
+from .asked.printed import as_given
+from .gate import read_gate
+from .problem import Datum, Given, Printed, Problem, Scales
+from .read_ranges import read_ranges
+from .schema.faults import Faults, meant
+from .schema.models import DataSpec, DesignSpec, DeviceSpec, ProblemSpec
+from .schema.validate import validate
+from .schema.warnings import warnings_of
+from .text.source import Tree
+from .values.written import written_of
+
+Subject = devices.Device | designs.Design
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sort:
+    """A sort of such problems: the key that names it, what the file may hold, the classes of its data, by name."""
+
+    key: str
+    called: Words
+    spec: type[DataSpec]
+    kinds: Callable[[], Mapping[str, type[Subject]]]
+    kind_of: Callable[[str], type[Subject]]
+
+
+SORTS = (
+    Sort(key="device", called=Words("装置", "device"), spec=DeviceSpec, kinds=devices.kinds, kind_of=devices.kind_of),
+    Sort(
+        key="synthesis",
+        called=Words("综合题型", "synthesis"),
+        spec=DesignSpec,
+        kinds=designs.kinds,
+        kind_of=designs.kind_of,
+    ),
+)
+
+
+def sort_of(tree: Tree) -> Sort | None:
+    """Of which sort the problem is; None of a mechanism. Raises ProblemFileError where it has `data` but names none."""
+    found = next((sort for sort in SORTS if sort.key in tree.data), None)
+    if found is None and "data" in tree.data:
+        faults = Faults(tree.name, tree.places)
+        known = ", ".join(devices.kinds())
+        with faults.at("data"):
+            raise FaultError(
+                Words(
+                    f"data 属于机械装置；请写出装置，如 device: {next(iter(devices.kinds()))}（已有：{known}），"
+                    f"或综合题型，如 synthesis: {next(iter(designs.kinds()))}",
+                    f"'data' belongs to a device; write e.g. device: {next(iter(devices.kinds()))} (known: {known}), "
+                    f"or to a task of synthesis: synthesis: {next(iter(designs.kinds()))}",
+                ),
+                code="spelling",
+            )
+        faults.settle()
+    return found
+
+
+def build_by_data(tree: Tree, sort: Sort, path: Path | None = None) -> Problem:
+    """The problem in this tree; raises ProblemFileError with everything that is wrong with it."""
+    faults = Faults(tree.name, tree.places)
+    _strange(tree, sort, faults)
+    spec = validate(sort.spec, {k: v for k, v in tree.data.items() if v is not None}, faults)
+    subject = _subject(spec, sort, faults)
+    asks, printed, scales = _wanted(spec, subject, sort, faults)
+    ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
+    faults.settle()
+    return Problem(
+        id=spec.id,
+        title=spec.title,
+        source=spec.source,
+        statement=spec.statement,
+        subject=subject,
+        asks=asks,
+        scales=scales,
+        printed=printed,
+        errata=tuple(spec.errata),
+        given=Given(loads=tuple(Datum(symbol=symbol, text=text) for symbol, text in subject.given())),
+        orientation=spec.sheet.orientation if spec.sheet else None,
+        path=path,
+        text=tree.text,
+        read=tree.files,
+        ranges=ranges,
+        gate=gate,
+        warnings=warnings_of(tree),
+        written=written_of(tree),
+    )
+
+
+def _strange(tree: Tree, sort: Sort, faults: Faults) -> None:
+    """Keys that belong to a mechanism."""
+    for key in tree.data:
+        if key in ProblemSpec.model_fields and key not in sort.spec.model_fields:
+            with faults.at(key):
+                raise FaultError(
+                    Words(
+                        f"“{key}”属于机构；{sort.called.zh}的已知量都写在 data 中",
+                        f"'{key}' belongs to a mechanism; all that is given of a {sort.called.en} stands in 'data'",
+                    )
+                )
+    faults.settle()
+
+
+def _subject(spec: DataSpec, sort: Sort, faults: Faults) -> Subject:
+    name = str(getattr(spec, sort.key))
+    with faults.at(sort.key):
+        try:
+            kind = sort.kind_of(name)
+        except UnknownNameError:
+            raise FaultError(
+                Words(f"没有{sort.called.zh}“{name}”", f"there is no {sort.called.en} '{name}'")
+                + meant(name, sort.kinds()),
+                code="unknown-name",
+            ) from None
+    faults.settle()
+    return validate(kind, spec.data, faults, "data")
+
+
+def _wanted(
+    spec: DataSpec, subject: Subject, sort: Sort, faults: Faults
+) -> tuple[tuple[AskNamed, ...], tuple[Printed, ...], Scales]:
+    asks, printed, scales = [], [], Scales()
+    usual = {one.key: one for one in subject.quantities()}
+    named = {one.key: one for one in subject.askable()} if isinstance(subject, designs.Design) else usual
+    for i, key in enumerate(spec.find or usual):
+        with faults.at("find", i):
+            asks.append(AskNamed(rel=_known(key, named, sort)))
+    for i, entry in enumerate(spec.printed):
+        with faults.at("printed", i):
+            printed.append(as_given(entry, _known(entry.symbol, named, sort)))
+    with faults.at("scales"):
+        scales = read_scales(spec.scales)
+    return tuple(asks), tuple(printed), scales
+
+
+def _known(key: str, named: dict[str, Named], sort: Sort) -> Named:
+    if key not in named:
+        raise FaultError(
+            Words(
+                f"“{key}”不是此{sort.called.zh}可求的量", f"'{key}' is nothing that this {sort.called.en} is asked for"
+            )
+            + meant(key, named)
+        )
+    return named[key]

@@ -1,0 +1,25 @@
+"""A description of every datum of every task of synthesis, in both languages."""
+
+from __future__ import annotations
+
+from ...words import Words
+
+_TAKE = Words("取第几个解（按编号），默认 1", "which of the solutions is meant, by its number; 1 where nothing is said")
+
+DESIGNS = {
+    "crank-rocker.take": _TAKE,
+    "crank-rocker.K": Words(
+        "行程速比系数", "coefficient of the quick return: time of the slow stroke over the quick one"
+    ),
+    "crank-rocker.CD": Words("摇杆长", "the rocker"),
+    "crank-rocker.swing": Words("摇杆摆角", "swing of the rocker"),
+    "crank-rocker.ADC": Words("一个极限位置的 ∠ADC", "angle ADC in one limit position"),
+    "crank-rocker.AD": Words("机架长", "the frame"),
+    "crank-rocker.AB": Words("曲柄长", "the crank"),
+    "crank-rocker.BC": Words("连杆长", "the coupler"),
+    "crank-rocker.gamma_min": Words("最小传动角", "least transmission angle"),
+    "crank-rocker.A": Words(
+        "A 所在的直线，如 on y = -20 mm（D 为原点）", "the line of A, D being the origin: on y = -20 mm"
+    ),
+    "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest least transmission angle"),
+}
