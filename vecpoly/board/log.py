@@ -18,6 +18,7 @@ from .acts import Act, Depict, Head
 from .construction import EquationTable, Figure, Scale, Step
 from .paper.ink import marks_of
 from .paper.marks import Mark
+from .paper.symbols import Symbol
 from .place import Pane, Place, View, view_of, views
 
 Found = TypeVar("Found", Points, Reals)
@@ -97,10 +98,11 @@ class Log:
             assert act.head.place is not None
             self._marks[act.head.place] += left
 
-    def mark(self, view: Place, *marks: Mark, key: str = "", owner: str = "") -> None:
-        """Draw symbols: of links, joints, loads, bodies."""
-        if marks:
-            self.log(Depict(head=self.head(on=view, key=key, owner=owner), marks=marks))
+    def depict(self, view: Place, *symbols: Symbol) -> None:
+        """Draw symbols of links, joints, bodies; how one looks is told by `diagram`, not here."""
+        for it in symbols:
+            if it.marks:
+                self.log(Depict(head=self.head(on=view, key=it.key, owner=it.owner), marks=it.marks))
 
     def open_pane(
         self, view: View, name: str, title: Words, scale: Scale | None = None, *, aside: bool = False

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..names import ascii_key
 from ..plane import Line, Points, Reals, nominal
 from ..plane.derived import Derived
+from ..words import Words
 from . import acts as done
 from .log import Log
 from .paper.marks import Dot, Role, Vector
@@ -40,11 +42,11 @@ class Strokes(Log):
         self.log(done.Join(head=self.head(a, b, on=view), a=spot(a), b=spot(b), role=role))
 
     def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
-        """Draw the vector `key` from a to b; one without length leaves no ink."""
+        """Draw the vector `key` (by default that of its label) from a to b; one without length leaves no ink."""
         start, end = spot(a), spot(b)
         self.log(
             done.Arrow(
-                head=self.head(a, b, on=view, key=key),
+                head=self.head(a, b, on=view, key=key or ascii_key(label)),
                 a=start,
                 b=end,
                 role=role,
@@ -85,6 +87,25 @@ class Strokes(Log):
                 head=self.head(centre, radius, through, on=view), centre=c, radius=far, start=start, sweep=2 * half
             )
         )
+
+    def circle(self, view: Place, centre: Points, radius: Reals, role: Role) -> None:
+        """Leave a whole circle."""
+        head, far = self.head(centre, radius, on=view), amount(radius)
+        self.log(done.Swing(head=head, centre=spot(centre), radius=far, start=0.0, sweep=2 * np.pi, role=role))
+
+    def angle(self, view: Place, at: Points, start: Points, sweep: Reals, radius: float, label: str) -> None:
+        """Mark an angle with its symbol: from the direction `start` over `sweep` (rad)."""
+        head, first = self.head(at, start, sweep, on=view, key=ascii_key(label)), amount(np.angle(start))
+        self.log(done.Angle(head=head, at=spot(at), radius=radius, start=first, sweep=amount(sweep), label=label))
+
+    def curved_arrow(self, view: Place, at: Points, radius: float, start: float, ccw: bool, label: str) -> None:
+        """Draw ω, or a moment, as a curved arrow about a point that begins in the direction `start` (rad)."""
+        head = self.head(at, on=view, key=ascii_key(label))
+        self.log(done.CurvedArrow(head=head, at=spot(at), radius=radius, start=start, ccw=ccw, label=label))
+
+    def note(self, view: Place, at: Points, words: Words) -> None:
+        """Write a short note beside a point."""
+        self.log(done.Annotate(head=self.head(at, on=view), at=spot(at), words=words))
 
     def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import cmath
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from ..errors import FaultError
@@ -66,6 +66,21 @@ class Pair:
             return unit_vector(two - one)
         return unit_vector(self.at - one) if one is not None else unit_vector((two or 0j) - self.at)
 
+    @property
+    def hinged(self) -> bool:
+        """Whether it is a hinge."""
+        return self.form is Form.R
+
+    @property
+    def slides(self) -> bool:
+        """Whether it is a slide."""
+        return self.form is Form.P
+
+    @property
+    def meshes(self) -> bool:
+        """Whether it is the mesh of two gears."""
+        return self.form is Form.G
+
     def touches(self, links: tuple[str, ...]) -> bool:
         """Whether it joins any of these links."""
         return any(link in links for link in self.links)
@@ -93,6 +108,10 @@ class Chain:
             tuple(link for link in self.links if link not in gone), tuple(pair for pair in kept if pair is not None)
         )
 
+    def times(self, scale: float) -> Chain:
+        """The same chain at another size: on paper (mm), with so many mm for a metre."""
+        return Chain(self.links, tuple(_times(pair, scale) for pair in self.pairs))
+
     @property
     def lower(self) -> int:
         """p_L, compound hinges of k links counted k − 1 times."""
@@ -102,6 +121,11 @@ class Chain:
     def higher(self) -> int:
         """p_H."""
         return sum(pair.count for pair in self.pairs if not pair.form.is_lower)
+
+
+def _times(pair: Pair, scale: float) -> Pair:
+    about = tuple(None if centre is None else scale * centre for centre in pair.about)
+    return replace(pair, at=scale * pair.at, about=about)
 
 
 def _shrunk(pair: Pair, gone: tuple[str, ...]) -> Pair | None:

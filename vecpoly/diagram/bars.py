@@ -16,16 +16,26 @@ def bar(spots: Sequence[complex]) -> Iterator[Mark]:
     base = spots[1] - spots[0]
     off = [abs((np.conj(base) * (s - spots[0])).imag) / abs(base) for s in spots[2:]]
     if len(spots) > 2 and max(off) > 0.5:
-        yield Plate(points=around(spots))
+        yield Plate(points=hull(spots))
     else:
         order = sorted(spots, key=lambda s: (np.conj(base) * (s - spots[0])).real)
         yield Segment(a=order[0], b=order[-1], role=Role.LINK)
 
 
-def around(spots: Sequence[complex]) -> tuple[complex, ...]:
-    """Corners in order round their middle."""
-    middle = sum(spots) / len(spots)
-    return tuple(sorted(spots, key=lambda s: float(np.angle(s - middle))))
+def hull(points: Sequence[complex]) -> tuple[complex, ...]:
+    """The corners of the smallest convex polygon round the points, counter-clockwise."""
+    ordered = sorted(points, key=lambda p: (p.real, p.imag))
+    return tuple(_lower(ordered) + _lower(ordered[::-1]))
+
+
+def _lower(row: Sequence[complex]) -> list[complex]:
+    """The corners on the right of the way from the first to the last, without this."""
+    kept: list[complex] = []
+    for p in row:
+        while len(kept) > 1 and ((kept[-1] - kept[-2]).conjugate() * (p - kept[-1])).imag <= 0:
+            kept.pop()
+        kept.append(p)
+    return kept[:-1]
 
 
 def weld(corner: complex, u: complex, v: complex) -> Plate:

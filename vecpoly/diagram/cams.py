@@ -6,9 +6,11 @@ from collections.abc import Iterator, Mapping
 from math import pi
 
 from ..board.paper.marks import Arc, Disc, Dot, LinkNumber, Mark, Point, Role, Segment
-from ..mechanism.model import FRAME, Circle, Contact, Link, Mechanism, Prismatic
+from ..board.paper.symbols import Symbol
+from ..mechanism.model import FRAME, Circle, Contact, Link, Mechanism, Prismatic, Rack
 from .bars import bar
-from .followers import face_marks, pressure_angle, stem_marks
+from .followers import face_marks, offset_marks, pressure_angle, stem_guided
+from .owners import joint, link, owned
 from .posed import Posed
 
 NORMAL = 15.0  # mm the common normal runs on beyond the contact
@@ -47,27 +49,40 @@ def cam_body(posed: Posed, body: Link) -> Iterator[Mark]:
         yield LinkNumber(a=spots[0], b=spots[1 % len(spots)], number=posed.name(body.name))
 
 
-def contact_marks(posed: Posed, contact: Contact) -> Iterator[Mark]:
-    """The meeting of two links: the normal, the substitute, the follower's stem, the pressure angle."""
-    k, o, n = posed.at[contact.point], posed.at[contact.disc.centre], posed.normal(contact)
+def contact_drawn(posed: Posed, contact: Contact) -> Iterator[Symbol]:
+    """The meeting of two links: the normal, the substitute, the follower's face and stem, the pressure angle."""
+    own = joint(contact.point)
+    if isinstance(contact.on, Rack):
+        yield from owned(link(contact.on.link), face_marks(posed, contact))
+    yield Symbol.of(own, _replaced(posed, contact))
+    yield Symbol.of(own, _normal(posed, contact))
+    for name in contact.links:
+        guide = posed.fixed_guide(name)
+        if guide is not None:
+            yield from owned(link(name), stem_guided(posed, contact, name, guide))
+            yield Symbol.of(own, offset_marks(posed, contact, name, guide))
+    if not posed.loaded:
+        yield Symbol.of(own, pressure_angle(posed, contact))
+
+
+def _replaced(posed: Posed, contact: Contact) -> Iterator[Mark]:
+    """What stands for the contact: a bar between the centres, or a block led parallel to the face."""
+    o = posed.at[contact.disc.centre]
     if isinstance(contact.on, Circle):
-        e = posed.at[contact.on.centre]
-        ahead, behind = sorted((e, o), key=lambda s: (n.conjugate() * s).real, reverse=True)
-        yield Segment(a=o, b=e, role=Role.HIDDEN)
+        yield Segment(a=o, b=posed.at[contact.on.centre], role=Role.HIDDEN)
     else:
-        ahead, behind = k, o
-        yield from face_marks(posed, contact)
         yield from thought_guide(posed, contact)
         yield from _dashed_block(o, posed.face(contact).along)
+
+
+def _normal(posed: Posed, contact: Contact) -> Iterator[Mark]:
+    """The common normal, beyond both centres of curvature."""
+    o, n = posed.at[contact.disc.centre], posed.normal(contact)
+    other = posed.at[contact.on.centre if isinstance(contact.on, Circle) else contact.point]
+    ahead, behind = sorted((other, o), key=lambda s: (n.conjugate() * s).real, reverse=True)
     for start, way in ((ahead, n), (behind, -n)):
         yield Segment(a=start, b=start + way * NORMAL, role=Role.CONSTRUCTION)
         yield Point(at=start + way * NORMAL, label="n", dot=Dot.NONE)
-    for link in contact.links:
-        guide = posed.fixed_guide(link)
-        if guide is not None:
-            yield from stem_marks(posed, contact, link, guide)
-    if not posed.loaded:
-        yield from pressure_angle(posed, contact)
 
 
 def thought_guide(posed: Posed, contact: Contact) -> Iterator[Mark]:

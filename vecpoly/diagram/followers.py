@@ -36,18 +36,25 @@ def face_marks(posed: Posed, contact: Contact) -> Iterator[Mark]:
         yield LinkNumber(a=line.spot(low), b=line.spot(t), number=posed.name(name))
 
 
-def stem_marks(posed: Posed, contact: Contact, link: str, guide: Prismatic) -> Iterator[Mark]:
-    """A translating follower: its stem in a fixed guide, the centre line, the offset circle about the cam's pivot."""
-    line = posed.guide(guide)
-    away = line.along * _sign((line.along.conjugate() * _push(posed, contact, link)).real)
-    tip, reach = _tip(posed, contact, link, line)
-    start = tip + away * (reach + STEM)
-    end = start + away * (SHOE + STEM)
-    yield Segment(a=tip, b=end, role=Role.LINK)
+def stem(posed: Posed, contact: Contact, link: str, guide: Prismatic) -> Segment:
+    """The stem of a translating follower."""
+    tip, _, _, end = _along_stem(posed, contact, link, guide)
+    return Segment(a=tip, b=end, role=Role.LINK)
+
+
+def stem_guided(posed: Posed, contact: Contact, link: str, guide: Prismatic) -> Iterator[Mark]:
+    """The stem in its fixed guide, with the link's number."""
+    _, start, away, end = _along_stem(posed, contact, link, guide)
+    yield stem(posed, contact, link, guide)
     for side in (1, -1):
         a, b = (start, start + away * SHOE)[::side]
         yield FixedGuide(a=a - 1j * side * away * PLAY, b=b - 1j * side * away * PLAY)
     yield LinkNumber(a=start + away * SHOE, b=end, number=posed.name(link))
+
+
+def offset_marks(posed: Posed, contact: Contact, link: str, guide: Prismatic) -> Iterator[Mark]:
+    """The centre line of a stem, and the offset circle about the cam's pivot."""
+    line, (tip, *_) = posed.guide(guide), _along_stem(posed, contact, link, guide)
     pivot = posed.fixed_pivot(next(name for name in contact.links if name != link))
     if pivot:
         centre = posed.at[pivot]
@@ -55,6 +62,17 @@ def stem_marks(posed: Posed, contact: Contact, link: str, guide: Prismatic) -> I
         yield Segment(a=foot, b=tip, role=Role.CENTRE)
         if abs(foot - centre) > 1.0:
             yield Arc(centre=centre, radius=abs(foot - centre), start=0.0, sweep=2 * pi, role=Role.CENTRE)
+
+
+def _along_stem(
+    posed: Posed, contact: Contact, link: str, guide: Prismatic
+) -> tuple[complex, complex, complex, complex]:
+    """The stem's tip, where its guide begins, the way there, and its end."""
+    line = posed.guide(guide)
+    away = line.along * _sign((line.along.conjugate() * _push(posed, contact, link)).real)
+    tip, reach = _tip(posed, contact, link, line)
+    start = tip + away * (reach + STEM)
+    return tip, start, away, start + away * (SHOE + STEM)
 
 
 def pressure_angle(posed: Posed, contact: Contact) -> Iterator[Mark]:
@@ -70,7 +88,7 @@ def pressure_angle(posed: Posed, contact: Contact) -> Iterator[Mark]:
     angle = cmath.phase(way / push)
     if abs(angle) > SMALL:
         yield Segment(a=at, b=at + way * (SWING + 3), role=Role.CONSTRUCTION)
-        yield AngleMark(at=at, radius=SWING, start=cmath.phase(push), sweep=angle, label="α")
+        yield AngleMark(at=at, radius=SWING, start=cmath.phase(push), sweep=angle, label="α", key="alpha")
 
 
 def _sign(size: float) -> float:

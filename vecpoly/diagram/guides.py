@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Role, Segment, Slot
 from ..mechanism.model import FRAME, Prismatic
@@ -15,6 +16,8 @@ BEYOND = 12.0  # mm a rod sticks out behind its block
 HALF_BLOCK = 2.5  # mm from the middle of a block to its long side
 BUSH, PLAY = 8.0, 1.5  # mm: half of a fixed bush in which a rod runs, from the rod to it
 BESIDE = 0.3  # mm: nearer to a line a point stands on it
+RIM = 2.0  # mm of a block past the reaction of its guide
+LONGEST = 20.0  # mm: farther out a reaction is not reached by its block
 ARM = 3.0  # mm: a point farther beside a slot is joined to it by an arm
 
 
@@ -53,13 +56,23 @@ def sliding_pair(posed: Posed, joint: Prismatic) -> Iterator[Mark]:
     middle, along = line.foot(pin), line.along
     if joint.guide == FRAME:
         along = -along if _other_side(posed, joint, middle, along) else along
-        under = middle - 1j * along * HALF_BLOCK
-        yield FixedGuide(a=under - along * HALF_SLOT, b=under + along * HALF_SLOT)
+        yield rail_under(middle, along, HALF_SLOT)
     elif posed.shapes.get(joint.guide) is Shape.ROD and joint.block == FRAME:
-        for way in (along, -along):
-            yield FixedGuide(a=middle - way * complex(BUSH, PLAY), b=middle + way * complex(BUSH, -PLAY))
+        yield from bush(middle, along)
         return
     yield from block_marks(posed, joint, along)
+
+
+def rail_under(middle: complex, along: complex, half: float) -> FixedGuide:
+    """The fixed guide of a block, half of it to either side; the block lies to its left."""
+    under = middle - 1j * along * HALF_BLOCK
+    return FixedGuide(a=under - along * half, b=under + along * half)
+
+
+def bush(middle: complex, along: complex) -> Iterator[FixedGuide]:
+    """The fixed bush in which a rod runs."""
+    for way in (along, -along):
+        yield FixedGuide(a=middle - way * complex(BUSH, PLAY), b=middle + way * complex(BUSH, -PLAY))
 
 
 def block_marks(posed: Posed, joint: Prismatic, along: complex | None = None) -> Iterator[Mark]:
@@ -69,6 +82,12 @@ def block_marks(posed: Posed, joint: Prismatic, along: complex | None = None) ->
     yield Block(at=middle, along=along or line.along, on_rod=posed.shapes.get(joint.guide) is Shape.ROD)
     if abs(pin - middle) > HALF_BLOCK:
         yield Segment(a=middle, b=pin, role=Role.LINK)
+
+
+def reaching(block: Block, pressed: tuple[complex, ...]) -> Block:
+    """The block as long as it must be to reach past reactions of its guide, which friction and moments move away."""
+    away = max((abs(at - block.at) for at in pressed), default=0.0)
+    return replace(block, length=max(block.length, 2 * (away + RIM))) if away < LONGEST else block
 
 
 def _slot(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> Iterator[Mark]:

@@ -4,34 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..board.paper.marks import Dot, LinkNumber, Mark, Point, Role, Segment
+from ..board.paper.marks import Block, Dot, LinkNumber, Mark, Point, Role, Segment
+from ..board.paper.symbols import Symbol
 from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ..names import subscripted
 from ..problem.problem import Shape
 from .bars import bar
 from .cams import cam_body, contact_replaced, contacts_of, guided_follower, thought_guide
 from .cylinders import cylinder_joint, cylinder_part, is_cylinder
-from .followers import face_marks, stem_marks
+from .followers import face_marks, stem
 from .gears import gear_marks, guided_rack, rack_marks
-from .guides import block_marks, guide_body, is_slot, link_number, sliding_pair
+from .guides import block_marks, guide_body, is_slot, link_number, reaching, sliding_pair
+from .owners import link as owner
+from .owners import owned
 from .posed import Posed
-
-Owned = tuple[str, tuple[Mark, ...]]  # whose they are ("link 2"), and what is drawn
 
 _NO_BAR = (Shape.GEAR, Shape.PIN, Shape.CYLINDER, Shape.PISTON)
 
 
-def links_drawn(posed: Posed, links: tuple[str, ...], drawn: tuple[Mark, ...] = ()) -> Iterator[Owned]:
+def links_drawn(posed: Posed, links: tuple[str, ...], drawn: tuple[Mark, ...] = ()) -> Iterator[Symbol]:
     """The links of one group, just located, beside what is drawn already: bodies, guides, blocks, gears."""
     paper = list(drawn)
-    for owner, marks in _drawn(posed, links, paper):
-        found = tuple(marks)
-        paper += found
-        yield owner, found
+    for name, marks in _drawn(posed, links, paper):
+        for symbol in owned(owner(name), marks):
+            paper += symbol.marks
+            yield symbol
 
 
-def link_alone(posed: Posed, name: str) -> Iterator[Mark]:
-    """One link without its neighbours: its body, its block, its lettered points."""
+def link_alone(posed: Posed, name: str, *, lettered: bool = True, pressed: tuple[complex, ...] = ()) -> Symbol:
+    """One link without its neighbours: its body, its block, its lettered points.
+
+    pressed: where the reactions of its guides act, past which its blocks reach.
+    """
+    marks = (reaching(mark, pressed) if isinstance(mark, Block) else mark for mark in _alone(posed, name))
+    return Symbol.of(owner(name), (mark for mark in marks if lettered or not isinstance(mark, Point)))
+
+
+def _alone(posed: Posed, name: str) -> Iterator[Mark]:
     ram = cylinder_joint(posed, name)
     yield from body(posed, name) if ram is None else cylinder_part(posed, name, ram)
     if posed.shapes.get(name) not in (Shape.ROD, Shape.PISTON):
@@ -41,8 +50,7 @@ def link_alone(posed: Posed, name: str) -> Iterator[Mark]:
         if isinstance(contact.on, Rack) and contact.on.link == name:
             yield from face_marks(posed, contact)
         if (guide := posed.fixed_guide(name)) is not None:
-            stem = stem_marks(posed, contact, name, guide)
-            yield from (mark for mark in stem if isinstance(mark, Segment) and mark.role is Role.LINK)
+            yield stem(posed, contact, name, guide)
     yield from _teeth(posed, name)
     thought = contact_replaced(posed.mech, name)
     if thought is not None and isinstance(thought.on, Rack):
@@ -92,24 +100,24 @@ def body(posed: Posed, name: str) -> Iterator[Mark]:
 
 def _drawn(posed: Posed, links: tuple[str, ...], paper: list[Mark]) -> Iterator[tuple[str, Iterator[Mark]]]:
     for name in links:
-        yield f"link {name}", body(posed, name)
+        yield name, body(posed, name)
     for joint in posed.slides():
         if _is_late(posed, joint, links):
-            yield f"link {joint.guide}", _late_guide(posed, joint)
+            yield joint.guide, _late_guide(posed, joint)
     for joint in posed.slides():
         if not {joint.guide, joint.block} & set(links):
             continue
         if is_cylinder(posed, joint):
-            yield from ((f"link {part}", cylinder_part(posed, part, joint)) for part in (joint.guide, joint.block))
+            yield from ((part, cylinder_part(posed, part, joint)) for part in (joint.guide, joint.block))
         elif _has_block(posed, joint):
-            yield f"link {joint.block}", sliding_pair(posed, joint)
+            yield joint.block, sliding_pair(posed, joint)
     for rolling in (joint for joint in posed.mech.joints if isinstance(joint, Rolling)):
         for circle in (rolling.gear, rolling.on):
             if isinstance(circle, Circle) and _turns_up(circle, rolling, links):
-                yield f"link {circle.link}", gear_marks(posed, circle, rolling, paper)
+                yield circle.link, gear_marks(posed, circle, rolling, paper)
         both = {rolling.gear.link, rolling.on.link}
         if isinstance(rolling.on, Rack) and both & set(links) and posed.is_located(*both):
-            yield f"link {rolling.on.link}", rack_marks(posed, rolling, rolling.on)
+            yield rolling.on.link, rack_marks(posed, rolling, rolling.on)
 
 
 def _is_late(posed: Posed, joint: Prismatic, links: tuple[str, ...]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ..board import acts as done
-from ..board.paper.marks import AngleMark
+from ..board.paper.marks import AngleMark, FixedGuide
 from ..plane.derived import moves
 
 STILL = 1e-6  # mm: what moves less stands still
@@ -24,14 +24,16 @@ def stale(recorded: Sequence[done.Act], anew: Sequence[done.Act]) -> Iterator[in
 
 
 def _standing(act: done.Depict) -> tuple[object, ...]:
-    return tuple(repr(mark) for mark in act.marks if not isinstance(mark, AngleMark))
+    return tuple(repr(mark) for mark in act.marks if not isinstance(mark, AngleMark | FixedGuide))
 
 
 def _places(act: done.Act) -> tuple[complex, ...]:
     """The places at which an act leaves ink."""
     match act:
-        case done.Plot(at=at):
+        case done.Plot(at=at) | done.CurvedArrow(at=at) | done.Annotate(at=at):
             return (at,)
+        case done.Angle(at=at):
+            return (at,)  # its arc follows the links by rules of its own
         case done.Join(a=a, b=b) | done.Arrow(a=a, b=b) | done.Rule(a=a, b=b):
             return (a, b)
         case done.Swing(centre=centre, radius=radius):

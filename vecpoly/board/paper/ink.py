@@ -8,8 +8,8 @@ from typing import assert_never
 
 from .. import acts as done
 from ..acts import Act, Inkless, Leaving
-from ..place import Place
-from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from ..place import Place, called
+from .marks import AngleMark, Arc, Dot, ImageOf, Mark, Note, Point, RightAngle, Role, Segment, TurnArrow, Vector
 
 
 def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
@@ -22,10 +22,14 @@ def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
 
 
 def marks_of(act: Act) -> tuple[Mark, ...]:
-    """The marks of one act: each knows the act, its step, its owner and, where it stands for a quantity, its key."""
+    """The marks of one act: each knows the act, its step, its owner and, where it stands for a quantity, its key.
+
+    What belongs to no link and no joint is its figure's own: the polygon's.
+    """
     h = act.head
+    owner = h.owner or (called(h.place) if h.place is not None else "")
     return tuple(
-        replace(mark, step=mark.step or h.step, act=h.number, key=mark.key or h.key, owner=mark.owner or h.owner)
+        replace(mark, step=mark.step or h.step, act=h.number, key=mark.key or h.key, owner=mark.owner or owner)
         for mark in (() if isinstance(act, Inkless) else _left(act))
     )
 
@@ -43,12 +47,17 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
             line, end = Segment(a=act.a, b=act.b, role=Role.DIRECTION), Point(at=act.b, label=act.label, dot=Dot.NONE)
             return (line, end) if act.label else (line,)
         case done.Swing():
-            centre, radius = act.centre, act.radius
-            return (Arc(centre=centre, radius=radius, start=act.start, sweep=act.sweep, role=Role.CONSTRUCTION),)
+            return (Arc(centre=act.centre, radius=act.radius, start=act.start, sweep=act.sweep, role=act.role),)
         case done.Corner():
             return (RightAngle(at=act.at, u=act.u, v=act.v),)
         case done.Tint():
             return (ImageOf(points=act.points),)
+        case done.Angle():
+            return (AngleMark(at=act.at, radius=act.radius, start=act.start, sweep=act.sweep, label=act.label),)
+        case done.CurvedArrow():
+            return (TurnArrow(at=act.at, radius=act.radius, start=act.start, ccw=act.ccw, label=act.label),)
+        case done.Annotate():
+            return (Note(at=act.at, words=act.words),)
         case done.Depict():
             return act.marks
         case _:

@@ -7,18 +7,7 @@ from typing import Any
 import numpy as np
 
 from ...board import acts as done
-from ...board.paper.marks import (
-    AngleMark,
-    Arc,
-    Disc,
-    FixedGuide,
-    FrictionCircle,
-    GearMark,
-    Ground,
-    LinkNumber,
-    Mark,
-    Slot,
-)
+from ...board.paper.marks import Arc, Disc, FixedGuide, FrictionCircle, GearMark, Ground, LinkNumber, Mark, Slot
 from ...board.place import View
 from ...drawing.scene import Stroke
 from ...drawing.style import LINK, THIN, Dash, Hue, Pen
@@ -51,8 +40,6 @@ class Bodies:
 
     def _mark(self, mark: Mark, pose: Pose | None) -> None:
         match mark:
-            case AngleMark(at=at, radius=radius, label=label) if label == f"φ_{self.drive.link}" and pose is None:
-                self._crank_angle(at, radius)
             case (
                 GearMark(centre=centre, radius=radius)
                 | Disc(centre=centre, radius=radius)
@@ -82,10 +69,12 @@ class Bodies:
         else:
             self.figure.lines(points, look)
 
-    def _crank_angle(self, at: complex, radius: float) -> None:
+    def angle(self, act: done.Angle) -> None:
         """The arc of φ, which ends on the crank wherever it is."""
+        if act.label != f"φ_{self.drive.link}":
+            return
         along = bare(self.desk.pose[self.drive.link].along)
-        ends = (at, at + radius, at + radius * along)
+        ends = (act.at, act.at + act.radius, act.at + act.radius * along)
         self.figure.page.line("CircleArc", "conicpart", [self.figure.at(end) for end in ends], Pen(width=THIN))
 
     def _pose(self, link: str) -> Pose | None:

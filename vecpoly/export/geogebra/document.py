@@ -81,6 +81,8 @@ class _Writer:
                     self._quantity(key, value)
                 case done.Depict() if view is View.MECHANISM:
                     self.bodies.draw(act)
+                case done.Angle() if view is View.MECHANISM:
+                    self.bodies.angle(act)
                 case _ if view in self.figures:
                     self.figures[view].draw(act)
         for answer in self.recording.follow:

@@ -129,6 +129,11 @@ def shapes(drawn: Drawn) -> Expected:
     return Expected(shapes=tuple(one for one in found if one.edges), construction=construction)
 
 
+def _is_polygon(place: Place) -> bool:
+    """Whether vectors are added up there; what stands on a sketch, or on a body, is drawn to no scale."""
+    return view_of(place) not in NO_POLYGON
+
+
 def _counts(place: Place) -> bool:
     return view_of(place) is not View.BODY and not (isinstance(place, Pane) and place.aside)
 
@@ -136,7 +141,7 @@ def _counts(place: Place) -> bool:
 def _shape(name: str, place: Place, construction: Construction) -> Shape:
     acts = [act for act in construction.acts if act.head.place is not None and called(act.head.place) == name]
     vertices = tuple(_vertices(acts))
-    lines = _links(construction) if place is View.MECHANISM else _vectors(acts, vertices)
+    lines = _links(construction) if place is View.MECHANISM else _vectors(acts, vertices) if _is_polygon(place) else ()
     figure = construction.figure(place)
     return Shape(
         name=name,

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from ...board.construction import View
-from ...board.paper.marks import AngleMark, Dot, Mark, Point, Role, Segment
+from ...board.paper.symbols import Symbol
+from ...diagram.copied import copied
 from ...mechanism.groups.assur import Group
 from ..desk import Desk
 from ..diagram import Pose
@@ -16,7 +16,7 @@ from .size import Paper
 FEW = 4  # links: with more, the letters of the points would crowd those of the centres
 
 
-def mechanism_marks(desk: Desk, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Mark]:
+def mechanism_copied(desk: Desk, paper: Paper, groups: tuple[Group, ...]) -> Iterator[Symbol]:
     """Frame and links as in the position diagram, reduced;
     without their construction lines, and of many links without letters."""
     scratch = Desk(
@@ -37,17 +37,4 @@ def mechanism_marks(desk: Desk, paper: Paper, groups: tuple[Group, ...]) -> Iter
         if number == 0:
             draw_frame(scratch)
         draw_links(scratch, links)
-    crowded = len(desk.mech.bodies) >= FEW
-    for mark in scratch.board.marks(View.MECHANISM):
-        if not _helps(mark):
-            yield _unlettered(mark) if crowded else replace(mark, step=0)
-
-
-def _helps(mark: Mark) -> bool:
-    """Whether a mark belongs to a construction: thin lines, their letters, angles."""
-    lines = isinstance(mark, Segment) and mark.role in (Role.CONSTRUCTION, Role.HIDDEN)
-    return lines or isinstance(mark, AngleMark) or (isinstance(mark, Point) and mark.dot is Dot.NONE)
-
-
-def _unlettered(mark: Mark) -> Mark:
-    return replace(mark, label="", step=0) if isinstance(mark, Point) else replace(mark, step=0)
+    return copied(scratch.board.marks(View.MECHANISM), lettered=len(desk.mech.bodies) < FEW)

@@ -14,7 +14,7 @@ from ...words import Words
 from ..desk import Desk
 from ..registry import Stage
 from .at_sight import draw_direct
-from .copy import mechanism_marks
+from .copy import mechanism_copied
 from .direct import direct_centres, normals, scaled
 from .doors import LIMITS, SEARCHES, SLOWEST
 from .find.motions import Motions
@@ -74,7 +74,7 @@ def _copy(fig: CentreFigure, problem: Problem, paper: Paper, groups: tuple[Group
     else:
         words = Words("重画机构图，作为瞬心图。", "Draw the mechanism once more for its centres.")
     fig.board.step(words + _sparing(fig), fig.pane)
-    fig.board.mark(fig.pane, *mechanism_marks(fig.desk, paper, groups))
+    fig.board.depict(fig.pane, *mechanism_copied(fig.desk, paper, groups))
 
 
 def _sparing(fig: CentreFigure) -> Words:

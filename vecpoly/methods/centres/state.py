@@ -9,7 +9,7 @@ import numpy as np
 from ...algebra.formula import Row, Txt, row
 from ...board.board import Board
 from ...board.construction import Pane, Reading
-from ...board.paper.marks import Dot, Point, Role, Segment, Vector
+from ...board.paper.marks import Dot, Role
 from ...mechanism.asked.centres import Pair, centre, pair_of, real_links
 from ...mechanism.model import Mechanism
 from ...plane import Line, Points, nominal
@@ -98,11 +98,8 @@ class CentreFigure:
     def point_out(self, start: complex, way: complex, label: str) -> None:
         """An arrow away from the figure, with a letter at its tip."""
         tip = start + way * (GAP + ARROW)
-        self.board.mark(
-            self.pane,
-            Vector(a=start + way * GAP, b=tip, role=Role.DIRECTION),
-            Point(at=tip + way * TO_LETTER, label=label, dot=Dot.NONE),
-        )
+        self.board.arrow(self.pane, start + way * GAP, tip, Role.DIRECTION)
+        self.board.plot(self.pane, tip + way * TO_LETTER, label, Dot.NONE)
 
     def rule(self, line: Line, here: Centre, *on: Centre, whole: bool = False) -> None:
         """A thin line through these centres, a little beyond the outermost;
@@ -118,7 +115,7 @@ class CentreFigure:
             return  # it runs beside the paper
         reach = [float((np.conj(along) * (s - at)).real) for s in near]
         low, high = min(reach) - BEYOND, max(reach) + BEYOND
-        self.board.mark(self.pane, Segment(a=at + along * low, b=at + along * high, role=Role.DIRECTION))
+        self.board.join(self.pane, at + along * low, at + along * high, Role.DIRECTION)
 
     def rule_out(self, line: Line, target: Pair) -> None:
         """The line's way to a centre off the paper: on to the edge, with an arrow and its letter."""
@@ -126,11 +123,8 @@ class CentreFigure:
         way = along if float((np.conj(along) * (self.known.of(*target).spot() - at)).real) > 0 else -along
         tip = self.edge(at, way)
         if tip is not None:
-            self.board.mark(
-                self.pane,
-                Vector(a=at, b=tip, role=Role.DIRECTION),
-                Point(at=tip + way * TO_LETTER, label=self.letters(*target), dot=Dot.NONE),
-            )
+            self.board.arrow(self.pane, at, tip, Role.DIRECTION)
+            self.board.plot(self.pane, tip + way * TO_LETTER, self.letters(*target), Dot.NONE)
 
     def edge(self, at: complex, way: complex) -> complex | None:
         """Where a ray from a point of the paper leaves it."""

@@ -9,8 +9,10 @@ import numpy as np
 from ...algebra.formula import Row, Txt, row, sym
 from ...algebra.quantity import Quantity, magnitude, number
 from ...board.construction import Place
-from ...board.paper.marks import AngleMark, Dot, Outline, Point, Role, Segment, Vector
+from ...board.paper.marks import Dot, Role
 from ...devices.base import Ratio
+from ...diagram.single import number as number_of
+from ...diagram.single import outline
 from ...names import Named
 from ...plane import Points, Reals, dot, nominal
 from .bench import Bench
@@ -66,58 +68,53 @@ def facing(normal: Points, pushed: Points) -> Points:
 # -- bodies ---------------------------------------------------------------------------------------------------------
 
 
-def body(bench: Bench, place: Place, *points: Points, fixed: bool = False) -> None:
-    """Draw the outline of a body."""
-    bench.board.mark(place, Outline(points=tuple(complex(nominal(p)) for p in points), fixed=fixed))
+def body(bench: Bench, place: Place, owner: str, *points: Points, fixed: bool = False) -> None:
+    """Draw the outline of a body: of ``link 2``."""
+    bench.board.depict(place, outline(owner, *points, fixed=fixed))
+
+
+def numbered(bench: Bench, place: Place, *numbers: tuple[Points, str]) -> None:
+    """Write the numbers of the bodies where they stand."""
+    bench.board.depict(place, *(number_of(name, at) for at, name in numbers))
 
 
 def press(bench: Bench, place: Place, reaction: Press) -> None:
     """Draw a reaction that presses on a face: the arrow ends on it, and leans by φ from the normal."""
-    at, along, normal = (complex(nominal(z)) for z in (reaction.at, reaction.along, reaction.normal))
-    board = bench.board
-    board.mark(place, Vector(a=at - along * ARROW, b=at, role=Role.RESULT, label=reaction.symbol))
+    board, at, normal = bench.board, reaction.at, reaction.normal
+    board.arrow(place, at - reaction.along * ARROW, at, Role.RESULT, label=reaction.symbol)
     if reaction.slides is not None:
-        way = complex(nominal(reaction.slides))
-        start = at + normal * INSIDE + way * CLEAR
-        board.mark(place, Vector(a=start, b=start + way * SLIDE, role=Role.GIVEN, label=reaction.speed))
-    lean = float(np.angle(along / normal))
-    if abs(lean) < FLAT:
+        start = at + normal * INSIDE + reaction.slides * CLEAR
+        board.arrow(place, start, start + reaction.slides * SLIDE, Role.GIVEN, label=reaction.speed)
+    lean = np.angle(reaction.along / normal)
+    if abs(float(nominal(lean))) < FLAT:
         return
-    board.mark(
-        place,
-        Segment(a=at, b=at - normal * NORMAL, role=Role.CENTRE),
-        Point(at=at - normal * NORMAL, label="n", dot=Dot.NONE),
-        AngleMark(at=at, radius=ARC, start=float(np.angle(-normal)), sweep=lean, label=reaction.angle),
-    )
+    board.join(place, at, at - normal * NORMAL, Role.CENTRE)
+    board.plot(place, at - normal * NORMAL, "n", Dot.NONE)
+    board.angle(place, at, -normal, lean, ARC, reaction.angle)
 
 
 def pull(bench: Bench, place: Place, at: Points, along: Points, symbol: str) -> None:
     """Draw a given force whose arrow ends at a point."""
-    end, way = complex(nominal(at)), complex(nominal(along))
-    bench.board.mark(place, Vector(a=end - way * ARROW, b=end, role=Role.GIVEN, label=symbol))
+    bench.board.arrow(place, at - along * ARROW, at, Role.GIVEN, label=symbol)
 
 
 def haul(bench: Bench, place: Place, at: Points, along: Points, symbol: str, length: float = ARROW) -> None:
     """Draw a given force whose arrow starts at a point: a pull, a weight."""
-    start, way = complex(nominal(at)), complex(nominal(along))
-    bench.board.mark(place, Vector(a=start, b=start + way * length, role=Role.GIVEN, label=symbol))
+    bench.board.arrow(place, at, at + along * length, Role.GIVEN, label=symbol)
 
 
 def ray(bench: Bench, place: Place, at: Points, along: Points, length: float, label: str = "") -> None:
     """Draw a thin line from a point, with a symbol at its end."""
-    start, end = complex(nominal(at)), complex(nominal(at + along * length))
-    bench.board.mark(
-        place, Segment(a=start, b=end, role=Role.CENTRE), *([Point(at=end, label=label, dot=Dot.NONE)] if label else [])
-    )
+    bench.board.join(place, at, at + along * length, Role.CENTRE)
+    if label:
+        bench.board.plot(place, at + along * length, label, Dot.NONE)
 
 
 def between(bench: Bench, place: Place, at: Points, one: Points, other: Points, radius: float, label: str) -> None:
     """Mark the angle from one direction to another, the shorter way."""
-    start, sweep = float(np.angle(nominal(one))), float(np.angle(nominal(other / one)))
-    if abs(sweep) > FLAT:
-        bench.board.mark(
-            place, AngleMark(at=complex(nominal(at)), radius=radius, start=start, sweep=sweep, label=label)
-        )
+    sweep = np.angle(other / one)
+    if abs(float(nominal(sweep))) > FLAT:
+        bench.board.angle(place, at, one, sweep, radius, label)
 
 
 def gauged(bench: Bench, one: Points, other: Points) -> Reals:
@@ -138,12 +135,9 @@ def cone(
 
 def concur(bench: Bench, place: Place, at: Points, *ends: Points) -> None:
     """Carry the lines of action on to the point where they meet."""
-    middle = complex(nominal(at))
-    bench.board.mark(
-        place,
-        *(Segment(a=complex(nominal(end)), b=middle, role=Role.HIDDEN) for end in ends),
-        Point(at=middle, label="", dot=Dot.POINT),
-    )
+    for end in ends:
+        bench.board.join(place, end, at, Role.HIDDEN)
+    bench.board.plot(place, at, "")
 
 
 def angle(symbol: str, radians: float) -> Quantity:

@@ -9,8 +9,9 @@ import numpy as np
 
 from ...algebra.quantity import Of, Quantity, Times, magnitude
 from ...board.construction import Pane, View
-from ...board.paper.marks import AngleMark, Dot, LinkNumber, Point, RightAngle, Role, Segment
+from ...board.paper.marks import Role
 from ...devices.vee_guide import F_VEE, F_WHOLE, FLANK, FRICTION, FRICTION_FLAT, FRICTION_V, ON_FLAT, ON_V, VeeGuide
+from ...diagram.single import number as number_of
 from ...names import Named
 from ...plane import nominal
 from ...words import Words
@@ -108,18 +109,15 @@ def _section(bench: Bench, device: VeeGuide) -> None:
     )
     left, right = (SPAN * x / (device.l1.si + device.l2.si) for x in (-device.l1.si, device.l2.si))
     wide, deep = FLANK_LENGTH * np.sin(device.theta.si), FLANK_LENGTH * np.cos(device.theta.si)
-    body(bench, place, *_bed(left, right, wide, deep), fixed=True)
-    body(bench, place, *_slide(left, right, wide, deep))
+    body(bench, place, "frame", *_bed(left, right, wide, deep), fixed=True)
+    body(bench, place, "slide", *_slide(left, right, wide, deep))
     top = PLATE + 24.0
-    board.mark(place, Segment(a=complex(0, PLATE / 2), b=complex(0, top), role=Role.CENTRE))
+    board.join(place, complex(0, PLATE / 2), complex(0, top), Role.CENTRE)
     for x, guide, symbol in ((left, "1", "l_1"), (right, "2", "l_2")):
-        board.mark(
-            place,
-            Segment(a=complex(x, -deep), b=complex(x, top), role=Role.CENTRE),
-            LinkNumber(a=complex(x, -deep - 9), b=complex(x, -deep - 9), number=guide),
-            *dimension(complex(0, top - 2), complex(x, top - 2), symbol),
-        )
-    board.mark(place, Point(at=PLATE / 2 * 1j, label="S", dot=Dot.POINT))
+        board.join(place, complex(x, -deep), complex(x, top), Role.CENTRE)
+        board.depict(place, number_of(guide, complex(x, -deep - 9), owner=f"guide {guide}"))
+        dimension(bench, place, complex(0, top - 2), complex(x, top - 2), symbol)
+    board.plot(place, PLATE / 2 * 1j, "S")
     pull(bench, place, complex(0, PLATE), -1j, "G")
 
 
@@ -181,16 +179,13 @@ def _body(bench: Bench, device: VeeGuide, place: Pane) -> tuple[complex, complex
     board, theta = bench.board, device.theta.si
     right = complex(np.exp(1j * (pi / 2 - theta)))  # from the edge up the right flank
     left = -right.conjugate()
-    body(bench, place, 0j, APART * right, APART * left)
+    body(bench, place, "slide", 0j, APART * right, APART * left)
     top = APART * 1j * right.imag
     pull(bench, place, top, -1j, ON_V.symbol)
-    board.mark(
-        place,
-        Segment(a=-4j, b=top, role=Role.CENTRE),
-        AngleMark(at=0j, radius=0.45 * APART, start=pi / 2 - theta, sweep=theta, label="θ"),
-    )
+    board.join(place, -4j, top, Role.CENTRE)
+    board.angle(place, 0j, right, theta, 0.45 * APART, "θ")
     for flank, normal in ((right, 1j * right), (left, -1j * left)):
         at = 0.6 * APART * flank
         press(bench, place, Press(symbol="N", at=at, normal=normal, along=normal))
-        board.mark(place, RightAngle(at=at, u=flank, v=-normal))
+        board.right_angle(place, at, flank, -normal)
     return 1j * right, -1j * left

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...board.construction import View
-from ...board.paper.marks import FrictionCircle
+from ...diagram.single import friction_circle
 from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
 from ...mechanism.asked.forces import load_named, without_friction
 from ...mechanism.groups.assur import Group
@@ -233,7 +233,4 @@ def _circles(st: Statics) -> None:
         )
     for point, rho in st.loads.friction.pins.items():
         if rho:
-            board.mark(
-                View.MECHANISM,
-                FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=st.desk.mm(rho), label=""),
-            )
+            board.depict(View.MECHANISM, friction_circle(point, st.desk.at[point], st.desk.mm(rho)))

@@ -7,12 +7,14 @@ import numpy as np
 
 from ....algebra.formula import Row, Txt, row
 from ....board.construction import Pane, Reading, View
-from ....board.paper.marks import AngleMark, Arc, Dot, Ground, Point, Role, Segment
+from ....board.paper.marks import Dot, Role
+from ....diagram.single import pivot
+from ....diagram.single import rod as rod_of
 from ....errors import NoMethodError
 from ....mechanism.asked.centres import crank_groups, limits
 from ....mechanism.groups.assur import decompose
 from ....mechanism.model import FRAME, Prismatic, Revolute
-from ....names import Named, subscripted
+from ....names import Named
 from ....plane import Points, cross, nominal, unit
 from ....words import Words
 from ...desk import Desk
@@ -20,7 +22,6 @@ from ...registry import Stage, method
 
 PANE = Words("极限位置", "Limit positions")
 NAME = "centre limits"
-HALF = 7.0  # mm of a compass arc to either side of its meeting
 RADIUS = 14.0  # mm of the angle's mark
 
 
@@ -109,46 +110,25 @@ def _draw(
     """Crank and rod in one line, the rocker, the arcs, the angle."""
     pin, led, rod = links
     a, b, c = (complex(nominal(z)) for z in (desk.at[_pivot(desk)], *found))
-    joint = _path(desk, rod, led)[0]
+    joint, other = _path(desk, rod, led)
     board, reach = desk.board, abs(c - a)
-    grounds = [(_pivot(desk), a)]
-    board.mark(pane, Segment(a=a, b=b, role=Role.LINK), Segment(a=b, b=c, role=Role.LINK), _arc(a, c))
+    board.depict(pane, rod_of(f"link {desk.mech.drive.link}", a, b), rod_of(f"link {rod}", b, c))
+    board.swing(pane, a, abs(c - a), c)
+    grounds = [pivot(a, _pivot(desk))]
     if isinstance(joint, Revolute):
         d = complex(nominal(desk.at[joint.point]))
-        grounds.append((joint.point, d))
-        board.mark(pane, Segment(a=c, b=d, role=Role.LINK), _arc(d, c))
+        grounds.append(pivot(d, joint.point))
+        board.depict(pane, rod_of(f"link {other}", c, d))
+        board.swing(pane, d, abs(c - d), c)
     else:
         way = complex(nominal(desk.guide_line(joint).along))
-        board.mark(pane, Segment(a=c - way * 25, b=c + way * 25, role=Role.CENTRE))
-    for letter, at in grounds:
-        board.mark(pane, Ground(at=at, down=-1j), Point(at=at, label=subscripted(letter), dot=Dot.JOINT))
-    radius = RADIUS if prime == "′" else RADIUS * 0.65
-    board.mark(
-        pane,
-        Segment(a=a, b=a + max(reach * 0.3, RADIUS + 6), role=Role.CENTRE),
-        AngleMark(
-            at=a,
-            radius=radius,
-            start=0.0,
-            sweep=float(np.radians(degrees)),
-            label=f"φ_{led}^{{{prime.replace('″', '′′')}}}",
-        ),
-        Point(at=b, label=f"{pin}{prime}", dot=Dot.JOINT),
-        Point(at=c, label=f"{led}{prime}", dot=Dot.JOINT),
-    )
-
-
-def _arc(centre: complex, through: complex) -> Arc:
-    """The short compass arc near the point it passes."""
-    radius = abs(through - centre)
-    half = min(0.5, HALF / max(radius, 1e-6))
-    return Arc(
-        centre=centre,
-        radius=radius,
-        start=float(np.angle(through - centre)) - half,
-        sweep=2 * half,
-        role=Role.CONSTRUCTION,
-    )
+        board.join(pane, c - way * 25, c + way * 25, Role.CENTRE)
+    board.depict(pane, *grounds)
+    board.join(pane, a, a + max(reach * 0.3, RADIUS + 6), Role.CENTRE)
+    radius, label = RADIUS if prime == "′" else RADIUS * 0.65, f"φ_{led}^{{{prime.replace('″', '′′')}}}"
+    board.angle(pane, a, 1 + 0j, float(np.radians(degrees)), radius, label)
+    board.plot(pane, b, f"{pin}{prime}", Dot.JOINT)
+    board.plot(pane, c, f"{led}{prime}", Dot.JOINT)
 
 
 def _pivot(desk: Desk) -> str:

@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 
 from ....board.construction import Pane, Scale, View
-from ....board.paper.marks import Arc, Dot, Point, Role, Segment
+from ....board.paper.marks import Role
 from ....mechanism.asked.centres import Pair, real_links
 from ....words import Words
 from ...desk import Desk
@@ -24,9 +24,9 @@ def open_polygon(desk: Desk) -> Pane:
     """The circle with the links' numbers."""
     pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, NO_SCALE, aside=True)
     radius = _radius(desk)
-    desk.board.mark(pane, Arc(centre=0j, radius=radius, start=0.0, sweep=2 * pi, role=Role.CONSTRUCTION))
+    desk.board.circle(pane, 0j, radius, Role.CONSTRUCTION)
     for link in real_links(desk.mech):
-        desk.board.mark(pane, Point(at=vertex(desk, link), label=desk.mech.number(link), dot=Dot.POINT))
+        desk.board.plot(pane, vertex(desk, link), desk.mech.number(link))
     return pane
 
 
@@ -40,9 +40,8 @@ def vertex(desk: Desk, link: str) -> complex:
 
 def join(desk: Desk, pane: Pane, pair: Pair, *, sought: bool) -> None:
     """The line of a centre: full where it is known at sight, dashed where it was sought."""
-    desk.board.mark(
-        pane, Segment(a=vertex(desk, pair[0]), b=vertex(desk, pair[1]), role=Role.HIDDEN if sought else Role.GIVEN)
-    )
+    a, b = (vertex(desk, link) for link in pair)
+    desk.board.join(pane, a, b, Role.HIDDEN if sought else Role.GIVEN)
 
 
 def _radius(desk: Desk) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ....algebra.quantity import Quantity, number
 from ....board.construction import Pane, Scale, View
-from ....board.paper.marks import Role, Segment
+from ....board.paper.marks import Role
 from ....devices.eccentric_clamp import ARM, E_LIMIT, SELF_LOCKING, EccentricClamp
 from ....plane import Line, Points, foot, nominal, unit
 from ....words import Words
@@ -109,12 +109,8 @@ def _limit(bench: Bench, clamp: Clamp, line: Line, opening: Points, place: Pane)
     touch = opening * clamp.rho
     beside = touch + clamp.o - foot(line, clamp.o)
     largest = board.meet(Line(beside, line.along), Line(0j, unit(clamp.o)), Words("R_21 与 AO", "R_21 and AO"))
-    at, t, b, along = (complex(nominal(z)) for z in (largest, touch, beside, line.along))
-    board.mark(
-        place,
-        Segment(a=t - 12 * along, b=t + 12 * along, role=Role.HIDDEN),
-        Segment(a=b, b=at + (at - b) / abs(at - b) * 5, role=Role.HIDDEN),
-        Segment(a=0j, b=at, role=Role.CONSTRUCTION),
-    )
-    board.plot(place, at, "O′")
+    board.join(place, touch - 12 * line.along, touch + 12 * line.along, Role.HIDDEN)
+    board.join(place, beside, largest + unit(largest - beside) * 5, Role.HIDDEN)
+    board.join(place, 0j, largest, Role.CONSTRUCTION)
+    board.plot(place, largest, "O′")
     bench.measured(E_LIMIT, place, 0j, largest, "A O′")

@@ -65,7 +65,7 @@ def _apart(bench: Bench, along: Points, force: Points, phi: Quantity, limit: boo
     )
     normal = 1j * along
     reaction = leaned(normal, along, phi.value)
-    body(bench, place, *block_on(along, 0j))
+    body(bench, place, "link 1", *block_on(along, 0j))
     middle = 0.5 * HIGH * normal
     foot = middle - reaction * (0.5 * HIGH / (reaction * np.conj(normal)).real)
     press(

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ....board.construction import Pane, View
-from ....board.paper.marks import FixedGuide, LinkNumber
+from ....diagram.single import rail
 from ....plane import Points, nominal
 from ..bench import Bench
-from ..inclined import between, body, haul, ray
+from ..inclined import between, body, haul, numbered, ray
 
 PLANE, LONG, HIGH = 72.0, 24.0, 13.0  # mm: the plane; the block
 ARM, STEEP = 24.0, 0.2  # mm: the arrow of F; sine of its angle over the plane from which it is drawn as a pull
@@ -20,11 +20,11 @@ def block_on(along: Points, foot: Points) -> tuple[Points, ...]:
 
 def on_plane(bench: Bench, place: View | Pane, along: Points, label: str) -> Points:
     """The plane with its angle, and a block on it; gives the middle of the block."""
-    end, foot = complex(nominal(along * PLANE)), along * PLANE * 0.62
-    bench.board.mark(place, FixedGuide(a=0j, b=end))
+    foot = along * PLANE * 0.62
+    bench.board.depict(place, rail(0j, along * PLANE))
     ray(bench, place, 0j, 1 + 0j, PLANE * 0.62)
     between(bench, place, 0j, 1 + 0j, along, 30.0, label)
-    body(bench, place, *block_on(along, foot))
+    body(bench, place, "link 1", *block_on(along, foot))
     return foot + 0.5j * along * HIGH
 
 
@@ -35,9 +35,7 @@ def sketch(bench: Bench, along: Points, force: Points) -> None:
     side = draw_drive(bench, view, middle, along, force)
     haul(bench, view, middle, -1j, "Q", 20.0)
     ray(bench, view, middle, side, 24.0)
-    at = complex(nominal(along * (PLANE - 4))) - 4j
-    for number_at, name in ((complex(nominal(middle - along * 0.32 * LONG)), "1"), (at, "2")):
-        bench.board.mark(view, LinkNumber(a=number_at, b=number_at, number=name))
+    numbered(bench, view, (middle - along * 0.32 * LONG, "1"), (along * (PLANE - 4) - 4j, "2"))
     between(bench, view, middle, side, side * force, 15.0, "β")
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from ....algebra.quantity import Quantity, magnitude
-from ....board.paper.marks import Dot, Mark, Point, Role, Vector
+from ....board.construction import Place
+from ....board.paper.marks import Dot, Role
+from ..bench import Bench
 
 
 def millimetres(symbol: str, metres: float) -> Quantity:
@@ -11,10 +13,8 @@ def millimetres(symbol: str, metres: float) -> Quantity:
     return magnitude(symbol, metres * 1e3, "mm")
 
 
-def dimension(a: complex, b: complex, symbol: str) -> tuple[Mark, ...]:
+def dimension(bench: Bench, place: Place, a: complex, b: complex, symbol: str) -> None:
     """A thin line with an arrowhead at both ends, and its symbol."""
-    return (
-        Vector(a=a, b=b, role=Role.CONSTRUCTION),
-        Vector(a=b, b=a, role=Role.CONSTRUCTION),
-        Point(at=(a + b) / 2, label=symbol, dot=Dot.NONE),
-    )
+    bench.board.arrow(place, a, b, Role.CONSTRUCTION)
+    bench.board.arrow(place, b, a, Role.CONSTRUCTION)
+    bench.board.plot(place, (a + b) / 2, symbol, Dot.NONE)

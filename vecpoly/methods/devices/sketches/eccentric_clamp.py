@@ -8,22 +8,9 @@ import numpy as np
 
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane, View
-from ....board.paper.marks import (
-    Arc,
-    Disc,
-    Dot,
-    FrictionCircle,
-    Ground,
-    LinkNumber,
-    Note,
-    Outline,
-    Point,
-    Role,
-    Segment,
-    TurnArrow,
-    Vector,
-)
+from ....board.paper.marks import Dot, Role
 from ....devices.eccentric_clamp import FORCE, R21, R31, EccentricClamp
+from ....diagram.single import disc, friction_circle, number, outline, pivot, rim, rod
 from ....plane import Points, Reals, nominal
 from ....words import Words
 from ..bench import Bench
@@ -71,33 +58,24 @@ def sketch(bench: Bench, device: EccentricClamp) -> Clamp:
     draw_disc(bench, place, clamp)
     handle(bench, place, clamp, "F")
     k, wide = complex(nominal(clamp.k)), 0.9 * float(nominal(mm_r))
-    board.mark(
-        place,
-        Outline(points=(k - wide, k + wide, k + wide - 12j, k - wide - 12j), fixed=True),
-        Ground(at=0j, down=-1j),
-        LinkNumber(a=0.5 * complex(nominal(h)), b=0.7 * complex(nominal(h)), number="1"),
-        LinkNumber(a=k + wide - 6j, b=k + wide - 6j, number="2"),
-        LinkNumber(a=12 - 6j, b=12 - 6j, number="3"),
-        TurnArrow(at=0j, radius=0.7 * wide, start=-0.4, ccw=device.turn > 0, label=""),
-    )
+    work = outline("link 2", k - wide, k + wide, k + wide - 12j, k - wide - 12j, fixed=True)
+    numbers = (number("1", 0.5 * h, 0.7 * h), number("2", k + wide - 6j), number("3", 12 - 6j))
+    board.depict(place, work, pivot(0j), *numbers)
+    board.curved_arrow(place, 0j, 0.7 * wide, -0.4, device.turn > 0, "")
     return clamp
 
 
 def draw_disc(bench: Bench, place: Pane, clamp: Clamp) -> None:
     """The disc with its centre, its pin and the friction circle (larger than true where it would not be seen),
     and the point of contact."""
-    o, k, rho = complex(nominal(clamp.o)), complex(nominal(clamp.k)), float(nominal(clamp.rho))
-    bench.board.mark(
-        place,
-        Disc(centre=o, radius=float(nominal(clamp.mm_r))),
-        Point(at=0j, label="A", dot=Dot.JOINT),
-        Point(at=o, label="O", dot=Dot.POINT),
-        Point(at=k, label="K", dot=Dot.POINT),
-        Segment(a=0j, b=o, role=Role.CONSTRUCTION),
-    )
-    if rho:
-        times = seen(clamp)
-        bench.board.mark(place, FrictionCircle(centre=0j, radius=rho * times, enlarged=times))
+    board = bench.board
+    board.depict(place, disc("link 1", clamp.o, clamp.mm_r))
+    board.plot(place, 0j, "A", Dot.JOINT)
+    board.plot(place, clamp.o, "O")
+    board.plot(place, clamp.k, "K")
+    board.join(place, 0j, clamp.o, Role.CONSTRUCTION)
+    if nominal(clamp.rho):
+        board.depict(place, friction_circle("A", 0j, clamp.rho, seen(clamp)))
 
 
 def seen(clamp: Clamp) -> float:
@@ -107,10 +85,9 @@ def seen(clamp: Clamp) -> float:
 
 
 def handle(bench: Bench, place: Pane, clamp: Clamp, symbol: str) -> None:
-    h = complex(nominal(clamp.h))
-    bench.board.mark(
-        place, Segment(a=0j, b=h, role=Role.LINK), Vector(a=h, b=h + ARROW * clamp.pull, role=Role.GIVEN, label=symbol)
-    )
+    """The handle, which is one link with the disc, and the force on it."""
+    bench.board.depict(place, rod("link 1", 0j, clamp.h))
+    bench.board.arrow(place, clamp.h, clamp.h + ARROW * clamp.pull, Role.GIVEN, label=symbol)
 
 
 def free_body(bench: Bench, place: Pane, clamp: Clamp, meet: Points, up: Points, u31: Points, touch: Points) -> None:
@@ -121,7 +98,8 @@ def free_body(bench: Bench, place: Pane, clamp: Clamp, meet: Points, up: Points,
     x, u, foot31 = (complex(nominal(z)) for z in (meet, u31, touch))
     foot31 *= seen(clamp)
     h, k = complex(nominal(clamp.h)), complex(nominal(clamp.k))
-    bench.board.mark(place, Vector(a=foot31 - 1.6 * ARROW * u, b=foot31, role=Role.RESULT, label=R31.symbol))
+    board = bench.board
+    board.arrow(place, foot31 - 1.6 * ARROW * u, foot31, Role.RESULT, label=R31.symbol)
     near = abs(x) < FAR
     way = x / abs(x)
     top = max((z * way.conjugate()).real for z in (h, k, foot31)) + 1.5 * ARROW
@@ -132,17 +110,12 @@ def free_body(bench: Bench, place: Pane, clamp: Clamp, meet: Points, up: Points,
             if near
             else max(ARROW, (top - (start * way.conjugate()).real) / (towards * way.conjugate()).real)
         )
-        bench.board.mark(place, Segment(a=start, b=start + towards * length, role=Role.HIDDEN))
+        board.join(place, start, start + towards * length, Role.HIDDEN)
         if not near and start == foot31:
-            bench.board.mark(
-                place,
-                Note(
-                    at=start + towards * length,
-                    words=Words("三线交于图外的 $X$", "the three lines meet in $X$,\noff the sheet"),
-                ),
-            )
+            told = Words("三线交于图外的 $X$", "the three lines meet in $X$,\noff the sheet")
+            board.note(place, start + towards * length, told)
     if near:
-        bench.board.mark(place, Point(at=x, label="X", dot=Dot.POINT))
+        board.plot(place, x, "X")
 
 
 def draw_released(bench: Bench, place: Pane, clamp: Clamp, back: Points, near: Points) -> None:
@@ -151,22 +124,16 @@ def draw_released(bench: Bench, place: Pane, clamp: Clamp, back: Points, near: P
     o, k, c, u = (complex(nominal(z)) for z in (clamp.o, clamp.k, near, back))
     rho, radius = float(nominal(clamp.rho)), float(nominal(clamp.mm_r))
     board, beside = bench.board, 1.2 * (c / abs(c) if abs(c) > NO_LENGTH else 1 + 0j)  # A and C may lie close together
-    board.mark(
-        place,
-        Arc(centre=o, radius=radius, start=-np.pi / 2 - 0.45, sweep=0.9, role=Role.LINK),
-        Point(at=0j, label="", dot=Dot.POINT),
-        Point(at=-beside, label="A", dot=Dot.NONE),
-        Point(at=o, label="O", dot=Dot.POINT),
-        Point(at=k, label="K", dot=Dot.POINT),
-        Segment(a=0j, b=o, role=Role.CONSTRUCTION),
-    )
+    board.depict(place, rim("link 1", o, radius, -np.pi / 2, 0.45))
+    board.plot(place, 0j, "")
+    board.plot(place, -beside, "A", Dot.NONE)
+    board.plot(place, o, "O")
+    board.plot(place, k, "K")
+    board.join(place, 0j, o, Role.CONSTRUCTION)
     if rho:
-        board.mark(place, FrictionCircle(centre=0j, radius=rho))
+        board.depict(place, friction_circle("A", 0j, rho))
     press(bench, place, Press(symbol="R′_{21}", at=k, normal=1j, along=u))
-    board.mark(
-        place,
-        Segment(a=k, b=c + 2.2 * rho * u + 8 * u, role=Role.CONSTRUCTION),
-        Segment(a=0j, b=c, role=Role.CONSTRUCTION),
-        Point(at=c, label="", dot=Dot.POINT),
-        Point(at=c + beside, label="C", dot=Dot.NONE),
-    )
+    board.join(place, k, c + 2.2 * rho * u + 8 * u, Role.CONSTRUCTION)
+    board.join(place, 0j, c, Role.CONSTRUCTION)
+    board.plot(place, c, "")
+    board.plot(place, c + beside, "C", Dot.NONE)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ....board.board import Board
 from ....board.construction import Pane
-from ....board.paper.marks import Cell, Mark, Note, Role, Segment, Vector
+from ....board.paper.marks import Role
 from ....devices.power_train import PowerTrain
 from ....devices.train import Part, Train
+from ....diagram.single import machine
+from ....names import ascii_key
 from ....words import Words
 
 BOX, HEIGHT, GAP, ROW = 17.0, 12.0, 16.0, 24.0  # mm on paper: five machines in a row fit the text
@@ -46,8 +47,8 @@ def draw_train(board: Board, place: Pane, train: PowerTrain, into: Flows, out: F
     """Draw the motor and all that it drives; into, out:
     the power that a part takes, and that an end delivers, by id of the part."""
     y = _middle(train.train, 0.0)
-    board.mark(place, Cell(at=complex(BOX / 2, y), width=BOX, height=HEIGHT, words=NAMES[""]))
-    board.mark(place, *_row(train, train.train, complex(BOX, y), 0.0, into, out))
+    board.depict(place, machine("motor", complex(BOX / 2, y), BOX, HEIGHT, NAMES[""]))
+    _Rows(board, place, train, into, out).draw(train.train, complex(BOX, y), 0.0)
 
 
 def _rows(train: Train) -> int:
@@ -72,42 +73,49 @@ def _tops(branches: tuple[Train, ...], top: float) -> list[float]:
     return tops
 
 
-def _row(device: PowerTrain, train: Train, start: complex, top: float, into: Flows, out: Flows) -> Iterator[Mark]:
-    """The parts of a train from where its power comes, then its branches."""
-    here = start
-    for part in train:
-        if part.parallel is not None:
-            yield from _branches(device, part, here, top, into, out)
-            return
-        yield from _arrow(here, here + GAP, into[id(part)])
-        here += GAP
-        yield Cell(
-            at=here + BOX / 2,
-            width=BOX,
-            height=HEIGHT,
-            words=_named(device, part) + Words.same(f"\n${device.symbol(part)}$ = {part.eta:g}"),
-        )
-        here += BOX
-    yield from _arrow(here, here + GAP, out[id(train[-1])])
+@dataclass(frozen=True, slots=True)
+class _Rows:
+    """The rows of a block diagram, and the power on each arrow."""
 
+    board: Board
+    place: Pane
+    device: PowerTrain
+    into: Flows
+    out: Flows
 
-def _branches(device: PowerTrain, part: Part, here: complex, top: float, into: Flows, out: Flows) -> Iterator[Mark]:
-    """A line down the branches, and each of them from there."""
-    assert part.parallel is not None
-    tops = _tops(part.parallel, top)
-    heights = [_middle(branch, t) for branch, t in zip(part.parallel, tops, strict=True)]
-    fork = here + GAP
-    yield from _arrow(here, fork, into[id(part)], head=False)
-    yield Segment(a=complex(fork.real, heights[0]), b=complex(fork.real, heights[-1]), role=Role.GIVEN)
-    for branch, t, y in zip(part.parallel, tops, heights, strict=True):
-        yield from _row(device, branch, complex(fork.real, y), t, into, out)
+    def draw(self, train: Train, start: complex, top: float) -> None:
+        """The parts of a train from where its power comes, then its branches."""
+        here = start
+        for part in train:
+            if part.parallel is not None:
+                self._branches(part, part.parallel, here, top)
+                return
+            self._arrow(here, here + GAP, self.into[id(part)])
+            symbol, here = self.device.symbol(part), here + GAP
+            words = _named(self.device, part) + Words.same(f"\n${symbol}$ = {part.eta:g}")
+            self.board.depict(self.place, machine(part.kind, here + BOX / 2, BOX, HEIGHT, words))
+            here += BOX
+        self._arrow(here, here + GAP, self.out[id(train[-1])])
 
+    def _branches(self, part: Part, branches: tuple[Train, ...], here: complex, top: float) -> None:
+        """A line down the branches, and each of them from there."""
+        tops = _tops(branches, top)
+        heights = [_middle(branch, t) for branch, t in zip(branches, tops, strict=True)]
+        fork = here + GAP
+        self._arrow(here, fork, self.into[id(part)], head=False)
+        first, last = complex(fork.real, heights[0]), complex(fork.real, heights[-1])
+        self.board.join(self.place, first, last, Role.GIVEN)
+        for branch, t, y in zip(branches, tops, heights, strict=True):
+            self.draw(branch, complex(fork.real, y), t)
 
-def _arrow(a: complex, b: complex, flow: Flow, head: bool = True) -> Iterator[Mark]:
-    """The arrow with its power, and over that the power's symbol where it has one."""
-    yield Vector(a=a, b=b, role=Role.GIVEN) if head else Segment(a=a, b=b, role=Role.GIVEN)
-    name = f"${flow.symbol}$\n" if flow.symbol else ""
-    yield Note(at=(a + b) / 2 + ASIDE, words=Words.same(f"{name}{flow.power:.4g} kW"))
+    def _arrow(self, a: complex, b: complex, flow: Flow, head: bool = True) -> None:
+        """The arrow with its power, and over that the power's symbol where it has one."""
+        if head:
+            self.board.arrow(self.place, a, b, Role.GIVEN, key=ascii_key(flow.symbol))
+        else:
+            self.board.join(self.place, a, b, Role.GIVEN)
+        name = f"${flow.symbol}$\n" if flow.symbol else ""
+        self.board.note(self.place, (a + b) / 2 + ASIDE, Words.same(f"{name}{flow.power:.4g} kW"))
 
 
 def _named(device: PowerTrain, part: Part) -> Words:

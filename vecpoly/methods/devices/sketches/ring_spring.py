@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....board.construction import Place, View
-from ....board.paper.marks import LinkNumber
 from ....plane import Line, Points, lines_meet, nominal
 from ..bench import Bench
-from ..inclined import Press, between, body, concur, press, pull, ray
+from ..inclined import Press, between, body, concur, numbered, press, pull, ray
 
 REACH, WALL, GAP = (
     24.0,
@@ -61,10 +60,10 @@ def sketch(bench: Bench, it: Faces) -> None:
     """All four bodies, F, Q on both sides, the angle α."""
     view = View.MECHANISM
     below = tuple(np.conj(p) - WALL * 1j for p in it.one)
-    body(bench, view, *it.one)
-    body(bench, view, *below, fixed=True)
-    body(bench, view, *it.two)
-    body(bench, view, *(_mirror(p) for p in it.two))
+    body(bench, view, "link 1", *it.one)
+    body(bench, view, "link 4", *below, fixed=True)
+    body(bench, view, "link 2", *it.two)
+    body(bench, view, "link 3", *(_mirror(p) for p in it.two))
     pull(bench, view, it.one[2].imag * 1j, -1j, "F")
     side = complex(it.two[1].real, -WALL / 2)
     pull(bench, view, side, -1 + 0j, "Q")
@@ -75,20 +74,19 @@ def sketch(bench: Bench, it: Faces) -> None:
     ray(bench, view, at, 1j, free)
     between(bench, view, at, -it.over, 1j, 0.7 * free, "α")
     two = sum(it.two) / 4
-    places = (
+    numbered(
+        bench,
+        view,
         (it.one[2].imag * 0.62j, "1"),
         (two + 2, "2"),
         (_mirror(two + 2), "3"),
         (it.one[2].real + 4 + (below[2].imag + 4) * 1j, "4"),
     )
-    bench.board.mark(
-        view, *(LinkNumber(a=complex(nominal(p)), b=complex(nominal(p)), number=name) for p, name in places)
-    )
 
 
 def apart_two(bench: Bench, place: Place, it: Faces, r12: Points, r42: Points) -> None:
     """The side wedge 2 under Q, R_12 and R_42, whose lines meet in one point."""
-    body(bench, place, *it.two)
+    body(bench, place, "link 2", *it.two)
     outer = complex(nominal(it.two[1].real), -WALL / 2)
     middle = Line(outer, 1 + 0j)
     over = it.two[0] + it.slides_over * REACH * 0.5
@@ -108,7 +106,7 @@ def apart_two(bench: Bench, place: Place, it: Faces, r12: Points, r42: Points) -
 
 def apart_one(bench: Bench, place: Place, it: Faces, r21: Points) -> None:
     """Wedge 1 under F, R_21 and R_31, whose lines meet on the axis."""
-    body(bench, place, *it.one)
+    body(bench, place, "link 1", *it.one)
     right = it.two[0] + it.slides_over * REACH * 0.5
     meeting = lines_meet(Line(right, r21), Line(0j, 1j))
     press(

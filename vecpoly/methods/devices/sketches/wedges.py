@@ -8,11 +8,11 @@ from math import pi
 import numpy as np
 
 from ....board.construction import Place, View
-from ....board.paper.marks import AngleMark, LinkNumber, Role, Segment
+from ....board.paper.marks import Role
 from ....devices.wedges import Wedges
 from ....plane import Line, Points, dot, lines_meet, nominal
 from ..bench import Bench
-from ..inclined import Press, body, concur, press, pull
+from ..inclined import Press, body, concur, numbered, press, pull
 
 HALF, TALL, THICK = 15.0, 24.0, 6.0  # mm: half of the face between the wedges; wedge 2 over it; hatched bodies
 TOE, STEM = (
@@ -64,8 +64,8 @@ def sketch(bench: Bench, device: Wedges, it: Shapes) -> None:
     """Both wedges in their guides, F and Q, the angles α and β."""
     view = View.MECHANISM
     left, right, above, beside = it.two
-    body(bench, view, *it.two)
-    body(bench, view, *it.one)
+    body(bench, view, "link 2", *it.two)
+    body(bench, view, "link 1", *it.one)
     low, thin = it.one[-2] - it.guide * 8, it.one[-1] + it.guide * 6
     _rail(bench, low, thin, -1j * it.guide)
     _rail(bench, right + 5j, complex(right.real, above.imag - 4), 1 + 0j)
@@ -76,34 +76,30 @@ def sketch(bench: Bench, device: Wedges, it: Shapes) -> None:
     pull(bench, view, (above + beside) / 2, -1j, "Q")
     _angle(bench, view, it.one[1], it.face, 1j, "β")
     _angle(bench, view, low, -it.guide, -1j, "α")
-    numbers = (
+    numbered(
+        bench,
+        view,
         (sum(it.one[:2] + it.one[-2:]) / 4, "1"),
         (sum(it.two) / 4, "2"),
         ((low + thin) / 2 - 1j * it.guide * (THICK + 2), "3"),
-    )
-    bench.board.mark(
-        view, *(LinkNumber(a=complex(nominal(at)), b=complex(nominal(at)), number=name) for at, name in numbers)
     )
 
 
 def _rail(bench: Bench, start: Points, end: Points, behind: Points) -> None:
     """A side of a fixed guide, its hatched body lying `behind` it."""
-    body(bench, View.MECHANISM, start, end, end + behind * THICK, start + behind * THICK, fixed=True)
+    corners = (start, end, end + behind * THICK, start + behind * THICK)
+    body(bench, View.MECHANISM, "link 3", *corners, fixed=True)
 
 
 def _angle(bench: Bench, view: View, at: Points, ray: Points, upright: Points, label: str) -> None:
-    start, along, up = complex(nominal(at)), complex(nominal(ray)), complex(nominal(upright))
-    bench.board.mark(
-        view,
-        Segment(a=start, b=start + along * RAY, role=Role.CENTRE),
-        Segment(a=start, b=start + up * RAY, role=Role.CENTRE),
-        AngleMark(at=start, radius=ARC, start=float(np.angle(up)), sweep=float(np.angle(along / up)), label=label),
-    )
+    for side in (ray, upright):
+        bench.board.join(view, at, at + side * RAY, Role.CENTRE)
+    bench.board.angle(view, at, upright, np.angle(ray / upright), ARC, label)
 
 
 def apart_two(bench: Bench, place: Place, it: Shapes, r12: Press, r32: Press) -> None:
     """Wedge 2 by itself under Q, R_12 and R_32, whose lines meet in one point."""
-    body(bench, place, *it.two)
+    body(bench, place, "link 2", *it.two)
     foot = it.face * HALF * 0.2
     meeting = foot + r12.along * TALL * 0.4
     wall = it.two[1] if nominal(r32.normal.real) < 0 else it.two[0]
@@ -117,7 +113,7 @@ def apart_two(bench: Bench, place: Place, it: Shapes, r12: Press, r32: Press) ->
 
 def apart_one(bench: Bench, place: Place, it: Shapes, r21: Press, r31: Press) -> None:
     """Wedge 1 by itself under F, R_21 and R_31, whose lines meet where the guide's lower side carries it."""
-    body(bench, place, *it.one)
+    body(bench, place, "link 1", *it.one)
     foot = it.face * 4.0
     meeting = lines_meet(Line(it.back, it.guide), Line(foot, r21.along))
     above = float(nominal(dot(1j * it.guide, r31.normal))) < 0

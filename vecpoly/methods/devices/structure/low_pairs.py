@@ -11,7 +11,7 @@ from ....words import Words
 from ..bench import Bench
 from .count import freedom
 from .replacement import Replaced
-from .sketch import dashed_profiles, draw_chain, pane
+from .sketch import draw_chain, draw_replaced, pane
 
 
 def draw_replacement(bench: Bench, device: Structure, low: Replaced) -> None:
@@ -21,7 +21,7 @@ def draw_replacement(bench: Bench, device: Structure, low: Replaced) -> None:
     place = pane(board, View.MECHANISM, "low", Words("高副低代后的机构", "The mechanism with lower pairs only"))
     for sub in low.substitutes:
         board.step(_replaced_by(device, sub.of, sub.link, sub.pairs), place)
-        dashed_profiles(board, place, device, sub.of)
+        draw_replaced(board, place, device, sub.of)
     draw_chain(board, place, device, low.chain, device.drive_sets[0] if device.drivers else ())
     board.step(
         Words(

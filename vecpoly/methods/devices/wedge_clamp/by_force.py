@@ -57,7 +57,7 @@ def _wedge_apart(bench: Bench, slope: Points, high: Points, low: Points) -> None
         place,
     )
     it = corners(slope)
-    body(bench, place, *it)
+    body(bench, place, "link 3", *it)
     over = it[2] - slope * LENGTH * 0.55
     back = complex(0, it[3].imag / 2)
     meeting = lines_meet(Line(over, high), Line(back, 1 + 0j))

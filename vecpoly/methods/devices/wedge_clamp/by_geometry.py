@@ -43,7 +43,7 @@ def by_geometry(bench: Bench, device: WedgeClamp, slope: Points, phi: Quantity) 
 
 def _cones(bench: Bench, place: Pane, slope: Points, phi: Quantity) -> None:
     it = corners(slope)
-    body(bench, place, *it)
+    body(bench, place, "link 3", *it)
     under = complex(LENGTH * 0.42, 0)
     over = lines_meet(Line(under, 1j), Line(it[2], slope))
     for at, outward, label in ((under, -1j, "n_{13}"), (over, 1j * slope, "n_{23}")):
@@ -91,7 +91,7 @@ def _limit(bench: Bench, phi: Quantity) -> None:
     for along, length, label in ((1j, 46.0, "R_{13} = −R_{23}"), (one, 38.0, "n_{13}"), (other, 38.0, "−n_{23}")):
         ray(bench, limit, 0j, along, length, label)
     for face in (one, other):
-        body(bench, limit, 0j, -1j * face * 34.0)
+        body(bench, limit, "link 3", 0j, -1j * face * 34.0)
     between(bench, limit, 0j, 1j, one, 28.0, "φ")
     between(bench, limit, 0j, other, 1j, 28.0, "φ")
     between(bench, limit, 0j, -1j * other, -1j * one, 24.0, LIMIT.symbol)

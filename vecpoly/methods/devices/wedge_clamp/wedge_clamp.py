@@ -7,12 +7,11 @@ import numpy as np
 
 from ....algebra.quantity import Of, Quantity, Times
 from ....board.construction import View
-from ....board.paper.marks import LinkNumber
 from ....devices.wedge_clamp import ETA_BACK, IDEAL, PHI, WedgeClamp
-from ....plane import Points, nominal
+from ....plane import Points
 from ....words import Words
 from ..bench import Bench
-from ..inclined import angle, between, body, friction_angle, pull, ray
+from ..inclined import angle, between, body, friction_angle, numbered, pull, ray
 from ..registry import device_method
 from .by_force import by_force, wedge_polygon
 from .by_geometry import by_geometry
@@ -47,19 +46,17 @@ def draw_clamp(bench: Bench, device: WedgeClamp) -> None:
 
 def _sketch(bench: Bench, slope: Points) -> None:
     view, it = View.MECHANISM, corners(slope)
-    body(bench, view, *it)
-    body(bench, view, -6 + 0j, LENGTH + 6, complex(LENGTH + 6, -DEEP), complex(-6, -DEEP), fixed=True)
+    body(bench, view, "link 3", *it)
+    body(bench, view, "link 1", -6 + 0j, LENGTH + 6, complex(LENGTH + 6, -DEEP), complex(-6, -DEEP), fixed=True)
     above, low = it[3] + slope * 4, it[2] - slope * 4
     over = above + DEEP * 1j
-    body(bench, view, above, low, complex(low.real, over.imag), over)
+    body(bench, view, "link 2", above, low, complex(low.real, over.imag), over)
     pull(bench, view, it[3] / 2, 1 + 0j, "F")
     ray(bench, view, it[2], 1 + 0j, 22.0)
     ray(bench, view, it[2], slope, 22.0)
     between(bench, view, it[2], 1 + 0j, slope, 16.0, "α")
     places = ((LENGTH + 9 - 1j * (DEEP / 2), "1"), ((above + low) / 2 + 3 + DEEP * 0.62j, "2"), (sum(it) / 4, "3"))
-    bench.board.mark(
-        view, *(LinkNumber(a=complex(nominal(at)), b=complex(nominal(at)), number=name) for at, name in places)
-    )
+    numbered(bench, view, *places)
 
 
 def _by_efficiency(bench: Bench, device: WedgeClamp, slope: Points, hold: Quantity, phi: Quantity) -> None:

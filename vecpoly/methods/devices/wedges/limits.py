@@ -10,13 +10,13 @@ import numpy as np
 from ....algebra.formula import sym
 from ....algebra.quantity import number
 from ....board.construction import Pane, View
-from ....board.paper.marks import AngleMark, Dot, Point, Role, Segment, Vector
+from ....board.paper.marks import Dot, Role
 from ....devices.wedges import LOCK_DIRECT, LOCK_REVERSE
 from ....names import Named
 from ....plane import Points, nominal
 from ....words import Words
 from ..bench import Bench
-from ..inclined import gauged, row_of
+from ..inclined import gauged, ray, row_of
 from ..sketches.wedges import Shapes
 
 RAY, LINE = 34.0, 46.0  # mm: normals, lines of the two reactions
@@ -41,8 +41,7 @@ def limits(bench: Bench, it: Shapes, phi: Mapping[str, float]) -> None:
         place,
     )
     for label, normal in normals.items():
-        end = complex(nominal(normal)) * RAY
-        board.mark(place, Segment(a=0j, b=end, role=Role.CENTRE), Point(at=end, label=label, dot=Dot.NONE))
+        ray(bench, place, 0j, normal, RAY, label)
     direct = _half(bench, place, normals, ("−n_{32}", "n_{12}"), LOCK_DIRECT, "R_{12} = −R_{32}")
     board.step(
         Words(
@@ -68,13 +67,10 @@ def _half(
     start, whole = float(np.angle(nominal(one))), float(np.angle(nominal(other / one)))
     middle = np.exp(1j * (start + whole / 2)) * LINE
     radius = 20.0 if named is LOCK_DIRECT else 24.0
-    bench.board.mark(
-        place,
-        Vector(a=0j, b=complex(middle), role=Role.RESULT),
-        Point(at=complex(middle), label=common, dot=Dot.NONE),
-        AngleMark(at=0j, radius=radius, start=start, sweep=whole / 2, label=named.symbol),
-        AngleMark(at=0j, radius=radius, start=start + whole / 2, sweep=whole / 2, label=named.symbol),
-    )
+    bench.board.arrow(place, 0j, middle, Role.RESULT)
+    bench.board.plot(place, middle, common, Dot.NONE)
+    for first in (one, middle):
+        bench.board.angle(place, 0j, first, whole / 2, radius, named.symbol)
     half = between / 2
     shown = number(float(nominal(between))), number(float(nominal(half)))
     bench.stated(

@@ -3,14 +3,14 @@ friction circles, forces at their lines of action, normals with φ, couples."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from ....board.construction import Pane, View
-from ....board.paper.marks import AngleMark, Block, Dot, FrictionCircle, Mark, Note, Point, Role, Segment, TurnArrow
+from ....board.paper.marks import Dot, Role
 from ....diagram.links import link_alone
+from ....diagram.single import friction_circle
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Moment
 from ....mechanism.model import Contact, Prismatic, Revolute
@@ -27,8 +27,6 @@ from .arrows import REACH, Arrow, place_arrows, say_far
 
 SMALL = 1.0  # mm: a friction circle of less is drawn larger, with a note
 NORMAL = 18.0  # mm, length of a normal beside a reaction
-LONGEST = 20.0  # mm: farther out a reaction is not reached by its block
-RIM = 2.0  # mm of a block past the reaction of its guide
 COUPLE = 8.0  # mm, radius of a couple's arrow
 
 
@@ -53,8 +51,8 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
     for name in bodies:
         number = st.mech.number(name)
         pane = st.board.open_pane(View.BODY, number, Words(f"构件 {number} 受力图", f"Free body of link {number}"))
-        st.board.mark(pane, *(_long_enough(st, name, mark) for mark in link_alone(posed, name)), owner=f"link {name}")
-        st.board.mark(pane, *_circles(st, name))
+        st.board.depict(pane, link_alone(posed, name, pressed=_guided(st, name)))
+        _draw_circles(st, pane, name)
         pressing = inside.get(name, [])
         forces = [
             *(force for force in (*st.known(name), *_balance(st, name)) if force.named.key not in thrusts),
@@ -64,24 +62,18 @@ def draw_free_bodies(st: Statics, problem: Problem) -> None:
         arrows = place_arrows(forces, spots, _pressing(st, name) | {force.named.symbol for force in pressing})
         say_far(st, forces, spots)
         _displaced(st, pane, name)
-        st.board.mark(pane, *_carried(forces, arrows))
+        _carry_on(st, pane, forces, arrows)
         for arrow in arrows:
             st.board.arrow(pane, arrow.start, arrow.end, Role.RESULT, key=arrow.key, label=arrow.symbol)
-        st.board.mark(pane, *_normals(st, name, {arrow.symbol: arrow for arrow in arrows}))
+        _draw_normals(st, pane, name, {arrow.symbol: arrow for arrow in arrows})
         _couple(st, pane, name)
 
 
-def _long_enough(st: Statics, link: str, mark: Mark) -> Mark:
-    """A block reaches past the reaction of its guide, which friction and moments move away from the pin."""
-    if not isinstance(mark, Block):
-        return mark
+def _guided(st: Statics, link: str) -> tuple[complex, ...]:
+    """Where the guides of a block press on it."""
     others = [j.guide for j in st.mech.joints if isinstance(j, Prismatic) and j.block == link]
     forces = [force for other in others if (force := st.push(other, link)) is not None]
-    away = max(
-        (abs(complex(nominal(force.at)) - mark.at) for force in forces if abs(nominal(force.vector)) > 1e-9),
-        default=0.0,
-    )
-    return replace(mark, length=max(mark.length, 2 * (away + RIM))) if away < LONGEST else mark
+    return tuple(complex(nominal(force.at)) for force in forces if abs(nominal(force.vector)) > 1e-9)
 
 
 def _displaced(st: Statics, pane: Pane, link: str) -> None:
@@ -103,13 +95,13 @@ def _pressing(st: Statics, link: str) -> set[str]:
     return {st.named(b if a == link else a, link).symbol for a, b in pairs if link in (a, b)}
 
 
-def _carried(forces: Sequence[Acting], arrows: Sequence[Arrow]) -> Iterator[Mark]:
+def _carry_on(st: Statics, pane: Pane, forces: Sequence[Acting], arrows: Sequence[Arrow]) -> None:
     """The line of action from its point to an arrow that stands farther out."""
     places = {force.named.symbol: complex(nominal(force.at)) for force in forces}
     for arrow in arrows:
         if arrow.far:
             at = places[arrow.symbol]
-            yield Segment(a=at, b=min(arrow.start, arrow.end, key=lambda z: abs(z - at)), role=Role.DIRECTION)
+            st.board.join(pane, at, min(arrow.start, arrow.end, key=lambda z: abs(z - at)), Role.DIRECTION)
 
 
 def _spots(st: Statics, link: str) -> list[complex]:
@@ -120,18 +112,16 @@ def _spots(st: Statics, link: str) -> list[complex]:
     ]
 
 
-def _circles(st: Statics, link: str) -> Iterator[Mark]:
+def _draw_circles(st: Statics, pane: Pane, link: str) -> None:
     """Friction circles of the link's pins; enlarged with a note where they would not be seen."""
     for point in st.mech.link(link).points:
         radius = st.rho(point)
         if radius:
             times = 1.0 if radius >= SMALL else float(np.ceil(1.5 / radius))
-            yield FrictionCircle(centre=complex(nominal(st.desk.at[point])), radius=radius * times, enlarged=times)
+            st.board.depict(pane, friction_circle(point, st.desk.at[point], radius, times))
             if times > 1:
-                yield Note(
-                    at=complex(nominal(st.desk.at[point])) + 6 - 6j,
-                    words=Words(f"摩擦圆放大 {times:g} 倍", f"friction circle × {times:g}"),
-                )
+                told = Words(f"摩擦圆放大 {times:g} 倍", f"friction circle × {times:g}")
+                st.board.note(pane, st.desk.at[point] + 6 - 6j, told)
 
 
 def _balance(st: Statics, link: str) -> list[Acting]:
@@ -143,7 +133,7 @@ def _balance(st: Statics, link: str) -> list[Acting]:
     return [Acting(named=st.unknown_named, vector=vector, at=st.desk.at[load.point])]
 
 
-def _normals(st: Statics, link: str, arrows: Mapping[str, Arrow]) -> Iterator[Mark]:
+def _draw_normals(st: Statics, pane: Pane, link: str, arrows: Mapping[str, Arrow]) -> None:
     """The normal of every slide and contact of the link, and the friction angle from it to the reaction."""
     for joint in (*st.mech.joints, *st.mech.contacts):
         if isinstance(joint, Revolute) or not isinstance(joint, Prismatic | Contact):
@@ -159,18 +149,18 @@ def _normals(st: Statics, link: str, arrows: Mapping[str, Arrow]) -> Iterator[Ma
             if arrow is None:
                 continue  # off the paper
             middle = (arrow.start + arrow.end) / 2 - complex(nominal(force.at))
-            yield from _leaning(st, joint, force, middle)
+            _draw_leaning(st, pane, joint, force, middle)
 
 
-def _leaning(st: Statics, joint: Prismatic | Contact, force: Acting, arrow: complex) -> Iterator[Mark]:
+def _draw_leaning(st: Statics, pane: Pane, joint: Prismatic | Contact, force: Acting, arrow: complex) -> None:
     """The normal on the side on which the arrow stands, so that φ lies between the two."""
     along = st.desk.normal_of(joint) if isinstance(joint, Contact) else 1j * st.desk.guide_line(joint).along
     n, u, at = (complex(nominal(z)) for z in (along, force.line.along, force.at))
     u = u if (u.conjugate() * arrow).real > 0 else -u
     n = n if (n.conjugate() * u).real > 0 else -n
-    yield Segment(a=at, b=at + n * NORMAL, role=Role.CENTRE)
-    yield Point(at=at + n * NORMAL, label="n", dot=Dot.NONE)
-    yield AngleMark(at=at, radius=NORMAL * 0.8, start=float(np.angle(n)), sweep=float(np.angle(u / n)), label="φ")
+    st.board.join(pane, at, at + n * NORMAL, Role.CENTRE)
+    st.board.plot(pane, at + n * NORMAL, "n", Dot.NONE)
+    st.board.angle(pane, at, n, float(np.angle(u / n)), NORMAL * 0.8, "φ")
 
 
 def _couple(st: Statics, pane: Pane, link: str) -> None:
@@ -184,6 +174,4 @@ def _couple(st: Statics, pane: Pane, link: str) -> None:
     )
     turning = [(symbol, size) for symbol, size in (*couples_on(st, link), *own) if nominal(size)]
     for i, (symbol, size) in enumerate(turning):
-        st.board.mark(
-            pane, TurnArrow(at=at, radius=COUPLE + 3 * i, start=2.2, ccw=bool(nominal(size) > 0), label=symbol)
-        )
+        st.board.curved_arrow(pane, at, COUPLE + 3 * i, 2.2, bool(nominal(size) > 0), symbol)

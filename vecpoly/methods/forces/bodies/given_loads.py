@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import Role, Segment, TurnArrow, Vector
+from ....board.paper.marks import Role, Segment, Vector
 from ....mechanism.asked.forces import load_symbol
 from ....mechanism.loads import Force, Moment
 from ....plane import nominal
@@ -56,13 +56,5 @@ def _moment(st: Statics, load: Moment) -> None:
     points = st.mech.link(load.link).points
     pivot = next((p for p in points if p in st.mech.frame), next(iter(points)))
     assert load.size is not None
-    st.board.mark(
-        View.MECHANISM,
-        TurnArrow(
-            at=complex(nominal(st.desk.at[pivot])),
-            radius=RADIUS,
-            start=2.2 if load.size > 0 else 0.9,
-            ccw=load.size > 0,
-            label=load_symbol(load.name),
-        ),
-    )
+    at, ccw = st.desk.at[pivot], load.size > 0
+    st.board.curved_arrow(View.MECHANISM, at, RADIUS, 2.2 if ccw else 0.9, ccw, load_symbol(load.name))

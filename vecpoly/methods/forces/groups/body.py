@@ -4,7 +4,7 @@ the arms about the points of its moment equations."""
 from __future__ import annotations
 
 from ....board.construction import Pane, Place, View
-from ....board.paper.marks import Dot, Point, Role, TurnArrow, Vector
+from ....board.paper.marks import Dot, Point, Role, Vector
 from ....diagram.links import link_alone
 from ....mechanism.groups.assur import hinges
 from ....names import At
@@ -67,17 +67,13 @@ def draw_forces(st: Statics, pane: Pane, links: tuple[str, ...], forces: list[Ac
         for turn, (symbol, size) in enumerate(
             (symbol, size) for symbol, size in couples_on(st, link, within=links) if nominal(size)
         ):
-            st.board.mark(
-                pane,
-                TurnArrow(at=pivot, radius=COUPLE + 3 * turn, start=2.2, ccw=bool(nominal(size) > 0), label=symbol),
-            )
+            st.board.curved_arrow(pane, pivot, COUPLE + 3 * turn, 2.2, bool(nominal(size) > 0), symbol)
 
 
 def _draw_link(st: Statics, pane: Pane, link: str) -> None:
     """The link as it is drawn alone, its letters once."""
     desk, board = st.desk, st.board
-    alone = link_alone(desk.posed(), link)
-    board.mark(pane, *(mark for mark in alone if not isinstance(mark, Point)), owner=f"link {link}")
+    board.depict(pane, link_alone(desk.posed(), link, lettered=False))
     pins = hinges(st.mech)
     lettered = {m.label for m in board.marks(pane) if isinstance(m, Point)}
     for letter in (letter for letter in desk.mech.link(link).points if letter in desk.at):

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import Role, Segment
+from ....board.paper.marks import Role
 from ....errors import AssemblyError, DeadPointError
 from ....mechanism.assembly.branch import margin
 from ....mechanism.groups.assur import Group
@@ -143,4 +143,5 @@ def _draw_trials(desk: Desk, star: Star, found: Assembly) -> None:
     local = desk.mech.link(star.plate).points[leg.inner]
     path = trial(bare(desk), star, found.legs, found.first, theta) + np.exp(1j * theta) * desk.mm(1.0) * local
     seen = [complex(at) for at in np.asarray(path) if np.isfinite(at)]
-    desk.board.mark(View.MECHANISM, *(Segment(a=p, b=q, role=Role.CONSTRUCTION) for p, q in pairwise(seen)))
+    for one, next_one in pairwise(seen):
+        desk.board.join(View.MECHANISM, one, next_one, Role.CONSTRUCTION)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import AngleMark, Arc, FixedGuide, Segment, Slot, TurnArrow
+from ....board.paper.marks import AngleMark, Arc, FixedGuide, Segment, Slot
 from ....mechanism.model import Drive
 from ....plane import nominal
 from ...desk import Desk
@@ -29,9 +29,7 @@ def _draw(desk: Desk, drive: Drive) -> None:
     radius = _arrow_radius(desk, at)
     middle = _free_side(desk, at, drive.position, radius)
     start = middle - 0.9 if drive.rate > 0 else middle + 0.9
-    desk.board.mark(
-        View.MECHANISM, TurnArrow(at=at, radius=radius, start=start, ccw=drive.rate > 0, label=f"ω_{drive.link}")
-    )
+    desk.board.curved_arrow(View.MECHANISM, at, radius, start, drive.rate > 0, f"ω_{drive.link}")
 
 
 def _arrow_radius(desk: Desk, pivot: complex) -> float:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from ....board.construction import View
-from ....board.paper.marks import Dot, Ground, Point
-from ....diagram.cams import contact_marks
+from ....board.paper.marks import Dot, Point
+from ....diagram.cams import contact_drawn
 from ....diagram.links import links_drawn
+from ....diagram.single import pivot
 from ....mechanism.model import Revolute
 from ....names import subscripted
 from ...desk import Desk
@@ -16,19 +17,18 @@ def draw_frame(desk: Desk) -> None:
     pinned = {j.point for j in desk.mech.joints if isinstance(j, Revolute)}
     for name, at in desk.mech.frame.items():
         if name in pinned:
-            desk.board.mark(View.MECHANISM, Ground(at=at * desk.mm(1.0), down=-1j), owner="frame")
+            desk.board.depict(View.MECHANISM, pivot(at * desk.mm(1.0)))
         desk.board.plot(View.MECHANISM, at * desk.mm(1.0), name, Dot.JOINT if name in pinned else Dot.POINT)
 
 
 def draw_links(desk: Desk, links: tuple[str, ...]) -> None:
     """The links of one group, once they are located, with contacts and letters just found."""
     posed = desk.posed()
-    for owner, marks in links_drawn(posed, links, desk.board.marks(View.MECHANISM)):
-        desk.board.mark(View.MECHANISM, *marks, owner=owner)
+    desk.board.depict(View.MECHANISM, *links_drawn(posed, links, desk.board.marks(View.MECHANISM)))
     done = {m.label for m in desk.board.marks(View.MECHANISM) if isinstance(m, Point)}
     for contact in desk.mech.contacts:
         if contact.point in desk.at and contact.point not in done:
-            desk.board.mark(View.MECHANISM, *contact_marks(posed, contact), owner=f"joint {contact.point}")
+            desk.board.depict(View.MECHANISM, *contact_drawn(posed, contact))
             desk.board.plot(View.MECHANISM, desk.at[contact.point], contact.point, Dot.POINT)
             done.add(contact.point)
     hinged = posed.hinged()

@@ -8,7 +8,7 @@ import numpy as np
 
 from ....algebra.quantity import number
 from ....board.construction import View
-from ....board.paper.marks import AngleMark, Role, Segment
+from ....board.paper.marks import Role
 from ....mechanism.gearing import pitch_circles
 from ....mechanism.model import FRAME, Drive, Prismatic
 from ....mechanism.travel import counted_from
@@ -130,8 +130,5 @@ def _angle(desk: Desk, pivot: str, drive: Drive, reach: float) -> None:
     """Mark the angle φ at the pivot: the arc runs in the sense of the stated value."""
     at = complex(nominal(desk.at[pivot]))
     radius = min(11.0, 0.45 * reach)
-    desk.board.mark(
-        View.MECHANISM,
-        Segment(a=at, b=at + radius + 3.5, role=Role.CENTRE),
-        AngleMark(at=at, radius=radius, start=0.0, sweep=swept(drive.position), label=f"φ_{drive.link}"),
-    )
+    desk.board.join(View.MECHANISM, at, at + radius + 3.5, Role.CENTRE)
+    desk.board.angle(View.MECHANISM, at, 1 + 0j, swept(drive.position), radius, f"φ_{drive.link}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import Arc, Role
+from ....board.paper.marks import Role
 from ....errors import AssemblyError
 from ....mechanism.groups.assur import Dyad
 from ....mechanism.model import Prismatic, Revolute
@@ -90,7 +90,5 @@ def _offset_circle(desk: Desk, q: str, p: str, radius: float, along: Points) -> 
     """The circle of the offset about the pin, and the tangent to it from the guide's pivot."""
     centre, pivot, way = (complex(nominal(z)) for z in (desk.at[p], desk.at[q], along))
     foot = pivot + way * float((np.conj(way) * (centre - pivot)).real)
-    desk.board.mark(
-        View.MECHANISM, Arc(centre=centre, radius=radius, start=0.0, sweep=2 * np.pi, role=Role.CONSTRUCTION)
-    )
+    desk.board.circle(View.MECHANISM, centre, radius, Role.CONSTRUCTION)
     desk.board.join(View.MECHANISM, pivot, foot, Role.CONSTRUCTION)

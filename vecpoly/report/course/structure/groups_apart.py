@@ -69,7 +69,7 @@ def sketched(
 ) -> tuple[Mark, ...]:
     """These links with these hinges as marks: places of letters (m), angles of links (rad), mm for a metre."""
     posed = _posed(problem, mech or problem.mechanism, at, turned, per_m)
-    bodies = (mark for link in links for mark in link_alone(posed, link) if not isinstance(mark, Point))
+    bodies = (mark for link in links for mark in link_alone(posed, link, lettered=False).marks)
     return (*bodies, *_joints(posed, links, pins))
 
 

@@ -1,0 +1,212 @@
+"""A chain of links by its pairs alone, where no dimensions are given: structural sketches and Assur groups apart.
+
+The same bars, plates, blocks, guides and pivots as of a mechanism that is posed.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from ..board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Point, Role, Segment
+from ..board.paper.symbols import Symbol
+from ..mechanism.joints import FRAME
+from ..names import subscripted
+from .bars import bar, hull
+from .guides import bush, rail_under
+from .owners import FIXED, joint
+from .owners import link as owner
+from .profiles import FACE, Touching, is_hollow, profile, round_of
+
+NEAR = 0.3  # mm: places closer than this are one
+BEYOND = 13.0  # mm: a guide goes on past its block
+HALF_GUIDE = 11.0  # mm: half a fixed guide
+DOWNS = (-1j, 1j, 1 + 0j, -1 + 0j)
+
+
+class Joined(Touching, Protocol):
+    """One pair of the chain on paper (mm). links: of a hinge all that are pinned; of a slide the block, its guide."""
+
+    @property
+    def letter(self) -> str: ...
+
+    @property
+    def hinged(self) -> bool: ...
+
+    @property
+    def slides(self) -> bool: ...
+
+    @property
+    def along(self) -> complex: ...
+
+
+class Chained(Protocol):
+    """Pairs between links and the frame."""
+
+    @property
+    def pairs(self) -> Sequence[Joined]: ...
+
+    def at(self, link: str) -> Sequence[Joined]:
+        """The pairs of a link."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Sketched:
+    """A chain on paper (mm), and the numbers of its links as printed."""
+
+    chain: Chained
+    number: Callable[[str], str]
+
+    def drawn(self, links: tuple[str, ...], *, frame: bool) -> Iterator[Symbol]:
+        """These links with their joints, and with the frame where they stand on it."""
+        for link in links:
+            yield Symbol.of(owner(link), self._body(link))
+        for pair in self.chain.pairs:
+            if set(pair.links) & set(links):
+                yield from self._joint(pair, frame)
+
+    def down(self, pair: Joined) -> complex:
+        """The side of a pivot on which fewest links lie; below where it does not matter."""
+        links = (link for link in pair.links if link != FRAME)
+        ways = [p.at - pair.at for link in links for p in self.chain.at(link) if p.hinged or p.slides]
+        units = [w / abs(w) for w in ways if abs(w) > NEAR]
+        free = [down for down in DOWNS if all((down.conjugate() * u).real < 0.8 for u in units)]
+        return free[0] if free else DOWNS[0]
+
+    # -- links --------------------------------------------------------------------------------------------------
+
+    def _body(self, link: str) -> Iterator[Mark]:
+        """A moving link with its number: what joins its hinges, its profiles, and its guide."""
+        pairs = self.chain.at(link)
+        profiles = [pair for pair in pairs if not (pair.hinged or pair.slides)]
+        for pair in profiles:
+            yield from profile(pair, link)
+        points = _points(pairs, link)
+        rods = [rod for pair in pairs if pair.slides and pair.links[1] == link for rod in _rod(pair, points)]
+        rods += [rod for pair in profiles if round_of(pair, link)[0] is None for rod in _face(pair, points)]
+        yield from rods or (bar(points) if len(points) > 1 else ())
+        yield self._numbered(link, points, rods, profiles)
+
+    def _numbered(self, link: str, points: list[complex], rods: list[Segment], profiles: list[Joined]) -> LinkNumber:
+        """Its number beside its longest line; within its profile or beside its block where it has no line."""
+        number = self.number(link)
+        lines = [(rod.a, rod.b) for rod in rods]
+        if not lines and len(points) > 1:
+            corners = hull(points) if len(points) > 2 else tuple(points)
+            lines = list(zip(corners, corners[1:] + corners[:1], strict=True))
+        if lines:
+            a, b = max(lines, key=lambda ab: abs(ab[1] - ab[0]))
+            return LinkNumber(a=a, b=b, number=number)
+        if profiles:
+            centre, radius = max((round_of(pair, link) for pair in profiles), key=lambda cr: cr[1])
+            at = (centre or 0j) + (0.55 * radius if radius > 8 else 0.0) * cmath.rect(1.0, -2.2)
+            return LinkNumber(a=at, b=at, number=number)
+        return LinkNumber(a=points[0], b=points[0], number=number)
+
+    # -- joints -------------------------------------------------------------------------------------------------
+
+    def _joint(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
+        own = joint(pair.letter)
+        if pair.slides:
+            yield from self._slide(pair, frame)
+            if not any(abs(p.at - pair.at) < NEAR for p in self.chain.pairs if p.hinged):
+                yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=Dot.NONE),))
+            return
+        if frame and FRAME in pair.links:
+            ground = (Ground(at=pair.at, down=self.down(pair)),)
+            yield Symbol.of(FIXED, ground if pair.hinged else profile(pair, FRAME))
+        dot = Dot.JOINT if pair.hinged else Dot.POINT
+        yield Symbol.of(own, (Point(at=pair.at, label=subscripted(pair.letter), dot=dot),))
+
+    def _slide(self, pair: Joined, frame: bool) -> Iterator[Symbol]:
+        """A block on a fixed guide, a sleeve on a rod, a rod in a fixed sleeve."""
+        block, guide = pair.links
+        if block == FRAME:
+            yield Symbol.of(FIXED, bush(pair.at, pair.along) if frame else ())
+            return
+        if guide == FRAME:
+            along = -pair.along if frame and self._leans_right(pair) else pair.along
+            yield Symbol.of(FIXED, (rail_under(pair.at, along, HALF_GUIDE) if frame else _way(pair),))
+        yield Symbol.of(owner(block), (Block(at=pair.at, along=pair.along, on_rod=guide != FRAME),))
+
+    def _leans_right(self, pair: Joined) -> bool:
+        """Whether what hangs on the block lies to the right of its guide, where the hatching would be."""
+        block = pair.links[0]
+        beside = [p.at for p in self.chain.at(block)]
+        pinned = (p for p in self.chain.at(block) if p.hinged and abs(p.at - pair.at) < NEAR)
+        beside += [
+            q.at
+            for p in pinned
+            for link in p.links
+            if link not in (FRAME, block)
+            for q in self.chain.at(link)
+            if q is not p
+        ]
+        away = ((z - pair.at) / max(abs(z - pair.at), 1.0) for z in beside)
+        return sum((pair.along.conjugate() * z).imag for z in away) < 0
+
+
+def _way(pair: Joined) -> Segment:
+    """The way of a block whose fixed guide is not drawn."""
+    return Segment(a=pair.at - pair.along * HALF_GUIDE, b=pair.at + pair.along * HALF_GUIDE, role=Role.CENTRE)
+
+
+def _rod(pair: Joined, points: list[complex]) -> Iterator[Segment]:
+    return through(pair.at, pair.along, BEYOND, points)
+
+
+def _face(pair: Joined, points: list[complex]) -> Iterator[Segment]:
+    return through(pair.at, 1j * pair.normal, FACE, points)
+
+
+def through(at: complex, u: complex, half: float, points: list[complex]) -> Iterator[Segment]:
+    """A guide that moves, or a flat face: a rod through its block or contact, on to its hinges;
+    a hinge beside it is joined to it at right angles."""
+    aside = [p for p in points if abs((u.conjugate() * (p - at)).imag) > NEAR]
+    along = [(u.conjugate() * (p - at)).real for p in points]
+    back, ahead = min([-half, *along]), max([half, *along])
+    yield Segment(a=at + back * u, b=at + ahead * u, role=Role.LINK)
+    for p in aside:
+        yield Segment(a=at + u * (u.conjugate() * (p - at)).real, b=p, role=Role.LINK)
+
+
+def _points(pairs: Sequence[Joined], link: str) -> list[complex]:
+    """The places that the link's lines join, each once."""
+    found: list[complex] = []
+    solid = [p.at for p in pairs if p.hinged or p.slides or (not p.meshes and round_of(p, link)[0] is None)]
+    for pair in pairs:
+        if pair.hinged or (pair.slides and pair.links[0] == link):
+            found.append(pair.at)
+        elif not pair.slides and not pair.meshes:
+            centre, radius = round_of(pair, link)
+            if centre is None:
+                continue
+            if is_hollow(pair, link):
+                found.append(pair.at)
+            elif not _on_body(centre, radius, solid):
+                found.append(centre)
+    return _once(found)
+
+
+def _on_body(centre: complex, radius: float, solid: list[complex]) -> bool:
+    """Whether a disc holds a joint of its link, or a part of the line between two."""
+    lines = ((a, b) for a in solid for b in solid if abs(b - a) > NEAR)
+    held = any(abs(h - centre) < radius for h in solid)
+    return held or any(abs(centre - _foot(a, b, centre)) < radius for a, b in lines)
+
+
+def _foot(a: complex, b: complex, p: complex) -> complex:
+    """The point of the line from a to b nearest to p."""
+    share = ((b - a).conjugate() * (p - a)).real / abs(b - a) ** 2
+    return a + min(max(share, 0.0), 1.0) * (b - a)
+
+
+def _once(places: list[complex]) -> list[complex]:
+    kept: list[complex] = []
+    for place in places:
+        if all(abs(place - other) > NEAR for other in kept):
+            kept.append(place)
+    return kept
