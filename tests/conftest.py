@@ -4,6 +4,7 @@ test passes that asserted nothing."""
 from __future__ import annotations
 
 import ast
+import gc
 import inspect
 import os
 import textwrap
@@ -30,6 +31,14 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         from tests.sharing import arrange
 
         arrange(items)
+
+
+def pytest_collection_finish() -> None:
+    """Thousands of tests, and the drawings that many of them share, are there to stay: to look through them for
+    rubbish at every turn would take a third of the time."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 50)
 
 
 @pytest.hookimpl(wrapper=True)

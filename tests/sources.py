@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import gc
 from functools import cache
 from pathlib import Path
 
@@ -25,7 +26,11 @@ def text(path: Path) -> str:
 @cache
 def tree(source: str) -> ast.Module:
     """A source as Python parses it; who walks it changes nothing."""
-    return ast.parse(source)
+    gc.disable()  # for all that is parsed is kept, and would be looked through again and again
+    try:
+        return ast.parse(source)
+    finally:
+        gc.enable()
 
 
 @cache
