@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ..figures import View, view_named, views
+from ..foundation.slotted import dataclass
 
 __all__ = ["Pane", "Place", "View", "called", "named", "view_named", "view_of", "views"]
 

@@ -7,7 +7,6 @@ sheet, which may be off by its expected error, and an ideal one, which must agre
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from math import isfinite, isnan
 from typing import Any
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..foundation.slotted import dataclass
 from ..names import Rel
 from ..words import Words
 from .truth import Truth

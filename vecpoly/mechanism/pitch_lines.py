@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import cmath
-from dataclasses import dataclass
 from math import sin
 
+from ..foundation.slotted import dataclass
 from .model import Mechanism, Prismatic, Rack
 
 PARALLEL = 1e-9  # sine between lines below which they are parallel

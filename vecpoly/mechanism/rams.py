@@ -7,8 +7,8 @@ one side (`Ram`); other groups with a driven pair have no class of their own.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from ..foundation.slotted import dataclass
 from ..words import Words
 from .model import Drive, Joint, Mechanism, Prismatic, Revolute
 

@@ -9,11 +9,11 @@ h = ±√f with f = c² (q - q*)² + ... goes on as c (q - q*).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..foundation.slotted import dataclass
 from .state import Reals
 
 # of the drive's positions: not below zero where links close, zero where two assemblies meet

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..errors import MobilityError
+from ..foundation.slotted import dataclass
 from ..mechanism.groups.assur import ends, hinges
 from ..mechanism.model import FRAME, Drive, Mechanism, Prismatic
 from ..words import Words

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ..foundation.slotted import dataclass
 
 Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]

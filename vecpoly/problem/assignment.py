@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..errors import FaultError, ProblemFileError, UnknownNameError
 from ..foundation.arguments import of_kind
 from ..foundation.frozen import FrozenMap
+from ..foundation.slotted import dataclass
 from ..words import Words
 from .build import build
 from .load import opened

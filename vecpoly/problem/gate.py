@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import radians
 from typing import TYPE_CHECKING
 
 from ..errors import FaultError
+from ..foundation.slotted import dataclass
 from ..units.reading import Dim, pure, read
 from ..words import Words
 from .schema.faults import Faults

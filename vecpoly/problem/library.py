@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import ProblemFileError
 from ..foundation.data import data_dir
+from ..foundation.slotted import dataclass
 from ..words import Words
 
 _ID = re.compile(r"^id:\s*['\"]?([\w.\-]+)", re.M)

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import ProblemFileError
 from ..foundation.data import data_dir
+from ..foundation.slotted import dataclass
 from ..words import Words
 
 _PROBLEM = re.compile(

@@ -7,12 +7,12 @@ One magnitude and one direction: line ∩ arc.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from ..board.board import Board
 from ..board.paper.marks import Role
 from ..board.place import Place
 from ..errors import DeadPointError, EquilibriumError, bilingual
+from ..foundation.slotted import dataclass
 from ..names import Kind, Named, Rel
 from ..plane import Line, Points, nominal, unit
 from ..words import Words

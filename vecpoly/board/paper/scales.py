@@ -4,9 +4,10 @@ ones as far as a sheet has room."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from math import floor, log10
 from typing import TypeVar
+
+from ...foundation.slotted import dataclass
 
 SERIES = (1.0, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 HALF = 1.5  # 1 : 1.5 of GB/T 14690, for figures that would be too small at 2

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from ...errors import MobilityError
+from ...foundation.slotted import dataclass
 from ...words import Words
 from ..model import Joint, Mechanism, Prismatic, Revolute, Rolling
 from .assur import ends, hinges, is_held

@@ -10,7 +10,7 @@ paper by an exact hand; nothing else is known of the mechanism.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import lru_cache
 from math import pi
 
@@ -18,6 +18,7 @@ import numpy as np
 
 from ...board.construction import View
 from ...errors import AssemblyError, DeadPointError, NoMethodError, VecpolyError
+from ...foundation.slotted import dataclass
 from ...mechanism.assembly.bend import bend
 from ...mechanism.assembly.branch import margin
 from ...mechanism.groups.assur import Group, decompose

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group
 from ..run import Run
 from ..state import Bodies, Body, Reals

@@ -3,10 +3,9 @@ angle is a datum, two circles."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ...mechanism.gearing import reach
 from ...mechanism.groups.assur import Group, is_held
 from ...mechanism.model import Circle, Joint, Mechanism, Prismatic, Rack, Revolute, Rolling, Side

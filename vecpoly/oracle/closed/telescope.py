@@ -6,10 +6,9 @@ With u the guide line's direction, C the inner hinge and D the outer one, C - D 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from ...foundation.slotted import dataclass
 from ...mechanism.model import Drive, Mechanism
 from ...mechanism.rams import Ram
 from ..run import Run

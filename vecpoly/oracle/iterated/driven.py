@@ -6,12 +6,12 @@ Slide: Re e^{-iθ} (pin - origin) = s(t) in the coordinates of the guide line; t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import MobilityError
+from ...foundation.slotted import dataclass
 from ...mechanism.model import Drive, Mechanism, Prismatic
 from ...mechanism.rams import driven_joint
 from ...words import Words

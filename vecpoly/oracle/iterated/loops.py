@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...foundation.slotted import dataclass
 from ...mechanism.groups.assur import Group
 from ...mechanism.model import Mechanism
 from ..state import Bodies, Body, Points

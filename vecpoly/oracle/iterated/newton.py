@@ -6,11 +6,12 @@ position to all others is walked in small strides, so that the assembly found th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...foundation.slotted import dataclass
 from ..closed.off_centre import places
 from ..run import Run, Track
 from ..state import Bodies, Body, Reals

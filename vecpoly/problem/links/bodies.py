@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from ...errors import FaultError
+from ...foundation.slotted import dataclass
 from ...mechanism.model import Contact
 from ...words import Words
 from ..problem import Shape

@@ -4,9 +4,9 @@ at the line where the mistake is rather than where it was noticed."""
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Any
 
+from ...foundation.slotted import dataclass
 from ...words import Words
 
 _CLOSER = {"{": "}", "[": "]"}

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import chain
 
+from ...foundation.slotted import dataclass
 from ...units.reading import Dim
 from ..links.draft import ONE, PLACED
 from ..schema.faults import Path, dotted

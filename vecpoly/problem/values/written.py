@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from ...foundation.frozen import FrozenMap
+from ...foundation.slotted import dataclass
 from ..schema.faults import Path, Place
 from ..text.pairs import pair_of
 from ..text.source import Tree, Value

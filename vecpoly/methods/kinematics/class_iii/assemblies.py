@@ -7,11 +7,11 @@ zeros are the assemblies. Each pair of loci serves once: where one stands at the
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ....foundation.slotted import dataclass
 from ....plane import Points, Reals, nominal
 from ...desk import Desk
 from ...diagram import Pose

@@ -7,11 +7,11 @@ a slotted leg keeps Q at its distance from the slide.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import assert_never
 
 import numpy as np
 
+from ....foundation.slotted import dataclass
 from ....mechanism.model import Prismatic
 from ....plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, unit
 from ...desk import Desk

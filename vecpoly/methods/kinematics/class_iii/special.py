@@ -7,7 +7,6 @@ the third leg then gives a second point of the link.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -15,6 +14,7 @@ import numpy as np
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
 from ....errors import DeadPointError
+from ....foundation.slotted import dataclass
 from ....names import At
 from ....plane import Line, cross, lines_meet, nominal, unit
 from ....words import Words

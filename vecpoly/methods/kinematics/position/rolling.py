@@ -3,12 +3,11 @@ gear's centre or a parallel to the rack."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ....board.construction import View
 from ....errors import NoMethodError
+from ....foundation.slotted import dataclass
 from ....mechanism.gearing import reach
 from ....mechanism.groups.assur import Dyad
 from ....mechanism.model import Circle, Joint, Prismatic, Rack, Revolute, Rolling, Side
