@@ -154,10 +154,14 @@ class Swing(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Meet(Done):
-    """Where two lines, a line and an arc, or two arcs meet; other: the second meeting, which was not taken."""
+    """Where two lines, a line and an arc, or two arcs meet; other: the second meeting, which was not taken.
+
+    angle: at which an arc crosses the other arc, or the line (rad, to a right angle).
+    """
 
     at: complex
     other: complex | None = None
+    angle: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
