@@ -3,16 +3,27 @@
 from __future__ import annotations
 
 import csv
+import json
+from io import StringIO
 from pathlib import Path
 
+import pdfplumber
 import pytest
+from ezdxf.filemanagement import read as read_dxf
+from ezdxf.math import Matrix44
 
 from tests.marked.classes import NUMBERS, answers, graded, register, wide
 from vecpoly import Mistake, Slip, solve
 from vecpoly.board.place import View
 from vecpoly.export.dxf.document import figure_dxf
+from vecpoly.grading.compare.outcome import Basis
 from vecpoly.grading.drawings.judging.mark import Verdict
+from vecpoly.grading.marking.lines import LineMark
+from vecpoly.grading.rules import Lines, Rules
+from vecpoly.grading.scheme import Scheme
 from vecpoly.marked.drawn import grade_drawings
+from vecpoly.marked.graded import Graded
+from vecpoly.marked.intake.returned import Returned
 from vecpoly.words import Words
 
 WRONG = Slip(Mistake.HALVED, "v_B")
@@ -42,10 +53,10 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_drawing_is_judged_and_what_is_nobodys_is_told(folder: Path, tmp_path: Path) -> None:
-    drawn = grade_drawings(register(), folder, tmp_path, "en", silent)
+    drawn = grade_drawings(register(), Returned(), folder, tmp_path, "en", silent)
     right = {
-        sheet.student.number: all(one.verdict is Verdict.RIGHT for one in mark.vectors)
-        for sheet, _, mark in drawn.marks
+        number: all(one.verdict is Verdict.RIGHT for one in work.mark.vectors)
+        for (number, _), work in drawn.works.items()
     }
     assert right == {NUMBERS[0]: True, NUMBERS[1]: False}
     assert len(drawn.faults) == 2 and any("2023009" in one.words.en for one in drawn.faults)
@@ -57,8 +68,96 @@ def test_every_drawing_is_judged_and_what_is_nobodys_is_told(folder: Path, tmp_p
     assert all((tmp_path / "drawings" / name).read_bytes().startswith(b"%PDF") for name in overlays)
 
 
-def test_points_are_those_of_the_numbers_whatever_was_drawn(folder: Path, tmp_path: Path) -> None:
-    file = wide(tmp_path / "a.csv", {number: answers(number) for number in NUMBERS})
-    plain, drawn = graded(tmp_path / "plain", file), graded(tmp_path / "drawn", file, drawings=folder)
-    assert [one.total for one in plain.results] == [one.total for one in drawn.results]
-    assert len(drawn.faults) == 2 and (tmp_path / "drawn" / "drawings.csv").exists()
+def lines(done: Graded, number: str) -> dict[str, LineMark]:
+    result = next(one for one in done.results if one.student.number == number)
+    return {one.key: one for one in result.marks["3-9"].lines}
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Right numbers of everybody."""
+    return wide(tmp_path_factory.mktemp("answers") / "a.csv", {number: answers(number) for number in NUMBERS})
+
+
+def test_whose_drawing_is_right_has_all_points_and_whose_is_wrong_loses_one_line(
+    folder: Path, file: Path, tmp_path: Path
+) -> None:
+    done = graded(tmp_path, file, drawings=folder)
+    right, wrong, plain = done.results
+    assert right.total == right.worth == plain.total == plain.worth == 20.0
+    assert [key for key, one in lines(done, NUMBERS[1]).items() if one.earned < one.worth] == ["v_B"]
+    root = lines(done, NUMBERS[1])["v_B"]
+    assert root.earned == root.worth * Rules().slip and wrong.worth == 20.0
+    assert not lines(done, NUMBERS[2])
+
+
+@pytest.mark.parametrize(
+    ("rule", "without", "paid"), [("told", 20.0, False), ("given", 20.0, True), ("required", None, True)]
+)
+def test_the_rules_say_whether_a_drawing_is_told_or_paid_or_required(
+    folder: Path, file: Path, tmp_path: Path, rule: Lines, without: float | None, paid: bool
+) -> None:
+    done = graded(tmp_path, file, drawings=folder, scheme=Scheme(rules=Rules(drawing=rule)))
+    assert bool(lines(done, NUMBERS[0])) is paid
+    last = done.results[2]
+    assert last.total == without if without is not None else last.total < last.worth - 5
+    assert all(one.worth == 20.0 for one in done.results)
+
+
+def test_a_length_read_rightly_off_a_wrong_line_costs_nothing_more(folder: Path, tmp_path: Path) -> None:
+    """The second student's velocity polygon is half as large, and the numbers are those of that polygon."""
+
+    def read_off(key: str, text: str) -> str:
+        return f"{float(text) / 2:.4g}" if key.startswith("v_") else text
+
+    rows = {number: answers(number, read_off if number == NUMBERS[1] else lambda key, text: text) for number in NUMBERS}
+    own = graded(tmp_path / "own", wide(tmp_path / "a.csv", rows), drawings=folder).results[1].marks["3-9"]
+    for one in own.findings:
+        if one.key in own.key.scales or one.key not in {line.key for line in own.lines}:
+            continue
+        assert one.basis is Basis.DRAWN and one.earned.total == own.key[one.key].points.total, one.key
+    assert "read" not in {said.id.value for one in own.findings for said in one.messages if one.key == "v_B"}
+
+
+def test_a_scale_that_nobody_stated_is_left_for_a_person(tmp_path: Path, file: Path) -> None:
+    sheet = register().sheets[0]
+    variant = register().variant(sheet.parts[0])
+    figure = next(
+        one
+        for one in solve(variant, by="exact", repeats=0, precise=False).construction.figures
+        if one.view is View.VELOCITY
+    )
+    scaled = figure_dxf(figure)
+    (tmp_path / "drawn").mkdir()
+    document = read_dxf(StringIO(scaled.decode()))
+    for entity in list(document.modelspace()):
+        if entity.dxftype() in ("TEXT", "MTEXT"):
+            document.modelspace().delete_entity(entity)
+        else:
+            entity.transform(Matrix44.scale(0.7))
+    document.saveas(tmp_path / "drawn" / f"{NUMBERS[0]}_3-9.dxf")
+    done = graded(tmp_path / "out", file, drawings=tmp_path / "drawn")
+    assert all(one.doubt is not None and one.earned == one.worth for one in lines(done, NUMBERS[0]).values())
+    queue = list(csv.reader((tmp_path / "out" / "queue.csv").read_text("utf-8-sig").splitlines()))
+    assert [row[:3] for row in queue[1:]] == [[NUMBERS[0], "3-9", "速度多边形"]] and "比例尺" in queue[1][5]
+
+
+def test_grades_feedback_and_record_tell_of_the_lines(folder: Path, file: Path, tmp_path: Path) -> None:
+    graded(tmp_path, file, drawings=folder, feedback=True)
+    rows = list(csv.DictReader((tmp_path / "grades.csv").read_text("utf-8-sig").splitlines()))
+    assert float(rows[0]["3-9:图线"]) > float(rows[1]["3-9:图线"]) > 0 == float(rows[2]["3-9:图线"])
+    record = json.loads((tmp_path / "marks.json").read_text("utf-8"))
+    assert [bool(one["problems"]["3-9"].get("lines")) for one in record["students"]] == [True, True, False]
+    with pdfplumber.open(tmp_path / "feedback" / f"{NUMBERS[1]}__李四.pdf") as pages:
+        text = "".join(page.extract_text() for page in pages.pages)
+    assert "据此给图线分" in text and "不重复扣分" in text
+
+
+def test_a_second_drawing_of_one_problem_is_refused_with_the_name_of_the_first(folder: Path, tmp_path: Path) -> None:
+    again = tmp_path / "drawn"
+    again.mkdir()
+    data = next(folder.glob(f"{NUMBERS[0]}*.dxf")).read_bytes()
+    for name in ("a", "b"):
+        (again / f"{NUMBERS[0]}_{name}_3-9.dxf").write_bytes(data)
+    drawn = grade_drawings(register(), Returned(), again, tmp_path, "en", silent)
+    assert [one.code for one in drawn.faults] == ["twice"] and f"{NUMBERS[0]}_a_3-9.dxf" in drawn.faults[0].words.en

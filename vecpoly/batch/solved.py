@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from ..drawing.sheets.space import FRAME, STRIP
+from ..drawing.sheets.titleblock import BAR_CELL
 from ..report.document import report_bytes
 from ..solution import Solution
+from ..typeset.box import MM
 from ..words import Lang
 from .codes import short
 from .register import Register, Sheet
@@ -15,6 +18,17 @@ from .sheet.marks import TINY, code_squares, write
 
 QR_AT: Spot = (193.0, 3.0)
 SIDE = 13.0
+SMALLER, WHITE = 10.5, 13.0  # mm: the squares in the title strip of a drawing sheet, and the white about them
+
+
+def _in_the_strip(canvas: Any, code: str) -> None:
+    """In the title strip, beside the scale's bar: of a printed name and number nothing need be written there."""
+    width = canvas._pagesize[0] / MM
+    x, y = width - FRAME - BAR_CELL - WHITE - 0.4, FRAME + (STRIP - WHITE) / 2
+    canvas.setFillColorRGB(1, 1, 1)
+    canvas.rect(x * MM, y * MM, WHITE * MM, WHITE * MM, stroke=0, fill=1)
+    quiet = (WHITE - SMALLER) / 2
+    code_squares(canvas, code, (x + quiet, y + quiet), SMALLER)
 
 
 def solution_bytes(solutions: Sequence[Solution], register: Register, whose: Sheet) -> bytes:
@@ -29,7 +43,9 @@ def solution_bytes(solutions: Sequence[Solution], register: Register, whose: She
         canvas.saveState()
         canvas.setFillColorRGB(0, 0, 0)
         write(canvas, said, (20.0, 4.5), TINY)
-        if not sheet:  # its frame leaves no room
+        if sheet:
+            _in_the_strip(canvas, code)
+        else:
             code_squares(canvas, code, QR_AT, SIDE)
         canvas.restoreState()
 

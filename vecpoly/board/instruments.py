@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import asin, degrees
+from math import asin, atan2, degrees, pi
 from typing import Any
 
 import numpy as np
@@ -119,7 +119,7 @@ class Instruments(Strokes):
                     f"do not meet (sum {s:.2f} mm)",
                 )
             )
-        return self._both(a, b, c1, r1, c2, r2)
+        return self._both((a, b), _between(spot(a - c1), spot(a - c2)), c1, r1, c2, r2)
 
     def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
         """A compass arc on a ruled line: both meeting points, the one further along the line first."""
@@ -133,12 +133,13 @@ class Instruments(Strokes):
                     f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away",
                 )
             )
-        return self._both(a, b, line, centre, radius)
+        return self._both((a, b), _between(spot(line.along), 1j * spot(a - centre)), line, centre, radius)
 
-    def _both(self, a: Points, b: Points, *inputs: Any) -> tuple[Points, Points]:
+    def _both(self, pair: tuple[Points, Points], angle: float, *inputs: Any) -> tuple[Points, Points]:
         """Both meetings of an arc, each an act that knows the other."""
-        here = self.log(done.Meet(head=self.head(*inputs), at=spot(a), other=spot(b)))
-        there = self.log(done.Meet(head=self.head(*inputs), at=spot(b), other=spot(a)))
+        a, b = pair
+        here = self.log(done.Meet(head=self.head(*inputs), at=spot(a), other=spot(b), angle=angle))
+        there = self.log(done.Meet(head=self.head(*inputs), at=spot(b), other=spot(a), angle=angle))
         one, two = traced(a, here), traced(b, there)
         self._others |= dict.fromkeys(here, two) | dict.fromkeys(there, one)
         return one, two
@@ -235,3 +236,9 @@ class Instruments(Strokes):
         if slip.mistake is Mistake.COINCIDENT:
             return self.spots.get((place, slip.instead), vector)
         return as_taken(slip.mistake, vector, self.scale_of(place).value / self.scale_of(before(place)).value)
+
+
+def _between(one: complex, other: complex) -> float:
+    """The angle between two radii, or lines, at which what belongs to them crosses (rad, to a right angle)."""
+    turned = one.conjugate() * other
+    return atan2(abs(turned.imag), abs(turned.real)) if turned else pi / 2

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-Give = Literal["full", "half", "none"]
+Lines = Literal["told", "given", "required"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -16,8 +16,9 @@ class Rules:
     the method mark where a mistake is named. turned: of the method mark where a direction is wrong. unit: points lost
     once a problem where units are missing or wrong; printed: whether the sheet prints them. independent: nothing is
     continued from these. first: nothing is continued from others while these are not answered. reach: own values
-    farther off than this factor are not continued from. open: answers may be handed in again, so that no feedback tells
-    the right values.
+    farther off than this factor are not continued from. drawing: whether verdicts on a drawing are only told, give the
+    points of its lines where one is handed in, or are the only way to these points. open: answers may be handed in
+    again, so that no feedback tells the right values.
     """
 
     close: float = 0.5
@@ -32,6 +33,7 @@ class Rules:
     few_digits: int = 2
     many_digits: int = 4
     following: bool = True
+    drawing: Lines = "given"
     open: bool = False
 
 

@@ -23,12 +23,14 @@ class Sheet:
     """answers: key → what was written. scales: ``mu_v`` → the student's own (SI per mm); stated: which scales were
     written down.
 
-    faults: what could not be read of the scales, each in words.
+    drawn: quantity → its vector on the student's own drawing (x + iy, in its unit). faults: what could not be read of
+    the scales, each in words.
     """
 
     answers: Mapping[str, Written]
     scales: Mapping[str, float] = field(default_factory=dict)
     stated: frozenset[str] = frozenset()
+    drawn: Mapping[str, complex] = field(default_factory=dict)
     faults: tuple[Words, ...] = ()
 
 

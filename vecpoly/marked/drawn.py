@@ -6,21 +6,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..batch.register import Part, Register, Sheet
 from ..drawing.backends.pdf import to_pdf
+from ..drawing.scene import Scene
 from ..errors import Fault, ProblemFileError, VecpolyError
 from ..foundation.files import write_whole
 from ..grading.drawings.grade import grade_drawing
 from ..grading.drawings.judging.mark import DrawingMark
 from ..grading.drawings.model import drawing_key
 from ..grading.drawings.overlay import overlay
-from ..grading.drawings.readers.door import READERS
+from ..grading.drawings.readers.door import READERS, read_drawing
+from ..grading.sheet import sheet_of
 from ..words import Lang, Words
-from .out.tables import csv_bytes
+from .intake.returned import Returned
+from .out.plain import csv_bytes
 
 HEAD = (
     Words("学号", "number"),
@@ -37,41 +40,84 @@ Told = Callable[[Words, int, int], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Work:
+    """One drawing: whose it is, its verdicts, each polygon over the exact one."""
+
+    sheet: Sheet
+    part: Part
+    mark: DrawingMark
+    scenes: tuple[Scene, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Drawn:
-    """The verdicts on all drawings of a class, the files that tell them, and what could not be used."""
+    """The drawings of a class by student's number and problem, the files that tell of them, and what could not be
+    used."""
 
-    marks: tuple[tuple[Sheet, Part, DrawingMark], ...]
-    files: tuple[Path, ...]
-    faults: tuple[Fault, ...]
+    works: Mapping[tuple[str, str], Work] = field(default_factory=dict)
+    files: tuple[Path, ...] = ()
+    faults: tuple[Fault, ...] = ()
 
 
-def grade_drawings(register: Register, folder: Path, out: Path, lang: Lang, told: Told) -> Drawn:
+NOBODYS = Drawn()
+
+
+def grade_drawings(register: Register, returned: Returned, folder: Path, out: Path, lang: Lang, told: Told) -> Drawn:
     """Grade every drawing in the folder; one that is nobody's, or cannot be read, is told and stops no other.
 
-    Writes drawings.csv, a row for each vector, and for each file its polygons over the exact ones. No points follow
-    from a drawing: they are a person's to give.
+    Writes drawings.csv, a row for each vector, and for each file its polygons over the exact ones.
     """
     found = sorted(path for path in folder.rglob("*") if path.suffix.lower() in READERS)
-    marks: list[tuple[Sheet, Part, DrawingMark]] = []
+    works: dict[tuple[str, str], Work] = {}
     files: list[Path] = []
     faults: list[Fault] = []
     for done, path in enumerate(found, 1):
         told(Words("看图", "reading drawings"), done, len(found))
         try:
             sheet, part = _owner(register, path)
-            key = drawing_key(register.variant(part))
-            mark = grade_drawing(key, path, scales=part.scales)
-            if pages := overlay(mark, key, lang):
+            whose = sheet.student.number, part.problem
+            _refuse_second(works.get(whose))
+            works[whose] = one = _work(register, returned, sheet, part, path, lang)
+            if one.scenes:
                 name = f"{sheet.student.number}_{part.problem}.pdf"
-                files.append(write_whole(out / "drawings" / name, to_pdf(*pages)))
-            marks.append((sheet, part, mark))
+                files.append(write_whole(out / "drawings" / name, to_pdf(*one.scenes)))
         except ProblemFileError as error:
             faults += error.faults
         except VecpolyError as error:
             said = Words(f"{path.name}：", f"{path.name}: ") + error.words
             faults.append(Fault(said=said, code=error.code))
-    table = write_whole(out / "drawings.csv", csv_bytes(list(_rows(marks, lang))))
-    return Drawn(marks=tuple(marks), files=(table, *files), faults=tuple(faults))
+    table = write_whole(out / "drawings.csv", csv_bytes(list(_rows(works.values(), lang))))
+    return Drawn(works=works, files=(table, *files), faults=tuple(faults))
+
+
+def _work(register: Register, returned: Returned, sheet: Sheet, part: Part, path: Path, lang: Lang) -> Work:
+    """The drawing at the scales that the sheet prints, or that its student typed; where one that nobody stated fits it
+    better, it is held at that, for a person to look at."""
+    answers = returned.answers.get((sheet.student.number, part.problem))
+    typed = sheet_of(part.key, answers.cells).scales if answers is not None else {}
+    key, drawing = drawing_key(register.variant(part)), read_drawing(path)
+    mark = grade_drawing(key, drawing, scales={**part.scales, **typed})
+    if mark.slip is None and _costs(mark):
+        free = grade_drawing(key, drawing)
+        mark = free if _costs(free) < _costs(mark) else mark
+    return Work(sheet=sheet, part=part, mark=mark, scenes=overlay(mark, key, lang))
+
+
+def _costs(mark: DrawingMark) -> int:
+    """How many mistakes there are; a polygon that is not drawn is as many as it has vectors."""
+    return sum(one.costs for figure in mark.figures for one in figure.vectors)
+
+
+def _refuse_second(before: Work | None) -> None:
+    """Raise where there is a drawing of this problem by this student already."""
+    if before is not None:
+        raise VecpolyError(
+            Words(
+                f"此题已有该生的图 {Path(before.mark.file).name}；只取先读到的，请只留一份",
+                f"there is {Path(before.mark.file).name} of the same student and problem, which was taken; leave one",
+            ),
+            code="twice",
+        )
 
 
 def _owner(register: Register, path: Path) -> tuple[Sheet, Part]:
@@ -99,11 +145,11 @@ def _names(path: Path) -> Iterator[tuple[str, str]]:
     yield path.parent.name.partition("_")[0], path.stem
 
 
-def _rows(marks: list[tuple[Sheet, Part, DrawingMark]], lang: Lang) -> Iterator[list[str | float]]:
+def _rows(works: Iterable[Work], lang: Lang) -> Iterator[list[str | float]]:
     yield [word.of(lang) for word in HEAD]
-    for sheet, part, mark in marks:
-        for figure in mark.figures:
+    for work in works:
+        who = [work.sheet.student.number, work.sheet.student.name, work.part.problem]
+        for figure in work.mark.figures:
             for one in figure.vectors if figure.drawn else ():
-                who = [sheet.student.number, sheet.student.name, part.problem]
                 told = [figure.title.of(lang), one.key, one.verdict.words.of(lang), one.reason.of(lang)]
-                yield [*who, *told, Path(mark.file).name]
+                yield [*who, *told, Path(work.mark.file).name]

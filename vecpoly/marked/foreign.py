@@ -65,7 +65,9 @@ def _alone(register: Register, result: Result, problem: str, marked: Marked, rul
         return result
     answers = {one.key: one.written for one in marked.findings if one.written.raw}
     written = Sheet(answers=answers, stated=frozenset(marked.stated))
-    again = mark(register.variant(part), marked.key, tuple, written, replace(rules, following=False))
+    work = result.drawings.get(problem)
+    drawing = None if work is None else work.mark
+    again = mark(register.variant(part), marked.key, tuple, written, replace(rules, following=False), drawing)
     said = Words(
         f"题 {problem} 的答案与学号 {whose} 的数据一致，而与本人的不符；未作连带评分，请人工核对",
         f"the answers to {problem} agree with the numbers of student {whose}, and not with one's own; nothing was "

@@ -13,13 +13,15 @@ from ..foundation.files import write_whole
 from ..grading.key import AnswerKey
 from ..grading.scheme import Scheme
 from ..words import Lang, Words
+from .drawn import NOBODYS, grade_drawings
 from .foreign import own_work
 from .intake.read import read_answers
 from .intake.returned import Returned
 from .out.items import items
+from .out.plain import csv_bytes
 from .out.queue import queue_rows
 from .out.record import NAME, differences, read_record, record, record_bytes
-from .out.tables import csv_bytes, grade_rows, xlsx_bytes
+from .out.tables import grade_rows, xlsx_bytes
 from .work import Result, mark_class
 
 Told = Callable[[Words, int, int], None]
@@ -58,20 +60,19 @@ def grade(order: Order, told: Told) -> Graded:
     register = order.register
     before = None if order.before is None else read_record(order.before)
     returned = gathered(register, order.files)
-    marked = mark_class(register, returned, order.scheme, order.jobs)
+    drawn = NOBODYS
+    if order.drawings is not None:
+        drawn = grade_drawings(register, returned, order.drawings, order.out, order.lang, told)
+    marked = mark_class(register, returned, order.scheme, order.jobs, drawn)
     results = tuple(own_work(register, one, order.scheme) for one in _counted(marked, len(register.sheets), told))
-    faults = tuple(returned.faults)
+    faults = (*returned.faults, *drawn.faults)
     changed = None if before is None else differences(before, record(results, register.assignment))
     files = list(_tables(order, results, faults, changed))
     if order.feedback:
         from .out.feedback import feedback_files
 
         files += feedback_files(register, results, order.out, order.lang, told, order.scheme.rules)
-    if order.drawings is not None:
-        from .drawn import grade_drawings
-
-        drawn = grade_drawings(register, order.drawings, order.out, order.lang, told)
-        files, faults = [*files, *drawn.files], (*faults, *drawn.faults)
+    files += drawn.files
     kept = None if changed is None else tuple(map(tuple, changed))
     return Graded(results=results, faults=faults, files=tuple(files), changed=kept)
 

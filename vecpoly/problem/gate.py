@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Gate:
     """What every variant must be like.
 
-    vectors: mm that a graded vector measures at least; meetings, dead_point: rad between ruled lines, and from a dead
+    vectors: mm that a graded vector measures at least; meetings, dead_point: rad between lines or arcs, and from a dead
     point; deviation: 2σ of a graded quantity over its size, at most. slips, apart: how many tolerances T the readings
     of somebody who makes a slip, and those of two students (in two readings), must differ at least; 0: not asked for.
     alike: whether senses and acts must be those of the problem as it stands.

@@ -58,7 +58,7 @@ _SAID = {
         Words("去掉 scales 中给定的比例尺，或取较大的比例尺", "leave the scales out, or give larger ones"),
     ),
     Condition.MEETINGS: (
-        Words("方向线交角太小", "ruled lines meet at too small an angle"),
+        Words("线与线、弧与弧的交角太小", "lines or arcs meet at too small an angle"),
         Words("减小 gate.meetings，或缩小范围", "lower gate.meetings, or narrow the ranges"),
     ),
     Condition.VECTORS: (Words("所评矢量太短", "a graded vector is too short"), _SHORT),

@@ -79,11 +79,13 @@ def work(acts: Sequence[Act]) -> tuple[tuple[str, str], ...]:
 
 
 def least_meeting(acts: Sequence[Act]) -> float:
-    """The smallest angle (rad) at which two ruled lines meet."""
-    return min((_angle(act, acts) for act in acts if isinstance(act, Meet) and act.other is None), default=pi / 2)
+    """The smallest angle (rad) at which two ruled lines, two arcs, or a line and an arc meet."""
+    return min((_angle(act, acts) for act in acts if isinstance(act, Meet)), default=pi / 2)
 
 
 def _angle(meet: Meet, acts: Sequence[Act]) -> float:
+    if meet.angle is not None:
+        return meet.angle
     lines = [one.along for n in meet.inputs if isinstance(one := acts[n], Parallel)]
     if len(lines) != 2:
         return pi / 2

@@ -34,13 +34,20 @@ class Closed:
 
 
 def close(
-    board: Board, view: Place, pole: Points, eq: Equation, choose: Choice | None = None, *, to: str = ""
+    board: Board,
+    view: Place,
+    pole: Points,
+    eq: Equation,
+    choose: Choice | None = None,
+    *,
+    to: str = "",
+    corner: str = "",
 ) -> Closed:
     """Draw the equation as a polygon from the pole (without a right side:
     back to it) and give the ends of all its vectors.
 
     choose: which of two arc meetings is meant (cases with an unknown direction).
-    to: the letter of the point where the chains meet.
+    to: the letter of the point where the chains meet; corner: of the one between two unknown vectors of one side.
     """
     ends: Ends = {}
     left, open_left = _known_chain(board, view, pole, eq.left, ends)
@@ -51,15 +58,17 @@ def close(
     (one, on_left), (two, also_left) = unknown
     if on_left == also_left:  # both at the end of one side: walk to the other side's end
         start, end = (left, right) if on_left else (right, left)
-        corner = _corner(board, view, (one, start), (two, end), str(eq), choose)
-        ends[one.rel.key], ends[two.rel.key] = (start, corner), (corner, end)
+        at = _corner(board, view, (one, start), (two, end), str(eq), choose)
+        if corner:
+            at = board.locate(view, corner, at)
+        ends[one.rel.key], ends[two.rel.key] = (start, at), (at, end)
         meeting = end
     else:
-        corner = _corner(board, view, (one, left), (two, right), str(eq), choose)
+        at = _corner(board, view, (one, left), (two, right), str(eq), choose)
         if to:
-            corner = board.locate(view, to, corner)
-        ends[one.rel.key], ends[two.rel.key] = (left, corner), (right, corner)
-        meeting = corner
+            at = board.locate(view, to, at)
+        ends[one.rel.key], ends[two.rel.key] = (left, at), (right, at)
+        meeting = at
     for term, _ in unknown:
         _arrow(board, view, term, ends, Role.RESULT)
         _right_angle(board, view, term, ends)

@@ -61,10 +61,14 @@ class Transfer(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Meet(Done):
-    """Where two lines, a line and an arc, or two arcs meet; other: the second meeting, which was not taken."""
+    """Where two lines, a line and an arc, or two arcs meet; other: the second meeting, which was not taken.
+
+    angle: at which an arc crosses the other arc, or the line (rad, to a right angle).
+    """
 
     at: complex
     other: complex | None = None
+    angle: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -93,7 +93,7 @@ def _report(done: Graded, output: Path) -> None:
             wrote(path)
     count = len(done.results)
     missing = sum(not one.returned for one in done.results)
-    waiting = sum(len(marked.queue) for one in done.results for marked in one.marks.values())
+    waiting = sum(marked.waiting for one in done.results for marked in one.marks.values())
     say(
         told_in(
             Words(

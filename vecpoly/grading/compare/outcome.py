@@ -67,6 +67,7 @@ class Basis(StrEnum):
     OWN = "own"  # what follows from the student's own earlier values
     SLIP = "slip"  # what follows from a mistake that is told, and costs, elsewhere
     SCALE = "scale"  # the exact value times a wrong scale, which costs once
+    DRAWN = "drawn"  # what stands on the student's own drawing
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

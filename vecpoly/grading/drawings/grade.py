@@ -10,12 +10,14 @@ from ...problem.problem import Problem
 from ...words import Words
 from ..allowance import CAD, Allowance
 from .declared import stated
-from .expected import Edge, Shape
+from .expected import NOTHING, Edge, Shape
 from .judging.diagnose import exchanged, misplaced, slips_that_fit, turned_over
 from .judging.judge import WORST, judged, missing
 from .judging.mark import Basis, DrawingMark, FigureMark, VectorMark, Verdict
-from .judging.own import LIKELY, Own
+from .judging.meeting import met
+from .judging.own import Own
 from .judging.reason import FAIR, reason
+from .judging.slipped import by_one_mistake
 from .matching.assign import Match, assigned
 from .matching.find import find
 from .matching.fit import Fit
@@ -44,12 +46,13 @@ def grade_drawing(
     is held against what follows from the student's own diagram and polygons. The pole may be anywhere, terms be added
     in any order, and μ be one's own.
 
-    problem: or its `drawing_key`, where many have the same. scales: declared by the student, ``mu_v`` → SI per mm.
+    problem: or its `drawing_key`, where many have the same. scales: that the sheet prints or the student declared
+    elsewhere, ``mu_v`` → SI per mm; what is stated on the drawing itself goes before them.
     Raises ProblemFileError for a file that cannot be read, and what `solve` raises.
     """
     key = problem if isinstance(problem, DrawingKey) else drawing_key(problem, allowance)
     drawing = file if isinstance(file, Drawing) else read_drawing(file)
-    return _Grading(key, _known(drawing, key.exact.shapes), stated(drawing.labels) | dict(scales or {})).mark()
+    return _Grading(key, _known(drawing, key.exact.shapes), dict(scales or {}) | stated(drawing.labels)).mark()
 
 
 def _known(drawing: Drawing, shapes: Sequence[Shape]) -> Drawing:
@@ -87,6 +90,8 @@ class _Grading:
         )
         wrong = any(v.verdict not in FAIR for one in figures if one.drawn for v in one.vectors)
         slips = slips_that_fit(self.key, matches) if wrong and matches else ()
+        if slips:
+            figures = by_one_mistake(figures, slips[0], dict(self.key.worlds)[slips[0]])
         return DrawingMark(
             problem=self.key.problem.id,
             file=self.drawing.file,
@@ -118,7 +123,8 @@ class _Grading:
     def _figure(self, fit: Fit, match: Match) -> FigureMark:
         shape = fit.shape
         places = self.own.polygon(shape, match)
-        marks = tuple(self._vector(fit, edge, match) for edge in shape.edges)
+        first = {edge.key: self._vector(fit, edge, match) for edge in shape.edges}
+        marks = tuple(self._to_the_meeting(fit, edge, match, first) for edge in shape.edges)
         wrong = [one for one in marks if one.verdict not in FAIR]
         widest = gap(shape, match, fit.scale)
         remarks = [*turned_over(shape, places, wrong), *exchanged(marks, match)]
@@ -149,10 +155,20 @@ class _Grading:
         best = self._judged(fit, edge, match, edge.along, Basis.EXACT)
         if best.verdict is not Verdict.RIGHT:
             follows = self.own.should(fit.shape, edge.key)
-            if follows is not None and LIKELY[0] < abs(follows) / abs(edge.along) < LIKELY[1]:
+            if follows is not None and abs(follows) > NOTHING:
                 other = self._judged(fit, edge, match, follows, Basis.OWN)
                 best = min(best, other, key=lambda one: WORST.index(one.verdict))
         return replace(best, reason=reason(best, edge, fit.scale))
+
+    def _to_the_meeting(self, fit: Fit, edge: Edge, match: Match, marks: Mapping[str, VectorMark]) -> VectorMark:
+        """The mark, by the own direction of the vector that this one meets where that alone is wrong."""
+        should = met(fit.shape, self.key.exact.construction, match, edge, marks)
+        if should is None:
+            return marks[edge.key]
+        other = self._judged(fit, edge, match, should, Basis.OWN)
+        if other.verdict not in FAIR:
+            return marks[edge.key]
+        return replace(other, reason=reason(other, edge, fit.scale))
 
     def _judged(self, fit: Fit, edge: Edge, match: Match, should: complex, basis: Basis) -> VectorMark:
         allowed = self.key.allowed[fit.shape.name, edge.key]
@@ -198,6 +214,6 @@ class _Grading:
 
 def _undeclared(mu: float, symbol: str) -> Words:
     return Words(
-        f"没有写比例尺 ${symbol}$；由已知矢量推得 {mu:.4g}",
-        f"${symbol}$ is not stated; by the known vector it is {mu:.4g}",
+        f"没有写比例尺 ${symbol}$；由已知矢量推得 {mu:.4g}：或是另取了比例尺，或是已知矢量画错",
+        f"${symbol}$ is not stated; by the known vector it is {mu:.4g}: another scale, or the known vector is wrong",
     )

@@ -12,20 +12,22 @@ from ...words import Words
 from ..compare.outcome import Finding, Outcome
 from ..key import AnswerKey
 from ..told.message import Message
+from .lines import LineMark
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Marked:
     """findings: one for each quantity of the key that was answered, or is worth something; stated: points for scales.
 
-    lost: points lost for units, once. slips: root → the mistake of the catalogue behind it. messages: of the whole
-    sheet.
+    lost: points lost for units, once. lines: what a drawing that was handed in earns. slips: root → the mistake of the
+    catalogue behind it. messages: of the whole sheet.
     """
 
     key: AnswerKey
     findings: tuple[Finding, ...]
     stated: Mapping[str, float] = field(default_factory=dict)
     lost: float = 0.0
+    lines: tuple[LineMark, ...] = ()
     slips: Mapping[str, Slip] = field(default_factory=dict)
     roots: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
@@ -43,12 +45,23 @@ class Marked:
     @property
     def exactly(self) -> float:
         """The points before they are rounded."""
-        return sum(one.earned.total for one in self.findings) + sum(self.stated.values()) - self.lost
+        drawn = sum(one.earned for one in self.lines)
+        return sum(one.earned.total for one in self.findings) + drawn + sum(self.stated.values()) - self.lost
 
     @property
     def worth(self) -> float:
         """All points that can be had."""
-        return halves(self.key.worth)
+        return halves(self.key.worth + sum(one.worth for one in self.lines))
+
+    @property
+    def doubts(self) -> tuple[tuple[Words, Words], ...]:
+        """Figures of the drawing that a person must look at, each with why."""
+        return tuple(dict.fromkeys((one.figure, one.doubt) for one in self.lines if one.doubt is not None))
+
+    @property
+    def waiting(self) -> int:
+        """How much a person must look at."""
+        return len(self.queue) + len(self.doubts)
 
     @property
     def queue(self) -> tuple[Finding, ...]:
@@ -62,6 +75,7 @@ class Marked:
             "slips": {root: str(slip) for root, slip in self.slips.items()},
             "stated": dict(self.stated), "lost": self.lost, "messages": [one.as_json() for one in self.messages],
             "answers": [_finding(one) for one in self.findings],
+            **({"lines": [one.as_json() for one in self.lines]} if self.lines else {}),
         }  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import isfinite, log10
 
 from ...algebra.quantity import number
@@ -11,6 +12,7 @@ from ...words import bare
 from ..compare.band import gap, target_of
 from ..compare.measured import UnitFault
 from ..compare.outcome import Basis, Finding, Outcome
+from ..drawings.judging.mark import DrawingMark
 from ..key import AnswerKey, Graded, Points
 from ..reading.written import State, Written
 from ..rules import USUAL_RULES, Rules
@@ -20,6 +22,7 @@ from ..told.catalogue import Told
 from ..told.message import Message, message
 from .causes import Causes, causes
 from .drawn import paid_by_length
+from .lines import drawn_by, paid_by_lines, with_lengths
 from .marked import Marked
 from .points import earned
 from .scaled import at_own_scales, mutants_at
@@ -32,15 +35,24 @@ ROUND = (1.0, 2.0, 2.5, 5.0, 10.0)
 SAME = 1e-6  # of a scale: nearer to each other two are one
 
 
-def mark(problem: Problem, key: AnswerKey, mutants: Mutants, sheet: Sheet, rules: Rules = USUAL_RULES) -> Marked:
-    """The marks of a sheet, with a reason for each.
+def mark(
+    problem: Problem,
+    key: AnswerKey,
+    mutants: Mutants,
+    sheet: Sheet,
+    rules: Rules = USUAL_RULES,
+    drawing: DrawingMark | None = None,
+) -> Marked:
+    """The marks of a sheet, with a reason for each; drawing: the verdict on the one that was handed in with it.
 
     problem: the student's own variant, to be drawn anew with own values; mutants: gives those of `slips.mutants`, asked
     only where something is wrong. The same sheet has the same marks whatever is marked before it, and never fewer with
     follow-through than without.
     """
-    paid = paid_by_length(key, sheet)
+    unpaid, lines = paid_by_lines(key, drawing, rules)
+    paid = paid_by_length(unpaid, sheet)
     key = at_own_scales(paid, sheet.scales)
+    sheet = replace(sheet, drawn=with_lengths(key, drawn_by(unpaid, drawing if lines else None)))
     found = verdicts(problem, key, sheet, rules)
     why = causes(found, mutants_at(paid, mutants(), sheet.scales)) if found.roots() else Causes()
     named = {name for name, said in why.said.items() if said.id is not Told.TWO_SLIPS}
@@ -48,7 +60,7 @@ def mark(problem: Problem, key: AnswerKey, mutants: Mutants, sheet: Sheet, rules
     stated = {mu: points for mu, points in key.stated.items() if mu in sheet.stated}
     faulty = any(one.fault is UnitFault.DIMENSION or (one.fault and not rules.printed) for one in found.given.values())
     return Marked(
-        key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, slips=why.slips,
+        key=key, findings=findings, stated=stated, lost=rules.unit if faulty else 0.0, lines=lines, slips=why.slips,
         roots=tuple(one.key for one in found.roots()), messages=tuple(_of_scales(key, sheet)), faults=sheet.faults,
     )  # fmt: skip
 

@@ -15,8 +15,9 @@ def earned(one: Graded, outcome: Outcome, basis: Basis, mine: Measured | None, n
     sense = worth.sense if not one.exact and outcome.is_right else sense
     match outcome:
         case Outcome.RIGHT | Outcome.CLOSE | Outcome.UNSAID:
-            share = rules.own if basis is Basis.OWN else rules.close if outcome is Outcome.CLOSE else 1.0
-            method = worth.method * (rules.own if basis is Basis.OWN else 1.0)
+            own = basis in (Basis.OWN, Basis.DRAWN)
+            share = rules.own if own else rules.close if outcome is Outcome.CLOSE else 1.0
+            method = worth.method * (rules.own if own else 1.0)
             return Points(method=method, accuracy=worth.accuracy * share, sense=sense)
         case Outcome.SENSE | Outcome.DIRECTION:
             method = worth.method * (1.0 if worth.sense else rules.turned)

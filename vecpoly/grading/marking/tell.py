@@ -58,6 +58,8 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
         case Basis.OWN:
             source = source_of(found, one)
             return message(Told.OK_OWN, src=found.key[source].symbol, v=_mine(found, source))
+        case Basis.DRAWN:
+            return message(Told.OK_DRAWN, v=_amount(one, _drawn(found, one)))
         case Basis.SLIP | Basis.SCALE:
             return message(Told.OK_SLIP, src=found.key[why.source[one.key]].symbol)
         case Basis.EXACT:
@@ -67,6 +69,12 @@ def _right(found: Verdicts, why: Causes, one: Graded, outcome: Outcome, basis: B
                 return message(Told.OK_RECKONED, e=_off(found, one), t=_amount(one, one.allowed, 2))
             mm = abs(_gap(found, one)) * one.allowed_mm / one.allowed
             return message(Told.OK, e=_rounded(mm, one.allowed_mm), t=number(one.allowed_mm, 2))
+
+
+def _drawn(found: Verdicts, one: Graded) -> float:
+    """What stands on the own drawing, as it is written down: mm of a length, SI of a value."""
+    size = abs(found.sheet.drawn[one.key])
+    return size / found.key.scales[one.mu] if one.kind is Kind.READING else size
 
 
 def _wrong(found: Verdicts, why: Causes, one: Graded, outcome: Outcome) -> Iterator[Message]:

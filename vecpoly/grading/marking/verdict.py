@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from ...answer import bearing
 from ...problem.problem import Problem
-from ..compare.band import target_of, weigh
+from ..compare.band import Target, target_of, weigh
 from ..compare.measured import Measured, UnitFault, measured
 from ..compare.outcome import Basis, Outcome
 from ..compare.own import Followed, Follower
-from ..key import AnswerKey, Graded
+from ..key import AnswerKey, Graded, Kind
 from ..reading.written import State, Written
 from ..rules import Rules
 from ..sheet import Sheet
@@ -83,9 +84,25 @@ def _measured(text: Written, key: AnswerKey, name: str) -> Measured | None:
     return measured(text, key[name], key.scales.get(key[name].mu))
 
 
+def _as_drawn(found: Verdicts, one: Graded, mine: Measured) -> bool:
+    """Whether what is not right is what stands on the own drawing, as anybody reads it off."""
+    on_it = found.sheet.drawn.get(one.key)
+    if on_it is None or found.exact[one.key].is_right:
+        return False
+    mu, read = found.key.scales.get(one.mu, 1.0), found.key.allowance.reading
+    size = abs(on_it) / (mu if one.kind is Kind.READING else 1.0)
+    room = read * (1.0 if one.kind is Kind.READING else mu)
+    direction = bearing(on_it) if one.kind is Kind.VECTOR else None
+    target = Target(value=size, allowed=room, degrees=direction, mm=abs(on_it) / mu)
+    return weigh(mine, one, target, found.key.allowance) is Outcome.RIGHT
+
+
 def _better(found: Verdicts, one: Graded) -> None:
     """By own values, where that is better; what has another dimension is not right by any."""
     followed, mine = found.followed.get(one.key), found.given[one.key]
+    if mine.fault is not UnitFault.DIMENSION and _as_drawn(found, one, mine):
+        found.outcome[one.key], found.basis[one.key] = Outcome.RIGHT, Basis.DRAWN
+        return
     if followed is None or followed.target is None or mine.fault is UnitFault.DIMENSION:
         return
     was, targets = found.exact[one.key], (followed.target, followed.deep)

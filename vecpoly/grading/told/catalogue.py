@@ -15,6 +15,7 @@ class Told(StrEnum):
     OK_RECKONED = "ok_reckoned"
     OK_OWN = "ok_own"
     OK_SLIP = "ok_slip"
+    OK_DRAWN = "ok_drawn"
     CLOSE = "close"
     WRONG = "wrong"
     WRONG_FROM = "wrong_from"
@@ -64,6 +65,9 @@ SENTENCES: Mapping[Told, Words] = {
     ),
     Told.OK_SLIP: Words(
         "与 ${src}$ 处的错误一致，不重复扣分", "Follows from the mistake at ${src}$; not penalised again"
+    ),
+    Told.OK_DRAWN: Words(
+        "与你图上的线（{v}）一致，读数正确，不重复扣分", "Read rightly off your own line ({v}); not penalised again"
     ),
     Told.CLOSE: Words(
         "接近：相差 {e}，作图或量取不够准确（允许 ±{t}）",

@@ -39,6 +39,7 @@ _SAID = {
     "first": Words("未答 {v} 的不连带评分", "nothing is continued unless {v} is answered"),
     "reach": Words("与正确值相差 {v} 倍以上的不据以连带", "nothing is continued from what is off by {v} times or more"),
     "following": Words("不连带评分", "nothing is followed through"),
+    "drawing": Words("图线的分数：{v}", "points of lines by a drawing: {v}"),
     "open": Words("尚可再交，不给出正确值", "answers may be handed in again; no right values are told"),
 }
 _SHARES = ("close", "own", "slip", "turned")

@@ -40,6 +40,10 @@ _HEAD = {
     "zh": ("量", "所写", "结论", "得分", "满分", "说明"),
     "en": ("Quantity", "Written", "Verdict", "Points", "of", "Why"),
 }
+_LINES = {
+    "zh": ("矢量", "图", "结论", "得分", "满分", "说明"),
+    "en": ("Vector", "Figure", "Verdict", "Points", "of", "Why"),
+}
 _WIDTHS = (28.0, 27.0, 24.0, 12.0, 12.0, 67.0)
 _OWN = Words("由前正确", "right by own values")
 _TITLE = Words("批改反馈", "feedback")
@@ -65,7 +69,10 @@ def feedback_bytes(register: Register, result: Result, lang: Lang, rules: Rules 
     title = Words(f"{register.title.zh}　{_TITLE.zh}", f"{register.title.en}: {_TITLE.en}").of(lang)
     sheet = register.sheet(result.student.number)
     parts = {part.problem: part for part in sheet.parts} if sheet else {}
-    problems = [_problem(register, parts[name], marked, lang, objects, open_) for name, marked in result.marks.items()]
+    problems = [
+        _problem(register, parts[name], marked, _scenes(result, name), lang, objects, open_)
+        for name, marked in result.marks.items()
+    ]
     said = ("；" if lang == "zh" else "; ").join(one.of(lang) for one in rules_told(rules))
     context = {"title": title, "fields": _fields(result, lang), "problems": problems, "rules": said}
     xml = filled(f"feedback.{lang}.xml.j2", (data_dir("templates"),), context)
@@ -78,8 +85,13 @@ def _fields(result: Result, lang: Lang) -> list[tuple[str, str]]:
     return list(zip(FIELDS[lang], (*known, "", ""), strict=True))
 
 
+def _scenes(result: Result, problem: str) -> tuple[Scene, ...]:
+    work = result.drawings.get(problem)
+    return () if work is None else work.scenes
+
+
 def _problem(
-    register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects, open_: bool
+    register: Register, part: Part, marked: Marked, drawn: Sequence[Scene], lang: Lang, objects: Objects, open_: bool
 ) -> dict[str, Any]:
     problem = register.variant(part)
     rows = [_row(one, marked, lang, open_) for one in marked.findings]
@@ -90,19 +102,33 @@ def _problem(
         "worth": f"{marked.worth:g}", "messages": said, "table": objects.add("tab", table),
         "stated": f"{sum(marked.stated.values()):g}" if marked.stated else "",
         "lost": f"{marked.lost:g}" if marked.lost else "",
-        "figures": [] if open_ else _figures(register, part, marked, lang, objects),
+        "lines": objects.add("tab", _lines(marked, lang, open_)) if marked.lines else "",
+        "drawn": [] if open_ else [objects.add("pic", _block(scene)) for scene in drawn if _fits(scene)],
+        "figures": [] if open_ or drawn else _figures(register, part, marked, lang, objects),
     }  # fmt: skip
 
 
 def _row(one: Finding, marked: Marked, lang: Lang, open_: bool) -> tuple[str, ...]:
     graded = marked.key[one.key]
-    verdict = _OWN if one.basis in (Basis.OWN, Basis.SLIP, Basis.SCALE) and one.is_right else one.outcome.words
+    verdict = _OWN if one.basis is not Basis.EXACT and one.is_right else one.outcome.words
     messages = veiled(one.messages) if open_ else one.messages
     why = ("；" if lang == "zh" else "; ").join(said.words.of(lang) for said in messages)
     unit = written_unit(graded.unit)
     unit = f" /({unit})" if set(unit) & set("/·") else f" /{unit}" if unit else ""
     points = (f"{one.earned.total:.2g}", f"{graded.points.total:.2g}") if graded.points.total else ("", "")
     return (f"${graded.symbol}${unit}", one.written.raw or "—", verdict.of(lang), *points, why)
+
+
+def _lines(marked: Marked, lang: Lang, open_: bool) -> DataTable:
+    """The vectors of the drawing that was handed in; while it can be handed in again, without what should be drawn."""
+    rows = [
+        (
+            f"${one.symbol}$", one.figure.of(lang), one.verdict.words.of(lang), f"{one.earned:.2g}",
+            f"{one.worth:.2g}", "" if open_ else one.reason.of(lang),
+        )
+        for one in marked.lines
+    ]  # fmt: skip
+    return DataTable(_LINES[lang], rows, _WIDTHS, "lllrrl", lang=lang)
 
 
 def _figures(register: Register, part: Part, marked: Marked, lang: Lang, objects: Objects) -> list[str]:

@@ -19,7 +19,7 @@ _HEAD = (
 
 
 def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = ()) -> list[list[str | float]]:
-    """A row for each answer that waits for a person, and for each row of the answer file that could not be used."""
+    """A row for each answer or figure that waits for a person, and for each row of the files that was of no use."""
     rows: list[list[str | float]] = [[word.of(lang) for word in _HEAD]]
     for result in results:
         for problem, marked in result.marks.items():
@@ -27,6 +27,9 @@ def queue_rows(results: Sequence[Result], lang: Lang, faults: Sequence[Fault] = 
                 why = "; ".join(bare(said.words.of(lang)) for said in one.messages)
                 place = result.places.get((problem, one.key), "")
                 rows.append([result.student.number, problem, one.key, one.written.raw, place, why])
+            rows += [
+                [result.student.number, problem, figure.of(lang), "", "", why.of(lang)] for figure, why in marked.doubts
+            ]
         rows += [[result.student.number, "", "", "", "", fault.of(lang)] for fault in result.faults]
     rows += [
         ["", "", "", "", fault.place.words.of(lang) if fault.place else "", fault.said.of(lang)] for fault in faults

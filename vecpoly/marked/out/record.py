@@ -69,6 +69,11 @@ def _points(data: Mapping[str, Any]) -> dict[tuple[str, str, str], tuple[float, 
         for student in data["students"]
         for problem, marked in student["problems"].items()
         for one in marked["answers"]
+    } | {
+        (student["number"], problem, f"{one['key']} (line)"): (round(one["points"], 6), one["verdict"], "")
+        for student in data["students"]
+        for problem, marked in student["problems"].items()
+        for one in marked.get("lines", ())
     }
 
 

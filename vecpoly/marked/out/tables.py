@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
-from io import BytesIO, StringIO
+from io import BytesIO
 from typing import Any
 
 import xlsxwriter
 
-from ...batch.forms.profile import guarded
 from ...batch.forms.workbooks import write_row
 from ...grading.marking.marked import Marked
 from ...grading.rules import USUAL_RULES, Rules
@@ -29,29 +27,46 @@ _TAIL = (
     Words("错误原因", "causes"),
     Words("备注", "remarks"),
 )
+_LINES = Words("图线", "lines")
 _NOTHING = Words("没有交", "nothing returned")
 _PAGES = (Words("成绩", "grades"), Words("逐题分析", "items"), Words("待人工批改", "queue"), SCHEME)
 
 
 def grade_rows(results: Sequence[Result], lang: Lang) -> Rows:
-    """The header, and a row for each student."""
-    columns = [
-        (problem, one.key) for problem, marked in _first(results) for one in marked.key.quantities if one.points.total
-    ]
+    """The header, and a row for each student: problems, answers, lines of drawings, totals."""
     problems = [problem for problem, _ in _first(results)]
+    columns, drawn = _columns(results), [name for name in problems if any(one.marks[name].lines for one in results)]
     head = [*(word.of(lang) for word in _HEAD), *problems, *(f"{problem}:{key}" for problem, key in columns)]
-    return [[*head, *(word.of(lang) for word in _TAIL)], *(_row(one, problems, columns, lang) for one in results)]
+    head += [f"{problem}:{_LINES.of(lang)}" for problem in drawn]
+    rows = [_row(one, problems, columns, drawn, lang) for one in results]
+    return [[*head, *(word.of(lang) for word in _TAIL)], *rows]
 
 
 def _first(results: Sequence[Result]) -> list[tuple[str, Marked]]:
     return list(results[0].marks.items()) if results else []
 
 
-def _row(result: Result, problems: Sequence[str], columns: Sequence[tuple[str, str]], lang: Lang) -> list[Cell]:
+def _columns(results: Sequence[Result]) -> list[tuple[str, str]]:
+    """What is worth something to somebody: lines that a drawing pays are worth nothing as numbers."""
+    worth = {
+        (problem, one.key)
+        for result in results
+        for problem, marked in result.marks.items()
+        for one in marked.key.quantities
+        if one.points.total
+    }
+    every = [(problem, one.key) for problem, marked in _first(results) for one in marked.key.quantities]
+    return [column for column in every if column in worth]
+
+
+def _row(
+    result: Result, problems: Sequence[str], columns: Sequence[tuple[str, str]], drawn: Sequence[str], lang: Lang
+) -> list[Cell]:
     points = {
         (problem, one.key): one.earned.total for problem, marked in result.marks.items() for one in marked.findings
     }
-    waiting = sum(len(marked.queue) for marked in result.marks.values())
+    lines = [round(sum(one.earned for one in result.marks[problem].lines), 3) for problem in drawn]
+    waiting = sum(marked.waiting for marked in result.marks.values())
     slips = [
         f"{problem}:{root} {slip}" for problem, marked in result.marks.items() for root, slip in marked.slips.items()
     ]
@@ -59,18 +74,9 @@ def _row(result: Result, problems: Sequence[str], columns: Sequence[tuple[str, s
     who = result.student
     return [
         who.number, who.name, who.team, result.sheet, *(result.marks[problem].total for problem in problems),
-        *(round(points.get(column, 0.0), 3) for column in columns), result.total, result.worth, float(waiting),
-        "; ".join(slips), "; ".join(remarks),
+        *(round(points.get(column, 0.0), 3) for column in columns), *lines, result.total, result.worth,
+        float(waiting), "; ".join(slips), "; ".join(remarks),
     ]  # fmt: skip
-
-
-def csv_bytes(rows: Rows) -> bytes:
-    """With the mark of UTF-8, by which spreadsheets know it; no text is taken for a formula."""
-    text = StringIO()
-    writer = csv.writer(text, lineterminator="\r\n")
-    for row in rows:
-        writer.writerow(guarded(cell) if isinstance(cell, str) else f"{cell:g}" for cell in row)
-    return text.getvalue().encode("utf-8-sig")
 
 
 def xlsx_bytes(results: Sequence[Result], items: Sequence[Item], lang: Lang, rules: Rules = USUAL_RULES) -> bytes:

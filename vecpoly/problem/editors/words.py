@@ -24,6 +24,10 @@ _MARKING = {
     ),
     "RulesSpec.reach": Words("相差超过几倍的值不据以连带：5", "own values farther off than this factor: 5"),
     "RulesSpec.following": Words("是否连带评分", "whether own values are continued from"),
+    "RulesSpec.drawing": Words(
+        "图线的分数：只告知（told）、交图者据图（given）、必须据图（required）",
+        "points of lines by a drawing: only told, given where one is handed in, required",
+    ),
     "RulesSpec.open": Words("尚可再交，反馈不给出正确值", "answers may be handed in again: no right values are told"),
     "RubricSpec.diagram": Words("机构图", "the kinematic diagram"),
     "RubricSpec.velocity": Words("速度分析", "velocities"),
@@ -88,7 +92,9 @@ KEYS = {
     ),
     "Problem.gate": Words("对每个学生的题目作图的要求", "what the drawing of every variant must be like"),
     "GateSpec.vectors": Words("所评矢量的最小图上长度：15 mm", "how long a graded vector is on paper at least: 15 mm"),
-    "GateSpec.meetings": Words("两方向线的最小交角：20 deg", "the least angle at which two ruled lines meet: 20 deg"),
+    "GateSpec.meetings": Words(
+        "两线、两弧或线与弧的最小交角：20 deg", "the least angle at which lines and arcs meet: 20 deg"
+    ),
     "GateSpec.dead_point": Words("离死点的最小角度：10 deg", "how far from a dead point at least: 10 deg"),
     "GateSpec.deviation": Words(
         "所评各量的 2σ 与其大小之比的上限：15 %", "2σ of a graded quantity over its size, at most: 15 %"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -27,6 +27,7 @@ class RulesSpec(_Said):
     first: tuple[str, ...] | None = None
     reach: Annotated[float, Field(gt=1.0)] | None = None
     following: bool | None = None
+    drawing: Literal["told", "given", "required"] | None = None
     open: bool | None = None
 
 

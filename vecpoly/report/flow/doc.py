@@ -121,10 +121,12 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         text = Frame(MARGIN, MARGIN, width - 2 * MARGIN, height - 2 * MARGIN, 0, 0, 0, 0, id="text")
         zero = {"leftPadding": 0, "rightPadding": 0, "topPadding": 0, "bottomPadding": 0}
         sheets = [
-            PageTemplate(name, [Frame(0, 0, *size, **zero)], onPage=self._foot, pagesize=size)
+            PageTemplate(
+                name, [Frame(0, 0, *size, **zero)], onPage=self._foot, onPageEnd=self._stamp_sheet, pagesize=size
+            )
             for name, size in (("portrait", A4), ("landscape", landscape(A4)))
         ]
-        return [PageTemplate("text", [text], onPage=self._furniture, pagesize=A4), *sheets]
+        return [PageTemplate("text", [text], onPage=self._furniture, onPageEnd=self._stamp_text, pagesize=A4), *sheets]
 
     def _furniture(self, canvas: Any, _: Any) -> None:
         """Running header and footer."""
@@ -136,13 +138,13 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         ink.rule(MARGIN, height - MARGIN + 2.4 * MM, width - 2 * MARGIN, 0.4)
         ink.flush()
         canvas.restoreState()
-        self._number(canvas, width, 11 * MM, sheet=False)
+        self._number(canvas, width, 11 * MM)
 
     def _foot(self, canvas: Any, _: Any) -> None:
         """The page number under the frame of a sheet."""
-        self._number(canvas, canvas._pagesize[0], 4.5 * MM, sheet=True)
+        self._number(canvas, canvas._pagesize[0], 4.5 * MM)
 
-    def _number(self, canvas: Any, width: float, y: float, *, sheet: bool) -> None:
+    def _number(self, canvas: Any, width: float, y: float) -> None:
         """Page n / N in the middle of the foot."""
         canvas.saveState()
         canvas.setFillColorRGB(*GREY)
@@ -152,8 +154,16 @@ class ReportDoc(BaseDocTemplate):  # type: ignore[misc]
         canvas.translate(width / 2, y)
         canvas.doForm(_TOTAL)
         canvas.restoreState()
+
+    def _stamp_text(self, canvas: Any, _: Any) -> None:
+        """Over all else of a page of text."""
         if self._stamp is not None:
-            self._stamp(canvas, sheet)
+            self._stamp(canvas, False)
+
+    def _stamp_sheet(self, canvas: Any, _: Any) -> None:
+        """Over all else of a drawing sheet."""
+        if self._stamp is not None:
+            self._stamp(canvas, True)
 
     def afterFlowable(self, flowable: Any) -> None:
         """Bookmark headings and sheets."""

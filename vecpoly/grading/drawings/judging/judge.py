@@ -55,6 +55,7 @@ def judged(
         basis=basis,
         tail=line.start,
         where=line.where,
+        keys=edge.keys,
     )
 
 
@@ -72,6 +73,7 @@ def missing(edge: Edge, figure: str, allowed: Allowed) -> VectorMark:
         allowed=allowed.mm,
         tail=edge.a,
         reason=Words("图上没有此矢量", "this vector is not on the drawing"),
+        keys=edge.keys,
     )
 
 

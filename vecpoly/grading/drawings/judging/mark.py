@@ -27,18 +27,21 @@ class Verdict(StrEnum):
 
 
 class Basis(StrEnum):
-    """What a vector was held against: the exact drawing, or what follows from the student's own lines before it."""
+    """What a vector was held against: the exact drawing, or what follows from the student's own lines before it; or
+    whether it is wrong because of the one mistake that explains the drawing."""
 
     EXACT = "exact"
     OWN = "own"
+    SLIP = "slip"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VectorMark:
     """One vector as drawn (`own`) and as it should be on this basis (`should`), both in mm of the reference drawing.
 
-    length, direction: each by itself; sense: whether the arrow points the right way, None where it has no head in a
-    drawing with heads. off: mm in length; turned: degrees (ccw); allowed: T, mm. tail: where it begins on the figure.
+    keys: of all quantities that it stands for. length, direction: each by itself; sense: whether the arrow points the
+    right way, None where it has no head in a drawing with heads. off: mm in length; turned: degrees (ccw); allowed: T,
+    mm. tail: where it begins on the figure.
     """
 
     key: str
@@ -57,6 +60,12 @@ class VectorMark:
     tail: complex = 0j
     where: str = ""
     reason: Words = NO_WORDS
+    keys: tuple[str, ...] = ()
+
+    @property
+    def costs(self) -> bool:
+        """Whether it is a mistake of its own, and no consequence of another."""
+        return self.verdict in (Verdict.WRONG, Verdict.MISSING) and self.basis is not Basis.SLIP
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,28 +7,22 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from ..expected import Shape
 from ..segment import Segment
 from .naming import fits
+from .scale import LIKE, SAME_SCALE, SLACK, Vectors, chosen, nearer, nearly, ratios, refined
 from .tidy import Strokes
 
-LIKE, SLACK = 0.07, 0.5  # of a vector's length, and mm: what counts as the same vector while a scale is sought
-CLOSE, BETTER = 0.003, 0.3  # of a length: nearly exact; of a figure: how much more of it is so at another scale
-PARALLEL = 0.05  # rad
-RATIOS = 40
-SAME_SCALE = 0.005
 LEAST = 0.25  # of a figure's lines that must be found in a part
 NAMED = 2.0
 STRAYS, BESIDE = 1, 10.0  # lines that hang together, and mm from a figure, to which they may belong
 FREE = 0.7  # of a score is for free vectors, the rest for those that lie where they should
 OWN_SCALE = 0.03  # the scale of the problem is preferred to one's own
 BOTH = 0.1  # a mistake at one's own scale is told from what is right at another only by this
+FINELY = 0.05  # of two figures that are nearly the same the one that is drawn more exactly
 MISTAKEN = 0.05  # what is right is preferred to what a mistake makes of it
-
-Vectors = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,8 +65,10 @@ def fitted(
     ]
     if not parts or not figures:
         return []
+    heads = any(one.headed for one in lines)
     tries = [
-        [_best([lines[n] for n in part], shapes, scales.get(shapes[0].name)) for shapes in figures] for part in parts
+        [_best([lines[n] for n in part], shapes, scales.get(shapes[0].name), heads) for shapes in figures]
+        for part in parts
     ]
     scores = np.array([[one.score for one in row] for row in tries])
     rows, columns = linear_sum_assignment(-np.where(scores >= LEAST, scores, 0.0))
@@ -113,24 +109,27 @@ def _mirrored(one: Segment, mirror: complex) -> Segment:
     return replace(one, start=mirror * one.start.conjugate(), end=mirror * one.end.conjugate())
 
 
-def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | None) -> _Try:
-    """The best scale of this part as this figure, right or mistaken."""
+def _best(lines: Sequence[Segment], shapes: Sequence[Shape], declared: float | None, heads: bool) -> _Try:
+    """The best scale of this part as this figure, right or mistaken; heads: the drawing has some."""
     own = np.array([one.along for one in lines])
-    bonus = _told(lines, shapes[0])
+    bonus = _told(lines, shapes[0]) - (NAMED if heads and not _may_be(lines, shapes[0]) else 0.0)
     found = _Try(score=0.0, scale=declared or 1.0)
     for n, shape in enumerate(shapes):
         should = np.array([edge.along for edge in shape.edges])
-        for scale in [declared] if declared else _ratios(own, should):
+        for scale in [declared] if declared else ratios(own, should):
             score = _share(lines, shape, own, should, scale, found.score)
             other = not declared and abs(scale - 1) > SAME_SCALE
             score -= MISTAKEN * bool(n) + (OWN_SCALE + BOTH * bool(n)) * other
-            if score > found.score + 1e-6 or (score > found.score - 1e-6 and _nearer(scale, found.scale)):
+            if score > found.score + 1e-6 or (score > found.score - 1e-6 and nearer(scale, found.scale)):
                 found = _Try(score=score, scale=scale)
+    if found.score:
+        bonus += FINELY * nearly(lines, shapes[0], declared or refined(lines, shapes, found.scale))
     return _Try(score=found.score + bonus, scale=found.scale)
 
 
-def _nearer(scale: float, other: float) -> bool:
-    return bool(abs(np.log(scale)) < abs(np.log(other)))
+def _may_be(lines: Sequence[Segment], shape: Shape) -> bool:
+    """Whether lines may be this figure, by their heads: a diagram has none, a polygon of vectors some."""
+    return shape.diagram or any(one.headed for one in lines)
 
 
 def _told(lines: Sequence[Segment], shape: Shape) -> float:
@@ -139,20 +138,6 @@ def _told(lines: Sequence[Segment], shape: Shape) -> float:
     for_it = sum(name == shape.name for name in names) - sum(name != shape.name for name in names)
     layers = [fits(one.layer, shape.view) for one in lines]
     return NAMED * float(np.sign(for_it)) - (0.0 if all(layers) else NAMED)
-
-
-def _ratios(own: Vectors, should: Vectors) -> list[float]:
-    """1, and the ratios of lines that are parallel to a vector, the commonest first."""
-    turn = np.abs(np.angle((own[:, None] / should[None, :]) ** 2)) / 2
-    ratios = (np.abs(own)[:, None] / np.abs(should)[None, :])[turn < PARALLEL]
-    if not ratios.size:
-        return [1.0]
-    alike = np.sum(np.abs(np.log(ratios[:, None] / ratios[None, :])) < LIKE, axis=1)
-    chosen = [1.0]
-    for n in np.argsort(-alike, kind="stable"):
-        if all(abs(np.log(ratios[n] / one)) > LIKE / 2 for one in chosen) and len(chosen) < RATIOS:
-            chosen.append(float(ratios[n]))
-    return chosen
 
 
 def _share(lines: Sequence[Segment], shape: Shape, own: Vectors, should: Vectors, scale: float, least: float) -> float:
@@ -193,8 +178,8 @@ def _fit(
 ) -> Fit:
     """The figure in its own scale, with stray lines that may belong to it."""
     shape, inside = shapes[0], [lines[n] for n in part]
-    measured = _refined(inside, shapes, best.scale)
-    scale = best.scale if declared else _taken(inside, shape, best.scale, measured)
+    measured = refined(inside, shapes, best.scale)
+    scale = best.scale if declared else chosen(inside, shape, best.scale, measured)
     own = np.array([one.along for one in inside])
     origin, share = None, 0.0
     for one in shapes:
@@ -212,35 +197,3 @@ def _fit(
 
 def _moved(one: Segment, scale: float, shift: complex) -> Segment:
     return replace(one, start=one.start / scale - shift, end=one.end / scale - shift, sigma=one.sigma / scale)
-
-
-def _refined(lines: Sequence[Segment], shapes: Sequence[Shape], scale: float) -> float:
-    """The scale by the longest vector that is known; of a diagram by what most of its lines agree in."""
-    own = np.array([one.along for one in lines])
-    given = [edge.along for edge in shapes[0].edges if edge.given] or [edge.along for edge in shapes[0].edges]
-    ratios = []
-    for along in given:
-        off = np.minimum(np.abs(own / scale - along), np.abs(own / scale + along))
-        n = int(np.argmin(off))
-        if off[n] <= LIKE * abs(along) + SLACK:
-            ratios.append((abs(own[n]) / abs(along), abs(along)))
-    if not shapes[0].diagram:
-        return float(max(ratios, key=lambda pair: pair[1])[0]) if ratios else scale
-    agree = [sum(size for other, size in ratios if abs(other / one - 1) < SAME_SCALE) for one, _ in ratios]
-    return float(ratios[int(np.argmax(agree))][0]) if ratios else scale
-
-
-def _taken(lines: Sequence[Segment], shape: Shape, found: float, measured: float) -> float:
-    """The scale that is not stated: the problem's own, unless the figure is clearly better at what was measured."""
-    if abs(measured - 1.0) < SAME_SCALE:
-        return 1.0
-    closely = {scale: _closely(lines, shape, scale) for scale in (1.0, measured)}
-    return measured if found != 1.0 or closely[measured] > closely[1.0] + BETTER else 1.0
-
-
-def _closely(lines: Sequence[Segment], shape: Shape, scale: float) -> float:
-    """How much of the figure is drawn nearly exactly at this scale."""
-    own, should = np.array([one.along for one in lines]) / scale, np.array([edge.along for edge in shape.edges])
-    off = np.minimum(np.abs(own[:, None] - should), np.abs(own[:, None] + should)).min(axis=0)
-    size = np.abs(should)
-    return float(np.sum(size[off <= CLOSE * size + SLACK / 2]) / np.sum(size))

@@ -44,7 +44,7 @@ def draw_polygon(
     eq = Equation(left=(*known, *unknown), right=())
     st.board.equate(eq.table())
     st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
-    ends = close(st.board, pane, 0j, eq).ends
+    ends = close(st.board, pane, 0j, eq, corner=LETTERS[n + 1]).ends
     found: dict[str, Drawn] = {}
     for i, term in enumerate(unknown, start=n):
         start, end = ends[term.rel.key]

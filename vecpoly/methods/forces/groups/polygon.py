@@ -187,9 +187,10 @@ def _term(force: Acting, tip: str) -> Term:
 def _closed(st: Statics, pane: Pane, eq: Equation, terms: list[Term]) -> tuple[list[Points], Points]:
     """All vertices of the known chain, and the corner."""
     st.board.equate(eq.table())
-    closed = close(st.board, pane, 0j, eq)
+    letter = LETTERS[len(terms) + 1]
+    closed = close(st.board, pane, 0j, eq, corner=letter)
     corner = closed.ends[eq.left[-1].rel.key][0]
-    st.board.plot(pane, corner, LETTERS[len(terms) + 1])
+    st.board.plot(pane, corner, letter)
     return [0j, *(closed.ends[term.rel.key][1] for term in terms)], corner
 
 
