@@ -52,8 +52,8 @@ def _fulfilled(
 ) -> tuple[list[list[bool]], list[bool]]:
     """Which statements hold for either meeting point, and whether all do.
 
-    Where they tell no difference the sheet may be off by an unsteady hand: of Peaucellier's rhombus one meeting point is
-    B itself, which then seems to lie beside B. What is no farther off than the hand's slack is taken as on the line.
+    Where they tell no difference the sheet may be off by an unsteady hand: of Peaucellier's rhombus one meeting point
+    is B itself, which then seems to lie beside B. What is no farther off than the slack of the hand is on the line.
     """
     slack = desk.board.hand.slack
     margins = [[margin(s, trial) for s in about] for trial in trials]
