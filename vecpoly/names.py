@@ -166,8 +166,10 @@ def is_place(key: Key) -> bool:
 
 
 def reaction(by: str, on: str) -> Named:
-    """R_12: the force of link 1 on link 2 (links by their printed numbers)."""
-    return Named(f"R_{by}{on}", f"R_{{{by}{on}}}", "N", True)
+    """R_12: the force of link 1 on link 2, by their printed numbers; R_1_11 (R_{1,11}) where one has two digits."""
+    long = any(len(number) > 1 and number.isdigit() for number in (by, on))
+    key, symbol = (f"{by}_{on}", f"{by},{on}") if long else (f"{by}{on}", f"{by}{on}")
+    return Named(f"R_{key}", f"R_{{{symbol}}}", "N", True)
 
 
 def written_unit(unit: str) -> str:

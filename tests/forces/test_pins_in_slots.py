@@ -118,10 +118,32 @@ ROLLING = 'loads: {M_3: {on: 3, size: 5 N*m}, M_1: {on: 1, size: "?"}}\n'
 
 
 @pytest.mark.parametrize("base", ["geared-five-bar", "three-legged-plate"])
-def test_the_balancing_moment_alone_needs_no_reaction(base: str) -> None:
+def test_reactions_are_drawn_where_gears_mesh_and_where_another_link_makes_class_ii_of_it(base: str) -> None:
     head = f"id: x\ntitle: x\nextends: {base}\n{ROLLING}"
+    asked = [ask.rel.key for ask in loads(head + "find: null\n").asks]
+    assert len(asked) > 6 and agreeing(exact_hand(head + "find: null\n")) == len(asked)
+
+
+TWO_LEGS_ON_THE_CRANK = """
+id: x
+title: two legs of the plate on the crank
+frame: {A: [0 mm, 0 mm], E: [90 mm, -60 mm]}
+links:
+  1: {AB: 60 mm, G: {along: AB, at: 20 mm, left: -90 mm}}
+  2: {CD: 70 mm, H: {along: CD, at: 30 mm, left: 50 mm}}
+  3: {BC: 80 mm}
+  4: {GD: 75 mm}
+  5: {EH: 85 mm}
+input: {link: 1, phi: 100 deg, omega: 5 rad/s ccw}
+loads: {M_2: {on: 2, size: 5 N*m}, M_1: {on: 1, size: "?"}}
+"""
+
+
+def test_the_balancing_moment_alone_needs_no_reaction() -> None:
+    guesses = "guesses: {C: [40 mm, 120 mm], D: [100 mm, 80 mm], H: [100 mm, 30 mm]}\n"
+    head = TWO_LEGS_ON_THE_CRANK + guesses
     assert agreeing(exact_hand(head + "find: [M_1, M_1_power, M_1_lever]\n")) == 3
-    assert [ask.rel.key for ask in loads(head + "find: null\n").asks] == ["M_1"]
+    assert [ask.rel.key for ask in loads(head).asks] == ["M_1"]
     with pytest.raises(NoMethodError) as refused:
-        exact_hand(head + "find: [M_1, R_12]\n")
+        exact_hand(head + "find: [M_1, R_23]\n")
     assert "find: [M_1]" in refused.value.words.en and "虚功率" in refused.value.words.zh

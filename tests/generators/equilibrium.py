@@ -99,6 +99,12 @@ class Moving:
         return complex(path @ _FIRST) / self.step
 
 
+def reaction_key(mech: Mechanism, by: str, on: str) -> str:
+    """R_12; R_1_11 where a number has two digits."""
+    numbers = mech.number(by), mech.number(on)
+    return "R_" + ("_" if max(map(len, numbers)) > 1 else "").join(numbers)
+
+
 def in_equilibrium(solution: Solution) -> str:
     """What is wrong with the exported forces, "" where nothing is."""
     problem = solution.problem
@@ -157,7 +163,7 @@ def _reactions(mech: Mechanism, forces: dict[str, Any], name: str, way: str) -> 
         *(joint.pin for joint in mech.joints if isinstance(joint, Prismatic) and joint.pin_in_slot),
     }  # of two pins of one link in slots of another
     for other, letter in product((*_links(mech), FRAME), letters):
-        found = forces.get(f"R_{mech.number(other)}{mech.number(name)}{letter}{way}")
+        found = forces.get(f"{reaction_key(mech, other, name)}{letter}{way}")
         if found is not None and "point" in found:
             yield Push(force=_vector(found), at=complex(*found["point"]), couple=found.get("couple") or 0.0)
 
@@ -229,7 +235,7 @@ def _laws(moving: Moving, loads: Loads, forces: dict[str, Any], way: str) -> Ite
 
 def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, way: str) -> Iterator[str]:
     mech = moving.mech
-    key = f"R_{mech.number(joint.a)}{mech.number(joint.b)}{way}"
+    key = f"{reaction_key(mech, joint.a, joint.b)}{way}"
     found = forces.get(key)
     if found is None or not found["drawn"]:
         return
@@ -243,7 +249,7 @@ def _pin(moving: Moving, forces: dict[str, Any], joint: Revolute, rho: float, wa
 def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str) -> Iterator[str]:
     """A pin in a slot: the force passes through the pin,
     which is fixed in the link beside the thought block, and leans like that of a slide."""
-    mech, guide = moving.mech, moving.mech.number(joint.guide)
+    mech = moving.mech
     carriers = [
         one
         for j in mech.joints
@@ -255,7 +261,7 @@ def _slotted(moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: floa
         key: name
         for name in carriers
         for letter in ("", joint.pin)
-        if (key := f"R_{guide}{mech.number(name)}{letter}{way}") in forces
+        if (key := f"{reaction_key(mech, joint.guide, name)}{letter}{way}") in forces
     }
     if len(keys) != 1:
         yield f"of pin {joint.pin} in its slot the forces have {', '.join(keys) or 'nothing'}"
@@ -273,7 +279,7 @@ def _slide(
     moving: Moving, forces: dict[str, Any], joint: Prismatic, phi: float, way: str, key: str = ""
 ) -> Iterator[str]:
     mech = moving.mech
-    key = key or f"R_{mech.number(joint.guide)}{mech.number(joint.block)}{way}"
+    key = key or f"{reaction_key(mech, joint.guide, joint.block)}{way}"
     found = forces.get(key)
     if (
         found is None

@@ -62,6 +62,11 @@ class Hand:
     repeats: int
     rng: np.random.Generator
 
+    @property
+    def slack(self) -> float:
+        """How far (mm) a point of the nominal sheet may lie beside its place: ten times what the dividers scatter."""
+        return 10.0 * self.nominal.dividers
+
     def carry(self, length: Reals) -> Reals:
         """A length set in the dividers (mm)."""
         return length + self._scatter(lambda skill: skill.dividers)

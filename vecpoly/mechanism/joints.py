@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from math import radians
+
 from ..foundation.slotted import dataclass
 from .dimensions.placements import Side
 
 FRAME = "0"  # the name of the fixed link
+STANDARD = radians(20.0)  # the pressure angle of standard teeth (GB/T 1356)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +66,7 @@ class Rolling:
     """Pure rolling of a gear on a gear or a rack; the pitch point has a letter. Two constraints: contact and no slip.
 
     The gear's centre stays on the side of a rack on which it is at the given position (`side` of the rack's direction).
+    alpha (rad) is the pressure angle of the teeth at the pitch point: to forces alone it matters.
     """
 
     point: str
@@ -70,6 +74,7 @@ class Rolling:
     on: Circle | Rack
     internal: bool = False
     side: Side = Side.LEFT
+    alpha: float = STANDARD
 
 
 Joint = Revolute | Prismatic | Rolling

@@ -9,8 +9,9 @@ from ..algebra.quantity import number
 from ..board.construction import LineOfAction
 from ..check.truths.mechanism import pin_of
 from ..mechanism.asked.forces import pairs, press_named
+from ..mechanism.groups.assur import ends, is_held
 from ..mechanism.loads import Loads
-from ..mechanism.model import Mechanism
+from ..mechanism.model import Mechanism, Rolling
 from ..solution import Answer, Solution
 from ..words import Lang, Words
 from .flow.table import DataTable
@@ -70,7 +71,7 @@ def lies(solution: Solution, key: str, acts: LineOfAction) -> Words:
     return (
         Words(f"过铰链 ${pin}$ 的中心", f"through the centre of ${pin}$")
         if pin
-        else _leaning(mech, loads, links, key.endswith("_0"))
+        else _of_teeth(mech, links) or _leaning(mech, loads, links, key.endswith("_0"))
     )
 
 
@@ -92,6 +93,18 @@ def _displaced(loads: Loads | None, key: str) -> Words:
     if not mass.inertia:
         return Words(f"过质心 {spot}", f"through the centre of mass {spot}")
     return Words(f"自质心 {spot} 偏移 $h_{mass.link}$", f"displaced by $h_{mass.link}$ from the centre of mass {spot}")
+
+
+def _of_teeth(mech: Mechanism, links: tuple[str, str]) -> Words | None:
+    """The line of action of teeth, or only the pitch point where nothing else holds the gears; None without teeth."""
+    joint = next((j for j in mech.joints if isinstance(j, Rolling) and set(ends(j)) == set(links)), None)
+    if joint is None:
+        return None
+    through = Words(f"过节点 ${joint.point}$", f"through the pitch point ${joint.point}$")
+    if not is_held(mech, joint):
+        return through
+    alpha = f"{number(degrees(joint.alpha))}°"
+    return Words("沿啮合线，", "along the line of action ") + through + Words(f"，α = {alpha}", f", α = {alpha}")
 
 
 def _leaning(mech: Mechanism, loads: Loads | None, links: tuple[str, str], ideal: bool) -> Words:

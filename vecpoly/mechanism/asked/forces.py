@@ -35,8 +35,8 @@ def load_named(load: Load) -> Named:
 def without_friction(named: Named) -> Named:
     """The same reaction or balancing load without friction: R_12,0, M_10."""
     stem, _, sub = named.key.partition("_")
-    zero = f"{sub},0" if named.is_vector else f"{sub}0"
-    return Named(f"{named.key}_0", f"{stem}_{{{zero}}}", named.unit, named.is_vector)
+    symbol = f"{named.symbol[:-1]},0}}" if named.is_vector else f"{stem}_{{{sub}0}}"
+    return Named(f"{named.key}_0", symbol, named.unit, named.is_vector)
 
 
 def pairs(mech: Mechanism) -> tuple[tuple[str, str], ...]:

@@ -21,7 +21,7 @@ from .group import Dyad, Group, Outer
 
 MOST = 120_000  # sets of links that are tried for a group: all of 16 links; of 22 those of up to six
 
-__all__ = ["Dyad", "Group", "Outer", "decompose", "ends", "hinges", "holders", "is_held", "joint_letter"]
+__all__ = ["Dyad", "Group", "Outer", "decompose", "dyad_of", "ends", "hinges", "holders", "is_held", "joint_letter"]
 
 
 def decompose(mech: Mechanism, *, pressing: bool = False) -> tuple[Group, ...]:
@@ -151,7 +151,7 @@ def _group(
     if len(links) == 1:
         return Group(kind=_alone(links[0], outer), links=links, inner=inner, outer=outer)
     if len(links) == 2 and len(inner) == 1 and {out.link for out in outer} == set(links) and len(outer) == 2:
-        dyad = _dyad(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
+        dyad = dyad_of(inner[0], *sorted(outer, key=lambda out: links.index(out.link)))
         return Group(kind=dyad.kind, links=(dyad.link_j, dyad.link_k), inner=inner, outer=outer, dyad=dyad)
     rolls = any(isinstance(joint, Rolling) for joint in (*inner, *(out.joint for out in outer)))
     kind = "gear train" if rolls else f"class {class_of(links, [ends(joint) for joint in inner])}"
@@ -209,7 +209,7 @@ def _connected(links: tuple[str, ...], inner: Iterable[Joint]) -> bool:
 _RANK = {"R": 0, "P": 1, "G": 2}
 
 
-def _dyad(inner: Joint, one: Outer, two: Outer) -> Dyad:
+def dyad_of(inner: Joint, one: Outer, two: Outer) -> Dyad:
     """The dyad in normal order: the simpler outer joint first (R before P before G)."""
     if _RANK[joint_letter(two.joint)] < _RANK[joint_letter(one.joint)]:
         one, two = two, one

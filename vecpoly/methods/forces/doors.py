@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...mechanism.groups.assur import Dyad
+from ...mechanism.groups.assur import Dyad, Group
 from ...mechanism.loads import Load
 from ...plane import Line
 from ..registry import Door
@@ -11,6 +11,9 @@ from .state import Statics
 
 
 def _moments(st: Statics, dyad: Dyad) -> None: ...
+
+
+def _meshing(st: Statics, group: Group) -> None: ...
 
 
 def _line(st: Statics, two: TwoForce) -> Line:
@@ -26,8 +29,9 @@ def _driver(st: Statics, held: Held) -> None: ...
 def _balancing(st: Statics, load: Load | None) -> None: ...
 
 
-MOMENTS, LINES, COUPLES, DRIVERS, BALANCING = (
+MOMENTS, MESHING, LINES, COUPLES, DRIVERS, BALANCING = (
     Door(_moments),
+    Door(_meshing),
     Door(_line),
     Door(_couple),
     Door(_driver),

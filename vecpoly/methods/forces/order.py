@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from ...errors import MobilityError
 from ...mechanism.groups.assur import Group, decompose, ends
 from ...mechanism.loads import Force, Loads, Moment
-from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute
+from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute, Rolling
 from .balance.power_alone import is_drawn
 from .hubs import on_groups
 from .lines.links_of_group import Held
@@ -16,29 +16,55 @@ from .lines.links_of_group import Held
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Order:
-    """The link that the balancing load acts on with its joint to the frame, and the groups from the far end; mech: with
-    the pins where the groups hang.
+    """The link that closes, with its joint to the frame, and the groups from the far end; mech: with the pins where the
+    groups hang.
 
-    held is None where that link has no fixed pin (or guide, for a force), or where from it the mechanism comes apart
-    into groups above class II though from the driving link it does not: then the groups end at the driving link.
+    The link that closes is the one that the balancing load acts on. known: another one, since that has no fixed pin (or
+    guide, for a force) or since from it the mechanism comes apart into groups above class II: then the balancing load
+    must be known before. held is None where no link on the frame closes.
     """
 
     held: Held | None
     groups: tuple[Group, ...]
     mech: Mechanism
+    known: bool = False
 
 
 def order_of(mech: Mechanism, loads: Loads) -> Order:
     """The order; the pins stay in the links to which the problem gives them wherever the groups come apart so."""
     link = loads.unknown.link
     joint = fixed_joint(_held(mech, replace(mech.drive, link=link, on=FRAME)), link)
-    by_drive = _apart(mech, mech.drive)
     if joint is None or (isinstance(loads.unknown, Moment) and not isinstance(joint, Revolute)):
-        return replace(by_drive, held=None)
-    own = _apart(mech, replace(mech.drive, link=link, on=FRAME))
-    if not loads.friction and not is_drawn(own.groups) and is_drawn(by_drive.groups):
-        return by_drive
-    return replace(own, held=Held(link=link, parent=FRAME, joint=joint))
+        return _known_before(mech)
+    own = replace(
+        _apart(mech, replace(mech.drive, link=link, on=FRAME)), held=Held(link=link, parent=FRAME, joint=joint)
+    )
+    if is_drawn(own.groups):
+        return own
+    other = _known_before(mech)
+    return other if is_drawn(other.groups) else own
+
+
+def _known_before(mech: Mechanism) -> Order:
+    """The order from the driving link, or from another on the frame from which all groups are drawn
+    (取另一构件为原动件拆组): from one link a mechanism may be of class III, and from another of class II."""
+    drive = mech.drive
+    own = _apart(mech, drive)
+    joint = fixed_joint(own.mech, drive.link)
+    first = replace(own, held=None if joint is None else Held(link=drive.link, parent=FRAME, joint=joint), known=True)
+    if is_drawn(own.groups) or drive.between:
+        return first
+    for link in mech.numbered:
+        moved = Drive(link=link, position=0.0, rate=1.0)
+        hung = _held(mech, moved)
+        joint = fixed_joint(hung, link)
+        if joint is None:
+            continue
+        moved = replace(moved, slide=isinstance(joint, Prismatic))
+        other = _apart(mech, moved, unfit=())
+        if other.groups and is_drawn(other.groups):
+            return replace(other, held=Held(link=link, parent=FRAME, joint=joint), known=True)
+    return first
 
 
 def order_without(mech: Mechanism, thrust: Force) -> Order:
@@ -59,12 +85,14 @@ def order_without(mech: Mechanism, thrust: Force) -> Order:
 
 
 def fixed_joint(mech: Mechanism, link: str) -> Joint | None:
-    """The joint of a link to the frame."""
+    """The joint of a link to the frame; teeth are none, they hold it in one direction alone."""
     return next(
         (
             j
             for j in mech.joints
-            if not (isinstance(j, Prismatic) and j.guide != FRAME) and set(ends(j)) == {FRAME, link}
+            if not isinstance(j, Rolling)
+            and not (isinstance(j, Prismatic) and j.guide != FRAME)
+            and set(ends(j)) == {FRAME, link}
         ),
         None,
     )
@@ -77,9 +105,12 @@ def _held(mech: Mechanism, drive: Drive) -> Mechanism:
     return hung if fixed_joint(mech, drive.link) is None and fixed_joint(hung, drive.link) is not None else mech
 
 
-def _apart(mech: Mechanism, drive: Drive) -> Order:
+def _apart(mech: Mechanism, drive: Drive, unfit: tuple[Group, ...] | None = None) -> Order:
     """The groups when this drive moves the mechanism:
-    with the pins as the problem has them, else where the groups hang."""
+    with the pins as the problem has them, else where the groups hang.
+
+    unfit: the groups where it does not come apart; MobilityError where left out.
+    """
     hung, mech = on_groups(mech, drive), _held(mech, drive)
     found = _pressing(mech, drive)
     if found is not None and is_drawn(found):
@@ -87,6 +118,8 @@ def _apart(mech: Mechanism, drive: Drive) -> Order:
     other = _pressing(hung, drive)
     if other is not None and (found is None or is_drawn(other)):
         return Order(held=None, groups=other, mech=hung)
+    if found is None and unfit is not None:
+        return Order(held=None, groups=unfit, mech=mech)
     return Order(held=None, groups=found or decompose(replace(mech, drives=(drive,)), pressing=True), mech=mech)
 
 

@@ -12,17 +12,18 @@ from dataclasses import replace
 
 from ...board.construction import View
 from ...diagram.single import friction_circle
-from ...errors import EquilibriumError, LockedError, NoMethodError, NoSlipSenseError
+from ...errors import EquilibriumError, LockedError, NoSlipSenseError
 from ...mechanism.asked.forces import load_named, without_friction
 from ...mechanism.groups.assur import Group
 from ...mechanism.loads import Loads, Moment
-from ...mechanism.model import FRAME, Revolute
+from ...mechanism.model import Revolute
 from ...plane import nominal
 from ...problem.asked.asks import AskNamed
 from ...problem.problem import Problem
 from ...words import Words
 from ..desk import Desk
 from ..registry import Stage
+from .balance.another_driver import found_before
 from .balance.checks import check_methods
 from .balance.efficiency import NOTHING, read_efficiency
 from .balance.power_alone import is_alone, is_drawn, power_first, refuse_undrawn
@@ -42,10 +43,11 @@ from .groups.group import solve_group
 from .hubs import hub_couples, hubs_of, joined, say_hubs
 from .inertia import inertia_forces
 from .lines.links_of_group import Held
-from .order import fixed_joint, order_of, order_without
+from .order import order_of, order_without
 from .readings import read_reactions
 from .settling import settled
 from .state import Statics
+from .trial import say_trial, tried
 
 IDEAL = Words("不计摩擦时的力分析", "Force analysis without friction")
 REAL = Words("计入摩擦时的力分析", "Force analysis with friction")
@@ -75,8 +77,8 @@ def force_pass(desk: Desk, problem: Problem) -> Statics:
         desk.board.section(IDEAL)
     if floating is not None:
         power_first(st, problem.loads)
-    elif held is None:
-        held = _power_first(st)
+    elif order.known:
+        held = found_before(st, order)
     assert held is not None
     _walk(st, groups, held)
     ideal, st = st, joined(st, desk)
@@ -131,30 +133,6 @@ def _balance_alone(desk: Desk, problem: Problem) -> Statics:
     return st
 
 
-def _power_first(st: Statics) -> Held:
-    """The balancing load acts on a link that hangs on no fixed joint:
-    by virtual power it is known before any reaction; the driving link closes.
-
-    Raises NoMethodError with friction, of which virtual power knows nothing.
-    """
-    name, link, driver = st.unknown.name, st.mech.number(st.unknown.link), st.mech.drive.link
-    joint = fixed_joint(st.mech, driver)
-    if st.loads.friction or joint is None:
-        raise NoMethodError(
-            Words(
-                f"{name} 作用于构件 {link}，该构件不与机架相连；计入摩擦时没有可用的图解法。请令平衡力（矩）"
-                "作用于与机架相连的构件，或去掉 friction，或用 vecpoly exact",
-                f"{name} acts on link {link}, which is not joined to the frame: with "
-                "friction no graphical method on file balances it there; let it act on a "
-                "link joined to the frame, leave out the friction, or use 'vecpoly exact'",
-            ),
-            code="no-method",
-            numbers={"link": link},
-        )
-    power_first(st)
-    return Held(link=driver, parent=FRAME, joint=joint)
-
-
 def _walk(st: Statics, groups: tuple[Group, ...], held: Held) -> None:
     """One pass: groups, then the balancing link, or the driving link where the balancing load is known already."""
     for group in groups:
@@ -185,7 +163,11 @@ def _with_friction(ideal: Statics, groups: tuple[Group, ...], held: Held, own: D
         couples=couples,
         hubs=ideal.hubs,
         own=ideal.own,
+        balance=tried(ideal, couples),
+        balanced=ideal.balanced,
     )
+    if st.balanced:
+        say_trial(st, groups, held)
     _walk(st, groups, held)
     _refuse_locked(ideal, st)
     st = joined(st, own)

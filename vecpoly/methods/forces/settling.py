@@ -21,6 +21,7 @@ from ...plane import Reals, dot, nominal
 from ...words import Words
 from .acting import Acting
 from .state import Statics
+from .trial import on_trial, tried
 
 Couples = Mapping[tuple[str, str], Reals]
 Walk = Callable[[Statics], None]
@@ -49,15 +50,16 @@ def settled(
         inertia_couples=ideal.inertia_couples,
         hubs=ideal.hubs,
         own=ideal.own,
+        balanced=ideal.balanced,
     )
-    shares = SHARES if ideal.by_moments or ideal.hubs else (1.0,)
+    shares = SHARES if ideal.by_moments or ideal.hubs or ideal.balanced else (1.0,)
     guide: Statics = ideal
 
     def rubbed(st: Statics) -> dict[tuple[str, str], Reals]:
-        return pin_couples(st, groups) | further(st)
+        return pin_couples(st, groups) | further(st) | on_trial(st)
 
     couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0)
-    couples |= further(ideal)  # from the first, so that moments solve the groups of hubs
+    couples |= further(ideal) | on_trial(ideal)  # from the first, so that moments solve the groups of hubs
     for share in shares:
         guide, couples = _fixed(replace(start, ideal=guide, share=share), rubbed, walk, couples)
     return guide, couples
@@ -95,6 +97,7 @@ def _fixed(
 
 def _pass(start: Statics, guide: Statics, couples: Couples, walk: Walk) -> Statics:
     st = replace(start, ideal=guide, couples=dict(couples), acting={}, by_moments=set())
+    st.balance = tried(st, couples)
     walk(st)
     return st
 

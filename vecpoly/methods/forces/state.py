@@ -37,6 +37,7 @@ class Statics(Rubbing):
     by_moments: set[tuple[str, ...]] = field(default_factory=set)  # links of groups that were solved by moments
     balance: Reals = 0.0  # the balancing load as found (N along its direction, or N·m)
     balanced: bool = False  # whether it was found before the reactions
+    rest: Reals = 0.0  # power (W) that the link which closes would still need, where the balancing load is on trial
     own: Mechanism | None = None  # the problem's mechanism, where hubs are hung otherwise
 
     # -- names ------------------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from ..run import Run
 from ..state import Points, Reals
 from .acting import checked, given, sought, unit_drive
 from .answers import couple, line, value
+from .flanks import solved
 from .pairs import pairs_of
 from .refusal import Judge
 from .solved import Equilibrium
@@ -77,7 +78,7 @@ def forces(mech: Mechanism, loads: Loads, position: ArrayLike | None = None, *, 
         judge.idle(system, rates)
         skip = judge.lost.copy()
         judge.senseless(system, rates, moving)
-        dry, wet, reached = system.solve(skip)
+        dry, wet, reached = solved(system, skip)
         judge.unsolved(dry)
         judge.locked(system, (dry, wet), reached, loads.dynamic, rates)
         judge.parting(system, wet)

@@ -55,6 +55,7 @@ class Pair:
     turns: bool = False  # rate is an angular velocity
     along: Points | None = None
     pushes: bool = False  # the first unit can only press
+    apart: Wrench | None = None  # of teeth: how they press b away for a first unit of 1 N, of either sign
 
     @property
     def rubs(self) -> bool:
@@ -182,13 +183,15 @@ def _slotted(mech: Mechanism, bodies: Bodies, rates: Bodies, joint: Prismatic, a
 
 
 def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
-    """Pitch-point force without loss:
-    of any direction, or along the teeth alone where links hold the gear's centre already."""
+    """Pitch-point force without loss: of any direction where nothing else holds the gear's centre; else along the line
+    of action of the flank that works, F_t across the line of centres and |F_t| tan α that presses the gears apart."""
     at, (a, b) = pitch_point(joint, mech, bodies), (joint.on.link, joint.gear.link)
     units: tuple[Wrench, ...] = (Wrench(ONE, NONE), Wrench(1j * ONE, NONE))
+    apart: Wrench | None = None
     if is_held(mech, joint):
         ray = bodies[b].point(mech.link(b).points[joint.gear.centre]) - at
-        units = (Wrench(1j * ray / np.abs(ray), NONE),)
+        out = ray / np.abs(ray)
+        units, apart = (Wrench(1j * out, NONE),), Wrench(out * float(np.tan(joint.alpha)), NONE)
     return Pair(
         text=Words(f"节点 {joint.point}", f"pitch point {joint.point}"),
         who=_who(mech, a, b),
@@ -198,6 +201,7 @@ def _rolling(mech: Mechanism, bodies: Bodies, joint: Rolling) -> Pair:
         at=at,
         units=units,
         along=ONE,
+        apart=apart,
     )
 
 

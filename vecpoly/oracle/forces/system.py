@@ -3,7 +3,7 @@ friction's wrenches as further right-hand sides."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +16,7 @@ from .elimination import Equation, Flags, add, solved
 from .friction import sizes
 from .pairs import Pair, Wrench
 
+NO_FLANKS: Mapping[int, Reals] = {}
 ROUNDING = 1e-12  # of the largest force: a smaller one, or its moment at an arm of the mechanism's size, is rounding
 
 
@@ -46,11 +47,21 @@ class Balance:
         parts = [(size, unit) for size, unit in zip(self.units[index], pair.units, strict=True)]
         if pair.rub is not None:
             parts.append((self.rubs[index], pair.rub))
+        if pair.apart is not None:
+            parts.append((np.abs(self.units[index][0]), pair.apart))
         force = sum((size * unit.force for size, unit in parts), np.zeros_like(self.load, np.complex128))
         return Wrench(
             np.where(np.abs(force) <= ROUNDING * self.largest, 0.0, force),
             sum((size * unit.couple for size, unit in parts), np.zeros_like(self.load)),
         )
+
+
+def _leant(pair: Pair, flank: Reals | None) -> tuple[Wrench, ...]:
+    """The pair's units; that of teeth along the line of action of the flank that works."""
+    if pair.apart is None or flank is None:
+        return pair.units
+    unit = pair.units[0]
+    return (Wrench(unit.force + flank * pair.apart.force, unit.couple),)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,13 +76,13 @@ class System:
     scale: float
     count: int  # positions
 
-    def solve(self, skip: Flags) -> tuple[Balance, Balance, Reals]:
+    def solve(self, skip: Flags, flanks: Mapping[int, Reals] = NO_FLANKS) -> tuple[Balance, Balance, Reals]:
         """Without friction, with it, and the share of the friction that could be borne (1:
-        all). skip: positions that stay NaN.
+        all). skip: positions that stay NaN. flanks: the signs of the teeth's first units, by pair; 0 where left out.
 
         Raises EquilibriumError where unknowns and equations differ in number.
         """
-        columns = [(pair, unit) for pair in self.pairs for unit in pair.units]
+        columns = [(pair, unit) for n, pair in enumerate(self.pairs) for unit in _leant(pair, flanks.get(n))]
         rubbing = [pair for pair in self.pairs if pair.rub is not None]
         side = len(columns) + 1
         if side != 3 * len(self.names):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from ...errors import MobilityError
 from ...mechanism.asked.forces import pairs, press_named
-from ...mechanism.groups.assur import decompose
+from ...mechanism.groups.assur import decompose, ends
 from ...mechanism.loads import Loads
-from ...mechanism.model import Mechanism
+from ...mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
 from ...names import Named
 from .asks import AskNamed
 
@@ -17,10 +18,10 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
     """What is asked where the file does not say:
     the unknown load, with friction also without it and η, and every reaction.
 
-    Of gears and of groups above class II the reactions are not drawn: there the load alone.
+    Where the reactions are not drawn (groups above class II from whichever link): the load alone.
     """
     name = loads.unknown.name
-    if not loads.friction and not _of_dyads(mech):
+    if not loads.friction and not _comes_apart(mech):
         return (AskNamed(rel=forces[name]),)
     keys = [name, *([f"{name}_0", "eta"] if loads.friction else [])]
     # between a cylinder and its piston there is only the thrust
@@ -29,11 +30,22 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
     return tuple(AskNamed(rel=forces[key]) for key in keys)
 
 
-def _of_dyads(mech: Mechanism) -> bool:
-    """Whether the mechanism consists of dyads of hinges and slides, and cylinders."""
+def _comes_apart(mech: Mechanism) -> bool:
+    """Whether from the driving link, or from another on the frame, there are dyads, cylinders, single gears and racks
+    alone: of these the reactions are drawn."""
+    links = () if mech.drive.between else (name for name in mech.numbered if _on_frame(mech, name))
+    drives = (mech.drive, *(Drive(link=name, position=0.0, rate=1.0) for name in links))
+    return any(_is_plain(mech, drive) for drive in drives)
+
+
+def _on_frame(mech: Mechanism, link: str) -> bool:
+    """Whether a hinge or a slide joins the link to the frame."""
+    return any({link, FRAME} == set(ends(j)) for j in mech.joints if isinstance(j, Revolute | Prismatic))
+
+
+def _is_plain(mech: Mechanism, drive: Drive) -> bool:
     try:
-        return all(
-            (group.dyad is not None or group.ram is not None) and "G" not in group.kind for group in decompose(mech)
-        )
+        groups = decompose(replace(mech, drives=(drive,)))
     except MobilityError:
-        return True  # what is wrong with it is told elsewhere
+        return drive is mech.drive  # what is wrong with it is told elsewhere
+    return all(group.dyad is not None or group.ram is not None or group.kind in ("gear", "rack") for group in groups)

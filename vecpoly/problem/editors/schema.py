@@ -56,6 +56,7 @@ _VALUES = {
     **{f"GateSpec.{key}": patterns.number(rf"{NUMBER} *[%％]") for key in ("deviation", "slips", "apart")},
     "PrintedSpec.direction": _ANGLE,
     "Link.radius": _LENGTH,
+    "Link.alpha": _ANGLE,
     "Link.phi": patterns.angle_from(),
     "Link.s": _LENGTH,
     "Link.length": _LENGTH,

@@ -209,6 +209,9 @@ KEYS = {
     "Link.disc": Words("圆盘、偏心轮或圆头，写其中心", "a disc, eccentric or round tip, by its centre"),
     "Link.face": Words("平面（平底），写其所过的铰链", "a flat face, by the pin through which it passes"),
     "Link.radius": Words("齿轮节圆或圆盘的半径：60 mm", "radius of the pitch circle or of the disc: 60 mm"),
+    "Link.alpha": Words(
+        "齿轮或齿条的压力角，缺省为 20 deg", "pressure angle of a gear's or a rack's teeth, 20 deg where left out"
+    ),
     "Link.length": Words("两个字母及其长度：BC: 350 mm", "two letters and a length: BC: 350 mm"),
     "Link.point": Words("构件上另一点的位置", "the place of a further point"),
     "Place.along": Words("由此两点的连线量起：BC", "set out along this line: BC"),

@@ -14,6 +14,7 @@ from ...words import Words
 from ..links.bodies import Bodies
 from ..links.draft import LETTER
 from ..links.guides import LINK, fixed_line
+from ..links.teeth import pressure_angle
 from ..schema.faults import not_on_frame
 
 _SIZE = r"[\d.]+ \w+"  # of the second pitch circle of a stepped gear
@@ -48,9 +49,10 @@ def read_rolling(text: str, bodies: Bodies) -> Rolling:
     side = _side(m)
     _matches(side, gear, on)
     bodies.pitch.append(m["point"])
+    alpha = pressure_angle(bodies.draft(gear.link), None if on.link == FRAME else bodies.draft(on.link))
     if isinstance(on, Rack):
-        return Rolling(point=m["point"], gear=gear, on=on, side=_beside(side, on, m["on"]))
-    return Rolling(point=m["point"], gear=gear, on=on, internal=side == "inside")
+        return Rolling(point=m["point"], gear=gear, on=on, side=_beside(side, on, m["on"]), alpha=alpha)
+    return Rolling(point=m["point"], gear=gear, on=on, internal=side == "inside", alpha=alpha)
 
 
 def pitch_letter(text: str) -> str:

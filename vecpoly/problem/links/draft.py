@@ -47,6 +47,7 @@ class Draft:
     placements: list[Placement] = field(default_factory=list)
     line: Line | None = None
     gear: Circle | None = None
+    alpha: float | None = None  # the pressure angle of its teeth (rad), where the file gives it
     disc: Circle | None = None  # a round cam, eccentric or tip
     face: Line | None = None  # a flat face
     rack: Line | None = None  # the pitch line of a rack

@@ -17,6 +17,7 @@ from .draft import ONE, TWO, Draft, Line, letters_of
 from .lines import read_line
 from .places import place
 from .starts import read_start
+from .teeth import read_pressure_angle
 
 _SINGLE = {
     "block": Shape.BLOCK,
@@ -31,7 +32,7 @@ _SINGLE = {
 }
 _LINED = ("slot", "rod")  # what has a line of its own, through its pin or beside it
 _PLACED = ("gear", "rack", "disc", "face")  # what may name a point that is set out further on
-LINK_KEYS = (*_SINGLE, "radius", "phi", "s")
+LINK_KEYS = (*_SINGLE, "radius", "alpha", "phi", "s")
 
 
 def read_link(name: str, data: Value) -> Draft:
@@ -50,6 +51,7 @@ def read_link(name: str, data: Value) -> Draft:
     _base(draft, data)
     _set_out(draft, data)
     give_circle(draft, data)
+    read_pressure_angle(draft, data)
     read_start(draft, data)
     return draft
 

@@ -99,6 +99,7 @@ Link = Annotated[
                 "disc": _ONE,
                 "face": _SLOT,
                 "radius": _QUANTITY,
+                "alpha": _QUANTITY,
                 "phi": _QUANTITY,
                 "s": _QUANTITY,
             },

@@ -35,7 +35,12 @@ _MASS = {"mass": ("m", Dim.MASS), "inertia": ("J", Dim.INERTIA)}
 _ROD = {"diameter": ("d", Dim.LENGTH), "density": ("density", Dim.DENSITY)}
 _SCALES = {"mu_l": Dim.MU_L, "mu_v": Dim.MU_V, "mu_a": Dim.MU_A, "mu_F": Dim.MU_F}
 _OFFSETS = {"at": Dim.LENGTH, "left": Dim.LENGTH, "right": Dim.LENGTH, "angle": Dim.ANGLE}
-_LINK = {"radius": ("r", Dim.LENGTH), "phi": ("phi", Dim.ANGLE), "s": ("s", Dim.LENGTH)}
+_LINK = {
+    "radius": ("r", Dim.LENGTH),
+    "alpha": ("alpha_t", Dim.ANGLE),
+    "phi": ("phi", Dim.ANGLE),
+    "s": ("s", Dim.LENGTH),
+}
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,14 +7,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ....errors import NoMethodError
-from ....mechanism.asked.forces import load_named
-from ....mechanism.groups.assur import Group, joint_letter
+from ....mechanism.groups.assur import Group
 from ....mechanism.loads import Loads
 from ....problem.problem import Problem
 from ....words import Words
 from ...registry import Stage
 from ..doors import BALANCING
 from ..state import Statics
+from ..teeth.mesh import mesh_of
 
 
 def is_alone(problem: Problem) -> bool:
@@ -24,12 +24,8 @@ def is_alone(problem: Problem) -> bool:
 
 
 def is_drawn(groups: Iterable[Group]) -> bool:
-    """Whether the reactions of all these groups are drawn: dyads of hinges and slides."""
-    return all(
-        group.dyad is not None
-        and "G" not in {joint_letter(j) for j in (group.dyad.outer_j, group.dyad.inner, group.dyad.outer_k)}
-        for group in groups
-    )
+    """Whether the reactions of all these groups are drawn: dyads, and gears and racks that one pair of teeth drives."""
+    return all(group.dyad is not None or mesh_of(group) is not None for group in groups)
 
 
 def power_first(st: Statics, loads: Loads | None = None) -> None:
@@ -38,7 +34,7 @@ def power_first(st: Statics, loads: Loads | None = None) -> None:
     loads: as the problem has them, with the thrust of a cylinder that is no outer force of one link.
     """
     BALANCING.find(Stage.FORCE, "virtual power").draw(st if loads is None else replace(st, loads=loads), None)
-    found, named = st.board.readings[f"{st.unknown.name}_power"], load_named(st.unknown)
+    found, named = st.board.readings[f"{st.unknown.name}_power"], st.unknown_named
     st.keep(replace(found, key=named.key, symbol=named.symbol), st.board.found[f"{st.unknown.name}_power"])
     st.balance, st.balanced = st.board.found[f"{st.unknown.name}_power"], True
 

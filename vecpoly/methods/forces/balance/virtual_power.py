@@ -37,7 +37,7 @@ def balancing_by_power(st: Statics, load: Load | None) -> None:
     named = quantities(st.mech, st.loads)[f"{load.name}_power"]
     st.board.step(
         Words(
-            "用虚功率原理校核：不计摩擦时，全部外力与惯性力的功率之和 $Σ$ $F v$ + $Σ$ $M ω$ = 0；"
+            "由虚功率原理：不计摩擦时，全部外力与惯性力的功率之和 $Σ$ $F v$ + $Σ$ $M ω$ = 0；"
             "各力作用点的速度沿力方向的分量由速度多边形量得：自 $p$ 作力的方向线，量至速度矢端在其上的垂足。"
             "$M$ 与 $ω$ 同向时功率为正。",
             "By virtual power: without friction the powers of all loads and inertia forces sum "

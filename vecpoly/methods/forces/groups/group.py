@@ -8,17 +8,21 @@ from ....mechanism.model import Joint, Prismatic, Revolute
 from ....plane import Line, cross, nominal, unit
 from ....words import Words
 from ...registry import Stage
-from ..doors import COUPLES, LINES, MOMENTS
+from ..doors import COUPLES, LINES, MESHING, MOMENTS
 from ..lines.couples_on_guides import couple_on_guide
 from ..lines.links_of_group import Held, TwoForce, pieces
 from ..lines.parallel_forces import PARALLEL
 from ..lines.resultant import Resultant, resultant
 from ..lines.three_forces import balance
 from ..state import Statics
+from ..teeth.mesh import mesh_of, pinned
 
 
 def solve_group(st: Statics, group: Group) -> None:
     """Find the reactions in the joints of a group; raises NoMethodError for groups above class II."""
+    if group.dyad is None and mesh_of(group) is not None:
+        MESHING.find(Stage.FORCE, group.kind).draw(st, group)
+        return
     if group.dyad is None:
         raise NoMethodError(
             Words(
@@ -27,14 +31,15 @@ def solve_group(st: Statics, group: Group) -> None:
                 "gives the analytic answers",
             )
         )
-    found = pieces(st, group.dyad)
+    dyad = pinned(group.dyad)
+    found = pieces(st, dyad)
     if found is not None and not st.loaded(found[1].link):
         _unloaded(st, *found)
     elif found is not None and _direct(st, *found):
         return
     else:
         st.by_moments.add(group.links)
-        MOMENTS.find(Stage.FORCE, group.dyad.kind).draw(st, group.dyad)
+        MOMENTS.find(Stage.FORCE, dyad.kind).draw(st, dyad)
 
 
 def _direct(st: Statics, two: TwoForce, held: Held) -> bool:

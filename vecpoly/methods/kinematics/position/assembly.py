@@ -38,14 +38,32 @@ def choose(
     trials = [_with_point(desk, drawn, point, links, at) for at in (first, second)]
     new = set(trials[0]) - set(drawn)
     about = [s for s in desk.mech.branches if set(s.letters) <= set(trials[0]) and set(s.letters) & new]
-    holds = [[margin(s, trial) > 1e-2 * hair for s in about] for trial in trials]
-    fits = [all(held) for held in holds]
+    holds, fits = _fulfilled(desk, about, trials, 1e-2 * hair)
     if all(fits) and (near := nearer(*in_metres(desk, trials), 1e-6 * desk.mech.scale)) is not None:
         return pair[near], None
     if not about or fits[0] == fits[1]:
         raise AssemblyError(_which(point, links, desk, about))
     deciding = next(s for s, a, b in zip(about, *holds, strict=True) if a != b)
     return (pair[0] if fits[0] else pair[1]), deciding
+
+
+def _fulfilled(
+    desk: Desk, about: list[Statement], trials: list[dict[str, complex]], hair: float
+) -> tuple[list[list[bool]], list[bool]]:
+    """Which statements hold for either meeting point, and whether all do.
+
+    Where they tell no difference the sheet may be off by an unsteady hand: of Peaucellier's rhombus one meeting point
+    is B itself, which then seems to lie beside B. What is no farther off than the slack of the hand is on the line.
+    """
+    slack = desk.board.hand.slack
+    margins = [[margin(s, trial) for s in about] for trial in trials]
+    for least in (hair, slack, -slack) if slack else (hair,):
+        holds = [[off > least for off in of_trial] for of_trial in margins]
+        fits = [all(held) for held in holds]
+        if fits[0] != fits[1]:
+            return holds, fits
+    holds = [[off > hair for off in of_trial] for of_trial in margins]
+    return holds, [all(held) for held in holds]
 
 
 def in_metres(

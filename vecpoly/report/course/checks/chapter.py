@@ -110,6 +110,7 @@ def _rates(study: Study) -> Iterator[tuple[str, Reals, Reals, Reals | None]]:
 def _quotient_gap(study: Study, base: Reals, rate: Reals, steps: int) -> float:
     """The largest |central difference quotient − rate| within the range."""
     phi = study.turn.phi
+    base, rate = (np.broadcast_to(one, phi.shape) for one in (base, rate))  # of a gear ω may be one number
     inner = np.arange(2, len(phi) - 2)  # the same positions for both steps
     found = (
         (base[inner + steps] - base[inner - steps]) / (phi[inner + steps] - phi[inner - steps]) * study.mech.drive.rate

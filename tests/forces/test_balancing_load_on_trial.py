@@ -1,0 +1,52 @@
+"""With friction the balancing load may act on any link: its size is put on trial until the last link is in balance."""
+
+from __future__ import annotations
+
+import pytest
+
+import vecpoly
+from vecpoly.mechanism.asked.forces import without_friction
+from vecpoly.names import reaction
+from vecpoly.solution import Solution, solve
+
+FOUR_BAR = """
+id: on-the-coupler
+title: a balancing moment on the coupler
+frame: {A: [0 mm, 0 mm], D: [200 mm, 0 mm]}
+links: {1: {AB: 60 mm}, 2: {BC: 180 mm}, 3: {DC: 120 mm}}
+input: {link: 1, phi: 70 deg, omega: 8 rad/s ccw}
+branch: [C above AD]
+loads:
+  M_1: {on: 1, size: 20 N*m}
+  M_3: {on: 3, size: -12 N*m}
+  %s
+friction: {A: {rho: 2 mm}, B: {rho: 3 mm}, C: {rho: 2.5 mm}, D: {rho: 2 mm}}
+find: [X_b, X_b_0, X_b_power, R_12, R_23, R_34, R_14]
+"""
+
+
+def solved(load: str) -> Solution:
+    return solve(vecpoly.loads(FOUR_BAR % load), by="exact", repeats=0)
+
+
+@pytest.mark.parametrize(
+    "load", ['X_b: {on: 2, size: "?"}', 'X_b: {on: 2, at: C, size: "?", direction: 160 deg}'], ids=["moment", "force"]
+)
+def test_a_load_on_the_coupler_balances_against_friction_as_the_oracle_says(load: str) -> None:
+    found = solved(load).answers
+    assert found["X_b"].drawn != pytest.approx(found["X_b_0"].drawn, rel=1e-3)
+    for answer in found.values():
+        assert answer.deviation == pytest.approx(0.0, abs=1e-8 * max(1.0, abs(answer.exact))), answer.key
+
+
+def test_the_step_says_that_the_size_is_found_by_trial() -> None:
+    steps = solved('X_b: {on: 2, size: "?"}').construction.steps
+    told = [step.words for step in steps if "试算" in step.words.zh]
+    assert len(told) == 1 and "by trial" in told[0].en
+
+
+def test_reactions_of_links_with_two_digits_are_told_apart() -> None:
+    """R_111 was the force of 1 on 11 and of 11 on 1."""
+    names = [reaction(by, on) for by, on in (("1", "11"), ("11", "1"), ("1", "2"))]
+    assert [name.key for name in names] == ["R_1_11", "R_11_1", "R_12"]
+    assert [without_friction(name).symbol for name in names] == ["R_{1,11,0}", "R_{11,1,0}", "R_{12,0}"]

@@ -1,0 +1,40 @@
+"""Every reaction in mechanisms with a group of class III, balanced on any link, with friction and without."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from vecpoly import loads
+from vecpoly.mechanism.groups.assur import hinges
+
+from .class_iii import class_iii
+from .equilibrium import in_equilibrium
+from .family import family
+from .powers import loaded
+
+
+def balanced(rng: np.random.Generator, text: str) -> str:
+    """Loads anywhere, the balancing one on any link."""
+    mech = loads(text).mechanism
+    link = str(rng.choice(mech.numbered)) if rng.random() < 0.5 else mech.drive.link
+    point = str(rng.choice(list(mech.link(link).points)))
+    way = f", at: {point}, direction: {rng.integers(-179, 180)} deg"
+    force = (link == mech.drive.link and mech.drive.slide) or rng.random() < 0.3
+    return loaded(rng, text, f'  X_b: {{on: {link}{way if force else ""}, size: "?"}}\n', find="")
+
+
+@family("forces-class-iii", also=in_equilibrium)
+def of_class_iii(rng: np.random.Generator) -> str:
+    """A central link on three legs."""
+    return balanced(rng, class_iii(rng))
+
+
+@family("forces-class-iii-friction", also=in_equilibrium, often=4)
+def with_friction(rng: np.random.Generator) -> str:
+    """The same with friction circles of some pins."""
+    bare = class_iii(rng)
+    pins = [p for p in hinges(loads(bare).mechanism) if rng.random() < 0.7]
+    told = "".join(f"  {p}: {{rho: {rng.uniform(0.2, 2):.2f} mm}}\n" for p in pins)
+    return re.sub(r"\n+$", "\n", balanced(rng, bare)) + (f"friction:\n{told}" if told else "")

@@ -1,0 +1,54 @@
+"""The balancing load found before the reactions, which then follow from a link of which the groups are drawn:
+how a mechanism comes apart depends on the driver, equilibrium does not (换原动件拆组)."""
+
+from __future__ import annotations
+
+from ....board.construction import View
+from ....errors import NoMethodError
+from ....words import Words
+from ..lines.links_of_group import Held
+from ..order import Order
+from ..state import Statics
+from .power_alone import power_first
+
+
+def found_before(st: Statics, order: Order) -> Held:
+    """The balancing load acts on a link that does not close:
+    by virtual power it is known before any reaction.
+
+    Raises NoMethodError with friction, of which virtual power knows nothing.
+    """
+    name, link = st.unknown.name, st.mech.number(st.unknown.link)
+    if order.held is None:
+        raise NoMethodError(
+            Words(
+                f"{name} 作用于构件 {link}，该构件和原动件都不与机架相连，没有可用的图解法。请令平衡力（矩）"
+                "作用于与机架相连的构件，或用 vecpoly exact",
+                f"{name} acts on link {link}; neither it nor the driving link is joined to the frame, and no graphical "
+                "method on file balances it there; let it act on a link joined to the frame, or use 'vecpoly exact'",
+            ),
+            code="no-method",
+            numbers={"link": link},
+        )
+    power_first(st)
+    _say_exchanged(st, order.held)
+    return order.held
+
+
+def _say_exchanged(st: Statics, held: Held) -> None:
+    """From which link the groups are taken off, where it is not the driving one."""
+    if held.link == st.mech.drive.link:
+        return
+    name, number, driver = st.unknown_named.symbol, st.mech.number(held.link), st.mech.number(st.mech.drive.link)
+    st.board.step(
+        Words(
+            f"以构件 {driver} 为原动件拆组时，含有 II 级以上的杆组（或行星轮系），不便逐组求反力。拆组与取哪个构件为"
+            f"原动件有关，而力的平衡与之无关：既求得 ${name}$，改取构件 {number} 为原动件，机构全由 II 级组"
+            f"（和单个齿轮）组成，于是逐组求反力，最后考虑构件 {number}。",
+            f"Taken apart from link {driver} the mechanism has groups above class II, or planet gears. How it comes "
+            "apart depends on the link from which one starts, and equilibrium does not: once "
+            f"${name}$ is known, link {number} is taken as the driver. Then there are class II groups (and single "
+            f"gears) alone, which are solved one by one, and link {number} comes last.",
+        ),
+        View.MECHANISM,
+    )
