@@ -5,17 +5,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import magnitude
 from ...board.paper.marks import Role
-from ...designs.quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE, THETA
-from ...designs.quantities import K as ADVANCE
+from ...designs.quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE
 from ...designs.slider_crank import SliderCrank
 from ...designs.verdict import Verdict
 from ...plane import Line, Points, foot, nominal, unit
 from ...plane.geometry import dot
 from ...words import Words
+from .advance import theta_of
 from .arc_middle import MIRROR, by_arc
-from .draft import HALF_TURN, ONE, RIGHT, SHEET, TWO, Draft
+from .draft import RIGHT, SHEET, TWO, Draft
 from .eta import Eta, eta
 from .linkage import drawn, pin, rejected
 from .pressure import greatest_pressure
@@ -33,14 +32,7 @@ from .registry import design_method
 def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     """θ, the stroke C₁C₂, the circle η, and A on it."""
     board = draft.board
-    board.section(Words("极位夹角", "Angle between the limit positions"))
-    board.step(
-        Words("由行程速比系数 $K$ 求极位夹角：", "The angle between the limit positions, from the coefficient $K$:"),
-        SHEET,
-    )
-    k = magnitude("K", board.given(design.K.si, "K"), "")
-    theta = draft.worked(THETA, HALF_TURN * (k - ONE) / (k + ONE))
-    draft.shared(ADVANCE, design.K.si)
+    theta = theta_of(draft, design.K.si)
     draft.shared(STROKE, design.H.si * 1e3)
     board.section(Words("$A$ 点所在的圆", "The circle of $A$"))
     board.step(
