@@ -6,7 +6,13 @@ from ...words import Words
 
 _TAKE = Words("取第几个解（按编号），默认 1", "which of the solutions is meant, by its number; 1 where nothing is said")
 
+_OMEGA = Words(
+    "所得机构作分析时曲柄的角速度，默认 1 rad/s", "of the crank, where what is found is analysed; else 1 rad/s"
+)
+_K = Words("行程速比系数", "coefficient of the quick return: time of the slow stroke over the quick one")
+
 DESIGNS = {
+    "crank-rocker.omega": _OMEGA,
     "crank-rocker.take": _TAKE,
     "crank-rocker.K": Words(
         "行程速比系数", "coefficient of the quick return: time of the slow stroke over the quick one"
@@ -22,4 +28,31 @@ DESIGNS = {
         "A 所在的直线，如 on y = -20 mm（D 为原点）", "the line of A, D being the origin: on y = -20 mm"
     ),
     "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest least transmission angle"),
+    "slider-crank.take": _TAKE,
+    "slider-crank.omega": _OMEGA,
+    "slider-crank.K": _K,
+    "slider-crank.H": Words("滑块行程", "stroke of the slider"),
+    "slider-crank.e": Words("偏距", "offset of the guide from A"),
+    "slider-crank.AB": Words("曲柄长", "the crank"),
+    "slider-crank.BC": Words("连杆长", "the coupler"),
+    **{
+        f"{kind}.{key}": words
+        for kind in ("shaper", "whitworth")
+        for key, words in {
+            "take": _TAKE,
+            "omega": _OMEGA,
+            "K": _K,
+            "H": Words("滑枕或滑块的行程", "stroke of the ram, or of the slider"),
+            "AB": Words("曲柄长", "the crank"),
+            "AC": Words("机架长", "the frame"),
+            "DE": Words("连杆长", "the rod to the ram, or to the slider"),
+        }.items()
+    },
+    "limit-lines.take": _TAKE,
+    "limit-lines.omega": _OMEGA,
+    "limit-lines.C1": Words("C 的一个极限位置，如 (0, 0) mm", "C in one limit position: (0, 0) mm"),
+    "limit-lines.C2": Words("C 的另一极限位置", "C in the other limit position"),
+    "limit-lines.line_1": Words("C1 处连杆线的方向角", "direction of the coupler's line at C1"),
+    "limit-lines.line_2": Words("C2 处连杆线的方向角", "direction of the coupler's line at C2"),
+    "limit-lines.alpha_1": Words("C1 处的压力角", "pressure angle at C1"),
 }

@@ -1,0 +1,55 @@
+"""A slider-crank from the coefficient K of its quick return, its stroke, and one datum more."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import pi
+from typing import Any, ClassVar
+
+from pydantic import model_validator
+
+from ..devices.base import Length
+from ..names import Named
+from .base import Design, Quick
+from .linkages import slider_crank
+from .quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE, THETA
+from .quantities import K as ADVANCE
+
+
+class SliderCrank(Design):
+    """K, the stroke H, and the offset e, the crank or the coupler; C₁ is the origin, C₂ on the x axis, A above it."""
+
+    kind: ClassVar[str] = "slider-crank"
+    K: Quick
+    H: Length
+    e: Length | None = None
+    AB: Length | None = None
+    BC: Length | None = None
+
+    @model_validator(mode="after")
+    def _determined(self) -> SliderCrank:
+        self.one_of("e", "AB", "BC")
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """θ, crank, coupler, offset, stroke, greatest pressure and least transmission angle, K."""
+        return (THETA, AB, BC, OFFSET, STROKE, ALPHA_MAX, GAMMA_MIN, ADVANCE)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """K, H, and what is given beside."""
+        written = (("K", self.K), ("H", self.H), ("e", self.e), ("l_{AB}", self.AB), ("l_{BC}", self.BC))
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The slider-crank with A in the origin."""
+        return slider_crank(values, self.omega)
+
+    @property
+    def theta(self) -> float:
+        """θ = π (K − 1) / (K + 1), rad."""
+        return pi * (self.K.si - 1) / (self.K.si + 1)
+
+    @property
+    def size(self) -> float:
+        """The stroke."""
+        return 2 * self.H.si
