@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...words import Words
+from .position_words import POSITIONS
 
 _TAKE = Words("取第几个解（按编号），默认 1", "which of the solutions is meant, by its number; 1 where nothing is said")
 
@@ -22,4 +23,5 @@ DESIGNS = {
         "A 所在的直线，如 on y = -20 mm（D 为原点）", "the line of A, D being the origin: on y = -20 mm"
     ),
     "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest least transmission angle"),
+    **POSITIONS,
 }
