@@ -4,32 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf, isfinite, isnan, nan
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from .amend import Length, Spot, amend, found_all
 from .answer import YES_NO, Answer, bearing, line_of, small_table
+from .board.candidates import Candidate
 from .board.construction import Construction, LineOfAction, Reading
 from .board.hand import Hand, hand
 from .board.otherwise.amended import Amended
 from .board.otherwise.slip import Slip
 from .board.paper.sizes import unfit
 from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
-from .check.candidates import objection
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt, size_of
+from .errors import NotAskedError
 from .foundation.arguments import of_kind
 from .foundation.frozen import FrozenMap
+from .mechanism.model import Mechanism
 from .methods.centres.compare import comparable
 from .methods.desk import Desk
 from .methods.drawn import Drawn
 from .names import Key
 from .problem.problem import Problem, Scales
 from .task import Task, task_of
-from .words import Words, language
+from .words import Words, bare, language
+
+if TYPE_CHECKING:
+    from .check.found import Verified
 
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
 
@@ -57,6 +63,13 @@ def _drawn(reading: Reading) -> dict[str, Any]:
     return data | line_of("", reading.acts)
 
 
+def _candidate(one: Candidate) -> dict[str, Any]:
+    """A candidate as plain data: its pins in mm on paper, and why it is rejected."""
+    pins = {letter: [at.real, at.imag] for letter, at in one.pins.items()}
+    why = {} if one.reason is None else {"rejected": bare(one.reason.en)}
+    return {"number": one.number, "valid": one.reason is None, **why, "pins_mm": pins, "values": dict(one.values)}
+
+
 @dataclass(frozen=True)
 class Solution:
     """What `solve` gives: the problem, its construction and its answers."""
@@ -74,6 +87,45 @@ class Solution:
         """Whether an answer, or what it was found by, must not be taken for right."""
         return self.construction.warning is not None
 
+    @cached_property
+    def verification(self) -> tuple[Verified, ...]:
+        """Of a synthesis: what each valid solution does, moved by the exact solver with the lengths read on paper."""
+        if isinstance(self.problem.subject, Mechanism) or not self.construction.candidates:
+            return ()
+        from .check.found import verified  # late: a whole cycle, which other problems need not
+
+        valid = [one for one in self.construction.candidates if one.reason is None]
+        found = (verified(self.problem.design, one.number, one.values, one.spread) for one in valid)
+        return tuple(one for one in found if one is not None)
+
+    @property
+    def linkage(self) -> Problem:
+        """Of a synthesis: the solution that is taken, as a problem of its own; its lengths are those read on paper.
+
+        Raises NotAskedError where nothing was to be found.
+        """
+        if not isinstance(self.problem.subject, Mechanism) and self.construction.candidates:
+            from .check.found import linkage  # late, likewise
+
+            design = self.problem.design
+            valid = [one for one in self.construction.candidates if one.reason is None]
+            if design.take <= len(valid):
+                found = linkage(design, valid[design.take - 1].values, f"{self.problem.id}-{design.take}")
+                if found is not None:
+                    return found
+        raise NotAskedError(
+            Words(
+                f"题目 {self.problem.id} 没有求出机构；只有综合题（synthesis）才有",
+                f"problem {self.problem.id} found no mechanism; only a task of synthesis does",
+            ),
+            code="no-solution",
+        )
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The linkage that was found, its crank driving; the problem's own mechanism where none was to be found."""
+        return self.problem.subject if isinstance(self.problem.subject, Mechanism) else self.linkage.mechanism
+
     def __str__(self) -> str:
         """The answers as a small table."""
         return small_table(self.answers.values(), language())
@@ -88,6 +140,9 @@ class Solution:
         }
         if self.warnings:
             data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
+        if self.construction.candidates:
+            data["candidates"] = [_candidate(one) for one in self.construction.candidates]
+            data["verification"] = [one.as_json() for one in self.verification]
         forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
@@ -160,8 +215,17 @@ def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construc
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(task.truth, drawn.motion) if rel.key not in answers]
     readings = {key: answer.reading for key, answer in answers.items()}
-    said, other = warning(wrong), objection(task.problem, [one.verdict for one in drawn.construction.candidates])
+    said, other = warning(wrong), _objection(task, drawn)
     return replace(drawn.construction, readings=readings, warning=said + other if said and other else said or other)
+
+
+def _objection(task: Task, drawn: Drawn) -> Words | None:
+    """That a synthesis found other candidates on paper than there are; nothing of other problems."""
+    if not drawn.construction.candidates:
+        return None
+    from .check.candidates import objection  # late: other problems need none of it
+
+    return objection(task.problem, [one.verdict for one in drawn.construction.candidates])
 
 
 def fewer_digits(solution: Solution) -> Words | None:

@@ -14,7 +14,7 @@ class Candidate:
     """Its number, its pins (mm on paper, every position's), what was read of it, and why it is rejected.
 
     verdict: the name of the reason, VALID where there is none; values: by the key of a quantity without a number,
-    lengths in mm, angles in deg.
+    lengths in mm, angles in deg; spread: the expected drawing error of each, 3σ of the repeated hands.
     """
 
     number: int
@@ -22,7 +22,9 @@ class Candidate:
     verdict: str
     reason: Words | None = None
     values: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
+    spread: Mapping[str, float] = field(default_factory=lambda: FrozenMap({}))
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "pins", FrozenMap(dict(self.pins)))
         object.__setattr__(self, "values", FrozenMap(dict(self.values)))
+        object.__setattr__(self, "spread", FrozenMap(dict(self.spread)))

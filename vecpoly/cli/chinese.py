@@ -123,6 +123,8 @@ HELP = {
     "List the steps of the construction too, and what the hand did in each.": (
         "同时列出作图各步，以及每步中的作图动作。"
     ),
+    "Of a synthesis: go on with the linkage that was found, analyse.": "综合题：对求得的机构继续作运动分析（analyse）"
+    "。",
     "Resolution of a PNG.": "PNG 的分辨率（dpi）。",
     "Places of the crank over its turn; 0 leaves its slider away.": "曲柄一周的位置数；0 则不显示转动滑条。",
     "Start from a problem of the library: a screw jack from 5-5, forces from 4-3a.": (

@@ -7,6 +7,7 @@ after `synthesis:`.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from typing import Annotated, Any, ClassVar
 
@@ -15,7 +16,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
 from ..errors import FaultError, UnknownNameError
 from ..foundation.plugins import load_modules
 from ..names import Named
-from ..units.reading import Quantity, pure
+from ..units.reading import Dim, Quantity, pure, read
 from ..words import Words
 
 MOST = 9  # solutions of a task, at most
@@ -55,18 +56,25 @@ def _which(text: Any) -> int:
 
 
 Advance = Annotated[Quantity, BeforeValidator(_advance), WithJsonSchema({"type": ["string", "number"]})]
+Omega = Annotated[
+    Quantity,
+    BeforeValidator(lambda text: text if isinstance(text, Quantity) else read(text, Dim.OMEGA)),
+    WithJsonSchema({"type": "string"}),
+]
 Which = Annotated[int, BeforeValidator(_which), WithJsonSchema({"type": ["string", "integer"]})]
 
 
 class Design(BaseModel):
     """Data of a task of synthesis, frozen; its fields are quantities in SI together with how they were written.
 
-    take: which of the solutions is meant by a quantity without a number.
+    take: which of the solutions is meant by a quantity without a number. omega: of the crank of what is found, where it
+    is to be analysed afterwards; 1 rad/s where nothing is said.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
     kind: ClassVar[str] = ""
     take: Which = 1
+    omega: Omega | None = None
 
     def __hash__(self) -> int:
         return hash((type(self), tuple(str(value) for _, value in self)))
@@ -78,6 +86,14 @@ class Design(BaseModel):
     def given(self) -> tuple[tuple[str, str], ...]:
         """Symbol (notation of `formula`) and value as written of everything given, for the line 已知."""
         raise NotImplementedError
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any] | None:
+        """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
+        return None
+
+    def is_length(self, key: str) -> bool:
+        """Whether a quantity is a length that is to be found."""
+        return any(named.key == key and named.unit == "mm" for named in self.quantities())
 
     @property
     def size(self) -> float:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import pi
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
@@ -12,6 +13,7 @@ from ..errors import FaultError
 from ..names import Named
 from ..words import Words
 from .base import Advance, Design
+from .linkages import four_bar
 from .place import Carried
 from .quantities import FOUR_BAR, GAMMA_MIN, SWING, THETA
 from .quantities import K as ADVANCE
@@ -98,6 +100,10 @@ class CrankRocker(Design):
             ("A", self.A),
         )
         return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The four-bar with A in the origin and D on the x axis."""
+        return four_bar(values, self.omega)
 
     @property
     def theta(self) -> float:

@@ -11,3 +11,5 @@ THETA = Named("theta", "θ", "deg")  # 极位夹角
 K = Named("K", "K", "")  # 行程速比系数
 SWING = Named("psi", "ψ", "deg")  # of the rocker
 GAMMA_MIN = Named("gamma_min", "γ_{min}", "deg")  # least transmission angle
+OFFSET, STROKE = Named("e", "e", "mm"), Named("H", "H", "mm")
+ALPHA_MAX = Named("alpha_max", "α_{max}", "deg")  # greatest pressure angle

@@ -22,6 +22,12 @@ class Verdict(Enum):
     NO_CRANK = Words(
         "$A$ 在 $C_{1}C_{2}$ 的中垂线上，$l_{AB} = 0$", "$A$ lies on the bisector of $C_{1}C_{2}$: $l_{AB} = 0$"
     )
+    ACROSS = Words(
+        "$A$ 到导路的垂足在 $C_1$、$C_2$ 之间，滑块不能连续滑过此行程；应使 $e < H cot θ$",
+        "the foot of the perpendicular from $A$ to the guide lies between $C_1$ and $C_2$: the slider cannot pass "
+        "from one "
+        "to the other; take $e < H cot θ$",
+    )
     NOT_GRASHOF = Words("不满足曲柄存在条件", "no link can turn fully (Grashof)")
     CIRCUIT = Words(
         "各位置不在同一装配回路中，须拆开机构才能通过",

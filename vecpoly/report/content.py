@@ -10,6 +10,7 @@ from typing import Any
 
 from ..algebra.quantity import number
 from ..board.construction import EquationTable, Step
+from ..check.found_words import ill_conditioned, told
 from ..check.structure import dependence
 from ..mechanism.asked.centres import count
 from ..mechanism.model import Mechanism
@@ -77,7 +78,8 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
     remarks = (
         solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed)
     )
-    return list(dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None]))
+    moved = [told(one).of(lang) for one in solution.verification]
+    return list(dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None])) + moved
 
 
 def cautions(solution: Solution, lang: Lang) -> list[str]:
@@ -91,7 +93,13 @@ def cautions(solution: Solution, lang: Lang) -> list[str]:
     few = fewer_digits(solution)
     return [
         words.of(lang)
-        for words in (*solution.warnings, few, _disagreed(wrong) if wrong else None, why)
+        for words in (
+            *solution.warnings,
+            few,
+            *map(ill_conditioned, solution.verification),
+            _disagreed(wrong) if wrong else None,
+            why,
+        )
         if words is not None
     ]
 

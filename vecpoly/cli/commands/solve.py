@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -33,6 +33,12 @@ ActsOption = Annotated[
 ]
 
 
+ThenOption = Annotated[
+    Literal["analyse"] | None,
+    typer.Option("--then", help="Of a synthesis: go on with the linkage that was found, analyse."),
+]
+
+
 def solve(
     names: Problems,
     hand: HandOption = "drafting",
@@ -41,6 +47,7 @@ def solve(
     lang: LangOption = "en",
     allow_outside: OutsideOption = False,
     acts: ActsOption = False,
+    then: ThenOption = None,
 ) -> None:
     """Print the answers: as drawn, exact, and how far off."""
     tally = Tally()
@@ -59,6 +66,9 @@ def solve(
             _print(solution, lang)
             if acts:
                 typer.echo(told(solution.construction.steps, solution.construction.acts, lang) + "\n")
+            if then == "analyse" and solution.construction.candidates:
+                with about(solution.problem.id):
+                    _print(solved(solution.linkage, by=hand, seed=seed), lang)
         warn(solution.problem.id, solution.warnings, lang)
     if json is not None and solutions:
         data = [solution.as_json() for solution in solutions]
@@ -67,6 +77,8 @@ def solve(
 
 
 def _print(solution: Solution, lang: Lang) -> None:
+    from ...check.found_words import ill_conditioned
+    from ...check.found_words import told as verified_words
     from ...problem.asked.hints import nothing_asked
     from ...solution import fewer_digits
 
@@ -98,6 +110,10 @@ def _print(solution: Solution, lang: Lang) -> None:
         say(f"{problem.id}: {nothing_asked(problem).of(lang)}")
     if (few := fewer_digits(solution)) is not None:
         say(bare(few.of(lang)))
+    for one in solution.verification:
+        for words in (verified_words(one), ill_conditioned(one)):
+            if words is not None:
+                typer.echo(bare(words.of(lang)))
 
 
 def _passed_on(answer: Answer) -> Words:

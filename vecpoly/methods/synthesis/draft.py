@@ -21,6 +21,7 @@ from ..devices.bench import Bench
 
 ONE, TWO = Quantity(Txt("1"), 1.0, ""), Quantity(Txt("2"), 2.0, "")
 HALF_TURN = Quantity(Txt("180°"), 180.0, "deg")
+RIGHT = Quantity(Txt("90°"), 90.0, "deg")
 SHEET = View.MECHANISM
 
 
@@ -124,20 +125,25 @@ class Draft(Bench):
         return tuple(self._candidate(one, design) for one in sorted(self.found, key=lambda one: one.number))
 
     def _candidate(self, one: Found, design: Design) -> Candidate:
-        read = self.board.readings
-        keys = {named.key: (numbered(named, one.number).key, named.key) for named in design.quantities()}
-        values = {
-            key: read[found].scalar
-            for key, where in keys.items()
-            if (found := next((k for k in where if k in read), None)) is not None
-        }
+        read, found = self.board.readings, self.board.found
+        where = {named.key: (numbered(named, one.number).key, named.key) for named in design.quantities()}
+        kept = {key: name for key, names in where.items() if (name := next((k for k in names if k in read), None))}
+        valid = one.verdict is Verdict.VALID
         return Candidate(
             number=one.number,
             pins=FrozenMap({letter: complex(nominal(at)) for letter, at in one.pins.items()}),
             verdict=one.verdict.name,
-            reason=None if one.verdict is Verdict.VALID else one.verdict.value,
-            values=FrozenMap(values),
+            reason=None if valid else one.verdict.value,
+            values=FrozenMap({key: read[name].scalar for key, name in kept.items() if valid}),
+            spread=FrozenMap({key: _spread(found[name]) for key, name in kept.items() if valid}),
         )
+
+
+def _spread(values: Reals) -> float:
+    """3σ of the repeated hands; of none 0."""
+    repeated = np.asarray(values, dtype=float)
+    others = repeated[1:][np.isfinite(repeated[1:])] if repeated.ndim else np.empty(0)
+    return 3.0 * float(np.std(others)) if others.size else 0.0
 
 
 def _reading(named: Named, value: Reals) -> Reading:

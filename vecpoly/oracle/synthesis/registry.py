@@ -71,8 +71,8 @@ def _rounded(one: Linkage) -> tuple[float, ...]:
 
 
 def _none_valid(found: list[Linkage]) -> AssemblyError:
-    zh = "；".join(f"候选解 {n}：{bare(one.verdict.value.zh)}" for n, one in enumerate(found, 1))
-    en = "; ".join(f"candidate {n}: {bare(one.verdict.value.en)}" for n, one in enumerate(found, 1))
+    zh = "；".join(f"候选解 {n}：{_plain(one.verdict.value.zh)}" for n, one in enumerate(found, 1))
+    en = "; ".join(f"candidate {n}: {_plain(one.verdict.value.en)}" for n, one in enumerate(found, 1))
     return AssemblyError(
         Words(
             f"按所给数据没有可用的机构：{zh}。请改动数据",
@@ -81,6 +81,11 @@ def _none_valid(found: list[Linkage]) -> AssemblyError:
         code="no-solution",
         numbers={"candidates": len(found)},
     )
+
+
+def _plain(text: str) -> str:
+    """A sentence without the signs of its symbols: C1C2."""
+    return bare(text).translate(str.maketrans("", "", "_{}"))
 
 
 def design_answers(design: Design) -> Mapping[str, float]:

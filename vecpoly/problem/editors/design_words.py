@@ -7,7 +7,14 @@ from .position_words import POSITIONS
 
 _TAKE = Words("取第几个解（按编号），默认 1", "which of the solutions is meant, by its number; 1 where nothing is said")
 
+_OMEGA = Words(
+    "所得机构作分析时曲柄的角速度，默认 1 rad/s", "of the crank, where what is found is analysed; else 1 rad/s"
+)
+_K = Words("行程速比系数", "coefficient of the quick return: time of the slow stroke over the quick one")
+
 DESIGNS = {
+    **POSITIONS,
+    "crank-rocker.omega": _OMEGA,
     "crank-rocker.take": _TAKE,
     "crank-rocker.K": Words(
         "行程速比系数", "coefficient of the quick return: time of the slow stroke over the quick one"
@@ -23,5 +30,11 @@ DESIGNS = {
         "A 所在的直线，如 on y = -20 mm（D 为原点）", "the line of A, D being the origin: on y = -20 mm"
     ),
     "crank-rocker.best": Words("使最小传动角最大", "gamma_min: the greatest least transmission angle"),
-    **POSITIONS,
+    "slider-crank.take": _TAKE,
+    "slider-crank.omega": _OMEGA,
+    "slider-crank.K": _K,
+    "slider-crank.H": Words("滑块行程", "stroke of the slider"),
+    "slider-crank.e": Words("偏距", "offset of the guide from A"),
+    "slider-crank.AB": Words("曲柄长", "the crank"),
+    "slider-crank.BC": Words("连杆长", "the coupler"),
 }

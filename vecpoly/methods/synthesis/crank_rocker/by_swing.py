@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi
-
-import numpy as np
 
 from ....algebra.quantity import Quantity
 from ....board.paper.marks import Role
 from ....designs.crank_rocker import CrankRocker
 from ....designs.verdict import Verdict
-from ....plane import Line, Points, nominal, unit
+from ....plane import Points, nominal, unit
 from ....words import Words
 from ..draft import SHEET, Draft
+from ..eta import Locus, Straight, eta
 from ..limits import judged, limits_of, settled
-from ..linkage import pin, point
-from .locus import Eta, Locus, Rocker, Straight
+from ..linkage import pin
 from .pivots import pivots
+from .rocker import Rocker
 
 
 def by_swing(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
@@ -71,38 +69,8 @@ def _loci(draft: Draft, rocker: Rocker, theta: Quantity) -> Iterator[Locus]:
         return
     middle = None
     for way in (-1, 1):
-        yield (locus := _eta(draft, rocker, chord, theta, way, middle))
+        yield (locus := eta(draft, (rocker.c1, rocker.c2), theta, way, middle, way < 0))
         middle = locus.bisector
-
-
-def _eta(draft: Draft, rocker: Rocker, chord: Points, theta: Quantity, way: int, middle: Line | None) -> Eta:
-    """The circle on C₁P, P where the perpendicular at C₂ meets the ray at 90° − θ from C₁; way −1: on the side of D."""
-    board, marks = draft.board, "" if way < 0 else "′"
-    first = Words(
-        "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
-        "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
-        "（圆心 $O$ 在 $C_{1}C_{2}$ 的中垂线上），圆上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此圆上。",
-        "Draw the perpendicular to $C_{1}C_{2}$ at $C_2$ and from $C_1$ a ray at $90° − θ$ to $C_{1}C_{2}$; they meet "
-        "in $P$, so that "
-        "$∠C_{1}PC_{2} = θ$. From every point of the circle $η$ on the diameter $C_{1}P$ (its centre $O$ on the "
-        "bisector of "
-        "$C_{1}C_{2}$) the chord is seen under $θ$: $A$ lies on it.",
-    )
-    again = Words(
-        "在 $C_{1}C_{2}$ 的另一侧同样作 $P′$ 和圆 $η′$（$η$ 对 $C_{1}C_{2}$ 的镜像）。",
-        "Draw $P′$ and the circle $η′$ likewise on the other side of $C_{1}C_{2}$: the mirror image of $η$.",
-    )
-    board.step(first if way < 0 else again, SHEET)
-    normal = board.parallel(rocker.c2, 1j * chord, key=f"C2P{marks}")
-    ray = board.ray(rocker.c1, chord, way * (pi / 2 - theta.value * pi / 180), key=f"C1P{marks}")
-    p = point(draft, f"P{marks}", board.meet(normal, ray, Words(f"求 $P{marks}$", f"finding $P{marks}$")))
-    board.rule(SHEET, normal, p)
-    board.rule(SHEET, ray, p)
-    middle = middle or board.bisector(SHEET, rocker.c1, rocker.c2)
-    o = point(draft, f"O{marks}", board.meet(middle, ray, Words("求圆心", "the centre")))
-    radius = np.abs(rocker.c1 - o)
-    board.circle(SHEET, o, radius)
-    return Eta(centre=o, radius=radius, side=way, bisector=middle)
 
 
 def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> None:

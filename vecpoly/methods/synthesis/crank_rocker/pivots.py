@@ -8,21 +8,19 @@ import numpy as np
 
 from ....designs.crank_rocker import CrankRocker
 from ....designs.place import OnLine
-from ....plane import Line, Points, line_circle_meet, nominal, unit
+from ....plane import Points, nominal
 from ....words import Words
+from ..arc_middle import MIRROR, by_arc, primes_of
 from ..draft import SHEET, Draft
+from ..eta import Locus, Straight
 from ..linkage import point
-from .locus import Eta, Locus, Rocker, Straight
+from .rocker import Rocker
 from .trial import by_trial
-
-MIRROR = Words(
-    "（另一交点是它的镜像，所得机构相同。）", " (The other meeting is its mirror image and gives the same linkage.)"
-)
 
 
 def pivots(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> Iterator[Points]:
     """Every A on this circle, or on the line C₁C₂."""
-    section = Words(f"求 $A{_primes(locus)}$ 点和各构件长度", f"The point $A{_primes(locus)}$ and the lengths")
+    section = Words(f"求 $A{primes_of(locus)}$ 点和各构件长度", f"The point $A{primes_of(locus)}$ and the lengths")
     draft.board.section(section)
     if design.AD is not None:
         yield from _at_distance(draft, rocker, locus, draft.mm(design.AD.si))
@@ -34,23 +32,19 @@ def pivots(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> I
         else:
             yield from by_trial(draft, design, rocker, locus)
     elif design.AB is not None:
-        yield from _by_arc(draft, rocker, locus, 2 * draft.mm(design.AB.si), "AB")
+        yield from by_arc(draft, (rocker.c1, rocker.c2), locus, 2 * draft.mm(design.AB.si), "AB")
     elif design.BC is not None:
-        yield from _by_arc(draft, rocker, locus, 2 * draft.mm(design.BC.si), "BC")
+        yield from by_arc(draft, (rocker.c1, rocker.c2), locus, 2 * draft.mm(design.BC.si), "BC")
     else:
         yield from by_trial(draft, design, rocker, locus)
 
 
-def _primes(locus: Locus) -> str:
-    return "′" if isinstance(locus, Eta) and locus.side > 0 else ""
-
-
 def _eta(locus: Locus) -> str:
-    return "直线 $C_{1}C_{2}$" if isinstance(locus, Straight) else f"圆 $η{_primes(locus)}$"
+    return "直线 $C_{1}C_{2}$" if isinstance(locus, Straight) else f"圆 $η{primes_of(locus)}$"
 
 
 def _eta_en(locus: Locus) -> str:
-    return "the line $C_{1}C_{2}$" if isinstance(locus, Straight) else f"the circle $η{_primes(locus)}$"
+    return "the line $C_{1}C_{2}$" if isinstance(locus, Straight) else f"the circle $η{primes_of(locus)}$"
 
 
 def _at_distance(draft: Draft, rocker: Rocker, locus: Locus, frame: float) -> Iterator[Points]:
@@ -127,46 +121,3 @@ def _middle_and_coupler(draft: Draft, rocker: Rocker, locus: Straight, coupler: 
     bisector = board.bisector(SHEET, rocker.c1, rocker.c2)
     m = point(draft, "M", board.meet(bisector, locus.line, Words("求中点", "the middle")))
     return board.lay_off(m, -locus.line.along, coupler, key="BC")
-
-
-def _by_arc(draft: Draft, rocker: Rocker, eta: Eta, twice: float, given: str) -> Iterator[Points]:
-    """The construction by the middle of an arc: S on C₂A with C₂S = AC₂ − AC₁ = 2 AB, or AC₂ + AC₁ = 2 BC.
-
-    The triangle A C₁ S is isosceles, so that C₁C₂ is seen from S under 90° + θ/2, or θ/2: S lies on a circle about the
-    middle M of the arc C₁C₂ on which A does not lie, or does.
-    """
-    board, crank, primes = draft.board, given == "AB", _primes(eta)
-    lies = ("不含", "on which $A$ does not lie") if crank else ("含", "on which $A$ lies")
-    board.step(
-        Words(
-            f"取圆 $η{primes}$ 上{lies[0]} $A$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$，以 $M{primes}$ 为圆心、"
-            f"$M{primes}C_1$ 为半径作圆；"
-            f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
-            f"$η{primes}$ 交于 $A$。",
-            f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} draw the circle through "
-            f"$C_1$; the arc about "
-            f"$C_2$ with the radius $2l_{given}/μ_l$ meets it in $S{primes}$. The line $C_{{2}}S{primes}$ meets "
-            f"$η{primes}$ in $A$.",
-        ),
-        SHEET,
-    )
-    ends = board.arc_on_line(eta.bisector, eta.centre, eta.radius, Words("求弧的中点", "the middle of the arc"))
-    up = max(ends, key=lambda at: float(nominal(at).imag)), min(ends, key=lambda at: float(nominal(at).imag))
-    m = point(draft, f"M{primes}", up[0 if (eta.side < 0) == crank else 1])
-    radius, what = np.abs(rocker.c1 - m), Words(f"求 $S{primes}$", f"finding $S{primes}$")
-    spots = board.arcs(rocker.c2, twice, m, radius, what)
-    board.circle(SHEET, m, radius)
-    s = point(draft, f"S{primes}", min(spots, key=lambda at: _across(rocker.c2, at, eta)))
-    board.swing(SHEET, rocker.c2, twice, s)
-    board.remark(MIRROR)
-    line = Line(rocker.c2, unit(s - rocker.c2))
-    a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words("求 $A$", "finding $A$"))
-    board.rule(SHEET, line, a)
-    yield a
-
-
-def _across(c2: Points, s: Points, eta: Eta) -> float:
-    """How far to the right A comes to lie by this S."""
-    start, way = complex(nominal(c2)), complex(nominal(unit(s - c2)))
-    a, _ = line_circle_meet(Line(start, way), complex(nominal(eta.centre)), float(nominal(eta.radius)))
-    return complex(a).real

@@ -13,8 +13,9 @@ from ....designs.verdict import Verdict
 from ....plane import Points, nominal
 from ....words import Words
 from ..draft import SHEET, Draft
+from ..eta import Eta, Locus, Straight
 from ..limits import judged
-from .locus import Eta, Locus, Rocker, Straight
+from .rocker import Rocker
 
 PLACES = 1440  # of A on the arc, tried in turn
 REFINED = 100  # halvings, or golden sections

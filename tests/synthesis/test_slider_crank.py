@@ -1,0 +1,49 @@
+"""Slider-cranks from K: cases, laws, refusals with the range."""
+
+from __future__ import annotations
+
+import pytest
+
+import vecpoly
+from vecpoly.errors import AssemblyError, ProblemFileError
+
+
+def posed(**data: str) -> vecpoly.Problem:
+    """A slider-crank with these data."""
+    return vecpoly.problem({"id": "t", "title": "t", "synthesis": "slider-crank", "data": data})
+
+
+@pytest.mark.parametrize(
+    ("data", "true"),
+    [
+        (
+            {"K": "1.4", "H": "100 mm", "e": "30 mm"},
+            {"AB": 45.804761885, "BC": 89.989311651, "alpha_max": 57.391788404, "H": 100.0},
+        ),
+        (
+            {"K": "1.3", "H": "120 mm", "AB": "55 mm"},
+            {"AB": 55.0, "BC": 130.060696848, "e": 46.117531907, "gamma_min": 38.971019875},
+        ),
+        ({"K": "1.3", "H": "120 mm", "BC": "130.060696848 mm"}, {"AB": 55.0, "e": 46.117531907}),
+    ],
+)
+def test_crank_coupler_and_pressure_angle_are_those_of_the_case(data: dict[str, str], true: dict[str, float]) -> None:
+    solution = posed(**data).solve(by="exact")
+    assert {key: solution.answers[key].drawn for key in true} == pytest.approx(true, rel=1e-9)
+    moved = solution.verification[0]
+    assert (moved.ratio, moved.stroke) == pytest.approx((float(data["K"]), float(data["H"][:3])), rel=1e-6)
+
+
+def test_an_offset_beyond_the_circle_is_refused_with_its_limit() -> None:
+    with pytest.raises(AssemblyError, match=r"between 0 and 186\.6 mm"):
+        posed(K="1.4", H="100 mm", e="190 mm").solve()
+
+
+def test_a_slider_that_would_have_to_pass_under_a_is_no_solution() -> None:
+    with pytest.raises(AssemblyError, match="between C1 and C2"):
+        posed(K="1.4", H="100 mm", e="180 mm").solve()
+
+
+def test_a_central_slider_crank_has_no_quick_return() -> None:
+    with pytest.raises(ProblemFileError, match="K > 1 is needed"):
+        posed(K="1", H="100 mm", e="10 mm")

@@ -1,0 +1,101 @@
+"""What a found linkage does: built with the lengths read on paper and moved over its cycle by the exact solver."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import degrees, nan
+from typing import Any
+
+from ..cycle.cycle import Cycle
+from ..cycle.facts.closing import turns_of
+from ..cycle.facts.found import facts
+from ..cycle.whole_cycle import cycle
+from ..designs.base import Design
+from ..errors import VecpolyError
+from ..problem.problem import Problem
+from ..problem.values.made import problem as made
+from ..words import Words
+from .grashof import grashof
+
+LOOSE = 0.02  # of a length: an expected drawing error above which the construction is called ill-conditioned
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Verified:
+    """One solution as it moves. kind, margin (mm): of a four-bar. stroke: of the last link, in `unit` (° or mm).
+
+    gamma, gamma_at: least transmission angle and the crank's angle there (deg). loose: key of each length of which the
+    drawing tells less than 2 %, with what it may be off by. broken: why it does not move.
+    """
+
+    number: int
+    full: bool = False
+    kind: Words | None = None
+    margin: float = nan
+    ratio: float = nan
+    theta: float = nan
+    stroke: float = nan
+    unit: str = ""
+    gamma: float = nan
+    gamma_at: float = nan
+    loose: Mapping[str, float]
+    broken: Words | None = None
+
+    def as_json(self) -> dict[str, Any]:
+        """Plain data; lengths in mm, angles in degrees."""
+        kind = {} if self.kind is None else {"type": self.kind.en, "grashof_margin_mm": self.margin}
+        told = {
+            "K": self.ratio,
+            "theta_deg": self.theta,
+            "gamma_min_deg": self.gamma,
+            "gamma_min_at_deg": self.gamma_at,
+        }
+        stroke = {"swing_deg" if self.unit == "°" else "stroke_mm": self.stroke}
+        ill = {"ill_conditioned": dict(self.loose)} if self.loose else {}
+        moved = {"broken": self.broken.en} if self.broken else {"turns_fully": self.full, **kind, **told, **stroke}
+        return {"solution": self.number, **moved, **ill}
+
+
+def linkage(design: Design, values: Mapping[str, float], name: str) -> Problem | None:
+    """The problem of a linkage with these lengths (mm), its crank as the input; None of a task that builds none."""
+    data = design.built(values)
+    return None if data is None else made({"id": name, "title": name, **data})
+
+
+def verified(design: Design, number: int, values: Mapping[str, float], spread: Mapping[str, float]) -> Verified | None:
+    """What the linkage with the values that were read does; spread: what the hand may be off by in each of them."""
+    loose = {
+        key: spread[key] / abs(values[key])
+        for key in spread
+        if design.is_length(key) and spread[key] > LOOSE * abs(values[key]) > 0
+    }
+    try:
+        found = linkage(design, values, f"solution-{number}")
+        return None if found is None else _moved(number, values, loose, cycle(found.mechanism, 181))
+    except VecpolyError as error:
+        return Verified(number=number, loose=loose, broken=error.words)
+
+
+def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float], turn: Cycle) -> Verified:
+    seen = facts(turn)
+    kind, margin = grashof(*(values[key] for key in ("AB", "BC", "CD", "AD"))) if "CD" in values else (None, nan)
+    stroke, least = (seen.strokes or (None,))[-1], min((t.least for t in seen.transmissions), key=_value, default=None)
+    angle = stroke is not None and stroke.key.startswith("phi")
+    return Verified(
+        number=number,
+        full=turn.whole and turns_of(turn) is not None,
+        kind=kind,
+        margin=margin,
+        ratio=stroke.ratio if stroke else nan,
+        theta=degrees(stroke.theta) if stroke else nan,
+        stroke=nan if stroke is None else degrees(stroke.swing) if angle else 1e3 * stroke.swing,
+        unit="°" if angle else "mm",
+        gamma=degrees(least.value) if least else nan,
+        gamma_at=degrees(least.phi) % 360 if least else nan,
+        loose=loose,
+    )
+
+
+def _value(spot: Any) -> float:
+    return float(spot.value)

@@ -1,0 +1,58 @@
+"""What is said of a found linkage when it has been moved: one sentence, and a caution where it was drawn in vain."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from ..words import Words
+from .found import LOOSE, Verified
+
+
+def told(one: Verified) -> Words:
+    """The line of verification of one solution."""
+    head = Words(
+        f"校核（解 {one.number}，按量得的长度用解析法运动一周）：",
+        f"Check of solution {one.number}, moved over its cycle with the lengths read: ",
+    )
+    if one.broken is not None:
+        return head + Words(f"机构不能运动：{one.broken.zh}", f"it does not move: {one.broken.en}")
+    parts = list(_parts(one))
+    return head + Words("，".join(part.zh for part in parts) + "。", ", ".join(part.en for part in parts) + ".")
+
+
+def _parts(one: Verified) -> list[Words]:
+    parts = []
+    if one.kind is not None:
+        parts.append(
+            one.kind + Words(f"（杆长和余量 {one.margin:.4g} mm）", f" (margin of lengths {one.margin:.4g} mm)")
+        )
+    full = Words("主动件可整周转动", "the driver turns right round")
+    parts.append(full if one.full else Words("主动件不能整周转动", "the driver cannot turn right round"))
+    if isfinite(one.ratio):
+        name = Words("摆角", "swing") if one.unit == "°" else Words("行程", "stroke")
+        unit = one.unit if one.unit == "°" else " mm"
+        parts.append(Words.same(f"$K$ = {one.ratio:.4f}"))
+        parts.append(Words.same(f"$θ$ = {one.theta:.2f}°"))
+        parts.append(name + Words(f" {one.stroke:.2f}{unit}", f" {one.stroke:.2f}{unit}"))
+    if isfinite(one.gamma):
+        parts.append(
+            Words(
+                f"最小传动角 {one.gamma:.2f}°（曲柄转角 {one.gamma_at:.1f}° 处）",
+                f"least transmission angle {one.gamma:.2f}° (crank at {one.gamma_at:.1f}°)",
+            )
+        )
+    return parts
+
+
+def ill_conditioned(one: Verified) -> Words | None:
+    """That some lengths hardly follow from the drawing; None where all do."""
+    if not one.loose:
+        return None
+    parts = ", ".join(f"$l_{{{key}}}$ ±{100 * off:.1f} %" for key, off in one.loose.items())
+    return Words(
+        f"病态作图（解 {one.number}）：{parts.replace(', ', '、')}（预期作图误差超过 {100 * LOOSE:g} %），该长度对作图"
+        f"误差很敏感，宜用解析法求得。",
+        f"Ill-conditioned construction (solution {one.number}): {parts}, an expected drawing error above "
+        f"{100 * LOOSE:g} %; "
+        "such a length should be computed.",
+    )

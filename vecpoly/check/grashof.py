@@ -1,0 +1,19 @@
+"""Of what type a four-bar linkage is, by its lengths alone."""
+
+from __future__ import annotations
+
+from ..words import Words
+
+CRANK_ROCKER, ROCKER_CRANK = Words("曲柄摇杆机构", "crank-rocker"), Words("摇杆曲柄机构", "rocker-crank")
+DOUBLE_CRANK, DOUBLE_ROCKER = Words("双曲柄机构", "double crank"), Words("双摇杆机构", "double rocker")
+NOT_GRASHOF = Words("双摇杆机构（不满足杆长条件）", "triple rocker (not Grashof)")
+
+
+def grashof(ab: float, bc: float, cd: float, ad: float) -> tuple[Words, float]:
+    """The type with AB as the input and AD as the frame, and the margin p + q − l_min − l_max of the sum of lengths."""
+    least, *middle, most = sorted((ab, bc, cd, ad))
+    margin = sum(middle) - least - most
+    if margin < 0:
+        return NOT_GRASHOF, margin
+    kinds = {ab: CRANK_ROCKER, bc: DOUBLE_ROCKER, cd: ROCKER_CRANK, ad: DOUBLE_CRANK}
+    return kinds[least], margin

@@ -1,0 +1,41 @@
+"""Linkages as a problem file says them, by their lengths (mm)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ..units.reading import Quantity
+
+
+def _mm(value: float) -> str:
+    return f"{value!r} mm"
+
+
+def _input(omega: Quantity | None) -> dict[str, Any]:
+    return {"link": "1", "phi": "60 deg", "omega": "1 rad/s ccw" if omega is None else omega.text}
+
+
+def four_bar(values: Mapping[str, float], omega: Quantity | None) -> dict[str, Any]:
+    """A in the origin, D on the x axis, AB the input, C on the left of BD."""
+    ab, bc, cd, ad = (_mm(values[key]) for key in ("AB", "BC", "CD", "AD"))
+    return {
+        "frame": {"A": ["0 mm", "0 mm"], "D": [ad, "0 mm"]},
+        "links": {"1": {"AB": ab}, "2": {"BC": bc}, "3": {"CD": cd}},
+        "input": _input(omega),
+        "branch": ["C left of BD"],
+        "find": ["v_C", "omega_2", "omega_3", "a_C", "alpha_2", "alpha_3"],
+    }
+
+
+def slider_crank(values: Mapping[str, float], omega: Quantity | None) -> dict[str, Any]:
+    """A in the origin, the guide along x at the distance e below it, AB the input, C on the right."""
+    ab, bc = (_mm(values[key]) for key in ("AB", "BC"))
+    return {
+        "frame": {"A": ["0 mm", "0 mm"]},
+        "links": {"1": {"AB": ab}, "2": {"BC": bc}, "3": {"block": "C"}},
+        "joints": [f"3 slides on y = {-values['e']!r} mm"],
+        "input": _input(omega),
+        "branch": ["C right of B"],
+        "find": ["v_C", "omega_2", "a_C", "alpha_2"],
+    }

@@ -1,0 +1,65 @@
+"""A on its circle by the middle of an arc, where the crank or the coupler is given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ...plane import Line, Points, line_circle_meet, nominal, unit
+from ...words import Words
+from .draft import SHEET, Draft
+from .eta import Eta, Locus
+from .linkage import point
+
+MIRROR = Words(
+    "（另一交点是它的镜像，所得机构相同。）", " (The other meeting is its mirror image and gives the same linkage.)"
+)
+
+
+def primes_of(locus: Locus) -> str:
+    return "′" if isinstance(locus, Eta) and locus.side > 0 else ""
+
+
+def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, given: str) -> Iterator[Points]:
+    """The construction by the middle of an arc: S on C₂A with C₂S = AC₂ − AC₁ = 2 AB, or AC₂ + AC₁ = 2 BC.
+
+    The triangle A C₁ S is isosceles, so that C₁C₂ is seen from S under 90° + θ/2, or θ/2: S lies on a circle about the
+    middle M of the arc C₁C₂ on which A does not lie, or does.
+    """
+    (c1, c2), board = limits, draft.board
+    crank, primes = given == "AB", primes_of(eta)
+    lies = ("不含", "on which $A$ does not lie") if crank else ("含", "on which $A$ lies")
+    board.step(
+        Words(
+            f"取圆 $η{primes}$ 上{lies[0]} $A$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$，以 $M{primes}$ 为圆心、"
+            f"$M{primes}C_1$ 为半径作圆；"
+            f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
+            f"$η{primes}$ 交于 $A$。",
+            f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} draw the circle through "
+            f"$C_1$; the arc about "
+            f"$C_2$ with the radius $2l_{given}/μ_l$ meets it in $S{primes}$. The line $C_{{2}}S{primes}$ meets "
+            f"$η{primes}$ in $A$.",
+        ),
+        SHEET,
+    )
+    ends = board.arc_on_line(eta.bisector, eta.centre, eta.radius, Words("求弧的中点", "the middle of the arc"))
+    up = max(ends, key=lambda at: float(nominal(at).imag)), min(ends, key=lambda at: float(nominal(at).imag))
+    m = point(draft, f"M{primes}", up[0 if (eta.side < 0) == crank else 1])
+    radius, what = np.abs(c1 - m), Words(f"求 $S{primes}$", f"finding $S{primes}$")
+    spots = board.arcs(c2, twice, m, radius, what)
+    board.circle(SHEET, m, radius)
+    s = point(draft, f"S{primes}", min(spots, key=lambda at: _across(c2, at, eta)))
+    board.swing(SHEET, c2, twice, s)
+    board.remark(MIRROR)
+    line = Line(c2, unit(s - c2))
+    a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words("求 $A$", "finding $A$"))
+    board.rule(SHEET, line, a)
+    yield a
+
+
+def _across(c2: Points, s: Points, eta: Eta) -> float:
+    """How far to the right A comes to lie by this S."""
+    start, way = complex(nominal(c2)), complex(nominal(unit(s - c2)))
+    a, _ = line_circle_meet(Line(start, way), complex(nominal(eta.centre)), float(nominal(eta.radius)))
+    return complex(a).real

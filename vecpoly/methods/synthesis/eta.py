@@ -1,0 +1,73 @@
+"""Where A lies that sees C₁C₂ under θ: on a circle, by the inscribed angle; on the line C₁C₂ where θ = 0."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from ...algebra.quantity import Quantity
+from ...plane import Line, Points, Reals, unit
+from ...words import Words
+from .draft import SHEET, Draft
+from .linkage import point
+
+_FIRST = Words(
+    "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
+    "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
+    "（圆心 $O$ 在 $C_{1}C_{2}$ 的中垂线上），圆上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此圆上。",
+    "Draw the perpendicular to $C_{1}C_{2}$ at $C_2$ and from $C_1$ a ray at $90° − θ$ to $C_{1}C_{2}$; they meet "
+    "in $P$, so that "
+    "$∠C_{1}PC_{2} = θ$. From every point of the circle $η$ on the diameter $C_{1}P$ (its centre $O$ on the "
+    "bisector of "
+    "$C_{1}C_{2}$) the chord is seen under $θ$: $A$ lies on it.",
+)
+_AGAIN = Words(
+    "在 $C_{1}C_{2}$ 的另一侧同样作 $P′$ 和圆 $η′$（$η$ 对 $C_{1}C_{2}$ 的镜像）。",
+    "Draw $P′$ and the circle $η′$ likewise on the other side of $C_{1}C_{2}$: the mirror image of $η$.",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Eta:
+    """A circle from one arc of which C₁C₂ is seen under θ. side: −1 for the arc on the right of C₁C₂, 1 for the "
+    "other."""
+
+    centre: Points
+    radius: Reals
+    side: int
+    bisector: Line
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Straight:
+    """The line C₁C₂, where θ = 0."""
+
+    line: Line
+
+
+Locus = Eta | Straight
+
+
+def eta(
+    draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, middle: Line | None = None, first: bool = True
+) -> Eta:
+    """The circle on C₁P, P where the perpendicular at C₂ meets the ray at 90° − θ from C₁.
+
+    way: −1 on the right of C₁C₂, 1 on the left. middle: the bisector of C₁C₂, where it is drawn already. first: whether
+    there is no other circle yet.
+    """
+    (c1, c2), board = ends, draft.board
+    chord, marks = unit(c2 - c1), "" if first else "′"
+    board.step(_FIRST if first else _AGAIN, SHEET)
+    normal = board.parallel(c2, 1j * chord, key=f"C2P{marks}")
+    ray = board.ray(c1, chord, way * (pi / 2 - theta.value * pi / 180), key=f"C1P{marks}")
+    p = point(draft, f"P{marks}", board.meet(normal, ray, Words(f"求 $P{marks}$", f"finding $P{marks}$")))
+    board.rule(SHEET, normal, p)
+    board.rule(SHEET, ray, p)
+    middle = middle or board.bisector(SHEET, c1, c2)
+    o = point(draft, f"O{marks}", board.meet(middle, ray, Words("求圆心", "the centre")))
+    radius = np.abs(c1 - o)
+    board.circle(SHEET, o, radius)
+    return Eta(centre=o, radius=radius, side=way, bisector=middle)

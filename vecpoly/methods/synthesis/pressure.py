@@ -1,0 +1,40 @@
+"""The greatest pressure angle of a slider-crank: drawn with the crank square to the guide, away from it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...algebra.quantity import Quantity
+from ...board.construction import View
+from ...board.paper.marks import Dot, Role
+from ...plane import Reals
+from ...words import Words
+from .draft import Draft
+
+
+def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: Quantity) -> Reals:
+    """α_max in degrees: between the coupler and the guide, B′ being as far from the guide as it gets."""
+    board = draft.board
+    place = board.open_pane(View.MECHANISM, f"alpha {draft.number}", Words("最大压力角", "Greatest pressure angle"))
+    board.step(
+        Words(
+            "曲柄垂直于导路且 $B$ 离导路最远时压力角最大。按求得的长度作此位置，量连杆与导路的夹角。",
+            "The pressure angle is greatest with the crank square to the guide and $B$ as far from it as it gets. Draw "
+            "this position with the lengths found and read the angle between coupler and guide.",
+        ),
+        place,
+    )
+    per_mm = 1e-3 / board.scale_of(place).value
+    a = board.locate(place, "A", 0j)
+    b = board.locate(place, "B′", board.lay_off(a, 1j, crank.value * per_mm, key="AB′"))
+    n = board.lay_off(a, -1j, offset.value * per_mm, key="e")
+    guide = board.parallel(n, 1 + 0j, key="guide")
+    c, _ = board.arc_on_line(guide, b, coupler.value * per_mm, Words("求 $C′$", "finding $C′$"))
+    c = board.locate(place, "C′", c)
+    board.rule(place, guide, c)
+    board.join(place, a, n, Role.CONSTRUCTION)
+    for one, other in ((a, b), (b, c)):
+        board.join(place, one, other, Role.LINK)
+    for letter, at in (("A", a), ("B′", b), ("C′", c)):
+        board.plot(place, at, letter, Dot.JOINT)
+    return np.degrees(np.abs(board.gauge(0j, (b - c) / (n - c))))

@@ -1,0 +1,73 @@
+"""Every slider-crank with a given K and stroke, from the law of chords and the area of the triangle A C₁ C₂.
+
+2 a² (1 + cos θ) + 2 b² (1 − cos θ) = H²; e H = (b² − a²) sin θ.
+"""
+
+from __future__ import annotations
+
+from math import asin, cos, degrees, isclose, pi, sin, sqrt, tan
+
+from ...designs.slider_crank import SliderCrank
+from ...designs.verdict import Verdict
+from ...errors import AssemblyError
+from ...words import Words
+from .registry import Linkage, synthesizes
+
+
+@synthesizes(SliderCrank)
+def slider_cranks(design: SliderCrank) -> list[Linkage]:
+    """The one candidate; its mirror image in the middle of the stroke is the same linkage."""
+    h, theta = design.H.si, design.theta
+    if design.e is not None:
+        most = h / 2 / tan(theta / 2)
+        if design.e.si >= most or isclose(design.e.si, most, rel_tol=1e-9):
+            raise _refused("e", design.e.text, 0.0, most)
+        product = design.e.si * h / sin(theta)  # b² − a², and a² + b² − (b² − a²) cos θ = H²/2
+        a = sqrt((h * h / 2 - product * (1 - cos(theta))) / 2)
+        b = sqrt(a * a + product)
+    elif design.AB is not None:
+        a = design.AB.si
+        if not a < h / 2:
+            raise _refused("AB", design.AB.text, 0.0, h / 2)
+        b = sqrt((h * h - 2 * a * a * (1 + cos(theta))) / (2 * (1 - cos(theta))))
+    else:
+        assert design.BC is not None
+        b = design.BC.si
+        if not h / 2 < b < h / 2 / sin(theta / 2):
+            raise _refused("BC", design.BC.text, h / 2, h / 2 / sin(theta / 2))
+        a = sqrt((h * h - 2 * b * b * (1 - cos(theta))) / (2 * (1 + cos(theta))))
+    return [_linkage(design, a, b)]
+
+
+def _linkage(design: SliderCrank, a: float, b: float) -> Linkage:
+    """From crank and coupler; A on the left."""
+    h, theta = design.H.si, design.theta
+    e = (b * b - a * a) * sin(theta) / h
+    x = h / 2 - 2 * a * b / h
+    sine = (a + e) / b
+    alpha = degrees(asin(min(1.0, sine)))
+    values = {
+        "theta": degrees(theta),
+        "AB": 1e3 * a,
+        "BC": 1e3 * b,
+        "e": 1e3 * e,
+        "H": 1e3 * (sqrt((a + b) ** 2 - e * e) - sqrt((b - a) ** 2 - e * e)),
+        "alpha_max": alpha,
+        "gamma_min": 90.0 - alpha,
+        "K": (pi + theta) / (pi - theta),
+    }
+    verdict = Verdict.VALID if x < 0 else Verdict.ACROSS
+    pins = {"A": complex(x, e), "C1": 0j, "C2": complex(h)}
+    return Linkage(values=values, pins=pins, verdict=verdict, order=(a, b, e, x))
+
+
+def _refused(name: str, given: str, low: float, high: float) -> AssemblyError:
+    return AssemblyError(
+        Words(
+            f"{name} = {given}：按此 K 和 H，{name} 应在 {1e3 * low:.4g} 与 {1e3 * high:.4g} mm 之间（不含两端）",
+            f"{name} = {given}: with this K and H, {name} must lie between {1e3 * low:.4g} and {1e3 * high:.4g} mm, "
+            "ends excluded",
+        ),
+        code="no-solution",
+        numbers={"low": low, "high": high},
+    )
