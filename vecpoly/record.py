@@ -15,7 +15,7 @@ from functools import cache
 from importlib import import_module
 from math import isfinite
 from pathlib import Path
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
@@ -93,7 +93,9 @@ def _classes() -> Mapping[str, type]:
     devices = import_module(".devices", __package__)
     designs = import_module(".designs", __package__)
     data = (
-        f"{of.__name__.rpartition('.')[2]}.{one.name}" for of in (devices, designs) for one in iter_modules(of.__path__)
+        one.name.removeprefix(f"{__package__}.")
+        for of in (devices, designs)
+        for one in walk_packages(of.__path__, f"{of.__name__}.")
     )
     for part in (*_MODULES, *data):
         module = import_module(f".{part}", __package__)

@@ -29,3 +29,11 @@ class Verdict(Enum):
         "to the other; take $e < H cot θ$",
     )
     NOT_GRASHOF = Words("不满足曲柄存在条件", "no link can turn fully (Grashof)")
+    CIRCUIT = Words(
+        "各位置不在同一装配回路中，须拆开机构才能通过",
+        "its positions belong to different circuits: it would have to be taken apart",
+    )
+    BRANCH = Words(
+        "各位置之间原动件经过死点，运动不连续", "between the positions its driver meets a dead point (branch defect)"
+    )
+    ORDER = Words("通过各位置的次序不对（错序）", "it comes through the positions in another order")

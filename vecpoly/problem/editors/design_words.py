@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...words import Words
+from .position_words import POSITIONS
 
 _TAKE = Words("取第几个解（按编号），默认 1", "which of the solutions is meant, by its number; 1 where nothing is said")
 
@@ -12,6 +13,7 @@ _OMEGA = Words(
 _K = Words("行程速比系数", "coefficient of the quick return: time of the slow stroke over the quick one")
 
 DESIGNS = {
+    **POSITIONS,
     "crank-rocker.omega": _OMEGA,
     "crank-rocker.take": _TAKE,
     "crank-rocker.K": Words(

@@ -1,0 +1,79 @@
+"""The two cognates of a four-bar, which lead a point along the same coupler curve (Roberts and Chebyshev)."""
+
+from __future__ import annotations
+
+from math import cos, degrees
+from typing import ClassVar, Literal
+
+from pydantic import model_validator
+
+from ..devices.base import Angle, Length
+from ..errors import FaultError
+from ..names import Named
+from ..words import Words
+from .base import Design
+from .inversion.written import Place
+
+LEFT, RIGHT = ("AG", "GH", "HF", "AF"), ("DM", "MN", "NF", "DF")
+
+
+class Cognates(Design):
+    """The four-bar ABCD at the angle phi of AB, C on one side of the ray BD, and E in the coordinates of BC.
+
+    A G H F is the left cognate, D M N F the right one; A is the origin, D lies on the x axis.
+    """
+
+    kind: ClassVar[str] = "cognates"
+    AB: Length
+    BC: Length
+    CD: Length
+    AD: Length
+    E: Place
+    phi: Angle
+    side: Literal["left", "right"] = "left"
+
+    @model_validator(mode="after")
+    def _closes(self) -> Cognates:
+        a, d = self.AB.si, self.AD.si
+        apart = (a * a + d * d - 2 * a * d * cos(self.phi.si)) ** 0.5
+        least, most = abs(self.BC.si - self.CD.si), self.BC.si + self.CD.si
+        if not least < apart < most:
+            phi = degrees(self.phi.si)
+            raise FaultError(
+                Words(
+                    f"phi = {phi:.6g}°：BD = {1e3 * apart:.6g} mm，而 BC、CD 只能联接相距 {1e3 * least:.6g} 至 "
+                    f"{1e3 * most:.6g} mm 的两点；请改变 phi 或长度",
+                    f"phi = {phi:.6g} deg: BD = {1e3 * apart:.6g} mm, while BC and CD join points between "
+                    f"{1e3 * least:.6g} and {1e3 * most:.6g} mm apart; change phi or the lengths",
+                ),
+                "phi",
+                code="out-of-reach",
+            )
+        if min(abs(self.E.at), abs(self.E.at - self.BC.si)) <= 1e-9 * self.BC.si:
+            raise FaultError(
+                Words(
+                    f"E = {self.E.text} 与 B 或 C 重合，其轨迹是圆弧，没有同源机构；请另取 E",
+                    f"E = {self.E.text} is B or C itself, whose path is a circle and has no cognates; choose another E",
+                ),
+                "E",
+                code="out-of-range",
+            )
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The lengths of both cognates."""
+        return tuple(Named(letters, f"l_{{{letters}}}", "mm") for letters in (*LEFT, *RIGHT))
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """The four-bar, its coupler point and its position."""
+        lengths = (("AB", self.AB), ("BC", self.BC), ("CD", self.CD), ("AD", self.AD))
+        return (
+            *((f"l_{{{letters}}}", length.text) for letters, length in lengths),
+            ("E", self.E.text),
+            ("φ", self.phi.text),
+        )
+
+    @property
+    def size(self) -> float:
+        """Frame and coupler."""
+        return 2 * max(self.AD.si, self.BC.si, abs(self.E.at))

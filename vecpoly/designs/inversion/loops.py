@@ -1,0 +1,37 @@
+"""The closed loops of a linkage that is found: four hinges, or three and a slide."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hinged:
+    """A loop of four hinges, driven at its first letter: A, B, C, D with A and D pivots of the frame."""
+
+    a: str
+    b: str
+    c: str
+    d: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sliding:
+    """A loop of three hinges and a slide, driven at its first letter; along: its guide."""
+
+    a: str
+    b: str
+    c: str
+    along: complex
+
+
+Loop = Hinged | Sliding
+
+
+def sides(loop: Loop) -> tuple[tuple[str, str], ...]:
+    """The letters of its links, from the driver on."""
+    match loop:
+        case Hinged():
+            return (loop.a, loop.b), (loop.b, loop.c), (loop.c, loop.d), (loop.a, loop.d)
+        case Sliding():
+            return (loop.a, loop.b), (loop.b, loop.c)

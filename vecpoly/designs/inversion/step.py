@@ -1,0 +1,65 @@
+"""One stage of a chain of stages, as it is written."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from ...errors import FaultError
+from ...words import Words
+from ..base import Advance, Which
+from .written import Place
+
+
+class Step(BaseModel):
+    """One stage: a pin found on a ray, a pin joined by two links, or the other limit of a rocker.
+
+    find, on, from: the pin `find` of the ray `on` that a bar joins to the known pin `from`; line: two letters, where it
+    lies on the line between them instead of on the ray. join, to, side: the pin of two links of known length to the
+    pins `to`, left or right of the ray between them. limits, about, crank, K, first: the rocker's pin, which lies in
+    its `first` limit, the pivot of the crank, and the letter of its pin.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True, populate_by_name=True)
+    find: str | None = None
+    on: str | None = None
+    start: str | None = Field(default=None, alias="from")
+    line: str | None = None
+    onto: Which = 1
+    join: str | None = None
+    to: str | None = None
+    side: Literal["left", "right"] | None = None
+    limits: str | None = None
+    crank: str | None = None
+    K: Advance | None = None
+    first: Place | None = None
+    limit: Literal["left", "right"] | None = None
+
+    @model_validator(mode="after")
+    def _one_kind(self) -> Step:
+        if self.kind is None:
+            raise FaultError(
+                Words(
+                    "此步应为三种之一；如写 {find: C, on: DC, from: E}、{join: C, to: BD, side: left} 或 "
+                    "{limits: C, on: DC, crank: AB, K: 1.4, first: (380, -680) mm, limit: left}",
+                    "this must be one of three sorts of stage; write e.g. {find: C, on: DC, from: E}, "
+                    "{join: C, to: BD, side: left}, or {limits: C, on: DC, crank: AB, K: 1.4, "
+                    "first: (380, -680) mm, limit: left}",
+                ),
+                code="spelling",
+            )
+        return self
+
+    @property
+    def kind(self) -> str | None:
+        """What this stage does: find, join or limits."""
+        given = {name for name in type(self).model_fields if getattr(self, name) is not None} - {"onto", "line"}
+        return next((kind for kind, keys in _KINDS.items() if given == keys), None)
+
+
+_KINDS = {
+    "find": {"find", "on", "start"},
+    "join": {"join", "to", "side"},
+    "limits": {"limits", "on", "crank", "K", "first", "limit"},
+}

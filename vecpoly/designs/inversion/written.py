@@ -1,0 +1,110 @@
+"""How places, positions and pairs are written in the data of a synthesis, read."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, WithJsonSchema
+
+from ...errors import FaultError
+from ...units.reading import Dim, read
+from ...words import Words
+from ..place import Carried
+from .plan import On, Position
+
+_PLACE = r"\(\s*(?P<x>[^,()]+?)\s*,\s*(?P<y>[^,()]+?)\s*\)\s*(?P<unit>[a-zA-Z]+)"
+_POINT = re.compile(rf"\s*{_PLACE}\s*")
+_POSED = re.compile(rf"\s*{_PLACE}\s+at\s+(?P<angle>.+?)\s*")
+_PAIR = re.compile(r"\s*(?P<one>.+?)\s*(?:->|→)\s*(?P<two>.+?)\s*")
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A place (m), and as it was written."""
+
+    at: complex
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Posed:
+    """A position of a body, and as it was written."""
+
+    position: Position
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """An angle of the input link (rad) and what belongs to it: an angle of the output link, or a place of a slider."""
+
+    one: float
+    two: float
+    slides: bool
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def _point(written: Any) -> Point:
+    """[30 mm, 5 mm] or (30, 5) mm."""
+    if isinstance(written, Point):
+        return written
+    if isinstance(written, list | tuple) and len(written) == 2:
+        x, y = (read(part, Dim.LENGTH) for part in written)
+        return Point(complex(x.si, y.si), f"({x.text}, {y.text})")
+    if not (isinstance(written, str) and (m := _POINT.fullmatch(written))):
+        raise _unread(written, Words("点", "place"), "(30, 5) mm")
+    return Point(_at(m), written)
+
+
+def _posed(written: Any) -> Posed:
+    """(30, 5) mm at 20 deg."""
+    if isinstance(written, Posed):
+        return written
+    if not (isinstance(written, str) and (m := _POSED.fullmatch(written))):
+        raise _unread(written, Words("位置", "position"), "(30, 5) mm at 20 deg")
+    return Posed(Position(at=_at(m), angle=read(m["angle"], Dim.ANGLE).si), written)
+
+
+def _pair(written: Any) -> Pair:
+    """40 deg -> 30 deg, or 40 deg -> 62 mm."""
+    if isinstance(written, Pair):
+        return written
+    if not (isinstance(written, str) and (m := _PAIR.fullmatch(written))):
+        raise _unread(written, Words("对应位置", "pair"), "40 deg -> 30 deg")
+    slides = m["two"].rstrip().endswith("m")
+    two = read(m["two"], Dim.LENGTH if slides else Dim.ANGLE)
+    return Pair(read(m["one"], Dim.ANGLE).si, two.si, slides, written)
+
+
+def _at(m: re.Match[str]) -> complex:
+    x, y = (read(f"{m[part]} {m['unit']}", Dim.LENGTH).si for part in ("x", "y"))
+    return complex(x, y)
+
+
+def _unread(written: object, what: Words, example: str) -> FaultError:
+    return FaultError(
+        Words(f"“{written}”不是{what.zh}；如写 {example}", f"'{written}' is no {what.en}; write e.g. {example}"),
+        code="spelling",
+    )
+
+
+def on(line: Carried) -> On:
+    """A written line as one of the plan."""
+    return On(through=line.at, along=line.along)
+
+
+_TEXT = WithJsonSchema({"type": "string"})
+Place = Annotated[Point, BeforeValidator(_point), WithJsonSchema({"type": ["string", "array"]})]
+Pose = Annotated[Posed, BeforeValidator(_posed), _TEXT]
+Corresponding = Annotated[Pair, BeforeValidator(_pair), _TEXT]

@@ -1,0 +1,69 @@
+"""A linkage that is found pin after pin, each by what the one before has given: six-bars of two inversions."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from pydantic import Field, model_validator
+
+from ..devices.base import Angle, Length
+from ..names import Named
+from .base import Design
+from .inversion.assembling import Assembly
+from .inversion.plan import Find, Plan
+from .inversion.step import Step
+from .inversion.written import Place
+
+
+class Stages(Design):
+    """frame: fixed pivots; links: lengths that are given; rays: links known by the directions of a line of theirs
+    (AB: from A), the driver first; points: pins known by their places on a guide; stages: what is found, in order."""
+
+    kind: ClassVar[str] = "stages"
+    frame: dict[str, Place]
+    links: dict[str, Length] = Field(default_factory=dict)
+    rays: dict[str, tuple[Angle, ...]]
+    points: dict[str, tuple[Place, ...]] = Field(default_factory=dict)
+    stages: tuple[Step, ...]
+
+    @model_validator(mode="after")
+    def _whole(self) -> Stages:
+        self.plan()
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The lengths of all links that are found, loop by loop; by how much pins are ahead of the lines of links."""
+        plan = self.plan()
+        lengths = tuple(Named(one + two, f"l_{{{one}{two}}}", "mm") for one, two in plan.bars())
+        pins = (stage.pin for stage in plan.stages if isinstance(stage, Find) and plan.turns(stage.on))
+        return (*lengths, *(Named(f"delta_{pin}", f"δ_{{{pin}}}", "deg") for pin in pins))
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Pivots, lengths, rays and points."""
+        pins = tuple((letter, place.text) for letter, place in self.frame.items())
+        links = tuple((f"l_{{{letters}}}", length.text) for letters, length in self.links.items())
+        rays = tuple(
+            (f"φ_{{{letters}}}", ", ".join(angle.text for angle in angles)) for letters, angles in self.rays.items()
+        )
+        points = tuple(
+            (f"{letter}_{{{n}}}", place.text)
+            for letter, places in self.points.items()
+            for n, place in enumerate(places, 1)
+        )
+        return (*pins, *links, *rays, *points)
+
+    @property
+    def size(self) -> float:
+        """The extent of what is given."""
+        at = [place.at for place in self.frame.values()]
+        at += [place.at for places in self.points.values() for place in places]
+        lengths = [length.si for length in self.links.values()]
+        return max(2 * max(abs(p - at[0]) for p in at), *lengths, 0.01)
+
+    def plan(self) -> Plan:
+        """The plan that these stages are."""
+        frame = {letter: place.at for letter, place in self.frame.items()}
+        links = {letters: length.si for letters, length in self.links.items()}
+        rays = {letters: tuple(angle.si for angle in angles) for letters, angles in self.rays.items()}
+        points = {letter: tuple(place.at for place in places) for letter, places in self.points.items()}
+        return Assembly(frame, links, rays, points).plan(self.stages)

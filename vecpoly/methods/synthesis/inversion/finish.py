@@ -1,0 +1,116 @@
+"""The linkage that is found: drawn in its positions, its lengths read, its verdict told."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from ....designs.inversion.loops import Hinged, Loop
+from ....designs.inversion.plan import Find
+from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
+from ....designs.verdict import Verdict
+from ....names import Named
+from ....plane import Points, Reals
+from ....words import Words
+from ..draft import SHEET
+from ..linkage import drawn, rejected
+from .judged import drives, judged
+from .sheet import Sheet, Stands
+
+
+def finish(sheet: Sheet) -> None:
+    """Draw the links, thick in the first position and thin in the others; read what was sought."""
+    draft, plan = sheet.draft, sheet.plan
+    verdict = judged(sheet)
+    draft.board.section(Words("所得机构", "The linkage"))
+    draft.board.step(_told(sheet, verdict), SHEET)
+    for loop in plan.loops:
+        thick, *thin = (_chain(sheet, loop, n) for n in range(plan.count))
+        drawn(draft, thick, *thin, verdict=verdict)
+    rejected(draft, verdict)
+    _lengths(sheet, verdict)
+    _ahead(sheet)
+    _turned(sheet)
+    draft.candidate(verdict, _order(sheet), **_pins(sheet))
+
+
+def _told(sheet: Sheet, verdict: Verdict) -> Words:
+    told = Words(
+        "连接各铰链，第一位置画粗线，其余位置画细线；由图量得各构件长度：",
+        "Join the pins: thick in the first position, thin in the others. The lengths, as measured:",
+    )
+    if verdict is not Verdict.VALID or not sheet.plan.either:
+        return told
+    first, last = drives(sheet, sheet.plan.loops[0])
+    if first is last is Verdict.VALID:
+        return told
+    able, other = ("CD", "AB") if last is Verdict.VALID else ("AB", "CD")
+    why = first if able == "CD" else last
+    assert why is not None
+    return told + Words(
+        f"（须以 ${able}$ 为原动件：以 ${other}$ 为原动件时，{why.value.zh}。）",
+        f" (${able}$ must drive it; with ${other}$ as the driver {why.value.en}.)",
+    )
+
+
+def _chain(sheet: Sheet, loop: Loop, n: int) -> tuple[Points, ...]:
+    letters = (loop.a, loop.b, loop.c, loop.d) if isinstance(loop, Hinged) else (loop.a, loop.b, loop.c)
+    return tuple(sheet.pins[letter][n] for letter in letters)
+
+
+def _lengths(sheet: Sheet, verdict: Verdict) -> None:
+    """What is given, and every other length of the linkage off the rule."""
+    draft, given = sheet.draft, sheet.plan.given_bars
+    for one, two in sheet.plan.bars():
+        named = Named(one + two, f"l_{{{one}{two}}}", "mm")
+        if (known := given.get(frozenset((one, two)))) is not None:
+            draft.shared(named, 1e3 * known)
+            continue
+        letters = f"{sheet.named(one, 0)} {sheet.named(two, 0)}"
+        draft.length(
+            draft.of_this(named), draft.board.measure(sheet.pins[one][0], sheet.pins[two][0], letters), letters
+        )
+
+
+def _ahead(sheet: Sheet) -> None:
+    """The angle by which a pin is ahead of the line of its link: read of three positions, else known."""
+    for stage in sheet.plan.stages:
+        if not isinstance(stage, Find) or not sheet.plan.turns(stage.on):
+            continue
+        stands, at = sheet.bodies[stage.on][stage.kept], sheet.pins[stage.pin][stage.kept]
+        named = Named(f"delta_{stage.pin}", f"δ_{{{stage.pin}}}", "deg")
+        if stage.lies is None:
+            sheet.draft.stated(sheet.draft.of_this(named), _between(sheet, stands, at))
+        else:
+            sheet.draft.shared(named, np.degrees(np.angle((at - stands.start) / stands.along)))
+
+
+def _between(sheet: Sheet, stands: Stands, at: Points) -> Reals:
+    """From the line of a link to a pin, by protractor (deg)."""
+    return np.degrees(sheet.draft.board.gauge(0j, (at - stands.start) / stands.along))
+
+
+def _turned(sheet: Sheet) -> None:
+    """Of a body led through positions the directions of AB, DC and AD in the first, by protractor (deg)."""
+    if not sheet.plan.either:
+        return
+    pins = sheet.pins
+    for named, one, two in ((TURN_AB, "A", "B"), (TURN_DC, "D", "C"), (TURN_AD, "A", "D")):
+        turned = np.degrees(sheet.draft.board.gauge(pins[one][0], pins[two][0]))
+        sheet.draft.stated(sheet.draft.of_this(named), turned)
+
+
+def _order(sheet: Sheet) -> tuple[Reals, ...]:
+    """AB, BC, and the place of A: the chain of the first loop."""
+    chain = _chain(sheet, sheet.plan.loops[-1], 0)
+    return (*(np.abs(two - one) for one, two in pairwise(chain)), chain[0].real)
+
+
+def _pins(sheet: Sheet) -> dict[str, Points]:
+    """Every pin by its letter and the number of the position; a fixed one by its letter."""
+    return {
+        (letter if sheet.still(letter) else f"{letter}{n}"): at
+        for letter, places in sheet.pins.items()
+        for n, at in enumerate(places, 1)
+    }

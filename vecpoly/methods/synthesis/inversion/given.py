@@ -1,0 +1,115 @@
+"""What is given, laid out: pivots, links by their directions, places of a slider, positions of a body."""
+
+from __future__ import annotations
+
+from ....board.paper.marks import Dot, Role
+from ....designs.inversion.plan import FRAME, Body, Pin, Plan
+from ....foundation.frozen import FrozenMap
+from ....plane import Points
+from ....words import Words
+from ..draft import SHEET, Draft
+from ..linkage import pin
+from .sheet import Places, Sheet, Stands, lettered, placed
+
+REACH = 0.35  # of the extent of what is given: from the origin of a body to the point that marks its line
+
+
+def laid_out(draft: Draft, plan: Plan) -> Sheet:
+    """The first step: all that is given, in all positions."""
+    board = draft.board
+    board.section(Words("给定的位置", "The given positions"))
+    board.step(_told(plan), SHEET)
+    fixed = {one.letter: placed(draft, one.at, one.letter) for one in plan.pins if one.on == FRAME}
+    pins: dict[str, Places] = {letter: lettered(draft, letter, (at,) * plan.count) for letter, at in fixed.items()}
+    for slide in plan.slides:
+        places = tuple(placed(draft, at, f"{slide.letter}{n}") for n, at in enumerate(slide.places, 1))
+        pins[slide.letter] = lettered(draft, slide.letter, places)
+        board.join(SHEET, pins[slide.letter][0], pins[slide.letter][-1], Role.CENTRE)
+    sheet = Sheet(draft=draft, plan=plan, pins=FrozenMap(pins), bodies=FrozenMap({}))
+    for body in plan.bodies:
+        sheet = _with_body(sheet, body)
+    return sheet
+
+
+def _told(plan: Plan) -> Words:
+    zh, en = ["选 $μ_l$，"], ["Choose $μ_l$ and draw "]
+    if any(one.on == FRAME for one in plan.pins):
+        letters = "、".join(f"${one.letter}$" for one in plan.pins if one.on == FRAME)
+        zh.append(f"画出固定铰链 {letters}、")
+        en.append(f"the pivots {letters.replace('、', ', ')}, ")
+    if plan.slides:
+        letters = "、".join(f"${slide.letter}$" for slide in plan.slides)
+        zh.append(f"滑块铰链 {letters} 的各位置、")
+        en.append(f"the places of the slider's pin {letters.replace('、', ', ')}, ")
+    for body in plan.bodies:
+        zh.append(f"{_body_zh(body)}、")
+        en.append(f"{_body_en(body)}, ")
+    return Words("".join(zh).rstrip("、") + "。", "".join(en).rstrip(", ") + ".")
+
+
+def _body_zh(body: Body) -> str:
+    return f"平面 ${body.name}$ 的 {len(body.positions)} 个位置" if _free(body) else f"标线 ${body.name}$ 的各位置"
+
+
+def _body_en(body: Body) -> str:
+    if _free(body):
+        return f"the {len(body.positions)} positions of the body ${body.name}$"
+    return f"the positions of the line ${body.name}$"
+
+
+def _free(body: Body) -> bool:
+    """Whether it is a plane that turns about no lettered point."""
+    return len(body.name) == 1
+
+
+def _with_body(sheet: Sheet, body: Body) -> Sheet:
+    """Its positions, and its pins that are given."""
+    own = [one for one in sheet.plan.pins if one.on == body.name]
+    stands = tuple(_stands(sheet, body, n) for n in range(sheet.plan.count))
+    sheet = sheet.with_body(body.name, stands)
+    for one in own:
+        places = tuple(_on_body(sheet.draft, at, one) for at in stands)
+        sheet = sheet.with_pin(one.letter, lettered(sheet.draft, one.letter, places))
+    return _marked(sheet, body, own)
+
+
+def _stands(sheet: Sheet, body: Body, n: int) -> Stands:
+    """Its origin, and the point that marks its line, in one position."""
+    draft, position = sheet.draft, body.positions[n]
+    start = sheet.pins[body.name[0]][n] if not _free(body) else placed(draft, position.at, f"{body.name}{n + 1}")
+    along = draft.board.ray(start, 1 + 0j, position.angle, key=f"{body.name}{n + 1}").along
+    return Stands(start=start, end=draft.board.lay_off(start, along, draft.mm(REACH * sheet.plan.extent)))
+
+
+def _on_body(draft: Draft, stands: Stands, one: Pin) -> Points:
+    """A pin of the body in one position."""
+    if one.at == 0:
+        return stands.start
+    return draft.board.lay_off(stands.start, stands.along * one.at / abs(one.at), draft.mm(abs(one.at)), key=one.letter)
+
+
+def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:
+    """The line of the body in each position, and its letter where no pin stands on it."""
+    draft = sheet.draft
+    ends = [sheet.pins[one.letter] for one in own]
+    for n, stands in enumerate(sheet.bodies[body.name]):
+        if _free(body) and len(ends) == 2:
+            draft.board.join(SHEET, ends[0][n], ends[1][n], Role.GIVEN)
+            continue
+        draft.board.join(SHEET, stands.start, stands.end if _free(body) or not own else ends[0][n], Role.GIVEN)
+        if _free(body):
+            pin(draft, f"P_{n + 1}", stands.start, Dot.POINT)
+        if not own or _free(body):
+            pin(draft, f"{mark_of(sheet.plan, body)}_{n + 1}", stands.end, Dot.POINT)
+    return sheet
+
+
+def mark_of(plan: Plan, body: Body) -> str:
+    """The letter of the point that marks the line of a body: that of its name, unless a pin has it."""
+    if _free(body):
+        return "Q"
+    taken = {*plan.known, *plan.sought}
+    if body.name[1] not in taken:
+        return body.name[1]
+    others = [one for one in plan.bodies if len(one.name) == 2 and one.name[1] in taken]
+    return "MNGH"[others.index(body)]

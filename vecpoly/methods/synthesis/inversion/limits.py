@@ -1,0 +1,82 @@
+"""The other limit of a rocker: a ray at θ from the pivot of the crank meets the circle of the rocker's pin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+import numpy as np
+
+from ....board.paper.marks import Role
+from ....designs.inversion.plan import Limits
+from ....designs.inversion.refusals import no_limit
+from ....plane import Line, Points, Reals, cross, nominal, unit
+from ....plane.geometry import dot
+from ....words import Words
+from ..draft import SHEET
+from ..linkage import pin
+from .sheet import Places, Sheet, Stands, lettered, placed
+
+
+def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
+    """Every C₂ that makes C₁ the limit that it is; then A B is half the difference of AC₁ and AC₂."""
+    board, c = sheet.draft.board, stage.pin
+    board.section(Words("摇杆的极限位置", "Limit positions of the rocker"))
+    theta = degrees(stage.theta)
+    board.step(
+        Words(
+            f"极位夹角 $θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°。连 ${stage.about}{c}_1$，过 ${stage.about}$ 作与"
+            f"它成 $θ$ 的射线，与以 ${stage.pivot}$ 为圆心、${stage.pivot}{c}_1$ 为半径的圆相交于 ${c}_2$。",
+            f"$θ = 180°(K − 1)/(K + 1)$ = {theta:.4g}°. Join ${stage.about}{c}_1$; a ray at $θ$ to it from "
+            f"${stage.about}$ meets the circle about ${stage.pivot}$ through ${c}_1$ in ${c}_2$.",
+        ),
+        SHEET,
+    )
+    a, d = sheet.pins[stage.about][0], sheet.pins[stage.pivot][0]
+    c1 = pin(sheet.draft, f"{c}_1", placed(sheet.draft, stage.first, f"{c}1"))
+    board.circle(SHEET, d, np.abs(c1 - d))
+    board.join(SHEET, a, c1, Role.CONSTRUCTION)
+    met = [c2 for ray in _rays(sheet, stage, a, c1) for c2 in _meetings(sheet, ray, d, np.abs(c1 - d))]
+    kept = [c2 for c2 in met if float(nominal((c1 - c2).real)) * stage.limit.sense > 0]
+    if not kept:
+        raise no_limit(stage, len(met))
+    return (_swung(sheet, stage, a, d, (c1, c2)) for c2 in kept)
+
+
+def _rays(sheet: Sheet, stage: Limits, a: Points, c1: Points) -> list[Line]:
+    """Both rays at θ to AC₁."""
+    base = unit(c1 - a)
+    return [sheet.draft.board.ray(a, base, way * stage.theta, key=f"{stage.about}{stage.pin}2") for way in (1, -1)]
+
+
+def _meetings(sheet: Sheet, ray: Line, centre: Points, radius: Reals) -> Iterator[Points]:
+    """Where a ray meets the circle, ahead of its start."""
+    if abs(float(nominal(cross(ray.along, centre - ray.at)))) > float(nominal(radius)):
+        return
+    what = Words("求另一极限位置", "finding the other limit")
+    for at in reversed(sheet.draft.board.arc_on_line(ray, centre, radius, what)):
+        if float(nominal(dot(ray.along, at - ray.at))) > 0:
+            sheet.draft.board.rule(SHEET, ray, at)
+            yield at
+
+
+def _swung(sheet: Sheet, stage: Limits, a: Points, d: Points, c: tuple[Points, Points]) -> Sheet:
+    """C₂ with its letter, the crank pin in both limits, and the rocker in both."""
+    draft, board, (c1, c2) = sheet.draft, sheet.draft.board, c
+    letter = draft.letter(f"{stage.pin}2")
+    places: Places = (c1, pin(draft, letter, c2))
+    far = int(float(nominal(np.abs(c2 - a))) > float(nominal(np.abs(c1 - a))))
+    crank = (np.abs(places[far] - a) - np.abs(places[1 - far] - a)) / 2
+    board.step(
+        Words(
+            f"${stage.about}{stage.pin}$ 在一极限位置为 $l_{{{stage.crank}{stage.pin}}} + "
+            f"l_{{{stage.about}{stage.crank}}}$，在另一极限位置为其差，由此得 ${stage.crank}$。",
+            f"${stage.about}{stage.pin}$ is $l_{{{stage.crank}{stage.pin}}} + l_{{{stage.about}{stage.crank}}}$ in one "
+            f"limit and their difference in the other: hence ${stage.crank}$.",
+        ),
+        SHEET,
+    )
+    b = tuple(board.lay_off(a, (1 if n == far else -1) * unit(at - a), crank) for n, at in enumerate(places))
+    stands = tuple(Stands(start=d, end=at) for at in places)
+    found = sheet.with_pin(stage.pin, places).with_pin(stage.crank, lettered(draft, stage.crank, b))
+    return found.with_body(stage.of, stands)
