@@ -153,6 +153,25 @@ class Swing(Done):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Circle(Done):
+    """Leave a compass circle, or a part of it: from angle `start` over `sweep` (rad)."""
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve(Done):
+    """Lead a smooth curve through points with the French curve."""
+
+    points: tuple[complex, ...]
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Meet(Done):
     """Where two lines, a line and an arc, or two arcs meet; other: the second meeting, which was not taken."""
 
@@ -231,7 +250,7 @@ class Depict(Done):
     marks: tuple[Mark, ...]
 
 
-Leaving = Plot | Join | Arrow | Rule | Swing | Corner | Tint | Depict  # ink
+Leaving = Plot | Join | Arrow | Rule | Swing | Circle | Curve | Corner | Tint | Depict  # ink
 Inkless = (
     Locate | Turn | Parallel | LayOff | Follow | Transfer | Meet | Touch | Image | Measure | Gauge | Compute | Answer
 )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import tau
+
 import numpy as np
 
 from ..plane import Line, Points, Reals, nominal
@@ -85,6 +88,18 @@ class Strokes(Log):
                 head=self.head(centre, radius, through, on=view), centre=c, radius=far, start=start, sweep=2 * half
             )
         )
+
+    def circle(
+        self, view: Place, centre: Points, radius: Reals, role: Role, *, start: float = 0.0, sweep: float = tau
+    ) -> None:
+        """Leave a whole circle, or a part of it: from angle `start` over `sweep` (rad)."""
+        head, far = self.head(centre, radius, on=view), amount(radius)
+        self.log(done.Circle(head=head, centre=spot(centre), radius=far, start=start, sweep=sweep, role=role))
+
+    def curve(self, view: Place, points: Sequence[Points], role: Role) -> None:
+        """Lead a smooth curve through points."""
+        head = self.head(tuple(points), on=view)
+        self.log(done.Curve(head=head, points=tuple(spot(p) for p in points), role=role))
 
     def tint(self, view: Place, points: tuple[Points, ...]) -> None:
         """Tint the image of a link."""

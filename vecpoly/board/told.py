@@ -91,6 +91,8 @@ def _object(act: Act) -> str:
             | done.Turn()
             | done.Rule()
             | done.Swing()
+            | done.Circle()
+            | done.Curve()
             | done.Corner()
             | done.Tint()
             | done.Gauge()

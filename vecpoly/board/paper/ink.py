@@ -9,7 +9,8 @@ from typing import assert_never
 from .. import acts as done
 from ..acts import Act, Inkless, Leaving
 from ..place import Place
-from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from .marks import Arc, Curve, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+from .smooth import smooth
 
 
 def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
@@ -45,6 +46,11 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
         case done.Swing():
             centre, radius = act.centre, act.radius
             return (Arc(centre=centre, radius=radius, start=act.start, sweep=act.sweep, role=Role.CONSTRUCTION),)
+        case done.Circle():
+            centre, radius = act.centre, act.radius
+            return (Arc(centre=centre, radius=radius, start=act.start, sweep=act.sweep, role=act.role),)
+        case done.Curve():
+            return (Curve(points=smooth(act.points), role=act.role),)
         case done.Corner():
             return (RightAngle(at=act.at, u=act.u, v=act.v),)
         case done.Tint():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import tau
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -53,6 +54,12 @@ class Figure:
                 self.vectors.append((vector, self.terms.parts(act.b - act.a)))
             case done.Swing():
                 self.arc(act.centre, act.radius, act.start, act.sweep, self._pen(Role.CONSTRUCTION))
+            case done.Circle(sweep=sweep) if abs(sweep) < tau:
+                self.arc(act.centre, act.radius, act.start, sweep, self._pen(act.role))
+            case done.Circle(centre=centre, radius=radius, role=role):
+                self.circle(centre, radius, self._pen(role))
+            case done.Curve(points=points, role=role):
+                self.lines(points, self._pen(role))
             case done.Corner(at=at, u=u, v=v):
                 self.lines((at + 2.5 * u, at + 2.5 * u + 2.5 * v, at + 2.5 * v), self._pen(Role.DIRECTION))
             case done.Tint(points=points):
