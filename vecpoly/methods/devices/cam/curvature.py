@@ -10,7 +10,8 @@ import numpy as np
 from ....algebra.quantity import Quantity, magnitude, number
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
-from ....devices.cams.cam import REACH_BACK, REACH_RISE, RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT, Cam
+from ....devices.cams.asked import REACH_BACK, REACH_RISE, RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT
+from ....devices.cams.cam import Cam
 from ....names import Named
 from ....plane import dot, nominal
 from ....words import Words
@@ -37,7 +38,7 @@ def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     title = Words("最小曲率半径", "Least radius of curvature")
     place = board.open_pane(View.MECHANISM, RHO.key, title)
     if cam.follower.flat:
-        rho = _under_a_face(bench, cam, place, spot)
+        rho = _under_a_face(bench, cam, cuts, place, spot)
         _judged_flat(bench, cam, rho)
         _reach(bench, cam)
         return
@@ -120,7 +121,7 @@ def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
     return Words("$ρ_{a min}$ > 0，廓线不失真。", " $ρ_{a min}$ > 0: the profile is not undercut.")
 
 
-def _under_a_face(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Quantity:
+def _under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:
     board = bench.board
     board.step(
         Words(
@@ -135,6 +136,7 @@ def _under_a_face(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Quantity:
         place,
     )
     it = posed(bench, cam, place, spot)
+    copied(bench, place, cuts, spot, edge=True)
     at = lift(board.scratch(), place_of(cam), spot.piece, spot.phi, late=spot.late)
     touch = board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
     centre = board.lay_off(it.pole, -it.way, at.bend / board.scale_of(place).value)

@@ -9,7 +9,8 @@ import numpy as np
 
 from ....board.construction import View
 from ....board.paper.marks import Dot, Role
-from ....devices.cams.cam import Cam, travel
+from ....devices.cams.asked import travel
+from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
 from ....figures.displacement import ANGULAR, DISPLACEMENT
 from ....words import Words

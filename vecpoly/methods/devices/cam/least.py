@@ -9,7 +9,8 @@ import numpy as np
 
 from ....board.board import Board
 from ....board.paper.marks import Dot, Role
-from ....devices.cams.cam import APEX, CENTRAL, R0, S0, Allowed, Cam, E
+from ....devices.cams.asked import APEX, CENTRAL, R0, S0, E
+from ....devices.cams.cam import Allowed, Cam
 from ....devices.cams.motion import Piece
 from ....figures.displacement import DISPLACEMENT, LOOP
 from ....names import Named
@@ -21,8 +22,8 @@ from .extremes import Merit, best
 from .laws import Lift, lift
 from .readings import length
 
-EACH = 8  # stations of a rise or a return that are drawn of the loop
-BELOW, MARK = 1.35, 24.0  # how far the bounds run past the apex; mm of an angle mark
+EACH = 6  # stations of half a rise or a return that are drawn of the loop
+BELOW, MARK, BEYOND = 1.35, 24.0, 10.0  # how far the bounds run past the apex; mm: an angle mark, the axes
 ON = 1e-6  # mm: a place so near to a bound lies on it
 
 
@@ -55,6 +56,7 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
         ),
         LOOP,
     )
+    _axes(board, cam)
     sides = []
     for way, angle in ((1, allowed.rise.si), (-1, allowed.back.si)):
         pieces = [piece for piece in cam.pieces if piece.rises == way]
@@ -69,12 +71,21 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
     return sides[0], sides[1]
 
 
+def _axes(board: Board, cam: Cam) -> None:
+    wide = max(piece.lift / piece.angle for piece in cam.pieces) * 2 / board.scale_of(LOOP).value
+    for end, label in ((wide + BEYOND + 0j, "d s/d φ"), (1j * (cam.lift / board.scale_of(LOOP).value + BEYOND), "s")):
+        board.arrow(LOOP, 0j, end, Role.DIRECTION)
+        board.plot(LOOP, end, label, Dot.NONE)
+
+
 def _curves(board: Board, pieces: Sequence[Piece]) -> None:
     for piece in pieces:
         trial = board.scratch()
         trial.step(Words("试作", "trial"))
-        angles = np.linspace(piece.start, piece.end, EACH + 1)
-        board.curve(LOOP, [_point(trial, lift(trial, DISPLACEMENT, piece, phi)) for phi in angles], Role.RESULT)
+        middle = piece.start + piece.angle / 2  # where the acceleration may jump, the loop has a corner
+        for low, high in ((piece.start, middle), (middle, piece.end)):
+            found = [lift(trial, DISPLACEMENT, piece, phi) for phi in np.linspace(low, high, EACH + 1)]
+            board.curve(LOOP, [_point(trial, at) for at in found], Role.RESULT)
 
 
 def _point(board: Board, at: Lift) -> Points:
@@ -96,7 +107,7 @@ def _apex(bench: Bench, cam: Cam, bounds: tuple[Line, Line]) -> Points:
     board = bench.board
     board.step(Words("两线交于 $D$。$O$ 取在 $D$ 时：", "The lines meet at $D$. With $O$ at $D$:"), LOOP)
     apex = board.meet(*bounds, Words("两条许用压力角界线", "the two bounds"))
-    for line, label in zip(bounds, ("[α]_1", "[α]_2"), strict=True):
+    for line, label in zip(bounds, ("[α_1]", "[α_2]"), strict=True):
         end = line.at + (apex - line.at) * BELOW
         board.join(LOOP, line.at, end, Role.DIRECTION)
         board.join(LOOP, end, end + 1j * (MARK + 6), Role.CENTRE)
@@ -133,8 +144,8 @@ def _nearest(bench: Bench, cam: Cam, bounds: tuple[Line, Line], apex: Points) ->
             )
             if which is None
             else Words(
-                f"$B_0$ 到 $[α]_{which + 1}$ 界线的垂足 $E$ 在区域内，它比 $D$ 更近。",
-                f"the foot $E$ of the perpendicular on the bound of $[α]_{which + 1}$ lies in it and is nearer than "
+                f"$B_0$ 到 $[α_{which + 1}]$ 界线的垂足 $E$ 在区域内，它比 $D$ 更近。",
+                f"the foot $E$ of the perpendicular on the bound of $[α_{which + 1}]$ lies in it and is nearer than "
                 "$D$.",
             )
         ),

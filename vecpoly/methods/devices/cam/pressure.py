@@ -10,7 +10,8 @@ import numpy as np
 from ....algebra.quantity import number
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
-from ....devices.cams.cam import ALPHA, ALPHA_BACK, ALPHA_RISE, Cam
+from ....devices.cams.asked import ALPHA, ALPHA_BACK, ALPHA_RISE
+from ....devices.cams.cam import Cam
 from ....names import Named
 from ....plane import Reals, nominal
 from ....words import Words
@@ -81,11 +82,11 @@ def posed(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Pose:
     return pose(bench.board, place, cam, spot.phi, at)
 
 
-def copied(bench: Bench, place: Pane, cuts: Sequence[Cut], spot: Spot) -> None:
-    """The part of the pitch curve near the place."""
+def copied(bench: Bench, place: Pane, cuts: Sequence[Cut], spot: Spot, *, edge: bool = False) -> None:
+    """The part of the pitch curve, or of the profile, near the place."""
     near = [cut for cut in cuts if abs((cut.station.phi - spot.phi + pi) % (2 * pi) - pi) < NEAR]
     near.sort(key=lambda cut: (cut.station.phi - spot.phi + pi) % (2 * pi))
-    bench.board.curve(place, [cut.pose.b for cut in near], Role.RESULT)
+    bench.board.curve(place, [cut.touch if edge else cut.pose.b for cut in near], Role.RESULT)
 
 
 def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
