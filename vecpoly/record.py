@@ -15,7 +15,6 @@ from functools import cache
 from importlib import import_module
 from math import isfinite
 from pathlib import Path
-from pkgutil import iter_modules
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
@@ -23,6 +22,7 @@ from pydantic import BaseModel
 from .board.place import View, view_named
 from .errors import ArgumentError, VecpolyError
 from .foundation.frozen import FrozenMap
+from .foundation.plugins import each_module
 from .words import Words
 
 T = TypeVar("T")
@@ -87,8 +87,8 @@ def from_json(text: str, kind: type[T]) -> T:
 def _classes() -> Mapping[str, type]:
     """Every class that a record may hold, by its name; where two have one name, the second with its module."""
     found: dict[str, type] = {}
-    devices = import_module(".devices", __package__)
-    for part in (*_MODULES, *(f"devices.{one.name}" for one in iter_modules(devices.__path__))):
+    devices = (name.partition(".")[2] for name in each_module(f"{__package__}.devices"))
+    for part in (*_MODULES, *devices):
         module = import_module(f".{part}", __package__)
         for name, kind in vars(module).items():
             if (

@@ -144,23 +144,13 @@ class Transfer(Done):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Swing(Done):
-    """Leave a compass arc: from angle `start` over `sweep` (rad)."""
+    """Leave a compass arc: from angle `start` over `sweep` (rad, 2π: a whole circle)."""
 
     centre: complex
     radius: float
     start: float
     sweep: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Circle(Done):
-    """Leave a compass circle, or a part of it: from angle `start` over `sweep` (rad)."""
-
-    centre: complex
-    radius: float
-    start: float
-    sweep: float
-    role: Role
+    role: Role = Role.CONSTRUCTION
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -250,7 +240,7 @@ class Depict(Done):
     marks: tuple[Mark, ...]
 
 
-Leaving = Plot | Join | Arrow | Rule | Swing | Circle | Curve | Corner | Tint | Depict  # ink
+Leaving = Plot | Join | Arrow | Rule | Swing | Curve | Corner | Tint | Depict  # ink
 Inkless = (
     Locate | Turn | Parallel | LayOff | Follow | Transfer | Meet | Touch | Image | Measure | Gauge | Compute | Answer
 )

@@ -94,7 +94,7 @@ class Strokes(Log):
     ) -> None:
         """Leave a whole circle, or a part of it: from angle `start` over `sweep` (rad)."""
         head, far = self.head(centre, radius, on=view), amount(radius)
-        self.log(done.Circle(head=head, centre=spot(centre), radius=far, start=start, sweep=sweep, role=role))
+        self.log(done.Swing(head=head, centre=spot(centre), radius=far, start=start, sweep=sweep, role=role))
 
     def curve(self, view: Place, points: Sequence[Points], role: Role) -> None:
         """Lead a smooth curve through points."""

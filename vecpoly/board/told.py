@@ -91,7 +91,6 @@ def _object(act: Act) -> str:
             | done.Turn()
             | done.Rule()
             | done.Swing()
-            | done.Circle()
             | done.Curve()
             | done.Corner()
             | done.Tint()

@@ -34,7 +34,7 @@ def _places(act: done.Act) -> tuple[complex, ...]:
             return (at,)
         case done.Join(a=a, b=b) | done.Arrow(a=a, b=b) | done.Rule(a=a, b=b):
             return (a, b)
-        case done.Swing(centre=centre, radius=radius) | done.Circle(centre=centre, radius=radius):
+        case done.Swing(centre=centre, radius=radius):
             return (centre, radius)
         case done.Corner(at=at, u=u, v=v):
             return (at, u, v)

@@ -45,9 +45,6 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
             return (line, end) if act.label else (line,)
         case done.Swing():
             centre, radius = act.centre, act.radius
-            return (Arc(centre=centre, radius=radius, start=act.start, sweep=act.sweep, role=Role.CONSTRUCTION),)
-        case done.Circle():
-            centre, radius = act.centre, act.radius
             return (Arc(centre=centre, radius=radius, start=act.start, sweep=act.sweep, role=act.role),)
         case done.Curve():
             return (Curve(points=smooth(act.points), role=act.role),)

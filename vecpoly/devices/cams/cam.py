@@ -9,7 +9,6 @@ stations: 15 deg
 
 from __future__ import annotations
 
-from functools import cached_property
 from math import acos, degrees, pi, radians
 from typing import Annotated, ClassVar, Literal
 
@@ -182,10 +181,10 @@ class Cam(Device):
         """+1 where the cam turns counter-clockwise."""
         return 1 if self.turns == "ccw" else -1
 
-    @cached_property
+    @property
     def pieces(self) -> tuple[Piece, ...]:
         """The motion over a turn."""
-        return pieces_of(self.motion, Dim.ANGLE if self.follower.arm else Dim.LENGTH)
+        return pieces_of(tuple(self.motion), Dim.ANGLE if self.follower.arm else Dim.LENGTH)
 
     @property
     def lift(self) -> float:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 from math import degrees, tau
 from typing import Literal
 
@@ -117,7 +118,8 @@ def _unreadable(text: object) -> FaultError:
     )
 
 
-def pieces_of(entries: Sequence[Entry], dim: Dim) -> tuple[Piece, ...]:
+@lru_cache(maxsize=64)
+def pieces_of(entries: tuple[Entry, ...], dim: Dim) -> tuple[Piece, ...]:
     """The pieces of a whole turn, each level a length or an angle; raises FaultError where they make no turn."""
     pieces, start, level = [], 0.0, 0.0
     for entry in entries:

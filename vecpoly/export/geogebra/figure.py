@@ -52,12 +52,10 @@ class Figure:
                 look = pen(act.role, kind_hue(self.view, act.label))
                 vector = self.page.line("Vector", "vector", (self.at(act.a), self.at(act.b)), look)
                 self.vectors.append((vector, self.terms.parts(act.b - act.a)))
+            case done.Swing(centre=centre, radius=radius, sweep=sweep) if abs(sweep) >= tau:
+                self.circle(centre, radius, self._pen(act.role))
             case done.Swing():
-                self.arc(act.centre, act.radius, act.start, act.sweep, self._pen(Role.CONSTRUCTION))
-            case done.Circle(sweep=sweep) if abs(sweep) < tau:
-                self.arc(act.centre, act.radius, act.start, sweep, self._pen(act.role))
-            case done.Circle(centre=centre, radius=radius, role=role):
-                self.circle(centre, radius, self._pen(role))
+                self.arc(act.centre, act.radius, act.start, act.sweep, self._pen(act.role))
             case done.Curve(points=points, role=role):
                 self.lines(points, self._pen(role))
             case done.Corner(at=at, u=u, v=v):

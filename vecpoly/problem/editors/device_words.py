@@ -19,7 +19,26 @@ _EFFICIENCY = (
     ("machine", "工作机", "a machine"),
 )
 
+_CAM = {
+    "cam.follower": Words("从动件", "the follower"),
+    "cam.motion": Words("一周内的运动，依次列出", "its motion over a turn, piece by piece"),
+    "cam.r0": Words("基圆半径（理论廓线的）", "radius of the base circle, of the pitch curve"),
+    "cam.alpha": Words("许用压力角，代替 r0", "allowed pressure angles, in place of r0"),
+    "cam.turns": Words("凸轮的转向", "sense in which the cam turns"),
+    "cam.stations": Words("分点间隔", "angle between the stations"),
+    "Follower.knife": Words("尖顶从动件（yes）", "a knife edge (yes)"),
+    "Follower.roller": Words("滚子半径", "radius of the roller"),
+    "Follower.flat": Words("平底从动件（yes）", "a flat face (yes)"),
+    "Follower.offset": Words("偏距，导路在轴心右侧为正", "offset of the guide, to the right of the axis positive"),
+    "Follower.arm": Words("摆杆", "the arm on which it swings"),
+    "Arm.OA": Words("轴心到摆动中心的距离", "distance of the arm's pivot from the axis"),
+    "Arm.AB": Words("摆杆长度", "length of the arm"),
+    "Allowed.rise": Words("推程许用压力角", "allowed on the rise"),
+    "Allowed.return": Words("回程许用压力角", "allowed on the return"),
+}
+
 DATA = {
+    **_CAM,
     "eccentric-clamp.e": Words("偏心距", "eccentricity of the disc"),
     "eccentric-clamp.theta": Words("轮心相对于 A 的方向角", "direction of the disc's centre from A"),
     "eccentric-clamp.R": Words("偏心轮半径", "radius of the disc"),

@@ -12,11 +12,11 @@ from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import travel
 from ....devices.cams.cam import Cam
 from ....devices.cams.motion import Piece
-from ....figures.displacement import ANGULAR, DISPLACEMENT
 from ....words import Words
 from ..bench import Bench
 from .laws import Lift, lift
 from .readings import noted, written
+from .scales import ANGULAR, DISPLACEMENT
 from .told import how_drawn, shocks
 
 BEYOND, TICK = 8.0, 8.0  # mm: the axes run on; marks under the ends of pieces

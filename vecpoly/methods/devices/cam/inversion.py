@@ -54,7 +54,9 @@ def _given(bench: Bench, cam: Cam) -> None:
     elif cam.follower.e:
         board.circle(VIEW, 0j, abs(cam.follower.e) / mm, Role.CENTRE)
     draw_pivot(board, VIEW, 0j, cam.sense)
-    first = _at(bench, cam, 0.0, cam.pieces[0])
+    trial = board.scratch()
+    trial.step(Words("试作", "trial"))
+    first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
     if cam.arm:
         draw_arm(board, VIEW, first.start, first.b, cam.follower.radius / mm)
     else:

@@ -12,7 +12,6 @@ from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import APEX, CENTRAL, R0, S0, E
 from ....devices.cams.cam import Allowed, Cam
 from ....devices.cams.motion import Piece
-from ....figures.displacement import DISPLACEMENT, LOOP
 from ....names import Named
 from ....plane import Line, Points, Reals, cross, foot, nominal
 from ....words import Words
@@ -21,6 +20,7 @@ from ..inclined import between
 from .extremes import Merit, best
 from .laws import Lift, lift
 from .readings import length
+from .scales import DISPLACEMENT, LOOP
 
 EACH = 6  # stations of half a rise or a return that are drawn of the loop
 BELOW, MARK, BEYOND = 1.35, 24.0, 10.0  # how far the bounds run past the apex; mm: an angle mark, the axes
@@ -45,14 +45,15 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
             "程的"
             "线图，各值由运动规律的作图得出。凸轮轴心 $O$ 若在此图的 ($e$, $−s_0$)，则压力角就是它与曲线上各点的连线"
             "和纵轴"
-            "的夹角。作与纵轴成 $[α]$ 并与曲线相切的两条直线，$O$ 应在两线之下。",
+            "的夹角。作与纵轴成 $[α]$ 并与曲线相切的两条直线，$O$ 应在两线之下（各程只限制法线偏向受推一侧的压力角）。",
             "Draw the loop with d$s$/d$φ$ to the right and $s$ upwards, both to $μ_s$, from the constructions of the "
             "laws "
             "(for a cam that turns clockwise right and left change). If $O$ lies at ($e$, $−s_0$) on it, the "
             "pressure angle "
             "is that between the vertical and the line from $O$ to the point of the loop. Draw the lines at $[α]$ to "
             "the "
-            "vertical that touch the loop: $O$ must lie below both.",
+            "vertical that touch the loop: $O$ must lie below both (of each stroke only the side to which the cam "
+            "pushes is bounded).",
         ),
         LOOP,
     )

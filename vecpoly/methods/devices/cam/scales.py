@@ -7,10 +7,11 @@ from math import cos, hypot, sqrt, tau
 
 from ....board.construction import Scale, View
 from ....board.paper.scales import finer, round_up
+from ....board.place import view_named
 from ....devices.cams.cam import Cam
-from ....figures.displacement import ANGULAR, DISPLACEMENT, LOOP
 from ....problem.problem import Scales
 
+DISPLACEMENT, ANGULAR, LOOP = (view_named(name) for name in ("displacement", "swing", "loop"))
 CAM, WIDE, HIGH = 142.0, 160.0, 42.0  # mm: across the cam; along the diagram, up to its highest point
 EQUAL = (19.0, 55.0)  # mm: a stroke of this size on the cam's own scale is drawn so
 

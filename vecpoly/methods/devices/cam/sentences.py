@@ -64,46 +64,40 @@ def turning(cam: Cam) -> Words:
 
 def enveloped(cam: Cam) -> Words:
     """The profile, and where it is touched."""
-    normal = Words(
-        "法线过凸轮与从动件的瞬心 $P$（过 $O$ 作导路的垂线，在其上量 $OP$ = d$s$/d$φ$，由位移线图的作图线得出）",
-        "The normal passes through the instant centre $P$ of cam and follower, on the perpendicular to the guide "
-        "through "
-        "$O$ with $OP$ = d$s$/d$φ$ from the lines of the diagram",
-    )
+    if cam.follower.flat:
+        first = Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
+        last = Words(
+            "，与平底的交点即切点 $K$。量各切点到 $O$ 的距离：",
+            "; it meets the face where they touch, in $K$. The distances from $O$:",
+        )
+    elif cam.follower.roller:
+        first = Words(
+            "以理论廓线上各点为圆心作滚子圆，其内包络线即实际廓线。",
+            "Circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
+        )
+        last = Words(
+            "，沿法线向内量 $r_r$ 得切点 $K$。量各切点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
+            "; $r_r$ inwards along it leads to the point of contact $K$. The distances of these points from $O$, and "
+            "the pressure angles between normal and motion:",
+        )
+    else:
+        first = Words("尖顶从动件的理论廓线就是实际廓线。", "Under a knife edge the pitch curve is the profile. ")
+        last = Words(
+            "。量各点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
+            ". The distances of the points from $O$, and the pressure angles between normal and motion:",
+        )
+    return first + _normal(cam) + last
+
+
+def _normal(cam: Cam) -> Words:
     if cam.arm:
-        normal = Words(
+        return Words(
             "法线过凸轮与从动件的瞬心 $P$（在 $OA$ 上，按 $OP$∶$PA$ = d$ψ$/d$φ$∶1 分线段 $OA$）",
             "The normal passes through the instant centre $P$ of cam and follower, which divides $OA$ as $OP$ : $PA$ = "
             "d$ψ$/d$φ$ : 1",
         )
-    if cam.follower.flat:
-        return (
-            Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
-            + normal
-            + Words(
-                "，与平底的交点即切点 $K$。量各切点到 $O$ 的距离：",
-                "; it meets the face where they touch, in $K$. The distances from $O$:",
-            )
-        )
-    if cam.follower.roller:
-        return (
-            Words(
-                "以理论廓线上各点为圆心作滚子圆，其内包络线即实际廓线。",
-                "Circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
-            )
-            + normal
-            + Words(
-                "，沿法线向内量 $r_r$ 得切点 $K$。量各切点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
-                "; $r_r$ inwards along it leads to the point of contact $K$. The distances of the points from $O$, "
-                "and the "
-                "pressure angles between normal and motion:",
-            )
-        )
-    return (
-        Words("尖顶从动件的理论廓线就是实际廓线。", "Under a knife edge the pitch curve is the profile. ")
-        + normal
-        + Words(
-            "。量各点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
-            ". The distances of the points from $O$, and the pressure angles between normal and motion:",
-        )
+    return Words(
+        "法线过凸轮与从动件的瞬心 $P$（过 $O$ 作导路的垂线，在其上量 $OP$ = d$s$/d$φ$，由位移线图的作图线得出）",
+        "The normal passes through the instant centre $P$ of cam and follower, on the perpendicular to the guide "
+        "through $O$ with $OP$ = d$s$/d$φ$ from the lines of the diagram",
     )
