@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from . import acceleration, body, displacement, force, mechanism, velocity
+from . import acceleration, body, displacement, force, mechanism, velocity, wheels
 from .kind import View, register, scales, view_named, views
 from .mu import Mu
 
@@ -19,4 +19,5 @@ __all__ = [
     "velocity",
     "view_named",
     "views",
+    "wheels",
 ]
