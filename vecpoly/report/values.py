@@ -59,6 +59,8 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     """A symbol as a table's line begins; told apart where one symbol is found in several ways."""
     if key.startswith("self_locking"):
         return f"自锁（${symbol}$）" if lang == "zh" else f"self-locking (${symbol}$)"
+    if key == "undercut" and symbol.startswith("x"):
+        return f"根切（${symbol}$）" if lang == "zh" else f"undercut (${symbol}$)"
     if key == "undercut":
         return f"失真（${symbol}$）" if lang == "zh" else f"undercut (${symbol}$)"
     if _STATION.fullmatch(key):

@@ -37,8 +37,27 @@ _CAM = {
     "Allowed.return": Words("回程许用压力角", "allowed on the return"),
 }
 
+_GEARS = {
+    "epicyclic.sun": Words("太阳轮 1 的齿数", "teeth of sun 1"),
+    "epicyclic.planet": Words("行星轮的齿数；双联时写两个", "teeth of the planets; of stepped ones two numbers"),
+    "epicyclic.ring": Words("内齿轮 3 的齿数", "teeth of ring 3"),
+    "epicyclic.sun_2": Words("第二个太阳轮 3 的齿数", "teeth of gear 3 where it is a second sun"),
+    "epicyclic.m": Words("第一对齿轮的模数", "module of the first pair"),
+    "epicyclic.omega_1": Words("太阳轮 1 的角速度", "angular velocity of sun 1"),
+    "epicyclic.omega_3": Words("中心轮 3 的角速度", "angular velocity of gear 3"),
+    "epicyclic.omega_H": Words("系杆 H 的角速度", "angular velocity of carrier H"),
+    "gear-generation.m": Words("模数", "module"),
+    "gear-generation.z": Words("齿数", "number of teeth"),
+    "gear-generation.x": Words("变位系数", "shift of the rack, in modules"),
+    "gear-generation.steps": Words("齿条位置数", "how many places of the rack are drawn"),
+    "gear-generation.alpha": Words("齿形角", "angle of the rack's flanks"),
+    "gear-generation.ha": Words("齿顶高系数", "addendum of the rack, in modules"),
+    "gear-generation.c": Words("顶隙系数", "clearance, in modules"),
+}
+
 DATA = {
     **_CAM,
+    **_GEARS,
     "eccentric-clamp.e": Words("偏心距", "eccentricity of the disc"),
     "eccentric-clamp.theta": Words("轮心相对于 A 的方向角", "direction of the disc's centre from A"),
     "eccentric-clamp.R": Words("偏心轮半径", "radius of the disc"),
