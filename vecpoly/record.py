@@ -15,7 +15,6 @@ from functools import cache
 from importlib import import_module
 from math import isfinite
 from pathlib import Path
-from pkgutil import walk_packages
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
@@ -23,6 +22,7 @@ from pydantic import BaseModel
 from .board.place import View, view_named
 from .errors import ArgumentError, VecpolyError
 from .foundation.frozen import FrozenMap
+from .foundation.plugins import each_module
 from .words import Words
 
 T = TypeVar("T")
@@ -90,13 +90,7 @@ def from_json(text: str, kind: type[T]) -> T:
 def _classes() -> Mapping[str, type]:
     """Every class that a record may hold, by its name; where two have one name, the second with its module."""
     found: dict[str, type] = {}
-    devices = import_module(".devices", __package__)
-    designs = import_module(".designs", __package__)
-    data = (
-        one.name.removeprefix(f"{__package__}.")
-        for of in (devices, designs)
-        for one in walk_packages(of.__path__, f"{of.__name__}.")
-    )
+    data = (name.partition(".")[2] for of in ("devices", "designs") for name in each_module(f"{__package__}.{of}"))
     for part in (*_MODULES, *data):
         module = import_module(f".{part}", __package__)
         for name, kind in vars(module).items():

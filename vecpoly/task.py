@@ -32,9 +32,13 @@ class Task:
 
     @property
     def given(self) -> tuple[View, ...]:
-        """The kinds of figure whose scale is given."""
-        first = {mu.key: view for view in reversed(views()) for mu in (view.mu, view.across) if mu is not None}
-        return tuple(sorted({first[key] for key in self.problem.scales.given}))
+        """The kinds of figure whose scale is given; a scale to the right belongs to such a kind where there is one."""
+        given = self.problem.scales.given
+        first = {view.mu.key: view for view in reversed(views())}
+        found = {first[key] for key in given if key in first}
+        across = {view.across.key: view for view in reversed(views()) if view.across is not None}
+        known = {view.across.key for view in found if view.across is not None}
+        return tuple(sorted(found | {across[key] for key in given if key not in first and key not in known}))
 
     @property
     def asked(self) -> Mapping[str, Key]:

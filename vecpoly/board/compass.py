@@ -21,11 +21,6 @@ WIDER = 0.62  # of a segment: radius of the equal arcs about its ends that bisec
 class Compass(Instruments):
     """Compass and protractor in a hand."""
 
-    def circle(self, view: Place, centre: Points, radius: Reals) -> None:
-        """Leave a whole compass circle."""
-        head = self.head(centre, radius, on=view)
-        self.log(done.Swing(head=head, centre=spot(centre), radius=amount(radius), start=0.0, sweep=2 * pi))
-
     def arc(self, view: Place, centre: Points, radius: Reals, start: Points, end: Points) -> None:
         """Leave a compass arc from one point to another, counter-clockwise."""
         head = self.head(centre, radius, start, end, on=view)

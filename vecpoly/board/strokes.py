@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import tau
+
 import numpy as np
 
 from ..names import ascii_key
@@ -88,10 +91,24 @@ class Strokes(Log):
             )
         )
 
-    def circle(self, view: Place, centre: Points, radius: Reals, role: Role) -> None:
-        """Leave a whole circle."""
+    def circle(
+        self,
+        view: Place,
+        centre: Points,
+        radius: Reals,
+        role: Role = Role.CONSTRUCTION,
+        *,
+        start: float = 0.0,
+        sweep: float = tau,
+    ) -> None:
+        """Leave a whole circle, or a part of it: from angle `start` over `sweep` (rad)."""
         head, far = self.head(centre, radius, on=view), amount(radius)
-        self.log(done.Swing(head=head, centre=spot(centre), radius=far, start=0.0, sweep=2 * np.pi, role=role))
+        self.log(done.Swing(head=head, centre=spot(centre), radius=far, start=start, sweep=sweep, role=role))
+
+    def curve(self, view: Place, points: Sequence[Points], role: Role) -> None:
+        """Lead a smooth curve through points."""
+        head = self.head(tuple(points), on=view)
+        self.log(done.Curve(head=head, points=tuple(spot(p) for p in points), role=role))
 
     def angle(self, view: Place, at: Points, start: Points, sweep: Reals, radius: float, label: str) -> None:
         """Mark an angle with its symbol: from the direction `start` over `sweep` (rad)."""

@@ -92,6 +92,7 @@ def _object(act: Act) -> str:
             | done.Turn()
             | done.Rule()
             | done.Swing()
+            | done.Curve()
             | done.Corner()
             | done.Angle()
             | done.CurvedArrow()

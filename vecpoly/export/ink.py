@@ -40,7 +40,7 @@ def _places(act: done.Act) -> tuple[complex, ...]:
             return (centre, radius)
         case done.Corner(at=at, u=u, v=v):
             return (at, u, v)
-        case done.Tint(points=points):
+        case done.Tint(points=points) | done.Curve(points=points):
             return points
         case _:
             return ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from . import acceleration, body, force, mechanism, velocity
+from . import acceleration, body, displacement, force, mechanism, velocity, wheels
 from .kind import View, register, scales, view_named, views
 from .mu import Mu
 
@@ -11,6 +11,7 @@ __all__ = [
     "View",
     "acceleration",
     "body",
+    "displacement",
     "force",
     "mechanism",
     "register",
@@ -18,4 +19,5 @@ __all__ = [
     "velocity",
     "view_named",
     "views",
+    "wheels",
 ]

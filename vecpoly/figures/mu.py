@@ -25,7 +25,9 @@ class Mu:
         return self.symbol.translate(_ASCII)
 
 
-_ASCII = str.maketrans({"μ": "mu", "φ": "phi", "θ": "theta", "ω": "omega", "α": "alpha", "{": None, "}": None})
+_ASCII = str.maketrans(
+    {"μ": "mu", "φ": "phi", "ψ": "psi", "θ": "theta", "ω": "omega", "α": "alpha", "{": None, "}": None}
+)
 LENGTH = Mu(
     symbol="μ_l",
     unit="m",

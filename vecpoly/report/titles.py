@@ -20,9 +20,12 @@ class Kind(Enum):
     FORCES = Words("平面机构力分析图解作业", "Graphical force analysis of planar mechanisms")
     STRUCTURE = Words("平面机构结构分析作业", "Structure of planar mechanisms")
     SYNTHESIS = Words("平面连杆机构综合图解作业", "Graphical synthesis of planar linkages")
+    CAMS = Words("凸轮机构设计作业", "Design of cam mechanisms")
+    GEARS = Words("齿轮机构与轮系作业", "Gears and gear trains")
     EFFICIENCY = Words("机械的效率和自锁作业", "Efficiency and self-locking of machines")
 
 
+_OF_DEVICE = {"structure": Kind.STRUCTURE, "cam": Kind.CAMS, "epicyclic": Kind.GEARS, "gear-generation": Kind.GEARS}
 _FORCES_AND_EFFICIENCY = Words("机构力分析、效率和自锁作业", "Forces, efficiency and self-locking of mechanisms")
 _MIXED = Words("机械原理图解作业", "Graphical exercises in the theory of machines")
 
@@ -31,18 +34,18 @@ def subject(solutions: Sequence[Solution]) -> Words:
     """The title that covers all these problems."""
     found = {kind_of(solution.problem) for solution in solutions}
     if len(found) > 1:
-        return _MIXED if found & {Kind.KINEMATICS, Kind.STRUCTURE, Kind.SYNTHESIS} else _FORCES_AND_EFFICIENCY
+        return _MIXED if found - {Kind.FORCES, Kind.EFFICIENCY} else _FORCES_AND_EFFICIENCY
     words: Words = found.pop().value
     return words
 
 
 def kind_of(problem: Problem) -> Kind:
-    """Kinematics, forces, structure, or efficiency and self-locking."""
+    """Kinematics, forces, structure, cams, gears, or efficiency and self-locking."""
     if isinstance(problem.subject, Mechanism):
         return Kind.KINEMATICS if problem.loads is None else Kind.FORCES
     if isinstance(problem.subject, Design):
         return Kind.SYNTHESIS
-    if problem.subject.kind == "structure":
-        return Kind.STRUCTURE
+    if (kind := _OF_DEVICE.get(problem.subject.kind)) is not None:
+        return kind
     efficiency = any(is_efficiency(ask.rel.key, ask.rel.unit) or ask.rel.unit == YES_NO for ask in problem.asks)
     return Kind.EFFICIENCY if efficiency else Kind.FORCES

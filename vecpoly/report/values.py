@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import isnan
 
 from ..algebra.quantity import number
@@ -15,6 +16,7 @@ _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
 _PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
 _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
+_STATION = re.compile(r"(s|psi|alpha|r)_[\d.]+")  # of a cam: s_0 is no s without friction
 _WAYS = {
     "_0": Words("不计摩擦", "no friction"),
     "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),
@@ -57,6 +59,12 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     """A symbol as a table's line begins; told apart where one symbol is found in several ways."""
     if key.startswith("self_locking"):
         return f"自锁（${symbol}$）" if lang == "zh" else f"self-locking (${symbol}$)"
+    if key == "undercut" and symbol.startswith("x"):
+        return f"根切（${symbol}$）" if lang == "zh" else f"undercut (${symbol}$)"
+    if key == "undercut":
+        return f"失真（${symbol}$）" if lang == "zh" else f"undercut (${symbol}$)"
+    if _STATION.fullmatch(key):
+        return f"${symbol}$"
     if key == "determined":
         return "运动确定" if lang == "zh" else "the motion is determined"
     name = next((words.of(lang) for stem, words in _STRUCTURAL.items() if key.startswith(stem)), None)

@@ -25,7 +25,7 @@ from .inkless import (
     Transfer,
     Turn,
 )
-from .leaving import Angle, Annotate, Arrow, Corner, CurvedArrow, Depict, Join, Plot, Rule, Swing, Tint
+from .leaving import Angle, Annotate, Arrow, Corner, Curve, CurvedArrow, Depict, Join, Plot, Rule, Swing, Tint
 
 __all__ = [
     "Act",
@@ -35,6 +35,7 @@ __all__ = [
     "Arrow",
     "Compute",
     "Corner",
+    "Curve",
     "CurvedArrow",
     "Depict",
     "Done",
@@ -60,7 +61,7 @@ __all__ = [
     "Turn",
 ]
 
-Leaving = Plot | Join | Arrow | Rule | Swing | Corner | Angle | CurvedArrow | Annotate | Tint | Depict
+Leaving = Plot | Join | Arrow | Rule | Swing | Curve | Corner | Angle | CurvedArrow | Annotate | Tint | Depict
 Found = Locate | Meet | Touch | Image | Measure | Gauge | Compute | Answer
 Inkless = Found | Turn | Parallel | Ray | LayOff | Follow | Transfer
 Act = Leaving | Inkless

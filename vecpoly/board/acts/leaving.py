@@ -59,6 +59,14 @@ class Swing(Done):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Curve(Done):
+    """Lead a smooth curve through points with the French curve."""
+
+    points: tuple[complex, ...]
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Corner(Done):
     """Mark a right angle between the directions u and v."""
 

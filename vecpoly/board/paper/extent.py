@@ -10,6 +10,7 @@ from .marks import (
     AngleMark,
     Arc,
     Cell,
+    Curve,
     Disc,
     Dot,
     FrictionCircle,
@@ -52,7 +53,7 @@ def figured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
 def corners(mark: Mark) -> Iterator[complex]:
     """Points that span the mark."""
     match mark:
-        case ImageOf(points=points) | Plate(points=points) | Outline(points=points):
+        case ImageOf(points=points) | Plate(points=points) | Outline(points=points) | Curve(points=points):
             yield from points
         case Arc(centre=c, radius=r, start=start, sweep=sweep):
             for t in np.linspace(start, start + sweep, 9):

@@ -9,7 +9,8 @@ from typing import assert_never
 from .. import acts as done
 from ..acts import Act, Inkless, Leaving
 from ..place import Place, called
-from .marks import AngleMark, Arc, Dot, ImageOf, Mark, Note, Point, RightAngle, Role, Segment, TurnArrow, Vector
+from .marks import AngleMark, Arc, Curve, Dot, ImageOf, Mark, Note, Point, RightAngle, Role, Segment, TurnArrow, Vector
+from .smooth import smooth
 
 
 def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
@@ -48,6 +49,8 @@ def _left(act: Leaving) -> tuple[Mark, ...]:
             return (line, end) if act.label else (line,)
         case done.Swing():
             return (Arc(centre=act.centre, radius=act.radius, start=act.start, sweep=act.sweep, role=act.role),)
+        case done.Curve():
+            return (Curve(points=smooth(act.points), role=act.role),)
         case done.Corner():
             return (RightAngle(at=act.at, u=act.u, v=act.v),)
         case done.Tint():

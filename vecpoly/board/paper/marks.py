@@ -75,6 +75,14 @@ class Arc(Ink):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Curve(Ink):
+    """A smooth curve, by points so close that their chords look round."""
+
+    points: tuple[complex, ...]
+    role: Role
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Point(Ink):
     """A lettered point."""
 
@@ -235,7 +243,7 @@ class Note(Ink):
     words: Words
 
 
-Trace = Segment | Vector | Arc
+Trace = Segment | Vector | Arc | Curve
 Body = Plate | Ground | FixedGuide | Block | Slot | GearMark | RackMark
 Solid = FrictionCircle | Disc | Outline | Cell
 Mark = Trace | Point | RightAngle | ImageOf | Body | TurnArrow | AngleMark | LinkNumber | Solid | Note

@@ -14,6 +14,7 @@ from ...board.paper.marks import (
     Block,
     Body,
     Cell,
+    Curve,
     Disc,
     Dot,
     FixedGuide,
@@ -87,7 +88,7 @@ class Surroundings:
 def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
     """The primitives of one mark, without lettering."""
     match mark:
-        case Segment() | Vector() | Arc():
+        case Segment() | Vector() | Arc() | Curve():
             return _line(mark, around)
         case Point():
             return _point(mark, around)
@@ -164,6 +165,10 @@ def _line(mark: Trace, around: Surroundings) -> tuple[Item, ...]:
             return (
                 Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, closed=full, layer=layer, step=mark.step),
             )
+        case Curve(points=points, role=role):
+            p = pen(role, Hue.BLACK)
+            layer = Layer.THIN if p.width == THIN else Layer.LINE
+            return (Stroke(points=points, width=p.width, dash=p.dash, hue=p.hue, layer=layer, step=mark.step),)
         case Vector():
             return _vector(mark, around)
     assert_never(mark)

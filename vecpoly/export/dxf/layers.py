@@ -10,6 +10,7 @@ from ...board.paper.marks import (
     Arc,
     Block,
     Cell,
+    Curve,
     Disc,
     FixedGuide,
     FrictionCircle,
@@ -87,7 +88,7 @@ def weight(width: float) -> int:
 def layer_of(mark: Mark) -> str:
     """The layer on which a mark lies."""
     match mark:
-        case Segment(role=role) | Vector(role=role) | Arc(role=role):
+        case Segment(role=role) | Vector(role=role) | Arc(role=role) | Curve(role=role):
             return role.value
         case Plate() | Block() | Slot() | Disc() | Outline() | Cell():
             return Role.LINK.value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import tau
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -51,11 +52,12 @@ class Figure:
                 look = pen(act.role, kind_hue(self.view, act.label))
                 vector = self.page.line("Vector", "vector", (self.at(act.a), self.at(act.b)), look)
                 self.vectors.append((vector, self.terms.parts(act.b - act.a)))
-            case done.Swing(sweep=sweep, role=role) if abs(sweep) >= 2 * np.pi:
-                ends = (self.at(act.centre), self.at(act.centre + act.radius))
-                self.page.line("Circle", "conic", ends, self._pen(role))
+            case done.Swing(centre=centre, radius=radius, sweep=sweep) if abs(sweep) >= tau:
+                self.circle(centre, radius, self._pen(act.role))
             case done.Swing():
                 self.arc(act.centre, act.radius, act.start, act.sweep, self._pen(act.role))
+            case done.Curve(points=points, role=role):
+                self.lines(points, self._pen(role))
             case done.Corner(at=at, u=u, v=v):
                 self.lines((at + 2.5 * u, at + 2.5 * u + 2.5 * v, at + 2.5 * v), self._pen(Role.DIRECTION))
             case done.Tint(points=points):

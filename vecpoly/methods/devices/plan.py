@@ -31,11 +31,12 @@ def construct_device(
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         scales, sketch = _scales(problem, slots)
         bench = _draw(device, by, scales, amended)
+    called = find_device(device).called
     keys = [ask.rel.key for ask in problem.asks]
     construction = Construction(
         problem=problem.id,
         hand=by.name,
-        figures=bench.board.figures(TITLES),
+        figures=bench.board.figures(TITLES if called is None else TITLES | {View.MECHANISM: called}),
         steps=tuple(bench.board.steps),
         acts=tuple(bench.board.acts),
         readings={key: bench.board.readings[key] for key in keys},
@@ -57,6 +58,9 @@ def _draw(device: Device, by: Hand, scales: Mapping[View, Scale], amended: Amend
 def _scales(problem: Problem, slots: Mapping[View, tuple[float, float]]) -> tuple[dict[View, Scale], Bench]:
     """Round scales with which the largest figure of each kind of a sketch fills its place; and the sketch."""
     device = problem.device
+    if (own := find_device(device).scales) is not None:
+        scales = dict(own(device, problem.scales))
+        return scales, _draw(device, hand("exact"), scales)
     guess = {View.MECHANISM: device.size / 80, View.BODY: device.size / 80, View.FORCE: device.force / 60}
     sketch = _draw(device, hand("exact"), {view: _scale(view, value) for view, value in guess.items()})
     chosen: dict[View, Scale] = {}

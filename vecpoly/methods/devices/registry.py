@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Generic, Never, TypeVar, cast
 
+from ...board.construction import Scale, View
 from ...devices.base import Device
 from ...errors import NoMethodError
 from ...foundation.plugins import DEVICES, load_entries, load_modules
+from ...problem.problem import Scales
 from ...words import Words
 from .bench import Bench
 
@@ -18,13 +20,19 @@ Of = TypeVar("Of", bound=Device, contravariant=True)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DeviceMethod(Generic[Of]):
-    """A registered construction: the device it solves, title, source, a library problem that shows it."""
+    """A registered construction: the device it solves, title, source, a library problem that shows it.
+
+    called: of its main figure, where that is more than a sketch. scales: of its figures, from the device and the scales
+    given; None where they are fitted to a sketch.
+    """
 
     device: type[Device]
     title: Words
     source: str
     example: str
     draw: Callable[[Bench, Of], None]
+    scales: Callable[[Of, Scales], Mapping[View, Scale]] | None = None
+    called: Words | None = None
 
 
 AnyDevice = DeviceMethod[Never]
@@ -34,13 +42,23 @@ _METHODS: dict[type[Device], AnyDevice] = {}
 Draw = Callable[[Bench, D], None]
 
 
-def device_method(device: type[D], *, title: Words, source: str, example: str) -> Callable[[Draw[D]], Draw[D]]:
+def device_method(
+    device: type[D],
+    *,
+    title: Words,
+    source: str,
+    example: str,
+    scales: Callable[[D, Scales], Mapping[View, Scale]] | None = None,
+    called: Words | None = None,
+) -> Callable[[Draw[D]], Draw[D]]:
     """Register the construction of a device; raises ValueError where it has one."""
 
     def register(draw: Draw[D]) -> Draw[D]:
         if device in _METHODS:
             raise ValueError(f"two constructions solve the device {device.kind}")
-        made: DeviceMethod[D] = DeviceMethod(device=device, title=title, source=source, example=example, draw=draw)
+        made: DeviceMethod[D] = DeviceMethod(
+            device=device, title=title, source=source, example=example, draw=draw, scales=scales, called=called
+        )
         _METHODS[device] = made
         return draw
 

@@ -19,7 +19,45 @@ _EFFICIENCY = (
     ("machine", "工作机", "a machine"),
 )
 
+_CAM = {
+    "cam.follower": Words("从动件", "the follower"),
+    "cam.motion": Words("一周内的运动，依次列出", "its motion over a turn, piece by piece"),
+    "cam.r0": Words("基圆半径（理论廓线的）", "radius of the base circle, of the pitch curve"),
+    "cam.alpha": Words("许用压力角，代替 r0", "allowed pressure angles, in place of r0"),
+    "cam.turns": Words("凸轮的转向", "sense in which the cam turns"),
+    "cam.stations": Words("分点间隔", "angle between the stations"),
+    "Follower.knife": Words("尖顶从动件（yes）", "a knife edge (yes)"),
+    "Follower.roller": Words("滚子半径", "radius of the roller"),
+    "Follower.flat": Words("平底从动件（yes）", "a flat face (yes)"),
+    "Follower.offset": Words("偏距，导路在轴心右侧为正", "offset of the guide, to the right of the axis positive"),
+    "Follower.arm": Words("摆杆", "the arm on which it swings"),
+    "Arm.OA": Words("轴心到摆动中心的距离", "distance of the arm's pivot from the axis"),
+    "Arm.AB": Words("摆杆长度", "length of the arm"),
+    "Allowed.rise": Words("推程许用压力角", "allowed on the rise"),
+    "Allowed.return": Words("回程许用压力角", "allowed on the return"),
+}
+
+_GEARS = {
+    "epicyclic.sun": Words("太阳轮 1 的齿数", "teeth of sun 1"),
+    "epicyclic.planet": Words("行星轮的齿数；双联时写两个", "teeth of the planets; of stepped ones two numbers"),
+    "epicyclic.ring": Words("内齿轮 3 的齿数", "teeth of ring 3"),
+    "epicyclic.sun_2": Words("第二个太阳轮 3 的齿数", "teeth of gear 3 where it is a second sun"),
+    "epicyclic.m": Words("第一对齿轮的模数", "module of the first pair"),
+    "epicyclic.omega_1": Words("太阳轮 1 的角速度", "angular velocity of sun 1"),
+    "epicyclic.omega_3": Words("中心轮 3 的角速度", "angular velocity of gear 3"),
+    "epicyclic.omega_H": Words("系杆 H 的角速度", "angular velocity of carrier H"),
+    "gear-generation.m": Words("模数", "module"),
+    "gear-generation.z": Words("齿数", "number of teeth"),
+    "gear-generation.x": Words("变位系数", "shift of the rack, in modules"),
+    "gear-generation.steps": Words("齿条位置数", "how many places of the rack are drawn"),
+    "gear-generation.alpha": Words("齿形角", "angle of the rack's flanks"),
+    "gear-generation.ha": Words("齿顶高系数", "addendum of the rack, in modules"),
+    "gear-generation.c": Words("顶隙系数", "clearance, in modules"),
+}
+
 DATA = {
+    **_CAM,
+    **_GEARS,
     "eccentric-clamp.e": Words("偏心距", "eccentricity of the disc"),
     "eccentric-clamp.theta": Words("轮心相对于 A 的方向角", "direction of the disc's centre from A"),
     "eccentric-clamp.R": Words("偏心轮半径", "radius of the disc"),

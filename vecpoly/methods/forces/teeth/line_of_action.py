@@ -7,7 +7,7 @@ from math import degrees
 import numpy as np
 
 from ....board.construction import View
-from ....board.paper.marks import AngleMark, Dot, Role
+from ....board.paper.marks import Dot, Role
 from ....mechanism.model import Prismatic, Revolute
 from ....plane import Line, Points, cross, dot, nominal, unit
 from ....words import Words
@@ -91,13 +91,10 @@ def _pin(mesh: Mesh) -> str:
 
 def _draw(st: Statics, mesh: Mesh, h: Points, along: Points, tangent: Points) -> None:
     """The common tangent, the line of action, and α between the two."""
-    board, at, u, t = st.board, complex(nominal(h)), complex(nominal(along)), complex(nominal(tangent))
-    t = t if (t.conjugate() * u).real > 0 else -t
-    board.join(View.MECHANISM, h - t * HALF, h + t * HALF, Role.CENTRE)
+    board = st.board
+    toward = tangent if float(nominal(tangent.conjugate() * along).real) > 0 else -tangent
+    board.join(View.MECHANISM, h - toward * HALF, h + toward * HALF, Role.CENTRE)
     board.join(View.MECHANISM, h - along * HALF, h + along * HALF, Role.DIRECTION)
     board.plot(View.MECHANISM, h + along * HALF, st.named(mesh.by, mesh.held.link).symbol, Dot.NONE)
     if mesh.teeth.alpha:
-        board.mark(
-            View.MECHANISM,
-            AngleMark(at=at, radius=ARC, start=float(np.angle(-t)), sweep=float(np.angle(u / t)), label="α"),
-        )
+        board.angle(View.MECHANISM, h, -toward, np.angle(along / toward), ARC, "α")

@@ -1,0 +1,262 @@
+"""Cams by inversion: drawn, exact, and as worked out elsewhere; their laws; what is refused."""
+
+from __future__ import annotations
+
+from math import hypot
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.cam_cases import CASES, agree, cam_of, device, drawn
+from vecpoly.board.board import Board
+from vecpoly.board.construction import Scale, View
+from vecpoly.board.hand import hand
+from vecpoly.board.place import view_named
+from vecpoly.devices.cams.cam import Cam
+from vecpoly.devices.cams.motion import Law, Piece
+from vecpoly.errors import ProblemFileError
+from vecpoly.methods.devices.cam.laws import lift
+from vecpoly.methods.devices.cam.scales import cam_scales
+from vecpoly.methods.devices.cam.trying import traced
+from vecpoly.oracle.devices.cams.laws import raised
+from vecpoly.oracle.devices.registry import device_answers
+from vecpoly.plane import nominal
+from vecpoly.problem.load import load, loads
+from vecpoly.problem.problem import Scales
+from vecpoly.solution import solve
+
+MEASURED = ("knife-1", "roller-1", "roller-3", "flat-1", "osc-1")
+LAWS = {"cosine": "cosine", "cycloidal": "sine", "parabolic": "parabolic", "uniform": "uniform", "3-4-5": "3-4-5"}
+MOTION = ["rise 30 mm in 120 deg cosine", "dwell 30 deg", "return in 120 deg parabolic", "dwell 90 deg"]
+DISPLACEMENT = view_named("displacement")
+
+
+@pytest.mark.parametrize("case", MEASURED)
+def test_every_station_stands_where_another_program_has_it(case: str) -> None:
+    found = agree(cam_of(case))
+    for row in CASES[case]["results"]["table"]:
+        name = f"{row['phi']:g}"
+        assert found[f"r_{name}"] == pytest.approx(hypot(*row["profile"]), abs=2e-8), name
+        travel = found[f"s_{name}"] if "s" in row else found[f"psi_{name}"]
+        assert travel == pytest.approx(row.get("s", row.get("psi_deg")), abs=2e-9), name
+        if "alpha" in row:
+            assert found[f"alpha_{name}"] == pytest.approx(abs(row["alpha"]), abs=2e-9), name
+
+
+@pytest.mark.parametrize("case", MEASURED)
+def test_extremes_are_those_that_were_found_by_sampling(case: str) -> None:
+    found, told = device_answers(cam_of(case)), CASES[case]["results"]
+    keys = {"alpha_rise": "alpha_max_rise", "alpha_return": "alpha_max_return", "rho_min": "rho_min_pitch_convex"}
+    for key, name in {**keys, "rho_profile": "profile_rho_min", "s0": "s0", "psi0": "psi0"}.items():
+        if name in told and key in found:
+            assert found[key] == pytest.approx(abs(told[name]), rel=2e-4), key
+    if case == "flat-1":
+        assert [found["b_rise"], found["b_return"]] == pytest.approx(told["face_half_lengths"], rel=1e-9)
+        assert found["rho_min"] == pytest.approx(told["rho_min"], abs=1e-8)
+
+
+def test_the_least_circle_is_found_at_the_foot_of_a_perpendicular_not_at_the_apex() -> None:
+    found, told = agree(cam_of("r0-1")), CASES["r0-1"]["results"]
+    for key in ("r0", "e", "s0"):
+        assert found[key] == pytest.approx(told["minimum"][key], rel=1e-7)
+        assert found[f"{key}_apex"] == pytest.approx(told["apex"][key], rel=1e-7)
+    assert found["r0_central"] == pytest.approx(told["r0_min_without_offset"], rel=1e-7)
+    assert found["r0"] < found["r0_apex"]
+
+
+def test_the_least_circle_keeps_both_pressure_angles() -> None:
+    cam = cam_of("r0-1")
+    assert isinstance(cam, Cam)
+    found, angles = device_answers(cam), []
+    for piece in (piece for piece in cam.pieces if piece.rises):
+        s, slope, _ = raised(piece, np.linspace(piece.start, piece.end, 20001))
+        leaning = np.arctan2(piece.rises * (1e3 * slope - found["e"]), found["s0"] + 1e3 * s)
+        angles.append(float(np.degrees(leaning.max())))
+    assert angles == pytest.approx(CASES["r0-1"]["results"]["alpha_max_with_minimum"], rel=1e-5)
+
+
+# -- the laws of motion --------------------------------------------------------------------------------------------
+
+
+def lifted(law: Law, u: float, rises: int = 1) -> tuple[float, ...]:
+    """s, s′ and s″ of a stroke of 1 m in 1 rad, drawn by the exact hand."""
+    board = Board(hand("exact"), {DISPLACEMENT: Scale.of(DISPLACEMENT, 0.02, 0.01)})
+    board.step(view_named("mechanism").title)
+    piece = Piece(start=0.0, angle=1.0, low=0.0, high=1.0, rises=rises, law=law)
+    at = lift(board, DISPLACEMENT, piece, u if rises > 0 else 1 - u)
+    return tuple(float(nominal(value)) for value in (at.s, at.slope, at.bend))
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_each_construction_gives_s_and_its_derivatives(name: str) -> None:
+    for u, s, v, a in CASES["laws"]["results"][name]["rows_u_s_v_a"]:
+        assert lifted(Law(LAWS[name]), u) == pytest.approx((s, v, a), abs=2e-9), u
+
+
+@settings(max_examples=25, deadline=None)
+@given(law=st.sampled_from(list(Law)), u=st.floats(0, 1))
+def test_a_return_is_its_rise_run_backwards_and_both_halves_are_alike(law: Law, u: float) -> None:
+    up, down, other = lifted(law, u), lifted(law, u, rises=-1), lifted(law, 1 - u)
+    assert down == pytest.approx((up[0], -up[1], up[2]), abs=1e-9)
+    assert other[:2] == pytest.approx((1 - up[0], up[1]), abs=1e-9)
+
+
+@pytest.mark.parametrize("law", Law)
+def test_a_law_starts_below_and_ends_above_at_rest_unless_it_is_uniform(law: Law) -> None:
+    start, end = lifted(law, 0.0), lifted(law, 1.0)
+    assert (start[0], end[0]) == pytest.approx((0, 1), abs=1e-12)
+    assert (start[1], end[1]) == pytest.approx((1, 1) if law is Law.UNIFORM else (0, 0), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("laws", "said"),
+    [(("uniform", "uniform"), "rigid shock"), (("cosine", "parabolic"), "soft shock"), (("sine", "3-4-5"), "no shock")],
+)
+def test_a_jump_has_its_name(laws: tuple[str, str], said: str) -> None:
+    motion = [f"rise 20 mm in 180 deg {laws[0]}", f"return in 180 deg {laws[1]}"]
+    steps = drawn(device("cam", follower={"knife": "yes"}, r0="40 mm", motion=motion)).steps
+    assert said in steps[0].words.en
+
+
+# -- any cam -------------------------------------------------------------------------------------------------------
+
+ANY_LAW = st.sampled_from([law.value for law in Law])
+END = st.sampled_from([{"knife": "yes"}, {"roller": "8 mm"}, {"flat": "yes"}])
+
+
+@st.composite
+def cams(draw: st.DrawFn) -> dict[str, Any]:
+    end = dict(draw(END))
+    if "flat" not in end and draw(st.booleans()):
+        end["offset"] = f"{draw(st.integers(-20, 20))} mm"
+    rise, back = draw(st.integers(80, 150)), draw(st.integers(80, 150))
+    high = draw(st.integers(5, 30))
+    motion = [f"rise {high} mm in {rise} deg {draw(ANY_LAW)}", f"return in {back} deg {draw(ANY_LAW)}"]
+    return {"follower": end, "r0": "60 mm", "motion": [*motion, f"dwell {360 - rise - back} deg"], "stations": "30 deg"}
+
+
+@settings(max_examples=8, deadline=None)
+@given(data=cams())
+def test_any_cam_is_drawn_as_the_oracle_computes_it(data: dict[str, Any]) -> None:
+    agree(device("cam", **data), within=1e-8)
+
+
+@settings(max_examples=8, deadline=None)
+@given(data=cams())
+def test_a_mirrored_cam_has_the_same_answers(data: dict[str, Any]) -> None:
+    end = dict(data["follower"])
+    if "offset" in end:
+        end["offset"] = f"{-int(end['offset'].split()[0])} mm"
+    one, other = (
+        device_answers(device("cam", **data)), device_answers(device("cam", **data | {"follower": end, "turns": "cw"}))
+    )  # fmt: skip
+    assert other == pytest.approx(one, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("case", ["roller-1", "roller-3", "osc-1"])
+def test_no_point_of_the_profile_is_nearer_to_a_place_of_the_roller_than_its_radius(case: str) -> None:
+    cam = cam_of(case)
+    assert isinstance(cam, Cam)
+    parts = traced(Board(hand("exact"), cam_scales(cam, Scales())), cam, 361)
+    centres = np.concatenate([pitch for pitch, _ in parts])
+    for pitch, edge in parts:
+        assert np.abs(edge - pitch) == pytest.approx(cam.follower.radius, abs=1e-12)
+        assert (np.abs(edge[::5, None] - centres[None, :]) > cam.follower.radius - 1e-5).all()
+
+
+def test_neighbouring_faces_meet_on_the_profile() -> None:
+    """The envelope by its definition: two faces that are nearly one meet where both touch."""
+    cam = cam_of("flat-1")
+    assert isinstance(cam, Cam) and cam.r0
+    board = Board(hand("exact"), {**cam_scales(cam, Scales()), View.MECHANISM: Scale.of(View.MECHANISM, 1e-3)})
+    pitch, edge = traced(board, cam, 2001)[0]
+    normals = pitch / np.abs(pitch)
+    distance = np.abs(pitch)
+    for i in range(100, 1900, 200):
+        (a, b), (p, q) = normals[i : i + 2], distance[i : i + 2]
+        met = 1j * (a * q - b * p) / (np.conj(a) * b).imag  # Re(z ā) = p, Re(z b̄) = q
+        assert abs(met - edge[i]) < 1e-4
+
+
+# -- undercut ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("follower", "r0", "spoilt"),
+    [
+        ({"roller": "10 mm"}, "50 mm", False),
+        ({"roller": "46 mm"}, "50 mm", False),
+        ({"roller": "49 mm", "offset": "6 mm"}, "50 mm", True),
+        ({"flat": "yes"}, "50 mm", False),
+        ({"flat": "yes"}, "12 mm", True),
+    ],
+)
+def test_a_roller_larger_than_the_least_radius_and_a_circle_too_small_for_a_face_are_told(
+    follower: dict[str, Any], r0: str, spoilt: bool
+) -> None:
+    subject = device("cam", follower=follower, r0=r0, motion=MOTION)
+    construction = drawn(subject)
+    assert bool(construction.readings["undercut"].scalar) is spoilt is bool(device_answers(subject)["undercut"])
+    assert ("must" in construction.steps[-3 if "flat" in follower else -1].words.en) is spoilt
+
+
+def test_a_heart_cam_cannot_be_followed_by_a_roller() -> None:
+    motion = ["rise 30 mm in 180 deg uniform", "return in 180 deg uniform"]
+    subject = device("cam", follower={"roller": "5 mm"}, r0="40 mm", motion=motion)
+    assert drawn(subject).readings["undercut"].scalar == 1 == device_answers(subject)["undercut"]
+
+
+# -- refusals ------------------------------------------------------------------------------------------------------
+
+TEXT = load("cam-roller-offset").text
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("offset: 6 mm", "offset: 60 mm", "must be less than r0"),
+        ("roller: 10 mm", "roller: 55 mm", "must be less than r0"),
+        ("roller: 10 mm,", "", "knife edge, a roller or a flat face"),
+        ("roller: 10 mm", "roller: 10 mm, knife: yes", "here stand knife, roller"),
+        ("roller: 10 mm, offset: 6 mm", "flat: yes, offset: 6 mm", "leave out 'offset'"),
+        ("roller: 10 mm, offset: 6 mm", "roller: 10 mm, arm: {OA: 10 mm, AB: 10 mm}", "a length is|is not an angle"),
+        ("dwell 90 deg", "dwell 80 deg", "add up to 350 deg.*add 10 deg"),
+        ("return in", "return 20 mm in", "stands 10 mm above its start"),
+        ("return in", "return 40 mm in", "does not stand that high"),
+        ("deg cosine", "deg cosin", "no law of motion; there are uniform"),
+        ("rise 30 mm in 120 deg cosine", "rise quickly", "write e.g. rise 30 mm"),
+        ("r0: 50 mm", "alpha: {rise: 30 deg, return: 95 deg}", "between 0 and 90 deg"),
+        ("r0: 50 mm", "", "write one of r0 and alpha"),
+        ("stations: 15 deg", "stations: 2 deg", "5 … 45 deg"),
+    ],
+)
+def test_what_cannot_be_made_is_refused_with_the_range_that_can(old: str, new: str, said: str) -> None:
+    assert old in TEXT
+    with pytest.raises(ProblemFileError, match=said):
+        loads(TEXT.replace(old, new, 1))
+
+
+@pytest.mark.parametrize(
+    ("arm", "said"),
+    [("{OA: 200 mm, AB: 70 mm}", "between 130 mm and 270 mm"), ("{OA: 40 mm, AB: 30 mm}", "swing less than")],
+)
+def test_an_arm_that_does_not_close_is_refused(arm: str, said: str) -> None:
+    text = load("cam-rocker").text.replace("{OA: 80 mm, AB: 70 mm}", arm).replace("rise 25 deg", "rise 125 deg")
+    with pytest.raises(ProblemFileError, match=said):
+        loads(text)
+
+
+# -- by hand -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "name", ["cam-heart", "cam-roller-offset", "cam-flat-face", "cam-rocker", "cam-undercut", "cam-least-circle"]
+)
+def test_a_careful_hand_is_off_by_no_more_than_its_drawing_error(name: str) -> None:
+    solution = solve(load(name), repeats=60)
+    assert not solution.suspect
+    for answer in solution.answers.values():
+        assert abs(answer.deviation) <= 1.7 * answer.expected_error + 1e-9 * abs(answer.exact), answer.key

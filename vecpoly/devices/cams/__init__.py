@@ -1,0 +1,1 @@
+"""Cams: their follower, its motion, and what may be asked of them."""

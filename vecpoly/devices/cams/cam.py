@@ -1,0 +1,243 @@
+"""A plate cam and its follower, designed by inversion.
+
+follower: {roller: 10 mm, offset: 6 mm}
+r0: 50 mm                              # or alpha: {rise: 30 deg, return: 70 deg}, and the least r0 is sought
+turns: ccw
+motion: [rise 30 mm in 120 deg cosine, dwell 30 deg, return in 120 deg parabolic, dwell 90 deg]
+stations: 15 deg
+"""
+
+from __future__ import annotations
+
+from math import acos, degrees, pi, radians
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema, model_validator
+
+from ...errors import FaultError
+from ...names import Named
+from ...units.reading import Dim, Quantity
+from ...words import Words
+from ..base import Angle, Device, Length
+from .asked import (
+    ALPHA,
+    ALPHA_BACK,
+    ALPHA_RISE,
+    APEX,
+    CENTRAL,
+    PSI0,
+    R0,
+    REACH_BACK,
+    REACH_RISE,
+    RHO,
+    RHO_PROFILE,
+    S0,
+    UNDERCUT,
+    UNDERCUT_FLAT,
+    E,
+    pressure,
+    radius,
+    travel,
+)
+from .follower import Follower
+from .motion import Entry, Piece, pieces_of, read_entry, stations
+
+Motion = Annotated[Entry, BeforeValidator(read_entry), WithJsonSchema({"type": "string"})]
+FINEST, COARSEST = 5.0, 45.0  # deg between stations
+SWUNG = pi * 0.95  # rad: an arm stays this far from stretched
+
+
+class Allowed(BaseModel):
+    """The greatest pressure angles that are allowed, on the rise and on the return."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
+    rise: Angle
+    back: Angle = Field(alias="return")
+
+    @model_validator(mode="after")
+    def _are_acute(self) -> Allowed:
+        for key, angle in (("rise", self.rise), ("return", self.back)):
+            if not 0 < angle.si < pi / 2:
+                raise FaultError(
+                    Words(
+                        f"alpha.{key} = {angle.text}：许用压力角应在 0 与 90 deg 之间；如写 30 deg",
+                        f"alpha.{key} = {angle.text}: an allowed pressure angle lies between 0 and 90 deg; "
+                        "write e.g. 30 deg",
+                    ),
+                    code="out-of-range",
+                )
+        return self
+
+
+class Cam(Device):
+    """r0: radius of the base circle (of the pitch curve, where there is a roller); alpha instead: what is allowed."""
+
+    kind: ClassVar[str] = "cam"
+    follower: Follower
+    motion: Annotated[tuple[Motion, ...], Field(min_length=2)]
+    r0: Length | None = None
+    alpha: Allowed | None = None
+    turns: Literal["ccw", "cw"] = "ccw"
+    stations: Angle = Quantity(radians(15), "15 deg")
+
+    @model_validator(mode="after")
+    def _is_possible(self) -> Cam:
+        pieces = self.pieces  # its refusals first
+        step = degrees(self.stations.si)
+        if not FINEST - 1e-9 <= step <= COARSEST + 1e-9:
+            raise _out(
+                "stations",
+                self.stations.text,
+                Words("分点间隔", "the stations stand"),
+                f"{FINEST:g} … {COARSEST:g} deg",
+            )
+        if (self.r0 is None) == (self.alpha is None):
+            raise FaultError(
+                Words(
+                    "r0 与 alpha 应写其一且只写其一：给出基圆半径 r0，或给出许用压力角 alpha 以求最小基圆",
+                    "write one of r0 and alpha: the radius of the base circle, or the allowed pressure angles from "
+                    "which the least one is found",
+                ),
+                code="contradiction",
+            )
+        if self.alpha is not None:
+            self._may_be_sized(pieces)
+        elif self.arm:
+            self._closes()
+        elif self.r0 is not None:
+            self._clears(self.r0)
+        return self
+
+    def _may_be_sized(self, pieces: tuple[Piece, ...]) -> None:
+        if self.follower.flat or self.follower.arm or self.follower.offset:
+            raise FaultError(
+                Words(
+                    "由 alpha 求最小基圆只用于直动尖顶或滚子从动件，偏距一并求出；请略去 flat、arm、offset",
+                    "the least base circle is found for a translating knife edge or roller, together with its "
+                    "offset; leave out flat, arm and offset",
+                ),
+                code="contradiction",
+            )
+
+    def _clears(self, r0: Quantity) -> None:
+        """The guide passes the base circle, and the roller leaves a cam."""
+        if abs(self.follower.e) >= r0.si:
+            raise FaultError(
+                Words(
+                    f"偏距 {_mm(self.follower.e)} 不小于基圆半径 r0 = {r0.text}，导路不与基圆相交；|offset| 应小于 r0",
+                    f"the offset {_mm(self.follower.e)} is not below r0 = {r0.text}: the guide misses the base circle; "
+                    "|offset| must be less than r0",
+                ),
+                code="out-of-range",
+            )
+        if self.follower.radius >= r0.si:
+            raise FaultError(
+                Words(
+                    f"滚子半径 {_mm(self.follower.radius)} 不小于 r0 = {r0.text}，凸轮没有实体；滚子半径应小于 r0",
+                    f"the roller's radius {_mm(self.follower.radius)} is not below r0 = {r0.text} and leaves no cam; "
+                    "it must be less than r0",
+                ),
+                code="out-of-range",
+            )
+
+    def _closes(self) -> None:
+        """O, A and B make a triangle, and the arm does not come to lie along OA."""
+        assert self.r0 is not None and self.arm
+        self._clears(self.r0)
+        r0, (oa, ab) = self.r0.si, self.arm
+        if not abs(oa - ab) < r0 < oa + ab:
+            raise FaultError(
+                Words(
+                    f"r0 = {self.r0.text}、OA = {_mm(oa)}、AB = {_mm(ab)} 不能构成三角形；r0 应在 "
+                    f"{_mm(abs(oa - ab))} 与 "
+                    f"{_mm(oa + ab)} 之间",
+                    f"r0 = {self.r0.text}, OA = {_mm(oa)} and AB = {_mm(ab)} make no triangle; r0 must lie between "
+                    f"{_mm(abs(oa - ab))} and {_mm(oa + ab)}",
+                ),
+                code="out-of-range",
+            )
+        if self.psi0 + self.lift >= SWUNG:
+            raise FaultError(
+                Words(
+                    f"摆杆初始角 {degrees(self.psi0):.4g} deg，再摆 {degrees(self.lift):.4g} deg 就伸直了；摆角应小于 "
+                    f"{degrees(SWUNG - self.psi0):.4g} deg",
+                    f"the arm starts at {degrees(self.psi0):.4g} deg and after {degrees(self.lift):.4g} deg more it "
+                    "would "
+                    f"be stretched; let it swing less than {degrees(SWUNG - self.psi0):.4g} deg",
+                ),
+                code="out-of-range",
+            )
+
+    # -- what follows from the data ------------------------------------------------------------------------------
+
+    @property
+    def arm(self) -> tuple[float, float] | None:
+        """OA and AB (m), where the follower swings."""
+        arm = self.follower.arm
+        return (arm.OA.si, arm.AB.si) if arm else None
+
+    @property
+    def sense(self) -> int:
+        """+1 where the cam turns counter-clockwise."""
+        return 1 if self.turns == "ccw" else -1
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The motion over a turn."""
+        return pieces_of(tuple(self.motion), Dim.ANGLE if self.follower.arm else Dim.LENGTH)
+
+    @property
+    def lift(self) -> float:
+        """The highest level (m, or rad)."""
+        return max(piece.high for piece in self.pieces)
+
+    @property
+    def psi0(self) -> float:
+        """The angle OAB at the start (rad)."""
+        assert self.arm and self.r0
+        oa, ab = self.arm
+        return acos((oa**2 + ab**2 - self.r0.si**2) / (2 * oa * ab))
+
+    @property
+    def places(self) -> tuple[tuple[float, Piece], ...]:
+        """The stations of a turn: angle and piece; the end of the turn is its start."""
+        return tuple(stations(self.pieces, self.stations.si))[:-1]
+
+    @property
+    def size(self) -> float:
+        """The largest radius (m), about."""
+        if self.r0 is None:
+            return self.lift
+        return self.r0.si + (self.lift * self.arm[1] if self.arm else self.lift)
+
+    def quantities(self) -> tuple[Named, ...]:
+        """What is found of the whole cam, then at every station; or the least base circle."""
+        if self.alpha is not None:
+            return (R0, E, S0, *APEX, CENTRAL)
+        here = [round(degrees(phi), 6) for phi, _ in self.places]
+        moved = [travel(phi, swings=bool(self.arm)) for phi in here]
+        if self.follower.flat:
+            return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK, *moved, *(radius(phi) for phi in here))
+        first = (PSI0 if self.arm else S0, ALPHA, ALPHA_RISE, ALPHA_BACK, RHO)
+        whole = (*first, RHO_PROFILE, UNDERCUT) if self.follower.roller else first
+        return (*whole, *moved, *(pressure(phi) for phi in here), *(radius(phi) for phi in here))
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """r0 or [α], follower, motion."""
+        f, told = self.follower, [("r_0", self.r0)]
+        if self.alpha:
+            told = [("[α_1]", self.alpha.rise), ("[α_2]", self.alpha.back)]
+        told += [("r_r", f.roller), ("e", f.offset)]
+        if f.arm:
+            told += [("l_{OA}", f.arm.OA), ("l_{AB}", f.arm.AB)]
+        return tuple((symbol, value.text) for symbol, value in told if value is not None)
+
+
+def _mm(metres: float) -> str:
+    return f"{1e3 * metres:.6g} mm"
+
+
+def _out(key: str, text: str, what: Words, span: str) -> FaultError:
+    return FaultError(
+        Words(f"{key} = {text}：{what.zh}应为 {span}", f"{key} = {text}: {what.en} {span} apart"), code="out-of-range"
+    )

@@ -1,0 +1,91 @@
+"""The follower of a cam: knife edge, roller or flat face; it slides in a guide, or swings on an arm."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema, model_validator
+
+from ...errors import FaultError
+from ...units.reading import Dim, Quantity, read
+from ...words import Words
+from ..base import Length
+
+
+def _signed(text: Any) -> Quantity:
+    return text if isinstance(text, Quantity) else read(text, Dim.LENGTH)
+
+
+def _yes(value: Any) -> bool:
+    if isinstance(value, bool):
+        return value
+    if str(value).lower() not in ("yes", "true", "是"):
+        raise FaultError(
+            Words(f"“{value}”应写 yes，或略去此项", f"'{value}': write yes, or leave the key out"), code="spelling"
+        )
+    return True
+
+
+Signed = Annotated[Quantity, BeforeValidator(_signed), WithJsonSchema({"type": ["string", "number"]})]
+Yes = Annotated[bool, BeforeValidator(_yes), WithJsonSchema({"enum": ["yes", True]})]
+
+
+class Arm(BaseModel):
+    """A follower that swings about A, to the right of the cam's centre O; its end B starts above OA and leaves O."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    OA: Length
+    AB: Length
+
+
+class Follower(BaseModel):
+    """One of knife, roller (its radius) and flat; offset: the guide to the right of O; arm: where it swings."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    knife: Yes = False
+    roller: Length | None = None
+    flat: Yes = False
+    offset: Signed | None = None
+    arm: Arm | None = None
+
+    @model_validator(mode="after")
+    def _is_one(self) -> Follower:
+        ends = [key for key, there in (("knife", self.knife), ("roller", self.roller), ("flat", self.flat)) if there]
+        if len(ends) != 1:
+            raise FaultError(
+                Words(
+                    f"从动件应为尖顶、滚子、平底之一，这里写的是 {'、'.join(ends) or '空'}；如写 {{roller: 10 mm}}、"
+                    "{knife: yes} 或 {flat: yes}",
+                    "a follower has a knife edge, a roller or a flat face, and here stand "
+                    f"{', '.join(ends) or 'none'}; "
+                    "write e.g. {roller: 10 mm}, {knife: yes} or {flat: yes}",
+                ),
+                code="spelling",
+            )
+        if self.offset is not None and (self.flat or self.arm):
+            raise FaultError(
+                Words(
+                    "平底从动件的偏置不影响凸轮廓线，摆动从动件没有偏置；请略去 offset",
+                    "the offset of a flat face changes nothing of the cam, and an arm has none; leave out 'offset'",
+                ),
+                code="contradiction",
+            )
+        if self.flat and self.arm:
+            raise FaultError(
+                Words(
+                    "平底摆动从动件尚不能求解；请用滚子或尖顶，或略去 arm",
+                    "an arm with a flat face is not solved yet; take a roller or a knife edge, or leave out 'arm'",
+                ),
+                code="contradiction",
+            )
+        return self
+
+    @property
+    def radius(self) -> float:
+        """Of the roller (m); 0 of a knife edge."""
+        return self.roller.si if self.roller else 0.0
+
+    @property
+    def e(self) -> float:
+        """Offset (m), to the right positive."""
+        return self.offset.si if self.offset else 0.0

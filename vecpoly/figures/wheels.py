@@ -1,0 +1,36 @@
+"""库茨巴赫线图: velocities of the pitch points over their radii, and the angular velocities beside each other."""
+
+from __future__ import annotations
+
+from ..words import Words
+from .kind import View, register
+from .mu import LENGTH, Mu
+from .velocity import INK, SCALE
+
+RADII = register(
+    View(
+        name="radii",
+        order=22,
+        title=Words("线速度图", "Velocities over the radius"),
+        called=Words("线速度图", "the diagram of velocities over the radius"),
+        mu=LENGTH,
+        across=SCALE,
+        ink=INK,
+    )
+)
+TURNS = register(
+    View(
+        name="turns",
+        order=24,
+        title=Words("角速度图", "Angular velocities"),
+        called=Words("角速度图", "the diagram of angular velocities"),
+        mu=Mu(
+            symbol="μ_{ω}",
+            unit="rad/s",
+            called=Words("角速度比例尺", "a scale of angular velocities"),
+            listed=Words("角速度比例尺", "scale of angular velocities"),
+            example="0.2 (rad/s)/mm",
+        ),
+        ink=INK,
+    )
+)

@@ -1,0 +1,1 @@
+"""A cam by inversion: displacement diagram, pitch curve, profile, pressure angle, curvature, least base circle."""

@@ -1,0 +1,202 @@
+"""The least radius of curvature by Hartmann's construction, the osculating circle, and whether the profile is cut."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+
+import numpy as np
+
+from ....algebra.quantity import Quantity, magnitude, number
+from ....board.construction import Pane, View
+from ....board.paper.marks import Dot, Role
+from ....devices.cams.asked import REACH_BACK, REACH_RISE, RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT
+from ....devices.cams.cam import Cam
+from ....names import Named
+from ....plane import dot, nominal
+from ....words import Words
+from ..bench import Bench
+from .diagram import place_of
+from .extremes import Spot, best, curving, parting
+from .inversion import VIEW, Cut
+from .laws import lift
+from .pose import centre_of_curvature
+from .pressure import copied, posed, show
+from .readings import length
+from .told import corners
+from .trying import interferes
+
+HALF = 0.5  # the share at which velocities are drawn
+ALMOST = 1.0  # mm: v_P shorter than this is not lettered
+
+
+def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
+    """ρ_min of the pitch curve; what the roller leaves of it."""
+    board = bench.board
+    board.section(Words("曲率半径与失真", "Curvature and undercut"))
+    spot = best(board, place_of(cam), cam.pieces, curving(cam))
+    title = Words("最小曲率半径", "Least radius of curvature")
+    place = board.open_pane(View.MECHANISM, RHO.key, title)
+    if cam.follower.flat:
+        rho = _under_a_face(bench, cam, cuts, place, spot)
+        _judged_flat(bench, cam, rho)
+        _reach(bench, cam)
+        return
+    rho = _hartmann(bench, cam, cuts, place, spot)
+    if cam.follower.roller:
+        _judged(bench, cam, rho)
+
+
+def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:
+    board = bench.board
+    board.step(
+        Words(
+            f"外凸部分曲率半径的最小值经试作在 $φ$ = {number(degrees(spot.phi))}° 处。该处用哈特曼法作曲率中心：反转"
+            "运动中 "
+            "$v_B$ ⊥ $PB$，$v_B$ = $PB$·$ω$；瞬心 $P$ 的换位速度 $u$ 沿法线的垂直方向取分量 $u′$；连两矢量的端点，交"
+            "法线于"
+            " $K$（两速度用同一比例，取一半）。以 $K$ 为圆心过 $B$ 作密切圆：",
+            f"By trial the radius of the parts that bulge out is least at $φ$ = {number(degrees(spot.phi))}°. "
+            "Hartmann's "
+            "construction there: in the inversion $v_B$ ⊥ $PB$ with $v_B$ = $PB$·$ω$, and the centre $P$ itself "
+            "moves with "
+            "$u$, of which the part $u′$ at right angles to the normal is taken. The line of both tips meets the "
+            "normal in "
+            "$K$ (both velocities to one scale, halved). The osculating circle is that about $K$ through $B$:",
+        ),
+        place,
+    )
+    it = posed(bench, cam, place, spot)
+    copied(bench, place, cuts, spot)
+    show(bench, place, cam, it)
+    centre, tip, moved = centre_of_curvature(board, it, HALF)
+    board.arrow(place, it.b, tip, Role.GIVEN, label="v_B")
+    long = float(nominal(np.abs(moved - it.pole))) > ALMOST
+    board.arrow(place, it.pole, moved, Role.GIVEN, label="u′" if long else "")
+    board.join(place, tip, centre, Role.CONSTRUCTION)
+    board.join(place, moved, centre, Role.CONSTRUCTION)
+    board.join(place, it.pole, centre, Role.DIRECTION)
+    board.plot(place, centre, "K", Dot.POINT)
+    board.circle(place, centre, np.abs(centre - it.b), Role.CONSTRUCTION)
+    return length(bench, RHO, place, centre, it.b, "K B")
+
+
+def _judged(bench: Bench, cam: Cam, rho: Quantity) -> None:
+    """ρ_a = ρ − r_r; cut where that is negative, at a corner, or where another part lies in the roller's way."""
+    board = bench.board
+    board.step(
+        Words(
+            "实际廓线的最小曲率半径等于理论廓线的最小曲率半径减去滚子半径：",
+            "The least radius of the profile is that of the pitch curve less the roller's:",
+        )
+    )
+    roller = magnitude("r_r", 1e3 * cam.follower.radius, "mm")
+    left = bench.worked(RHO_PROFILE, rho - roller)
+    board.step(Words("检查失真：", "Is it undercut?"))
+    sharp, hit = corners(board, place_of(cam), cam), interferes(board, cam)
+    spoilt = np.asarray(left.value) < 0 if not (sharp or hit) else np.full_like(np.asarray(left.value), 1.0) > 0
+    bench.judged(UNDERCUT, spoilt, _verdict(float(nominal(left.value)), sharp, hit, cam))
+
+
+def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
+    radius = number(1e3 * cam.follower.radius)
+    if left < 0:
+        most = number(left + 1e3 * cam.follower.radius)
+        return Words(
+            f"$r_r$ = {radius} mm 大于 $ρ_min$，实际廓线相交，运动失真；滚子半径应小于 {most} mm，或加大基圆。",
+            f" $r_r$ = {radius} mm exceeds $ρ_min$: the profile crosses itself and is undercut. The roller's radius "
+            "must "
+            f"be less than {most} mm, or the base circle larger.",
+        )
+    if sharp:
+        return Words(
+            "理论廓线有外凸的尖点，滚子不能沿它运动，运动失真。",
+            " The pitch curve has a corner that points outward, which no roller follows: the motion is lost there.",
+        )
+    if hit:
+        return Words(
+            "滚子在别处切入廓线，运动失真；应减小滚子或加大基圆。",
+            " Elsewhere the roller cuts into the profile: take a smaller roller or a larger base circle.",
+        )
+    return Words("$ρ_{a min}$ > 0，廓线不失真。", " $ρ_{a min}$ > 0: the profile is not undercut.")
+
+
+def _under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:
+    board = bench.board
+    board.step(
+        Words(
+            f"经试作，廓线的曲率半径在 $φ$ = {number(degrees(spot.phi))}° 处最小。法线平行于导路且过瞬心 $P$（$OP$ = "
+            "d$s$/d$φ$），曲率中心 $K$ 在其上，$PK$ = d²$s$/d$φ$²（加速度向外时在 $P$ 的内侧）。切点 $B$ 到 $K$ 的距"
+            "离：",
+            f"By trial the radius of the profile is least at $φ$ = {number(degrees(spot.phi))}°. The normal is "
+            "parallel to "
+            "the guide through the instant centre $P$ ($OP$ = d$s$/d$φ$); on it lies the centre of curvature $K$ with "
+            "$PK$ = d²$s$/d$φ$², inwards where the acceleration points outwards. Its distance from the contact $B$:",
+        ),
+        place,
+    )
+    it = posed(bench, cam, place, spot)
+    copied(bench, place, cuts, spot, edge=True)
+    at = lift(board.scratch(), place_of(cam), spot.piece, spot.phi, late=spot.late)
+    touch = board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
+    centre = board.lay_off(it.pole, -it.way, at.bend / board.scale_of(place).value)
+    board.join(place, 0j, it.b, Role.CENTRE)
+    board.join(place, 2 * it.b - touch, 2 * touch - it.b, Role.LINK)
+    board.join(place, 0j, it.pole, Role.CONSTRUCTION)
+    board.join(place, touch, centre, Role.DIRECTION)
+    board.join(place, it.pole, centre, Role.DIRECTION)
+    for letter, spot_ in (("O", 0j), ("P", it.pole), ("B", touch), ("K", centre)):
+        board.plot(place, spot_, letter, Dot.JOINT if letter == "O" else Dot.POINT)
+    board.circle(place, centre, np.abs(centre - touch), Role.CONSTRUCTION)
+    ahead = float(nominal(dot(it.way, touch - centre))) >= 0
+    rho = length(bench, RHO, place, centre, touch, "K B", 1 if ahead else -1)
+    board.step(Words("检查失真：", "Is it undercut?"))
+    return rho
+
+
+def _judged_flat(bench: Bench, cam: Cam, rho: Quantity) -> None:
+    sharp = corners(bench.board, place_of(cam), cam)
+    value = np.asarray(rho.value)
+    spoilt = value <= 0 if not sharp else np.full_like(value, 1.0) > 0
+    least = 1e3 * (cam.r0.si if cam.r0 else 0.0) - float(nominal(rho.value))
+    verdict = Words("$ρ_min$ > 0，廓线处处外凸，不失真。", " $ρ_min$ > 0: the profile is convex, not undercut.")
+    if float(nominal(rho.value)) <= 0:
+        verdict = Words(
+            f"$ρ_min$ ≤ 0，平底各位置的包络线相交，运动失真；基圆半径应大于 {number(least)} mm。",
+            f" $ρ_min$ ≤ 0: the envelope of the face crosses itself and is undercut; r_0 must exceed {number(least)} "
+            "mm.",
+        )
+    elif sharp:
+        verdict = Words(
+            "速度突减处平底的包络线中断，运动失真。",
+            " Where the velocity drops at once the envelope breaks off: undercut.",
+        )
+    bench.judged(UNDERCUT_FLAT, spoilt, verdict)
+
+
+def _reach(bench: Bench, cam: Cam) -> None:
+    """How far the contact wanders along the face: the greatest ds/dφ either way."""
+    board = bench.board
+    for way, named, told in (
+        (1, REACH_RISE, Words("推程时切点偏离导路的最大距离等于", "On the rise the contact lies at most")),
+        (-1, REACH_BACK, Words("回程时切点偏离导路的最大距离等于", "On the return the contact lies at most")),
+    ):
+        spot = best(board, place_of(cam), [p for p in cam.pieces if p.rises == way], parting)
+        board.step(
+            told
+            + Words(
+                f" d$s$/d$φ$ 的最大值（$φ$ = {number(degrees(spot.phi))}°），平底由导路向该侧至少应有此长度：",
+                f" as far from the guide as the greatest d$s$/d$φ$ (at $φ$ = {number(degrees(spot.phi))}°); the face "
+                "must "
+                "reach so far on that side:",
+            ),
+            VIEW,
+        )
+        _contact_off(bench, cam, spot, named)
+
+
+def _contact_off(bench: Bench, cam: Cam, spot: Spot, named: Named) -> None:
+    board = bench.board
+    at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late)
+    pole = board.lay_off(0j, np.exp(-1j * cam.sense * spot.phi), np.abs(at.slope) / board.scale_of(VIEW).value)
+    length(bench, named, VIEW, 0j, pole, "O P")

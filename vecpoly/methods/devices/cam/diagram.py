@@ -1,0 +1,106 @@
+"""The s–φ diagram (ψ–φ of an arm): axes, the law of every piece, the stations, the curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees
+
+import numpy as np
+
+from ....board.construction import View
+from ....board.paper.marks import Dot, Role
+from ....devices.cams.asked import travel
+from ....devices.cams.cam import Cam
+from ....devices.cams.motion import Piece
+from ....words import Words
+from ..bench import Bench
+from .laws import Lift, lift
+from .readings import noted, written
+from .scales import ANGULAR, DISPLACEMENT
+from .told import how_drawn, shocks
+
+BEYOND, TICK = 8.0, 8.0  # mm: the axes run on; marks under the ends of pieces
+CROWDED = 20  # stations on the axis: of more only every other is numbered
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Station:
+    """An angle of the cam, the piece that ends there or goes on, and what was found on the diagram."""
+
+    number: int
+    phi: float
+    piece: Piece
+    lift: Lift
+
+    @property
+    def name(self) -> float:
+        """The angle in degrees, as it is written."""
+        return round(degrees(self.phi), 6)
+
+
+def place_of(cam: Cam) -> View:
+    """Displacements of a guided follower, angles of an arm."""
+    return ANGULAR if cam.arm else DISPLACEMENT
+
+
+def displacement(bench: Bench, cam: Cam) -> tuple[Station, ...]:
+    """Draw the diagram and read it at every station."""
+    board, place = bench.board, place_of(cam)
+    symbol = "ψ" if cam.arm else "s"
+    board.section(Words("位移线图", "Displacement diagram"))
+    board.step(
+        Words(
+            f"按 $μ_{{φ}}$ 在横轴上量出各运动角并等分，按 {'$μ_{ψ}$' if cam.arm else '$μ_s$'} 量 ${symbol}$，作位移线"
+            "图。",
+            f"Lay off the angles of the motion to $μ_{{φ}}$, divide them, and draw the diagram of ${symbol}$ to "
+            f"{'$μ_{ψ}$' if cam.arm else '$μ_s$'}. ",
+        )
+        + how_drawn(cam)
+        + Words("。", "."),
+        place,
+    )
+    _axes(bench, place, cam, symbol)
+    found = tuple(
+        Station(number=n, phi=phi, piece=piece, lift=lift(board, place, piece, phi, letters=f"{n} {n}′"))
+        for n, (phi, piece) in enumerate(cam.places)
+    )
+    for station in found[:: 1 if len(found) <= CROWDED else 2]:
+        board.plot(place, station.lift.foot, f"{station.number}", Dot.NONE)
+    _curve(bench, place, cam, found)
+    board.remark(shocks(board, place, cam))
+    _read(bench, place, cam, found)
+    return found
+
+
+def _axes(bench: Bench, place: View, cam: Cam, symbol: str) -> None:
+    board, scale = bench.board, bench.board.scale_of(place)
+    turn, high = 2 * np.pi / scale.right.value, cam.lift / scale.value
+    for end, letter in ((turn + BEYOND + 0j, "φ"), (1j * (high + BEYOND), symbol)):
+        board.arrow(place, 0j, end, Role.DIRECTION)
+        board.plot(place, end, letter, Dot.NONE)
+    for piece in cam.pieces:
+        at = piece.end / scale.right.value
+        board.join(place, at + 0j, at - TICK * 1j, Role.CONSTRUCTION)
+        board.plot(place, at - TICK * 1j, f"{degrees(piece.end):g}°", Dot.NONE)
+
+
+def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
+    """A smooth curve through the stations of every piece; it ends where the next begins."""
+    board = bench.board
+    for piece in cam.pieces:
+        scratch = board.scratch()
+        scratch.step(Words("试作", "trial"))
+        ends = [lift(scratch, place, piece, phi).point for phi in (piece.start, piece.end)]
+        inner = [s.lift.point for s in found if piece.start + 1e-9 < s.phi < piece.end - 1e-9]
+        board.curve(place, [ends[0], *inner, ends[1]], Role.RESULT)
+
+
+def _read(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
+    scale = bench.board.scale_of(place)
+    values = []
+    for station in found:
+        value = np.degrees(station.lift.s) if cam.arm else 1e3 * station.lift.s
+        named = travel(station.name, swings=bool(cam.arm))
+        letters = f"{station.number} {station.number}′"
+        values.append(noted(bench, named, value, station.lift.s / scale.value, letters, scale.symbol))
+    written(bench, values)

@@ -1,0 +1,93 @@
+"""Where a pressure angle is greatest, or a radius of curvature least: tried on scratch paper, ever closer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....board.board import Board
+from ....board.construction import View
+from ....devices.cams.cam import Cam
+from ....devices.cams.motion import Law, Piece
+from ....plane import Reals, cross, dot
+from ....words import Words
+from .laws import Lift, lift
+from .pose import centre_of_curvature, pose
+
+TRIED, CLOSER = 41, 6  # places in a row, and how often the best is looked at closer
+Merit = Callable[[Board, Reals, Lift], Reals]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spot:
+    """A place of the motion: its angle, its piece, whether after a jump of the acceleration; how good it is."""
+
+    phi: float
+    piece: Piece
+    late: bool
+    merit: float
+
+
+def best(board: Board, place: View, pieces: Iterable[Piece], merit: Merit) -> Spot:
+    """The place where the merit is greatest; the first of equals."""
+    return max((_best(board, place, *stretch, merit) for piece in pieces for stretch in _stretches(piece)), key=_rank)
+
+
+def _rank(spot: Spot) -> float:
+    return round(spot.merit, 9)
+
+
+def _stretches(piece: Piece) -> Iterator[tuple[Piece, float, float, bool]]:
+    """Parts of a piece in which nothing jumps."""
+    middle = piece.start + piece.angle / 2
+    if piece.law is Law.PARABOLIC:
+        yield (
+            piece,
+            piece.start,
+            middle,
+            piece.rises < 0,
+        )  # drawn from its other end, a return begins with the late half
+        yield piece, middle, piece.end, piece.rises > 0
+    else:
+        yield piece, piece.start, piece.end, False
+
+
+def _best(board: Board, place: View, piece: Piece, low: float, high: float, late: bool, merit: Merit) -> Spot:
+    for _ in range(CLOSER):
+        trial = board.scratch()
+        trial.step(Words("试作", "trial"))
+        tried = np.linspace(low, high, TRIED)
+        found = np.asarray(merit(trial, tried, lift(trial, place, piece, tried, late=late)), dtype=float)
+        top = int(np.nanargmax(found))
+        low, high = float(tried[max(top - 1, 0)]), float(tried[min(top + 1, TRIED - 1)])
+    return Spot(phi=float(tried[top]), piece=piece, late=late, merit=float(found[top]))
+
+
+def slanting(cam: Cam) -> Merit:
+    """tan α."""
+
+    def merit(trial: Board, phi: Reals, at: Lift) -> Reals:
+        it = pose(trial, View.MECHANISM, cam, phi, at)
+        return np.abs(cross(it.way, it.normal) / dot(it.way, it.normal))
+
+    return merit
+
+
+def curving(cam: Cam) -> Merit:
+    """1/ρ of the pitch curve, or −ρ under a flat face."""
+
+    def merit(trial: Board, phi: Reals, at: Lift) -> Reals:
+        it = pose(trial, View.MECHANISM, cam, phi, at)
+        if cam.follower.flat:
+            return -(dot(it.way, it.b) + at.bend / trial.scale_of(View.MECHANISM).value)
+        centre, *_ = centre_of_curvature(trial, it)
+        return 1 / dot(it.normal, centre - it.b)
+
+    return merit
+
+
+def parting(trial: Board, phi: Reals, at: Lift) -> Reals:
+    """|ds/dφ|: how far the contact is from the guide under a flat face."""
+    return np.abs(at.slope)

@@ -1,0 +1,162 @@
+"""The cam by inversion: base circle, guide or arm at every station, pitch curve, roller circles, profile."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from ....board.construction import View
+from ....board.paper.marks import Dot, Role
+from ....devices.cams.asked import PSI0, S0, pressure, radius
+from ....devices.cams.cam import Cam
+from ....devices.cams.motion import Piece
+from ....diagram.cam_plate import arm, cam_pivot, stem
+from ....plane import Line, Points, foot
+from ....words import Words
+from ..bench import Bench
+from .diagram import Station, place_of
+from .laws import lift
+from .pose import Pose, pose
+from .readings import acute, length, noted, written
+from .sentences import enveloped, opening, turning
+
+VIEW = View.MECHANISM
+CROWDED = 24  # stations: of more only every other is numbered
+FACE = 0.6  # of r0: how far a flat face is drawn to either side
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cut:
+    """A station of the cam: where the follower stands, and where it touches the profile."""
+
+    station: Station
+    pose: Pose
+    touch: Points
+
+
+def invert(bench: Bench, cam: Cam, stations: Sequence[Station]) -> tuple[Cut, ...]:
+    """Draw the cam; gives every station of it."""
+    _given(bench, cam)
+    cuts = _pitch(bench, cam, stations)
+    _profile(bench, cam, cuts)
+    return cuts
+
+
+def _given(bench: Bench, cam: Cam) -> None:
+    """Base circle, offset circle or circle of pivots, the follower at the start."""
+    board, mm = bench.board, bench.board.scale_of(VIEW).value
+    assert cam.r0
+    board.section(Words("凸轮廓线（反转法）", "Profile of the cam, by inversion"))
+    board.step(opening(cam), VIEW)
+    board.circle(VIEW, 0j, cam.r0.si / mm, Role.CENTRE)
+    if cam.arm:
+        board.circle(VIEW, 0j, cam.arm[0] / mm, Role.CENTRE)
+    elif cam.follower.e:
+        board.circle(VIEW, 0j, abs(cam.follower.e) / mm, Role.CENTRE)
+    board.depict(VIEW, *cam_pivot(0j, cam.sense))
+    trial = board.scratch()
+    trial.step(Words("试作", "trial"))
+    first = pose(board, VIEW, cam, 0.0, lift(trial, place_of(cam), cam.pieces[0], 0.0))
+    if cam.arm:
+        board.depict(VIEW, *arm(first.start, first.b, cam.follower.radius / mm))
+    else:
+        face = FACE * cam.r0.si / mm if cam.follower.flat else 0.0
+        board.depict(VIEW, *stem(first.b, first.way, cam.follower.radius / mm, face))
+    if cam.follower.flat:
+        return
+    if cam.arm:
+        angle = acute(bench, -first.start, first.base - first.start)
+        bench.stated(PSI0, angle)
+    else:
+        length(bench, S0, VIEW, first.start, first.base, "C_0 B_0")
+
+
+def _at(bench: Bench, cam: Cam, phi: float, piece: Piece) -> Pose:
+    """The follower at an angle, on scratch paper."""
+    trial = bench.board.scratch()
+    trial.step(Words("试作", "trial"))
+    return pose(trial, VIEW, cam, phi, lift(trial, place_of(cam), piece, phi))
+
+
+def _pitch(bench: Bench, cam: Cam, stations: Sequence[Station]) -> tuple[Cut, ...]:
+    board = bench.board
+    board.step(turning(cam), VIEW)
+    cuts = []
+    for station in stations:
+        it = pose(board, VIEW, cam, station.phi, station.lift)
+        _ink(bench, cam, station, it)
+        cuts.append(Cut(station=station, pose=it, touch=_touch(bench, cam, it)))
+    if not cam.follower.flat:
+        for through in _along(bench, cam, cuts, pitch=True):
+            board.curve(VIEW, through, Role.HIDDEN if cam.follower.roller else Role.RESULT)
+    return tuple(cuts)
+
+
+def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
+    board, mm = bench.board, bench.board.scale_of(VIEW).value
+    board.join(VIEW, it.start, it.b, Role.CONSTRUCTION)
+    if cam.follower.flat:
+        assert cam.r0
+        half = FACE * cam.r0.si / mm * 1j * it.way
+        board.join(VIEW, it.b - half, it.b + half, Role.CONSTRUCTION)
+    else:
+        board.locate(VIEW, f"B_{station.number}", it.b)
+    numbered = len(cam.places) <= CROWDED or station.number % 2 == 0
+    number = f"{station.number}" if numbered else ""
+    if cam.arm and station.number:  # beside its pivot there is more room than on the pitch curve
+        board.plot(VIEW, it.start, number, Dot.NONE)
+    board.plot(VIEW, it.b, "" if cam.arm else number, Dot.POINT)
+
+
+def _touch(bench: Bench, cam: Cam, it: Pose) -> Points:
+    """Where the follower touches: on the normal through the instant centre P."""
+    board, mm = bench.board, bench.board.scale_of(VIEW).value
+    if cam.follower.flat:
+        return board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
+    if not cam.follower.roller:
+        return it.b
+    return board.lay_off(it.b, it.normal, cam.follower.radius / mm)
+
+
+def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
+    """The envelope, its radii at the stations, the pressure angles."""
+    board, mm = bench.board, bench.board.scale_of(VIEW).value
+    board.step(enveloped(cam), VIEW)
+    for cut in cuts:
+        if cam.follower.roller:
+            board.circle(VIEW, cut.pose.b, cam.follower.radius / mm, Role.CONSTRUCTION)
+    if cam.follower.roller or cam.follower.flat:
+        for through in _along(bench, cam, cuts, pitch=False):
+            board.curve(VIEW, through, Role.LINK)
+    values = []
+    for cut in cuts:
+        letters = f"O K_{{{cut.station.number}}}"
+        on_paper = board.measure(0j, cut.touch, letters)
+        scale = board.scale_of(VIEW)
+        named = radius(cut.station.name)
+        values.append(noted(bench, named, 1e3 * scale.value * on_paper.value, on_paper.value, letters, scale.symbol))
+    written(bench, values)
+    if not cam.follower.flat:
+        written(bench, [noted(bench, pressure(c.station.name), acute(bench, c.pose.way, c.pose.normal)) for c in cuts])
+
+
+def _along(bench: Bench, cam: Cam, cuts: Sequence[Cut], *, pitch: bool) -> Iterator[list[Points]]:
+    """The points of every piece, with its two ends as seen from inside it."""
+    for piece in cam.pieces:
+        trial = bench.board.scratch()
+        trial.step(Words("试作", "trial"))
+        ends = [_at(bench, cam, phi, piece) for phi in (piece.start, piece.end)]
+        mm = bench.board.scale_of(VIEW).value
+        outer = [it.b if pitch else _contact(cam, it, mm) for it in ends]
+        inner = [
+            cut.pose.b if pitch else cut.touch
+            for cut in cuts
+            if piece.start + 1e-9 < cut.station.phi < piece.end - 1e-9
+        ]
+        yield [outer[0], *inner, outer[1]]
+
+
+def _contact(cam: Cam, it: Pose, mm: float) -> Points:
+    if cam.follower.flat:
+        return foot(Line(it.b, 1j * it.way), it.pole)
+    return it.b + cam.follower.radius / mm * it.normal

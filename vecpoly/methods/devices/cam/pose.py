@@ -1,0 +1,103 @@
+"""The follower at one place of the inversion: its end B, the instant centre P, the common normal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....board.board import Board
+from ....board.construction import Place
+from ....devices.cams.cam import Cam
+from ....plane import Line, Points, Reals, dot, unit
+from ....words import Words
+from .laws import Lift
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pose:
+    """B, or the foot of the flat face on the guide; base: where it would be at s = 0; from: foot of the guide, or A.
+
+    way: unit vector of the follower's motion on the rise. spin: ω of the follower against the cam, for the cam's 1.
+    drift: the velocity of P in the cam's plane, as a vector on paper (mm).
+    """
+
+    start: Points
+    base: Points
+    b: Points
+    way: Points
+    pole: Points
+    spin: Reals
+    drift: Points
+
+    @property
+    def normal(self) -> Points:
+        """The unit vector from B along the common normal, into the cam."""
+        return unit(self.pole - self.b)
+
+
+def pose(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
+    """Where guide or arm stands when the whole is turned back by φ, against the cam."""
+    return _swung(board, place, cam, phi, lift) if cam.arm else _guided(board, place, cam, phi, lift)
+
+
+def _guided(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
+    assert cam.r0
+    mm, sense = board.scale_of(place).value, cam.sense
+    across = np.exp(-1j * sense * phi)
+    start = board.lay_off(0j, across, cam.follower.e / mm) if cam.follower.e else 0j * across
+    guide = board.parallel(start, 1j * across)
+    if cam.follower.e:
+        base = board.arc_on_line(guide, 0j, cam.r0.si / mm, Words("导路与基圆", "the guide and the base circle"))[0]
+    else:
+        base = board.lay_off(start, guide.along, cam.r0.si / mm)
+    b = board.lay_off(base, guide.along, lift.s / mm)
+    pole = board.lay_off(0j, sense * across, lift.slope / mm)
+    return Pose(
+        start=start,
+        base=base,
+        b=b,
+        way=guide.along,
+        pole=pole,
+        spin=-sense + 0.0 * lift.s,
+        drift=sense * across * (lift.bend / mm) - 1j * across * (lift.slope / mm),
+    )
+
+
+def _swung(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pose:
+    """P parts OA as ψ′ to 1: by two parallels that bear these lengths."""
+    assert cam.r0 and cam.arm
+    mm, sense = board.scale_of(place).value, cam.sense
+    (oa, ab), towards = cam.arm, np.exp(-1j * sense * phi)
+    pivot = board.lay_off(0j, towards, oa / mm)
+    base = board.arcs(0j, cam.r0.si / mm, pivot, ab / mm, Words("基圆与摆杆", "the base circle and the arm"))[0]
+    b = board.lay_off(pivot, unit(base - pivot) * np.exp(-1j * lift.s), ab / mm)
+    one = board.lay_off(0j, 1j * towards, lift.slope * oa / mm)
+    other = board.lay_off(pivot, -1j * sense * towards, oa / mm)
+    joined, line = board.parallel(other, unit(one - other)), board.parallel(0j, towards)
+    pole = board.meet(joined, line, Words("瞬心 $P$", "the instant centre $P$"))
+    rest = np.abs(pole - pivot)
+    along = sense * lift.bend * rest**2 / (oa / mm)
+    return Pose(
+        start=pivot,
+        base=base,
+        b=b,
+        way=-1j * unit(b - pivot),
+        pole=pole,
+        spin=-lift.slope - sense,
+        drift=towards * along - 1j * sense * towards * dot(towards, pole),
+    )
+
+
+def centre_of_curvature(board: Board, it: Pose, share: float = 1.0) -> tuple[Points, Points, Points]:
+    """Hartmann: v_B ⊥ PB and the part of P's own velocity beside it; the line of their tips meets PB in the centre K.
+
+    Gives K and the two tips, both velocities drawn to this share.
+    """
+    along = it.normal
+    tip = board.lay_off(it.b, -1j * along, share * it.spin * np.abs(it.pole - it.b))
+    sideways = board.parallel(it.pole, -1j * along)
+    moved = board.meet(board.parallel(it.pole + share * it.drift, along), sideways, "")
+    joined = board.parallel(tip, unit(moved - tip))
+    at = board.meet(joined, Line(it.b, board.turn(along)), Words("曲率中心 $K$", "the centre of curvature $K$"))
+    return at, tip, moved

@@ -1,0 +1,106 @@
+"""The greatest pressure angles, on the rise and on the return, each drawn where trial has found it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees, pi
+
+import numpy as np
+
+from ....algebra.quantity import number
+from ....board.construction import Pane, View
+from ....board.paper.marks import Dot, Role
+from ....devices.cams.asked import ALPHA, ALPHA_BACK, ALPHA_RISE
+from ....devices.cams.cam import Cam
+from ....names import Named
+from ....plane import Reals, nominal
+from ....words import Words
+from ..bench import Bench
+from ..inclined import between
+from .diagram import place_of
+from .extremes import Spot, best, slanting
+from .inversion import Cut
+from .laws import lift
+from .pose import Pose, pose
+from .readings import acute
+
+ARC, OVER, NEAR = 22.0, 16.0, pi / 5  # mm: of the angle mark, beyond B; rad: how much of the pitch curve is copied
+SAME = 1e-6  # rad: so near to a station it is that station
+
+
+def pressure_angles(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
+    """α on rise and return, and the greater of them."""
+    board = bench.board
+    board.section(Words("压力角", "Pressure angle"))
+    found = [
+        _greatest(bench, cam, cuts, *each)
+        for each in (
+            (1, ALPHA_RISE, Words("推程最大压力角", "Greatest pressure angle of the rise")),
+            (-1, ALPHA_BACK, Words("回程最大压力角", "Greatest pressure angle of the return")),
+        )
+    ]
+    larger = max(found, key=lambda value: float(nominal(value)))
+    board.step(Words("两者中的大者：", "The greater of the two:"))
+    bench.stated(ALPHA, larger)
+
+
+def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Named, title: Words) -> Reals:
+    board = bench.board
+    pieces = [piece for piece in cam.pieces if piece.rises == way]
+    spot = best(board, place_of(cam), pieces, slanting(cam))
+    place = board.open_pane(View.MECHANISM, named.key, title)
+    board.step(
+        Words(
+            f"比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = {number(degrees(spot.phi))}° 处。作该位置"
+            "的导路、"
+            "瞬心 $P$ 和法线 $BP$，量法线与从动件运动方向的夹角：",
+            f"Compare the stations and try more places near the greatest: it is at $φ$ = {number(degrees(spot.phi))}°. "
+            "Draw the guide there, the instant centre $P$ and the normal $BP$, and read the angle between the normal "
+            "and "
+            "the follower's motion:",
+        ),
+        place,
+    )
+    it = posed(bench, cam, place, spot)
+    copied(bench, place, cuts, spot)
+    show(bench, place, cam, it)
+    outward = it.normal * -1
+    along = it.way if float(nominal((np.conj(outward) * it.way).real)) > 0 else -it.way
+    board.join(place, it.b, it.b + along * (ARC + 6), Role.CONSTRUCTION)
+    between(bench, place, it.b, along, outward, ARC, "α")
+    value = acute(bench, it.way, it.normal)
+    bench.stated(named, value)
+    return value
+
+
+def posed(bench: Bench, cam: Cam, place: Pane, spot: Spot) -> Pose:
+    """The follower where trial has found the extreme, its station drawn on the diagram too."""
+    board = bench.board
+    at = lift(board, place_of(cam), spot.piece, spot.phi, late=spot.late, letters="m m′")
+    if all(abs(spot.phi - phi) > SAME for phi, _ in cam.places):
+        board.plot(place_of(cam), at.foot, "m", Dot.NONE)
+    return pose(bench.board, place, cam, spot.phi, at)
+
+
+def copied(bench: Bench, place: Pane, cuts: Sequence[Cut], spot: Spot, *, edge: bool = False) -> None:
+    """The part of the pitch curve, or of the profile, near the place."""
+    near = [cut for cut in cuts if abs((cut.station.phi - spot.phi + pi) % (2 * pi) - pi) < NEAR]
+    near.sort(key=lambda cut: (cut.station.phi - spot.phi + pi) % (2 * pi))
+    bench.board.curve(place, [cut.touch if edge else cut.pose.b for cut in near], Role.RESULT)
+
+
+def show(bench: Bench, place: Pane, cam: Cam, it: Pose) -> None:
+    """O, P, B, the guide or the arm, the normal."""
+    board = bench.board
+    board.join(place, it.start, it.b, Role.LINK if cam.arm else Role.CENTRE)
+    board.join(place, 0j, it.pole, Role.CONSTRUCTION)
+    if cam.arm:
+        board.join(place, 0j, it.start, Role.CONSTRUCTION)
+    board.join(place, it.pole, it.b - it.normal * OVER, Role.DIRECTION)
+    board.plot(place, 0j, "O", Dot.JOINT)
+    if cam.arm:
+        board.plot(place, it.start, "A", Dot.JOINT)
+    if abs(complex(nominal(it.pole))) > 1.0:
+        board.plot(place, it.pole, "P", Dot.POINT)
+    board.plot(place, it.b, "B", Dot.POINT)
+    board.plot(place, it.b - it.normal * OVER, "n", Dot.NONE)

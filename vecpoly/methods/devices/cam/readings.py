@@ -1,0 +1,60 @@
+"""Lengths and angles of a cam as they are read: millimetres of the cam, degrees."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ....algebra.formula import Node, Row, Txt
+from ....algebra.quantity import Quantity, magnitude, stated
+from ....board.construction import Place, Reading
+from ....names import Named
+from ....plane import Points, Reals, nominal
+from ..bench import Bench
+
+IN_A_ROW = 6  # values beside each other under a step
+
+
+def length(bench: Bench, named: Named, place: Place, a: Points, b: Points, letters: str, sign: int = 1) -> Quantity:
+    """Read a length off the paper, times μ_l: written into the step, in mm."""
+    board, scale = bench.board, bench.board.scale_of(place)
+    on_paper = board.measure(a, b, letters)
+    mu = magnitude(scale.symbol, sign * 1e3 * scale.value, "mm/mm")
+    found = bench.worked(named, mu * on_paper)
+    bench.read_off(named, place, on_paper, letters)
+    return found
+
+
+def noted(
+    bench: Bench, named: Named, value: Reals, mm: Reals | None = None, line: str = "", scale: str = ""
+) -> Quantity:
+    """Keep a value read at a station, of which there are many: they are written in rows."""
+    found = magnitude(named.symbol, value, named.unit)
+    reading = Reading(
+        key=named.key,
+        symbol=named.symbol,
+        unit=named.unit,
+        scalar=float(nominal(value)),
+        mm=None if mm is None else float(nominal(mm)),
+        line=line,
+        scale=scale,
+        formula=stated(found),
+    )
+    bench.board.keep(reading, value)
+    return found
+
+
+def written(bench: Bench, values: Sequence[Quantity]) -> None:
+    """Values in rows."""
+    for start in range(0, len(values), IN_A_ROW):
+        nodes: list[Node] = []
+        for value in values[start : start + IN_A_ROW]:
+            nodes += [*([Txt(",  ")] if nodes else []), stated(value)]
+        bench.board.write(Row(tuple(nodes)))
+
+
+def acute(bench: Bench, one: Points, other: Points) -> Reals:
+    """The acute angle between two lines, read off the protractor (deg)."""
+    read = np.degrees(np.abs(bench.board.gauge(0j, other / one)))
+    return 90.0 - np.abs(90.0 - read)

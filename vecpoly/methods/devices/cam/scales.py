@@ -1,0 +1,56 @@
+"""The scales of a cam's figures: the cam as large as a page allows, the diagram in proportion to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import cos, hypot, sqrt, tau
+
+from ....board.construction import Scale, View
+from ....board.paper.scales import finer, round_up
+from ....board.place import view_named
+from ....devices.cams.cam import Cam
+from ....problem.problem import Scales
+
+DISPLACEMENT, ANGULAR, LOOP = (view_named(name) for name in ("displacement", "swing", "loop"))
+CAM, WIDE, HIGH = 142.0, 160.0, 42.0  # mm: across the cam; along the diagram, up to its highest point
+EQUAL = (19.0, 55.0)  # mm: a stroke of this size on the cam's own scale is drawn so
+
+
+def cam_scales(cam: Cam, given: Scales) -> Mapping[View, Scale]:
+    """As given, or round ones that fit."""
+    length = given.of(View.MECHANISM.mu) or fitting(2 * reach(cam) / CAM)
+    across = None if DISPLACEMENT.across is None else given.of(DISPLACEMENT.across)
+    turned = across or fitting(tau / WIDE)
+    stroke = given.of(DISPLACEMENT.mu) or (
+        length if EQUAL[0] <= cam.lift / length <= EQUAL[1] else fitting(cam.lift / HIGH)
+    )
+    loop = given.of(LOOP.mu) or fitting(cam.lift / (2 * HIGH))
+    swing = given.of(ANGULAR.mu) or fitting(cam.lift / HIGH)
+    return {
+        View.MECHANISM: Scale.of(View.MECHANISM, length),
+        DISPLACEMENT: Scale.of(DISPLACEMENT, stroke, turned),
+        ANGULAR: Scale.of(ANGULAR, swing, turned),
+        LOOP: Scale.of(LOOP, loop),
+    }
+
+
+def fitting(least: float) -> float:
+    """The finest round scale that is not below this."""
+    scale = round_up(least)
+    while finer(scale) >= least:
+        scale = finer(scale)
+    return scale
+
+
+def reach(cam: Cam) -> float:
+    """How far from O something is drawn (m)."""
+    if cam.r0 is None:
+        return cam.lift
+    if cam.arm:
+        oa, ab = cam.arm
+        far = sqrt(oa**2 + ab**2 - 2 * oa * ab * cos(cam.psi0 + cam.lift))
+        return max(oa, far + cam.follower.radius)
+    if cam.follower.flat:
+        return cam.r0.si + cam.lift
+    e = cam.follower.e
+    return hypot(sqrt(cam.r0.si**2 - e**2) + cam.lift, e) + cam.follower.radius

@@ -1,0 +1,1 @@
+"""An epicyclic train by Kutzbach's diagrams of velocities and angular velocities."""

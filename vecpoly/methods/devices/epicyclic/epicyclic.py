@@ -1,0 +1,150 @@
+"""Kutzbach: the velocity over the radius is one straight line for each link; its slope is the angular velocity."""
+
+from __future__ import annotations
+
+from ....algebra.formula import sym
+from ....algebra.quantity import magnitude, number
+from ....board.construction import View
+from ....board.paper.marks import Dot, Role
+from ....devices.gears.epicyclic import Epicyclic
+from ....diagram.wheels import epicyclic_train, number_of_ring, second_sun
+from ....errors import NotAskedError
+from ....names import Named
+from ....plane import Line, Points, nominal, unit
+from ....words import Words
+from ..bench import Bench
+from ..inclined import row_of
+from ..registry import device_method
+from .scales import RADII, train_scales
+from .turns import angular_velocities
+
+POINTS = {"1": "A", "H": "O2", "3": "C"}  # the point of the radius whose velocity tells the link's
+READABLE, NOTHING, LONGEST = 0.5, 1e-9, 400.0  # mm: a velocity not between cannot be read; one that is none may be
+
+
+@device_method(
+    Epicyclic,
+    title=Words("周转轮系的图解（库茨巴赫法）", "An epicyclic train by Kutzbach's diagrams"),
+    source="机械原理, epicyclic trains: velocities of pitch points over the radius, Willis' equation as a check",
+    example="train-ring",
+    scales=train_scales,
+    called=Words("轮系简图", "The train"),
+)
+def draw_epicyclic(bench: Bench, train: Epicyclic) -> None:
+    """The gears, the velocities over the radius, the angular velocities, the ratio."""
+    _gears(bench, train)
+    tips = _velocities(bench, train)
+    angular_velocities(bench, train, tips)
+
+
+def _gears(bench: Bench, train: Epicyclic) -> None:
+    board, mm = bench.board, bench.board.scale_of(View.MECHANISM).value
+    board.section(Words("轮系简图", "The train"))
+    board.step(
+        Words(
+            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在竖直半径上；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半径：",
+            "To the scale $μ_l$ draw the pitch circles with the centre $O_2$ of a planet straight above $O$; $A$ and "
+            "$C$ "
+            "are the pitch points of the planet with the central gears 1 and 3. The pitch radii:",
+        ),
+        View.MECHANISM,
+    )
+    radii = {key: radius / mm for key, radius in train.radii.items()}
+    ring = radii["3"] if train.ring else 0.0
+    board.depict(View.MECHANISM, *epicyclic_train(radii["1"], radii["H"], (radii["2"], radii["2′"]), ring))
+    if train.ring:
+        board.depict(View.MECHANISM, number_of_ring(radii["3"]))
+    else:
+        board.depict(View.MECHANISM, *second_sun(radii["3"]))
+    for letter, key in (("A", "1"), ("C", "3")):
+        board.plot(View.MECHANISM, 1j * radii[key], letter, Dot.POINT)
+    stepped = len(train.planet) > 1
+    for key in ("1", "2", *(("2′",) if stepped else ()), "3", "H"):
+        radius = 1e3 * train.radii[key]
+        board.write(row_of(sym(f"r_{{{key}}}"), f" = {number(radius)} mm"))
+
+
+def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
+    """The tips of the velocities of A, O_2 and C, at the height of their radii."""
+    board = bench.board
+    board.section(Words("线速度图", "Velocities"))
+    known = [key for key, omega in train.omegas.items() if omega is not None]
+    told = "、".join(f"$v_{{{POINTS[key]}}}$" for key in known)
+    board.step(
+        Words(
+            f"以半径为纵坐标、速度为横坐标（逆时针转动的速度向右为正）。由已知的角速度算出 {told}，在各自半径的高度上"
+            "量出；"
+            "中心轮和系杆的速度线都过 $O$。",
+            "Draw the velocities to the right over the radius upwards (right: of a link that turns counter-clockwise). "
+            f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off at the "
+            "heights of "
+            "their radii; the lines of central gears and carrier start at $O$.",
+        ),
+        RADII,
+    )
+    mm = board.scale_of(RADII).value
+    top = max(train.radii["3"], train.radii["H"]) / mm
+    board.join(RADII, 0j, 1j * (top + 8), Role.CENTRE)
+    board.plot(RADII, 0j, "O", Dot.POLE)
+    feet = {key: board.lay_off(0j, 1j, train.radii[key] / mm) for key in POINTS}
+    tips = {key: _laid(bench, train, key, feet[key]) for key in known}
+    tips[train.sought] = _found(bench, train, feet[train.sought], tips)
+    for key in POINTS:
+        board.join(RADII, 0j, tips[key], Role.RESULT)
+        board.plot(RADII, tips[key], POINTS[key].lower().replace("o2", "o_2"), Dot.POINT)
+        board.join(RADII, feet[key], tips[key], Role.CONSTRUCTION)
+        board.plot(RADII, feet[key], POINTS[key].replace("O2", "O_2"), Dot.NONE)
+    return tips
+
+
+def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:
+    board, omega = bench.board, train.omegas[key]
+    assert omega is not None
+    radius = magnitude(f"r_{{{key}}}", train.radii[key], "m")
+    named = Named(f"v_{POINTS[key]}", f"v_{{{POINTS[key]}}}", "m/s")
+    speed = bench.worked(named, magnitude(f"ω_{key}", omega.si, "rad/s") * radius)
+    return board.lay_off(foot, 1 + 0j, board.to_paper_across(RADII, speed.value))
+
+
+def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]) -> Points:
+    """The planet's line through the two known tips meets the level of the third."""
+    board, (one, other) = bench.board, tips.values()
+    point = POINTS[train.sought]
+    letter = point.replace("O2", "O_2")
+    board.step(
+        Words(
+            f"行星轮的速度线过两已知点的矢端，它与 ${letter}$ 高度的水平线的交点即 ${letter}$ 的速度的矢端。量得：",
+            f"The planet's line passes through the two known tips; where it meets the level of ${letter}$ is the tip "
+            "of "
+            f"the velocity of ${letter}$. It is read as:",
+        ),
+        RADII,
+    )
+    line = board.parallel(one, unit(other - one))
+    tip = board.meet(line, Line(foot, board.turn(1 + 0j)), Words("行星轮的速度线", "the planet's line"))
+    ends = sorted((one, other, tip), key=lambda at: float(nominal(at).imag))
+    board.join(RADII, ends[0], ends[-1], Role.RESULT)
+    mm = abs(float(nominal(tip - foot).real))
+    if NOTHING < mm < READABLE or mm > LONGEST:
+        raise _unreadable(point, mm)
+    on_paper = board.measure(foot, tip, f"{letter} {letter[0].lower()}{letter[1:]}")
+    sign = 1 if float(nominal(tip - foot).real) >= 0 else -1
+    scale = board.scale_of(RADII).right
+    mu = magnitude(scale.symbol, sign * scale.value, scale.per_mm)
+    named = Named(f"v_{point}", f"v_{{{point}}}", "m/s")
+    bench.worked(named, mu * on_paper)
+    return tip
+
+
+def _unreadable(point: str, mm: float) -> NotAskedError:
+    span = f"{READABLE:g} … {LONGEST:g} mm"
+    return NotAskedError(
+        Words(
+            f"v_{point} 在图上为 {mm:.2g} mm，能量取的为 {span}：各速度线几乎重合，传动比太大，图解没有意义；请用 "
+            "vecpoly exact，或减小传动比",
+            f"v_{point} would measure {mm:.2g} mm on paper, and {span} can be read: the lines nearly coincide, the "
+            "ratio is too large to be measured; use 'vecpoly exact', or a smaller ratio",
+        ),
+        code="unreadable",
+        numbers={"mm": mm},
+    )

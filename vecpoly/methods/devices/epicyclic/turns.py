@@ -1,0 +1,71 @@
+"""The diagram of angular velocities: rays parallel to the lines of the links cut them off on one level."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ....algebra.quantity import Quantity, magnitude
+from ....board.paper.marks import Dot, Role
+from ....devices.gears.epicyclic import Epicyclic
+from ....names import Named
+from ....plane import Line, Points, nominal, unit
+from ....words import Words
+from ..bench import Bench
+from .scales import RADII, TURNS
+
+
+def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points]) -> None:
+    """ω of every link, and the ratio where one link is held."""
+    board = bench.board
+    board.section(Words("角速度图", "Angular velocities"))
+    turn, up = board.scale_of(TURNS).value, board.scale_of(RADII)
+    pole_distance = up.right.value / (up.value * turn)
+    board.step(
+        Words(
+            "在水平线下方取极点 $Π$，极距 $ΠF$ = $μ_v$/($μ_l$ $μ_ω$)；过 $Π$ 作各构件速度线的平行线，在水平线上截得各"
+            "角速度"
+            "（$F$ 以右为逆时针）：",
+            "Below a level line take the pole $Π$ at the distance $ΠF$ = $μ_v$/($μ_l$ $μ_ω$). Rays through $Π$ "
+            "parallel to "
+            "the lines of the links cut off their angular velocities on the level, to the right of $F$ those "
+            "counter-clockwise:",
+        ),
+        TURNS,
+    )
+    board.compute(
+        "ΠF", magnitude("μ_v", up.right.value, "") / (magnitude("μ_l", up.value, "") * magnitude("μ_ω", turn, "")), "mm"
+    )
+    pole = board.lay_off(0j, -1j, pole_distance)
+    board.plot(TURNS, pole, "Π", Dot.POLE)
+    board.join(TURNS, pole, 0j, Role.CENTRE)
+    board.plot(TURNS, 0j, "F", Dot.NONE)
+    lines = dict(tips) | {"2": tips["H"] - tips["1"]}
+    level = Line(0j + 0 * pole, board.turn(1 + 0j))
+    cuts = {key: _cut(bench, pole, level, key, lines[key]) for key in ("1", "2", "3", "H")}
+    reach = [0.0, *(float(nominal(at).real) for at in cuts.values())]
+    board.join(TURNS, complex(min(reach) - 6, 0), complex(max(reach) + 6, 0), Role.CONSTRUCTION)
+    found = {key: _read(bench, key, at) for key, at in cuts.items()}
+    if train.ratio is not None and train.driver is not None:
+        board.step(Words("传动比：", "The ratio:"))
+        bench.worked(train.ratio, found[train.driver] / found[train.sought])
+
+
+def _cut(bench: Bench, pole: Points, level: Line, key: str, line: Points) -> Points:
+    """Where the ray of a link meets the level."""
+    board = bench.board
+    ray = board.parallel(pole, unit(line) if float(nominal(line).imag) > 0 else -unit(line), key=f"ray_{key}")
+    at = board.meet(ray, level, Words(f"构件 {key} 的射线", f"the ray of link {key}"))
+    board.join(TURNS, pole, at, Role.RESULT)
+    board.plot(TURNS, at, key, Dot.POINT)
+    return at
+
+
+def _read(bench: Bench, key: str, at: Points) -> Quantity:
+    board = bench.board
+    on_paper = board.measure(0j, at, f"F {key}")
+    sign = 1 if float(nominal(at).real) >= 0 else -1
+    scale = board.scale_of(TURNS)
+    named = Named(f"omega_{key}", f"ω_{key}", "rad/s")
+    found = bench.worked(named, magnitude(scale.symbol, sign * scale.value, scale.per_mm) * on_paper)
+    bench.read_off(named, TURNS, on_paper, f"F {key}")
+    return found

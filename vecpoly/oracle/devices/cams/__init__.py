@@ -1,0 +1,1 @@
+"""Exact cams: laws of motion, pitch curve with its derivatives, least base circle."""

@@ -1,0 +1,1 @@
+"""Exact answers of gears: Willis' equation, the generated tooth."""
