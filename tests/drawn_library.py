@@ -15,7 +15,8 @@ from vecpoly.errors import VecpolyError
 from vecpoly.mechanism.model import Mechanism
 from vecpoly.methods import draw as drawing
 from vecpoly.methods import plan
-from vecpoly.methods.desk import Desk
+from vecpoly.methods.desk import VECTOR, Desk
+from vecpoly.names import At
 from vecpoly.problem.library import library
 from vecpoly.problem.load import load
 from vecpoly.problem.problem import Problem
@@ -80,6 +81,20 @@ def desk_of(name: str) -> Desk:
     desk = drawn(name).desk
     assert desk is not None
     return desk
+
+
+def standing(desk: Desk) -> dict[str, tuple[View, complex, complex]]:
+    """The vectors of both motion polygons by key: figure, tail and head."""
+    return {
+        key: (place, complex(stood.start), complex(stood.end))
+        for (place, key), stood in desk.board.ledger.vectors.items()
+        if isinstance(place, View) and place in VECTOR and not key.startswith("(")  # a sum of two that are parallel
+    }
+
+
+def tips(desk: Desk, view: View) -> dict[At, complex]:
+    """The ends of the points' vectors on a polygon."""
+    return {at: complex(desk.tip(view, at)) for at in desk.tips(view)}
 
 
 def sentences(value: object) -> Iterator[Words]:

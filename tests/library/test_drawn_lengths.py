@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.drawn_library import desk_of, drawn, ids
+from tests.drawn_library import desk_of, drawn, ids, standing
 from vecpoly import oracle
 from vecpoly.algebra.formula import plain
 from vecpoly.board.construction import Step, View
@@ -45,7 +45,7 @@ def test_a_computed_acceleration_is_worked_out_and_converted_into_a_length_once(
 @pytest.mark.parametrize("name", IDS)
 def test_a_computed_acceleration_is_as_long_on_paper_as_its_step_says(name: str) -> None:
     desk = desk_of(name)
-    drawn_as = {_plain(key): abs(b - a) for key, (view, a, b) in desk.ends.items() if view is View.ACCELERATION}
+    drawn_as = {_plain(key): abs(b - a) for key, (view, a, b) in standing(desk).items() if view is View.ACCELERATION}
     for step, symbol in computed(name):
         length = float(worked_out(step, symbol)[1][0].rpartition("= ")[2].removesuffix(" mm").replace("−", "-"))
         if symbol in drawn_as:

@@ -11,14 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.drawn_library import desk_of, drawn, ids
+from tests.drawn_library import desk_of, drawn, ids, standing, tips
 from vecpoly.board.construction import EquationTable, Step, View
 from vecpoly.board.paper.marks import Dot, ImageOf, Point, RightAngle, Segment, Vector
 from vecpoly.errors import UnknownNameError
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.model import FRAME, Circle, Prismatic, Rolling
 from vecpoly.methods.desk import POLE, Desk
-from vecpoly.methods.kinematics.terms import symbol
 from vecpoly.names import At, omega, parse_rel
 
 POLYGONS = {"Velocity analysis": View.VELOCITY, "Acceleration analysis": View.ACCELERATION}
@@ -93,9 +92,9 @@ def test_one_side_of_every_table_is_the_whole_vector_that_is_sought_and_nothing_
 def vectors(desk: Desk) -> dict[str, tuple[View, complex, complex]]:
     """Tail and head of every drawn vector by its printed symbol."""
     found = {}
-    for key, (view, a, b) in desk.ends.items():
+    for key, stands in standing(desk).items():
         try:
-            found[symbol(desk, parse_rel(key)).replace("{", "").replace("}", "")] = (view, complex(a), complex(b))
+            found[desk.symbol(parse_rel(key)).replace("{", "").replace("}", "")] = stands
         except UnknownNameError:
             continue
     return found
@@ -167,7 +166,7 @@ def radial(desk: Desk, told: str) -> float:
 @pytest.mark.parametrize("name", IDS)
 def test_a_coriolis_vector_is_the_sliding_velocity_turned_in_the_sense_of_the_guide(name: str) -> None:
     desk = desk_of(name)
-    ends = {key: (complex(a), complex(b)) for key, (_, a, b) in desk.ends.items()}
+    ends = {key: (a, b) for key, (_, a, b) in standing(desk).items()}
     turned = [key for key, (a, b) in ends.items() if key.startswith("ak_") and abs(b - a) > SEEN]
     for key in turned:
         (a, b), (c, d) = ends[key], ends[key.replace("ak_", "v_")]
@@ -196,15 +195,14 @@ def test_every_vector_of_an_equation_is_drawn_once_from_its_tail_to_its_head(nam
         for view in POLYGONS.values()
     }
     assert any(shown.values())
-    for key, (view, a, b) in desk.ends.items():
+    for key, (view, a, b) in standing(desk).items():
         if np.abs(b - a) > SEEN:
             there = [m for m in shown[view] if np.abs(m.a - a) + np.abs(m.b - b) < 1e-6]
             back = [m for m in shown[view] if np.abs(m.a - b) + np.abs(m.b - a) < 1e-6]
-            meant = any(where is view and np.abs(c - b) + np.abs(d - a) < 1e-6 for where, c, d in desk.ends.values())
-            meant = meant or bool(
-                np.abs(b) < 1e-6
-                and any(where is view and np.abs(tip - a) < 1e-6 for (where, _), tip in desk.tips.items())
+            meant = any(
+                where is view and np.abs(c - b) + np.abs(d - a) < 1e-6 for where, c, d in standing(desk).values()
             )
+            meant = meant or bool(np.abs(b) < 1e-6 and any(np.abs(tip - a) < 1e-6 for tip in tips(desk, view).values()))
             assert there and (meant or not back), key
 
 
@@ -215,23 +213,23 @@ def test_every_tip_has_its_letter_and_the_pole_is_an_open_circle(name: str) -> N
         letters = [
             m for figure in drawn(name).figures(view) if not figure.name for m in figure.marks if isinstance(m, Point)
         ]
-        tips = {at: complex(tip) for (where, at), tip in desk.tips.items() if where is view}
+        ends = tips(desk, view)
         if letters:
             assert [m.at for m in letters if m.dot is Dot.POLE and m.label == POLE[view]] == [0j]
             named = [
                 at
-                for at, tip in tips.items()
+                for at, tip in ends.items()
                 if any(abs(m.at - tip) < 1e-6 and m.label == desk.tip_label(view, at) for m in letters)
             ]
             moved = [
                 at
-                for at, tip in tips.items()
-                if at not in named and any(abs(tip - tips[other]) < 1e-6 for other in named)
+                for at, tip in ends.items()
+                if at not in named and any(abs(tip - ends[other]) < 1e-6 for other in named)
             ]
             assert {*named, *moved} == set(
-                tips
+                ends
             ) and named  # a point of a link that only translates may share another's tip
-        for at, tip in tips.items():
+        for at, tip in ends.items():
             same = [m for m in letters if m.label == desk.tip_label(view, at)]
             assert all(abs(m.at - tip) < 1e-6 for m in same), at
 
@@ -273,10 +271,8 @@ def similar(desk: Desk, view: View, link: str, corners: tuple[complex, ...]) -> 
     for corner in corners:
         here = [
             desk.where(at)
-            for (where, at), tip in desk.tips.items()
-            if where is view
-            and abs(complex(tip) - corner) < 1e-6
-            and (at.link == link or at.point in desk.letters(link))
+            for at, tip in tips(desk, view).items()
+            if abs(tip - corner) < 1e-6 and (at.link == link or at.point in desk.letters(link))
         ]
         places.append(
             [complex(p) for p in here]

@@ -47,14 +47,24 @@ class Board(Compass):
     ) -> None:
         super().__init__(hand, scales, amended)
         self.recorded = recorded  # whether the numbers of its acts know how they were computed
-        self.readings: dict[str, Reading] = {}  # what was found of the quantities: each in one place, as it is read
-        self.found: dict[str, Reals] = {}  # the same by every hand
         self._ruler = Ruler(hand)
+
+    @property
+    def readings(self) -> Mapping[str, Reading]:
+        """What was found of the quantities: each in one place, as it is read."""
+        return self.ledger.readings
+
+    @property
+    def found(self) -> Mapping[str, Reals]:
+        """The same by every hand."""
+        return self.ledger.found
 
     def scratch(self, scales: Mapping[View, Scale] | None = None) -> Board:
         """Scratch paper for an exact hand: its acts are not remembered,
         and what it gives came from where its inputs came from."""
-        return Scratch(hand_of("exact"), scales or self.scales)
+        over = Scratch(hand_of("exact"), scales or self.scales)
+        over.ledger = self.ledger.below()
+        return over
 
     def given(self, value: float, name: str) -> float:
         """What the problem gives and may be changed: on a recorded sheet a variable of this name."""
@@ -100,10 +110,15 @@ class Board(Compass):
 
     def keep(self, reading: Reading, value: Reals) -> None:
         """Keep an answer, as it is read and by every hand."""
-        self.readings[reading.key], self.found[reading.key] = reading, value
+        self.ledger.readings[reading.key], self.ledger.found[reading.key] = reading, value
         self.answer(
             reading.key, reading.scalar if reading.vector is None else reading.vector, reading.unit, value, each=value
         )
+
+    def revise(self, reading: Reading) -> None:
+        """Say more of an answer that was kept: a remark, the length on paper, where it acts."""
+        assert reading.key in self.readings
+        self.ledger.readings[reading.key] = reading
 
     def answer(self, key: str, value: complex, unit: str, *found: Points | Reals, each: Points | Reals) -> None:
         """Write down what was found of a quantity (SI), and from what; each: the same by every hand."""
@@ -136,7 +151,13 @@ class Board(Compass):
             self._slipped.add(key)
         result = magnitude(symbol, self.conclude(key, value, unit_text), unit_text)
         self.write(worked(result.node, expr, unit_text))
+        self.ledger.sizes[key] = result
         return result
+
+    def given_size(self, symbol: str, value: Reals, unit_text: str) -> Quantity:
+        """The size of a vector as the problem gives it."""
+        size = self.ledger.sizes[ascii_key(symbol)] = magnitude(symbol, value, unit_text)
+        return size
 
     def write_length(self, view: Place, letters: str, quantity: Quantity) -> None:
         """Write how long a quantity becomes on paper: pb = v_B / μ_v = 50 mm."""

@@ -16,6 +16,7 @@ from ..words import Words
 from . import acts as done
 from .construction import Scale
 from .hand import Hand
+from .ledger import Stood
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
 from .otherwise.slip import Mistake, Slip
 from .otherwise.wrongly import FACTOR, as_taken, before
@@ -35,9 +36,7 @@ class Instruments(Strokes):
         super().__init__(scales)
         self.hand = hand
         self.amended = amended
-        self.spots: dict[tuple[Place, str], Points] = {}  # what has a letter
         self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
-        self._laid: set[tuple[Place | None, str]] = set()  # a vector laid off wrongly is gone along as it stands
         self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
 
     def locate(self, view: Place, letter: str, at: Points) -> Points:
@@ -47,19 +46,25 @@ class Instruments(Strokes):
         swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.OTHER_MEETING)
         at = self.amended.altered(at, ((hand, other) for hand in swapped))
         at = self.amended.point(view, letter, at)
-        self.spots[view, key] = self.gave(at, done.Locate(head=self.head(at, on=view, key=key), at=spot(at)))
-        return self.spots[view, key]
+        found = self.gave(at, done.Locate(head=self.head(at, on=view, key=key), at=spot(at)))
+        self.ledger.spots[view, key] = found
+        return found
 
     def turn(self, along: Points) -> Points:
         """Carry a direction to another place with the set square."""
         carried = self.hand.tilt(along)
         return traced(carried, self.log(done.Turn(head=self.head(along), along=spot(carried))))
 
-    def follow(self, view: Place, vector: Points, key: str) -> Points:
-        """Go along a vector that stands on the polygon already."""
-        if (view, key) not in self._laid:
+    def follow(self, view: Place, start: Points, vector: Points, key: str) -> Points:
+        """Go from a point along a vector that stands on the polygon already; gives its end.
+
+        One that was laid off wrongly is gone along as it stands.
+        """
+        if (view, key) not in self.ledger.laid:
             vector = self._wrongly(view, key, vector)
-        return traced(vector, self.log(done.Follow(head=self.head(vector, on=view, key=key), by=spot(vector))))
+        end = start + traced(vector, self.log(done.Follow(head=self.head(vector, on=view, key=key), by=spot(vector))))
+        self.ledger.vectors[view, key] = Stood(start, end)
+        return end
 
     def transfer(self, view: Place, vector: Points, key: str) -> Points:
         """Carry a whole vector to another place with the dividers."""
@@ -69,7 +74,7 @@ class Instruments(Strokes):
     def lay_off(self, start: Points, along: Points, mm: Reals, *, key: str = "") -> Points:
         """Lay off a length from a point in a direction carried by set square."""
         along = self._wrongly(self.here, key, along)
-        self._laid.add((self.here, key))
+        self.ledger.laid.add((self.here, key))
         at = start + self.hand.tilt(along) * self.hand.carry(mm)
         act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))
@@ -219,7 +224,7 @@ class Instruments(Strokes):
     def _led(self, slip: Slip, at: Points, along: Points) -> Points:
         """The direction of a ruled line by this mistake."""
         if slip.mistake is Mistake.OTHER_CENTRE:
-            return unit(self.spots[self.here, slip.instead] - at) if self.here is not None else along
+            return unit(self.ledger.spots[self.here, slip.instead] - at) if self.here is not None else along
         return 1j * along if slip.mistake is Mistake.TURNED else along
 
     def _wrongly(self, place: Place | None, key: str, vector: Points) -> Points:
@@ -234,7 +239,7 @@ class Instruments(Strokes):
         if slip.mistake in FACTOR and key in self._slipped:
             return vector
         if slip.mistake is Mistake.COINCIDENT:
-            return self.spots.get((place, slip.instead), vector)
+            return self.ledger.spots.get((place, slip.instead), vector)
         return as_taken(slip.mistake, vector, self.scale_of(place).value / self.scale_of(before(place)).value)
 
 

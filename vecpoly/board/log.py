@@ -16,6 +16,7 @@ from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words
 from .acts import Act, Depict, Head
 from .construction import EquationTable, Figure, Scale, Step
+from .ledger import Ledger
 from .paper.ink import marks_of
 from .paper.marks import Mark
 from .paper.symbols import Symbol
@@ -31,6 +32,7 @@ class Log:
         self.scales: dict[Place, Scale] = dict(scales.items())  # of each kind of figure, and of a pane that has its own
         self.steps: list[Step] = []
         self.acts: list[Act] = []
+        self.ledger = Ledger()
         self.hands: dict[int, Any] = {}  # number of an act → the point, length or value that it gave, by every hand
         self._marks: dict[Place, list[Mark]] = {view: [] for view in views()}
         self._titles: dict[Pane, Words] = {}

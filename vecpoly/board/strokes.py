@@ -12,6 +12,7 @@ from ..plane import Line, Points, Reals, nominal
 from ..plane.derived import Derived
 from ..words import Words
 from . import acts as done
+from .ledger import Stood
 from .log import Log
 from .paper.marks import Dot, Role, Vector
 from .place import Place
@@ -46,24 +47,20 @@ class Strokes(Log):
 
     def arrow(self, view: Place, a: Points, b: Points, role: Role, *, key: str = "", label: str = "") -> None:
         """Draw the vector `key` (by default that of its label) from a to b; one without length leaves no ink."""
-        start, end = spot(a), spot(b)
-        self.log(
-            done.Arrow(
-                head=self.head(a, b, on=view, key=key or ascii_key(label)),
-                a=start,
-                b=end,
-                role=role,
-                label=label,
-                shown=bool(abs(end - start) > NO_ARROW),
-            )
-        )
+        shown = bool(abs(spot(b) - spot(a)) > NO_ARROW)
+        self._arrow(view, a, b, role, key or ascii_key(label), label, shown)
 
     def arrow_once(self, view: Place, a: Points, b: Points, *, key: str = "") -> None:
         """Draw the result vector from a to b unless a vector stands there already."""
         start, end = spot(a), spot(b)
         there = any(isinstance(m, Vector) and abs(m.a - start) + abs(m.b - end) < NO_ARROW for m in self._marks[view])
-        shown = not there and bool(abs(end - start) > NO_ARROW)
-        self.log(done.Arrow(head=self.head(a, b, on=view, key=key), a=start, b=end, role=Role.RESULT, shown=shown))
+        self._arrow(view, a, b, Role.RESULT, key, "", not there and bool(abs(end - start) > NO_ARROW))
+
+    def _arrow(self, view: Place, a: Points, b: Points, role: Role, key: str, label: str, shown: bool) -> None:
+        head = self.head(a, b, on=view, key=key)
+        self.log(done.Arrow(head=head, a=spot(a), b=spot(b), role=role, label=label, shown=shown))
+        if key:
+            self.ledger.vectors[view, key] = Stood(a, b)
 
     def right_angle(self, view: Place, at: Points, u: Points, v: Points) -> None:
         """Mark a right angle."""

@@ -10,8 +10,9 @@ from dataclasses import dataclass, field
 
 from ..algebra.quantity import Quantity, magnitude
 from ..board.construction import View
+from ..board.ledger import Stood
 from ..mechanism.model import FRAME, Link, Prismatic
-from ..names import At, Kind, Rel, subscripted
+from ..names import At, Kind, Rel, ascii_key, subscripted
 from ..plane import Points, Reals
 from ..words import Words
 from .diagram import Diagram
@@ -19,6 +20,11 @@ from .diagram import Diagram
 POLE = {View.VELOCITY: "p", View.ACCELERATION: "p′"}
 VECTOR = {View.VELOCITY: Kind.V, View.ACCELERATION: Kind.A}  # what a polygon is made of
 QUANTITY = {View.VELOCITY: Words("速度", "velocity"), View.ACCELERATION: Words("加速度", "acceleration")}
+
+
+def polygon_of(rel: Rel) -> View:
+    """The polygon on which a vector stands."""
+    return View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,11 +41,8 @@ class Desk(Diagram):
 
     # letter under which links slide over each other → the block
     coincident: Mapping[str, str] = field(default_factory=dict)
-    tips: dict[tuple[View, At], Points] = field(default_factory=dict)
+    lettered: dict[tuple[View, At], str] = field(default_factory=dict)  # points with a tip on a polygon → its letter
     turns: dict[Rel, Turn] = field(default_factory=dict)
-    ends: dict[str, tuple[View, Points, Points]] = field(default_factory=dict)
-    # of vectors that were computed, then laid off: they are not read again
-    sizes: dict[str, Quantity] = field(default_factory=dict)
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
     forces: tuple[str, ...] = ()  # keys of what a force analysis found
@@ -90,18 +93,51 @@ class Desk(Diagram):
         other = self.show(rel.ref).removeprefix(rel.ref.point) if alike and rel.ref is not None else ""
         return f"k_{number}{other}^′"
 
+    def symbol(self, rel: Rel) -> str:
+        """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""
+        ref = self.show(rel.ref) if rel.ref else ""
+        return f"{rel.kind.stem}_{{{self.show(rel.to)}{ref}}}"
+
+    def key(self, rel: Rel) -> str:
+        """The key of its acts: the ASCII form of the printed symbol."""
+        return ascii_key(self.symbol(rel))
+
     # -- what is known of the motion ------------------------------------------------------------------------------
 
     def put_tip(self, view: View, at: At, tip: Points) -> Points:
         """A point's vector ends here on its polygon, at the point's letter."""
         own = self.canonical(at)
-        self.tips[view, own] = self.board.locate(view, self.tip_label(view, own), tip)
-        return self.tips[view, own]
+        self.lettered[view, own] = self.tip_label(view, own)
+        return self.board.locate(view, self.lettered[view, own], tip)
+
+    def reach_tip(self, view: View, at: At, tip: Points) -> Points:
+        """The same of a polygon that was closed there, and lettered the point if that was new."""
+        own = self.canonical(at)
+        if self.board.ledger.spot(view, self.tip_label(view, own)) is None:
+            return self.put_tip(view, own, tip)
+        self.lettered[view, own] = self.tip_label(view, own)
+        return self.tip(view, own)
 
     def tip(self, view: View, at: At) -> Points:
         """End of a point's vector on a polygon; points of the frame are at the pole."""
         at = self.canonical(at)
-        return 0j if self.at_rest(view, at) else self.tips[view, at]
+        if self.at_rest(view, at):
+            return 0j
+        found = self.board.ledger.spot(view, self.lettered[view, at])
+        assert found is not None
+        return found
+
+    def tips(self, view: View) -> tuple[At, ...]:
+        """The points whose vectors are drawn on a polygon, in order."""
+        return tuple(at for place, at in self.lettered if place is view)
+
+    def stands(self, rel: Rel) -> Stood | None:
+        """Where a vector stands on its polygon, if it was drawn: the last time, where it was drawn again."""
+        return self.board.ledger.vector(polygon_of(rel), self.key(rel))
+
+    def size(self, rel: Rel) -> Quantity | None:
+        """A vector's size, where that was computed and then laid off: it is not read again."""
+        return self.board.ledger.laid_off(polygon_of(rel), self.key(rel))
 
     def at_rest(self, view: View, at: At) -> bool:
         """Whether the point's vector is zero for good:
@@ -116,7 +152,11 @@ class Desk(Diagram):
     def has_tip(self, view: View, at: At) -> bool:
         """Whether the point's vector is already drawn."""
         at = self.canonical(at)
-        return (view, at) in self.tips or self.at_rest(view, at)
+        return self.is_tip(view, at) or self.at_rest(view, at)
+
+    def is_tip(self, view: View, at: At) -> bool:
+        """Whether the point itself has a tip on the polygon."""
+        return (view, at) in self.lettered
 
     def length(self, p: str, q: str) -> Quantity:
         """l_PQ: given by the problem where one link carries both points; else measured once on the diagram, × μ_l."""

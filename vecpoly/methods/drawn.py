@@ -31,6 +31,7 @@ def motion_of(desk: Desk) -> dict[Rel, complex | float]:
     """What stands on the polygons of a finished drawing:
     the vectors of all lettered points, ω and α of all links (SI)."""
     found: dict[Rel, complex | float] = {rel: float(nominal(turn.value)) for rel, turn in desk.turns.items()}
-    for (view, at), tip in desk.tips.items():
-        found[Rel(VECTOR[view], at)] = complex(nominal(tip)) * desk.board.scales[view].value
+    for view in VECTOR:
+        for at in desk.tips(view):
+            found[Rel(VECTOR[view], at)] = complex(nominal(desk.tip(view, at))) * desk.board.scales[view].value
     return found

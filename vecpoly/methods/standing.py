@@ -6,10 +6,10 @@ from __future__ import annotations
 from ..algebra.quantity import Quantity
 from ..board.construction import View
 from ..errors import NoMethodError
-from ..names import Kind, Rel
+from ..names import At, Kind, Rel
 from ..plane import Points
 from ..words import Words
-from .desk import Desk
+from .desk import Desk, polygon_of
 
 Standing = tuple[View, Points, Points, str]  # figure, start, end, letters
 
@@ -35,7 +35,8 @@ def standing(desk: Desk, rel: Rel) -> Standing:
 
 def _instead(desk: Desk, asked: Rel) -> Words:
     """What to ask instead: the vectors of its kind that were drawn."""
-    drawn = sorted(key for key in desk.ends if key.startswith(f"{asked.kind.value}_"))
+    stand = (key for place, key in desk.board.ledger.vectors if place is polygon_of(asked))
+    drawn = sorted(key for key in stand if key.startswith(f"{asked.kind.value}_"))
     return Words(f"；图上有 {', '.join(drawn)}", f"; drawn are {', '.join(drawn)}") if drawn else Words.same("")
 
 
@@ -44,31 +45,40 @@ def computed(desk: Desk, rel: Rel) -> Quantity | None:
     it is not read again."""
     for one in (rel, _back(rel)):
         if one is not None:
-            key = Rel(one.kind, desk.canonical(one.to), desk.canonical(one.ref) if one.ref else None).key
-            if key in desk.sizes:
-                return desk.sizes[key]
+            size = desk.size(_own(desk, one))
+            if size is not None:
+                return size
     return None
+
+
+def _own(desk: Desk, rel: Rel) -> Rel:
+    """The vector as it is drawn: of the points themselves."""
+    return Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
 
 
 def _drawn(desk: Desk, rel: Rel | None) -> Standing | None:
     """The vector itself, or from the tips of both its points."""
     if rel is None:
         return None
-    own = Rel(rel.kind, desk.canonical(rel.to), desk.canonical(rel.ref) if rel.ref else None)
-    if own.key in desk.ends:
-        view, start, end = desk.ends[own.key]
-        return view, start, end, _letters(desk, view, own)
-    view = View.VELOCITY if rel.kind is Kind.V else View.ACCELERATION
+    own, view = _own(desk, rel), polygon_of(rel)
+    if (stood := desk.stands(_as_drawn(desk, own))) is not None:
+        return view, *stood.ends, _letters(desk, view, own)
     if rel.kind in (Kind.V, Kind.A) and desk.has_tip(view, own.to) and (own.ref is None or desk.has_tip(view, own.ref)):
         start = 0j if own.ref is None else desk.tip(view, own.ref)
         return view, start, desk.tip(view, own.to), _letters(desk, view, own)
     whole = Rel(Kind.A, own.to, own.ref)  # where no link turns, a^r is all the relative acceleration there is
-    if rel.kind is Kind.AR and whole.key in desk.ends:
-        view, start, end = desk.ends[whole.key]
-        return view, start, end, _letters(desk, view, whole)
-    if rel.kind is Kind.AK and Rel(Kind.V, own.to, own.ref).key in desk.ends:
+    if rel.kind is Kind.AR and (stood := desk.stands(whole)) is not None:
+        return view, *stood.ends, _letters(desk, view, whole)
+    if rel.kind is Kind.AK and desk.stands(Rel(Kind.V, own.to, own.ref)) is not None:
         return View.ACCELERATION, 0j, 0j, "—"
     return None
+
+
+def _as_drawn(desk: Desk, rel: Rel) -> Rel:
+    """The vector that was drawn for it: a^n of the first pin of a crank at constant speed is all its acceleration."""
+    steady = (drive.link for drive in desk.mech.drives if not drive.slide and not drive.accel)
+    pins = (At(pin) for link in steady for pin in desk.crank(link)[1][:1])
+    return Rel(Kind.A, rel.to) if rel.kind is Kind.AN and rel.ref is None and rel.to in pins else rel
 
 
 def _back(rel: Rel) -> Rel | None:

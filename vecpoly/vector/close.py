@@ -105,7 +105,7 @@ def _known_chain(
             waiting.append(term)
             continue
         if term.vector is not None:
-            tip = here + (board.follow if term.drawn else board.transfer)(view, term.vector, term.key)
+            tip = _gone_along(board, view, here, term.vector, term)
         else:
             assert term.along is not None and term.mm is not None
             tip = board.lay_off(here, term.along, term.mm, key=term.key)
@@ -118,6 +118,13 @@ def _known_chain(
         if term.tip:
             board.plot(view, here, term.tip)
     return here, waiting
+
+
+def _gone_along(board: Board, view: Place, here: Points, vector: Points, term: Term) -> Points:
+    """The end of a known vector: of one that stands there already, or is carried over as a whole."""
+    if term.drawn:
+        return board.follow(view, here, vector, term.key)
+    return here + board.transfer(view, vector, term.key)
 
 
 def _closing_side(

@@ -81,7 +81,7 @@ class Bench:
     def read_off(self, named: Named, place: Place, on_paper: Quantity, letters: str) -> None:
         """Note the length on paper from which a quantity was computed."""
         mm, scale = float(nominal(on_paper.value)), self.board.scale_of(place).symbol
-        self.board.readings[named.key] = replace(self.board.readings[named.key], mm=mm, line=letters, scale=scale)
+        self.board.revise(replace(self.board.readings[named.key], mm=mm, line=letters, scale=scale))
 
     def stated(self, named: Named, value: Reals, formula: Node | None = None) -> Quantity:
         """Keep a value found in another way: by formula given here, or as it stands."""

@@ -224,9 +224,8 @@ def _settle(st: Statics, mass: Mass, named: Named, vector: Points, at: Points) -
         named=named, vector=vector, at=at, direction=Words.same("✓"), size=f"$m_{mass.link} a_{{{mass.centre}}}$"
     )
     st.inertia[mass.link] = [acting]
-    st.board.readings[named.key] = replace(
-        st.board.readings[named.key], acts=LineOfAction(point=complex(nominal(at)) * scale)
-    )
+    line = LineOfAction(point=complex(nominal(at)) * scale)
+    st.board.revise(replace(st.board.readings[named.key], acts=line))
     return acting
 
 

@@ -11,7 +11,7 @@ from ...vector.equation import Equation, Term
 from ..desk import VECTOR, Desk, Turn
 from .image import imaged
 from .lengths import write_lengths
-from .terms import across, coriolis, key, known, normal, ref_at, sliding, tangential
+from .terms import across, coriolis, known, normal, ref_at, sliding, tangential
 
 _STILL = Turn(0.0, never=True)
 
@@ -38,8 +38,7 @@ def sliding_chain(desk: Desk, view: View, at: At, base: At, joint: Prismatic, pa
         return (front, sliding(desk, Rel(Kind.V, to, ref), joint))
     if desk.turns[omega(parent)].never:
         return (front, sliding(desk, Rel(Kind.A, to, ref), joint))
-    _, start, end = desk.ends[Rel(Kind.V, to, ref).key]
-    return (front, coriolis(desk, to, ref, parent, (start, end)), sliding(desk, Rel(Kind.AR, to, ref), joint))
+    return (front, coriolis(desk, to, ref, parent), sliding(desk, Rel(Kind.AR, to, ref), joint))
 
 
 def coincident_tip(desk: Desk, view: View, point: str, parent: str) -> At:
@@ -56,10 +55,9 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     board.equate(eq.table())
     closed = close(board, view, 0j, eq, to=desk.tip_label(view, to))
     write_lengths(desk, view, eq)
-    desk.tips[view, desk.canonical(to)] = closed.meeting
+    desk.reach_tip(view, to, closed.meeting)
     board.plot(view, closed.meeting, desk.tip_label(view, to))
-    board.arrow_once(view, 0j, closed.meeting, key=key(desk, Rel(VECTOR[view], desk.canonical(to))))
-    desk.ends |= {name: (view, a, b) for name, (a, b) in closed.ends.items()}
+    board.arrow_once(view, 0j, closed.meeting, key=desk.key(Rel(VECTOR[view], desk.canonical(to))))
     return closed
 
 

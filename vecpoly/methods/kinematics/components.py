@@ -9,7 +9,7 @@ from ...mechanism.model import FRAME
 from ...names import At, Kind, Rel, omega
 from ...words import Words
 from ..desk import Desk
-from .terms import key, normal, ref_at, symbol
+from .terms import normal, ref_at
 
 _VIEW = View.ACCELERATION
 
@@ -28,11 +28,10 @@ def draw_components(desk: Desk, rel: Rel) -> None:
     )
     ref = None if about is None else ref_at(desk, _VIEW, about, link)
     parts_of = [Rel(kind, to, ref) for kind in (Kind.AN, Kind.AT)]
-    keys = [rel.key for rel in parts_of]
-    if not known or about is None or set(keys) <= set(desk.ends) or to.point == about.point:
+    if not known or about is None or all(desk.stands(part) for part in parts_of) or to.point == about.point:
         return
     board, start, end = desk.board, desk.tip(_VIEW, about), desk.tip(_VIEW, to)
-    whole, parts = symbol(desk, Rel(Kind.A, to, ref)), [symbol(desk, Rel(kind, to, ref)) for kind in (Kind.AN, Kind.AT)]
+    whole, parts = desk.symbol(Rel(Kind.A, to, ref)), [desk.symbol(Rel(kind, to, ref)) for kind in (Kind.AN, Kind.AT)]
     board.step(
         Words(
             f"将 ${whole}$ 分解为 ${parts[0]}$ 和 ${parts[1]}$。",
@@ -42,12 +41,11 @@ def draw_components(desk: Desk, rel: Rel) -> None:
     )
     term = normal(desk, to, about, link)
     assert term.along is not None and term.mm is not None
-    foot = board.lay_off(start, term.along, term.mm, key=key(desk, parts_of[0]))
-    board.arrow(_VIEW, start, foot, Role.GIVEN, key=key(desk, parts_of[0]))
-    board.arrow(_VIEW, foot, end, Role.RESULT, key=key(desk, parts_of[1]))
+    foot = board.lay_off(start, term.along, term.mm, key=desk.key(parts_of[0]))
+    board.arrow(_VIEW, start, foot, Role.GIVEN, key=desk.key(parts_of[0]))
+    board.arrow(_VIEW, foot, end, Role.RESULT, key=desk.key(parts_of[1]))
     if term.tip:
         board.plot(_VIEW, foot, term.tip)
-    desk.ends |= {keys[0]: (_VIEW, start, foot), keys[1]: (_VIEW, foot, end)}
 
 
 def _link(desk: Desk, rel: Rel) -> tuple[str, At | None]:

@@ -15,7 +15,6 @@ from ..desk import POLE, VECTOR, Desk, Turn
 from ..registry import Stage, method
 from .chains import never_turns
 from .image import images_of_link
-from .terms import key
 
 _SOURCE = "机械原理, kinematic analysis by the vector equation method"
 _TITLE = Words("原动件的运动", "Motion of the driving link")
@@ -42,7 +41,7 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
         View.VELOCITY,
     )
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
-    speed = desk.sizes[Rel(Kind.V, At(b)).key] = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
+    speed = board.compute(f"v_{{{name}}}", w * desk.length(pivot, b), "m/s")
     board.write_length(View.VELOCITY, f"p {tip}", speed)
     along = 1j * np.sign(drive.rate) * desk.towards(pivot, b)
     _first_vector(desk, View.VELOCITY, b, along, speed.value)
@@ -50,7 +49,6 @@ def velocity_crank(desk: Desk, drive: Drive) -> None:
         Words.same(f"⊥$ {pivot}{b}$"),
         f"$ω_{drive.link} l_{desk.bar(drive.link, pivot, b)}$",
     )
-    desk.ends[Rel(Kind.V, At(b)).key] = (View.VELOCITY, 0j, desk.tip(View.VELOCITY, At(b)))
     images_of_link(desk, View.VELOCITY, drive.link)
 
 
@@ -67,35 +65,29 @@ def acceleration_crank(desk: Desk, drive: Drive) -> None:
     name = f"a^n_{{{shown}}}" if drive.accel else f"a_{{{shown}}}"
     board.step(_turned(desk, drive, pivot, b), View.ACCELERATION)
     w = magnitude(f"ω_{drive.link}", abs(drive.rate), "rad/s")
-    size = desk.sizes[Rel(Kind.AN if drive.accel else Kind.A, At(b)).key] = board.compute(
-        name, w.squared() * desk.length(pivot, b), "m/s^2"
-    )
+    size = board.compute(name, w.squared() * desk.length(pivot, b), "m/s^2")
     board.write_length(
         View.ACCELERATION, "p′ n′" if drive.accel else f"p′ {desk.tip_label(View.ACCELERATION, At(b))}", size
     )
     along = desk.towards(b, pivot)
-    _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
-    tip = desk.tip(View.ACCELERATION, At(b))
-    desk.ends[Rel(Kind.AN, At(b)).key] = (View.ACCELERATION, 0j, tip)
+    tip = _first_vector(desk, View.ACCELERATION, b, along, size.value, last=not drive.accel)
     if not drive.accel:
         desk.known_as[View.ACCELERATION, At(b)] = (
             Words.same(f"${b}→{pivot}$"),
             f"$ω_{drive.link}^2 l_{desk.bar(drive.link, pivot, b)}$",
         )
     else:
-        _tangential(desk, drive, pivot, b)
+        _tangential(desk, drive, pivot, b, tip)
     images_of_link(desk, View.ACCELERATION, drive.link)
 
 
-def _tangential(desk: Desk, drive: Drive, pivot: str, b: str) -> None:
+def _tangential(desk: Desk, drive: Drive, pivot: str, b: str, tip: Points) -> None:
     """a_B^t = α_1 l_AB laid off from the end of a_B^n; it ends in b′."""
-    board, tip = desk.board, desk.tip(View.ACCELERATION, At(b))
+    board = desk.board
     eps = magnitude(f"α_{drive.link}", abs(drive.accel), "rad/s^2")
-    size_t = desk.sizes[Rel(Kind.AT, At(b)).key] = board.compute(
-        f"a^t_{{{desk.show(At(b))}}}", eps * desk.length(pivot, b), "m/s^2"
-    )
+    size_t = board.compute(f"a^t_{{{desk.show(At(b))}}}", eps * desk.length(pivot, b), "m/s^2")
     board.write_length(View.ACCELERATION, f"n′ {desk.tip_label(View.ACCELERATION, At(b))}", size_t)
-    parts = [key(desk, Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
+    parts = [desk.key(Rel(kind, At(b))) for kind in (Kind.AT, Kind.A)]
     end = board.lay_off(
         tip,
         1j * np.sign(drive.accel) * desk.towards(pivot, b),
@@ -106,7 +98,6 @@ def _tangential(desk: Desk, drive: Drive, pivot: str, b: str) -> None:
     board.arrow(View.ACCELERATION, tip, end, Role.GIVEN, key=parts[0])
     board.plot(View.ACCELERATION, end, desk.tip_label(View.ACCELERATION, At(b)))
     board.arrow(View.ACCELERATION, 0j, end, Role.RESULT, key=parts[1])
-    desk.ends[Rel(Kind.AT, At(b)).key] = (View.ACCELERATION, tip, end)
 
 
 def _turned(desk: Desk, drive: Drive, pivot: str, b: str) -> Words:
@@ -159,7 +150,6 @@ def _slide(desk: Desk, view: View, drive: Drive, value: float, stem: str, unit_t
     )
     size = desk.board.compute(f"{stem}_{b}", magnitude(f"{stem}_{drive.link}", abs(value), unit_text), unit_text)
     desk.board.write_length(view, f"{pole} {tip}", size)
-    desk.sizes[Rel(VECTOR[view], At(b)).key] = size
     _first_vector(desk, view, b, along, abs(value))
     images_of_link(desk, view, drive.link)
 
@@ -178,19 +168,17 @@ def _no_vector(desk: Desk, view: View, drive: Drive, b: str) -> None:
         ),
         view,
     )
-    desk.sizes[rel.key] = magnitude(rel.symbol, 0.0, rel.kind.unit)
+    desk.board.given_size(desk.symbol(rel), 0.0, rel.kind.unit)
     _first_vector(desk, view, b, 1 + 0j, 0.0)
     images_of_link(desk, view, drive.link)
 
 
-def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, last: bool = True) -> None:
+def _first_vector(desk: Desk, view: View, b: str, along: Points, size: Reals, last: bool = True) -> Points:
     """Lay the first vector off from the pole."""
     board = desk.board
-    name = key(desk, Rel(VECTOR[view] if last else Kind.AN, At(b)))
+    name = desk.key(Rel(VECTOR[view] if last else Kind.AN, At(b)))
     tip = board.lay_off(0j, along, board.to_paper(view, size), key=name)
-    if last:
-        tip = desk.put_tip(view, At(b), tip)
-    else:
-        tip = desk.tips[view, At(b)] = board.locate(view, "n′", tip)
+    tip = desk.put_tip(view, At(b), tip) if last else board.locate(view, "n′", tip)
     board.arrow(view, 0j, tip, Role.GIVEN, key=name)
     board.plot(view, tip, desk.tip_label(view, At(b)) if last else "n′")
+    return tip

@@ -13,7 +13,6 @@ from ...problem.asked.asks import AskPoint
 from ...words import Words
 from ..desk import POLE, VECTOR, Desk
 from .image import known_tips, letter_at_pole
-from .terms import key
 
 
 def find_point(desk: Desk, ask: AskPoint) -> None:
@@ -53,9 +52,8 @@ def find_point(desk: Desk, ask: AskPoint) -> None:
         board.join(View.MECHANISM, desk.at[corner], desk.at[ask.name], Role.HIDDEN)
     board.plot(View.MECHANISM, desk.at[ask.name], f"{ask.name[0]}_{ask.name[1:]}", Dot.POINT)
     if wanted:
-        board.arrow(view, 0j, tip, Role.RESULT, key=key(desk, Rel(VECTOR[view], ask.at)))
+        board.arrow(view, 0j, tip, Role.RESULT, key=desk.key(Rel(VECTOR[view], ask.at)))
     board.plot(view, tip, letter)
-    desk.ends[Rel(VECTOR[view], ask.at).key] = (view, 0j, tip)
 
 
 def _words(ask: AskPoint, view: View, p: str, q: str, tips: list[str], letter: str) -> Words:

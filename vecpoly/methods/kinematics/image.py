@@ -15,7 +15,7 @@ from ...vector.equation import UNKNOWN, Equation, Term
 from ...words import Words
 from ..desk import QUANTITY, VECTOR, Desk
 from .lengths import write_lengths
-from .terms import key, known, normal, ref_at, symbol
+from .terms import known, normal, ref_at
 
 _ONE_PLACE = 1e-6  # mm on paper: nearer points have no direction from one to the other
 
@@ -25,7 +25,7 @@ def known_tips(desk: Desk, view: View, link: str) -> list[tuple[str, At]]:
     found: list[tuple[str, At]] = []
     places: list[complex] = []
     own = [At(p) for p in desk.letters(link)]
-    passed = [at for v, at in desk.tips if v is view and at.link == link]
+    passed = [at for at in desk.tips(view) if at.link == link]
     for at in (*own, *passed):
         place = complex(nominal(desk.where(at))) if {at.point, str(at)} & set(desk.at) else None
         if place is None or not desk.has_tip(view, at) or any(abs(place - p) < _ONE_PLACE for p in places):
@@ -94,7 +94,7 @@ def _by_image(desk: Desk, view: View, link: str, at: At, held: list[tuple[str, A
     board.join(view, tips[0], tips[1], Role.DIRECTION)
     board.tint(view, (*tips, corner))
     board.plot(view, corner, letters[2])
-    board.arrow(view, 0j, corner, Role.RESULT, key=key(desk, Rel(VECTOR[view], at)))
+    board.arrow(view, 0j, corner, Role.RESULT, key=desk.key(Rel(VECTOR[view], at)))
 
 
 def letter_at_pole(desk: Desk, view: View, *points: At) -> None:
@@ -140,14 +140,13 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     rests = ref_at(desk, view, held, link) is None
     terms = (*(() if rests else (known(desk, view, held),)), *_turning_terms(desk, view, link, at, held))
     rel = Rel(VECTOR[view], desk.canonical(at))
-    left = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?", tip="")
+    left = Term(rel=rel, symbol=desk.symbol(rel), direction=UNKNOWN, magnitude="?", tip="")
     eq = Equation(left=(left,), right=terms)
     if len(terms) > 1:
         board.equate(eq.table())
     closed = close(board, view, 0j, eq, to=label)
     write_lengths(desk, view, eq)
-    desk.tips[view, at] = closed.meeting
-    desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
+    desk.reach_tip(view, at, closed.meeting)
     board.plot(view, closed.meeting, label)
 
 
@@ -176,12 +175,12 @@ def _laid(desk: Desk, view: View, rel: Rel, link: str, p: str, x: str, text: str
     along = np.where(way == 0, 1.0, along)
     greek = "ω" if view is View.VELOCITY else "α"
     factor = magnitude(f"{greek}_{link}", np.abs(rate), "rad/s")
-    desk.sizes[rel.key] = desk.board.compute(symbol(desk, rel), factor * length, rel.kind.unit)
+    size = desk.board.compute(desk.symbol(rel), factor * length, rel.kind.unit)
     return Term(
         rel=rel,
-        symbol=symbol(desk, rel),
+        symbol=desk.symbol(rel),
         direction=Words.same(f"⊥$ {p}{x}$"),
         magnitude=text,
         along=along[()],
-        mm=desk.board.to_paper(view, desk.sizes[rel.key].value),
+        mm=desk.board.to_paper(view, size.value),
     )

@@ -15,7 +15,8 @@ def write_lengths(desk: Desk, view: View, eq: Equation) -> None:
         tail = POLE[view]
         for term in chain:
             head = _head(desk, view, term)
-            if term.mm is not None and head and term.rel.key in desk.sizes:
+            size = desk.size(term.rel) if isinstance(term.rel, Rel) else None
+            if term.mm is not None and head and size is not None:
                 shifted = (
                     term is chain[-1]
                     and chain[0].unknowns
@@ -26,7 +27,7 @@ def write_lengths(desk: Desk, view: View, eq: Equation) -> None:
                 start = (
                     desk.tip_label(view, shifted) if shifted else tail
                 )  # the last one, behind one that was sought, comes to its end
-                desk.board.write_length(view, f"{start} {head}", desk.sizes[term.rel.key])
+                desk.board.write_length(view, f"{start} {head}", size)
             tail = head or tail
 
 

@@ -8,7 +8,7 @@ from ...algebra.quantity import Quantity, Times, magnitude
 from ...board.board import NO_LENGTH
 from ...board.construction import View
 from ...mechanism.model import FRAME, Prismatic
-from ...names import At, Kind, Rel, ascii_key, omega
+from ...names import At, Kind, Rel, omega
 from ...plane import Points, nominal
 from ...vector.equation import KNOWN, Term
 from ...words import Words
@@ -17,32 +17,20 @@ from ..desk import VECTOR, Desk, Turn
 ABSENT = Words.same("—")
 
 
-def symbol(desk: Desk, rel: Rel) -> str:
-    """The printed symbol of a vector: v_{C2B}, a^n_{CB}."""
-    to = desk.show(rel.to)
-    ref = desk.show(rel.ref) if rel.ref else ""
-    return f"{rel.kind.stem}_{{{to}{ref}}}"
-
-
-def key(desk: Desk, rel: Rel) -> str:
-    """The key of its acts: the ASCII form of the printed symbol."""
-    return ascii_key(symbol(desk, rel))
-
-
 def known(desk: Desk, view: View, at: At) -> Term:
     """A vector already on the polygon: direction and magnitude both known."""
     rel = Rel(VECTOR[view], desk.canonical(at))
     vector = desk.tip(view, at)
     unsaid = (ABSENT, "0") if desk.at_rest(view, at) else (KNOWN, "✓")
     direction, size = desk.known_as.get((view, rel.to), unsaid)
-    return Term(rel=rel, symbol=symbol(desk, rel), vector=vector, drawn=True, direction=direction, magnitude=size)
+    return Term(rel=rel, symbol=desk.symbol(rel), vector=vector, drawn=True, direction=direction, magnitude=size)
 
 
 def across(desk: Desk, rel: Rel, p: str, q: str) -> Term:
     """A vector perpendicular to the drawn line PQ, its magnitude unknown: v_QP or a^t_QP of a turning link."""
     return Term(
         rel=rel,
-        symbol=symbol(desk, rel),
+        symbol=desk.symbol(rel),
         direction=Words.same(f"⊥$ {p}{q}$"),
         magnitude="?",
         along=1j * desk.towards(p, q),
@@ -54,7 +42,7 @@ def sliding(desk: Desk, rel: Rel, joint: Prismatic) -> Term:
     name = guide_name(desk, joint)
     if rel.ref is not None:
         _note_slide(desk, joint, rel.to, rel.ref)
-    return Term(rel=rel, symbol=symbol(desk, rel), direction=name, magnitude="?", along=desk.guide_line(joint).along)
+    return Term(rel=rel, symbol=desk.symbol(rel), direction=name, magnitude="?", along=desk.guide_line(joint).along)
 
 
 def _note_slide(desk: Desk, joint: Prismatic, to: At, ref: At) -> None:
@@ -88,15 +76,14 @@ def normal(desk: Desk, at: At, about: At, link: str) -> Term:
 
 def normal_of(desk: Desk, rel: Rel, about: str, link: str, tip: str) -> Term:
     """The normal acceleration of two points of a link; tip: the letter at its end on the polygon."""
-    turn, q, sign = desk.turns[omega(link)], rel.to.point, symbol(desk, rel)
+    turn, q, sign = desk.turns[omega(link)], rel.to.point, desk.symbol(rel)
     length = desk.length(about, q)
     w = magnitude(f"ω_{link}", np.abs(turn.value), "rad/s")
     at_rest = abs(nominal(turn.value)) < 1e-12
     size = w.squared() * length
     value = size.value
     if not at_rest:
-        desk.sizes[rel.key] = desk.board.compute(sign, size, "m/s^2")
-        value = desk.sizes[rel.key].value
+        value = desk.board.compute(sign, size, "m/s^2").value
     return Term(
         rel=rel,
         symbol=sign,
@@ -115,16 +102,19 @@ def tangential(desk: Desk, at: At, about: At, link: str) -> Term:
     )
 
 
-def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points]) -> Term:
+def coriolis(desk: Desk, to: At, ref: At, link: str) -> Term:
     """a^k = 2 ω v_r: v_r turned by 90° in the sense of ω; it does not exist where ω or v_r is zero."""
     board, turn = desk.board, desk.turns[omega(link)]
     rel = Rel(Kind.AK, desk.canonical(to), desk.canonical(ref))
-    sign = symbol(desk, rel)
+    sign = desk.symbol(rel)
     relative = Rel(Kind.V, rel.to, rel.ref)
+    stood = desk.stands(relative)
+    assert stood is not None
+    v_rel = stood.ends
     on_paper = board.measure(*v_rel, f"{desk.start_label(View.VELOCITY, ref)} {desk.tip_label(View.VELOCITY, to)}")
-    vr = board.compute(symbol(desk, relative), board.mu(View.VELOCITY) * on_paper, "m/s")
+    vr = board.compute(desk.symbol(relative), board.mu(View.VELOCITY) * on_paper, "m/s")
     expr = Times(2, magnitude(f"ω_{link}", np.abs(turn.value), "rad/s") * vr)
-    desk.sizes[rel.key] = board.compute(sign, expr, "m/s^2")
+    size = board.compute(sign, expr, "m/s^2")
     vanishes = abs(nominal(expr.value)) < 1e-12
     along = _turned(v_rel[1] - v_rel[0], turn)
     board.remark(_coriolis_words(sign, plain_symbol(vr), link, nominal(turn.value), nominal(abs(v_rel[1] - v_rel[0]))))
@@ -134,7 +124,7 @@ def coriolis(desk: Desk, to: At, ref: At, link: str, v_rel: tuple[Points, Points
         magnitude="0" if vanishes else f"$2ω_{link} {plain_symbol(vr)}$",
         direction=ABSENT if vanishes else Words.same(f"⊥$ {plain_symbol(vr)}$"),
         along=along,
-        mm=board.to_paper(View.ACCELERATION, desk.sizes[rel.key].value),
+        mm=board.to_paper(View.ACCELERATION, size.value),
         tip="" if vanishes else desk.k_tip(rel),
     )
 
@@ -174,7 +164,7 @@ def ref_at(desk: Desk, view: View, about: At, link: str) -> At | None:
     D2, a point of a link that slides over the pivot D, is no pivot.
     """
     own = At(about.point, link)
-    if view is View.ACCELERATION and (view, own) in desk.tips:
+    if view is View.ACCELERATION and desk.is_tip(view, own):
         return own
     return None if desk.at_rest(view, about) else desk.canonical(about)
 

@@ -139,4 +139,4 @@ def _class(bench: Bench, taken: Taken, drivers: tuple[str, ...]) -> None:
         )
     key = class_(drivers).key
     bench.stated(class_(drivers), float(rank))
-    bench.board.readings[key] = replace(bench.board.readings[key], remark=name)
+    bench.board.revise(replace(bench.board.readings[key], remark=name))

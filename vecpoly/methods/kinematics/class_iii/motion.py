@@ -23,7 +23,7 @@ from ...registry import Stage, method
 from ..chains import coincident_tip, letters, never_turns, sliding_chain, solve
 from ..dyads.rrr import opening, total, turn_of_link
 from ..image import imaged, images_of_link
-from ..terms import key, known, symbol
+from ..terms import known
 from ..turning import angular_acceleration, angular_velocity, same_turn
 from .special import Special, find_special, special_of
 from .star import Axial, Guided, Hinged, Parallel, Slotted, Star, point_of, star_of
@@ -112,7 +112,7 @@ def _special_point(desk: Desk, view: View, star: Star, special: Special) -> dict
     (left, own_left), (right, own_right) = (
         to_special(desk, view, star, leg, special.at, primes) for leg, primes in zip(special.pair, (1, 2), strict=True)
     )
-    sought = symbol(desk, Rel(VECTOR[view], special.at))
+    sought = desk.symbol(Rel(VECTOR[view], special.at))
     solve(desk, view, Equation(left=left, right=right, total=sought), special.at)
     return {special.pair[0].link: own_left, special.pair[1].link: own_right}
 
@@ -122,11 +122,11 @@ def _turn(desk: Desk, view: View, plate: str, about: At, to: At, closed: Closed)
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, to, about)
     if view is View.VELOCITY:
         angular_velocity(
-            desk, plate, about.point, to.point, closed.ends[rel.key], letters(desk, view, about, to), symbol(desk, rel)
+            desk, plate, about.point, to.point, closed.ends[rel.key], letters(desk, view, about, to), desk.symbol(rel)
         )
     else:
         line = f"n_{plate}^{{′′′}} {desk.tip_label(view, to)}"
-        angular_acceleration(desk, plate, about.point, to.point, closed.ends[rel.key], line, symbol(desk, rel))
+        angular_acceleration(desk, plate, about.point, to.point, closed.ends[rel.key], line, desk.symbol(rel))
 
 
 # -- with a leg that keeps the central link from turning ---------------------------------------------------------------
@@ -171,8 +171,7 @@ def _leg(desk: Desk, view: View, star: Star, leg: Axial, chain: Chain) -> None:
     last, to = chain[-1].rel, desk.canonical(point_of(star, leg))
     assert isinstance(last, Rel)
     ends = (_known_end(desk, view, chain), desk.tip(view, to))
-    desk.ends[last.key] = (view, *ends)
-    desk.board.arrow_once(view, *ends, key=key(desk, last))
+    desk.board.arrow_once(view, *ends, key=desk.key(last))
     match leg:
         case Hinged(link=link, outer=o):
             turn_of_link(desk, view, {last.key: ends}, to, o, link)
@@ -191,4 +190,8 @@ def _known_end(desk: Desk, view: View, chain: Chain) -> Points:
     """Where the known terms of a leg's chain end on the polygon."""
     if len(chain) == 1:
         return 0j
-    return desk.ends[chain[-2].rel.key][2]
+    before = chain[-2].rel
+    assert isinstance(before, Rel)
+    stood = desk.stands(before)
+    assert stood is not None
+    return stood.end

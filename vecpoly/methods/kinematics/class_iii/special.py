@@ -123,7 +123,7 @@ def _letter(desk: Desk, plate: str) -> str:
     free = (
         letter
         for letter in LETTERS
-        if letter not in taken and (letter not in desk.at or (View.VELOCITY, At(letter, plate)) in desk.tips)
+        if letter not in taken and (letter not in desk.at or desk.is_tip(View.VELOCITY, At(letter, plate)))
     )
     return next(free)
 

@@ -14,7 +14,7 @@ from ....vector.equation import Term
 from ....words import Words
 from ...desk import VECTOR, Desk
 from ..chains import coincident_tip, sliding_chain, turning_chain
-from ..terms import ABSENT, across, coriolis, known, normal_of, sliding, symbol
+from ..terms import ABSENT, across, coriolis, known, normal_of, sliding
 from .star import Axial, Guided, Hinged, Slotted, Star, point_of
 
 Chain = tuple[Term, ...]
@@ -47,8 +47,7 @@ def _over_pin(desk: Desk, view: View, star: Star, leg: Slotted) -> Chain:
         return front, sliding(desk, Rel(Kind.V, to, ref), leg.slide)
     if desk.turns[omega(star.plate)].never:
         return front, sliding(desk, Rel(Kind.A, to, ref), leg.slide)
-    _, start, end = desk.ends[Rel(Kind.V, to, ref).key]
-    return (front, coriolis(desk, to, ref, star.plate, (start, end)), sliding(desk, Rel(Kind.AR, to, ref), leg.slide))
+    return (front, coriolis(desk, to, ref, star.plate), sliding(desk, Rel(Kind.AR, to, ref), leg.slide))
 
 
 def on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes: int) -> Chain:
@@ -65,18 +64,18 @@ def turned_on_plate(desk: Desk, view: View, plate: str, to: At, ref: At, primes:
     rates = desk.turns[(omega if view is View.VELOCITY else alpha)(plate)]
     if desk.turns[omega(plate)].never:
         rel = Rel(VECTOR[view], to, ref)
-        return (Term(rel=rel, symbol=symbol(desk, rel), direction=ABSENT, magnitude="0", vector=0j, drawn=True),)
+        return (Term(rel=rel, symbol=desk.symbol(rel), direction=ABSENT, magnitude="0", vector=0j, drawn=True),)
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, to, ref)
     front = () if view is View.VELOCITY else (_normal(desk, plate, to, ref, primes),)
     greek, unit = ("ω", "rad/s") if view is View.VELOCITY else ("α", "rad/s^2")
     length = desk.length(ref.point, to.point)
-    desk.sizes[rel.key] = desk.board.compute(
-        symbol(desk, rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit
+    desk.board.compute(
+        desk.symbol(rel), magnitude(f"{greek}_{plate}", np.abs(rates.value), unit) * length, rel.kind.unit
     )
     along = 1j * np.where(rates.value < 0, -1.0, 1.0) * desk.towards(ref.point, to.point)
     laid = Term(
         rel=rel,
-        symbol=symbol(desk, rel),
+        symbol=desk.symbol(rel),
         direction=Words.same(f"⊥$ {ref.point}{to.point}$"),
         magnitude=f"$ {greek}_{plate} l_{ref.point}{to.point}$",
         along=along[()],

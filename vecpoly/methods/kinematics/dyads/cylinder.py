@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ....algebra.quantity import magnitude
 from ....board.construction import View
 from ....board.paper.marks import Role
 from ....mechanism.model import FRAME, Prismatic, Revolute
@@ -23,7 +22,7 @@ from ...desk import QUANTITY, Desk
 from ...registry import Stage, method
 from ..chains import coincident_tip, never_turns, sliding_chain, solve, turning_chain
 from ..image import images_of_link
-from ..terms import coriolis, symbol
+from ..terms import coriolis
 from ..turning import same_turn
 from .rrr import total, turn_of_link
 
@@ -136,17 +135,16 @@ def _along(desk: Desk, view: View, ram: Ram) -> tuple[Term, ...]:
     drive = next(drive for drive in desk.mech.drives if drive.pair == {ram.near, ram.far})
     if view is View.VELOCITY:
         return (_given(desk, ram, Rel(Kind.V, to, under), drive.rate),)
-    _, start, end = desk.ends[Rel(Kind.V, to, under).key]
-    bend = coriolis(desk, to, under, ram.near, (start, end))
+    bend = coriolis(desk, to, under, ram.near)
     return bend, _given(desk, ram, Rel(Kind.AR, to, under), drive.accel)
 
 
 def _given(desk: Desk, ram: Ram, rel: Rel, value: float) -> Term:
     """A vector of known size along the drawn cylinder, which it lengthens where it is positive."""
-    view, sign = (View.VELOCITY, symbol(desk, rel)) if rel.kind is Kind.V else (View.ACCELERATION, symbol(desk, rel))
+    view, sign = (View.VELOCITY, desk.symbol(rel)) if rel.kind is Kind.V else (View.ACCELERATION, desk.symbol(rel))
     way = (1.0 if ram.near == ram.pair.guide else -1.0) * (np.sign(value) or 1.0)
     if value:
-        desk.sizes[rel.key] = magnitude(sign, abs(value), rel.kind.unit)
+        desk.board.given_size(sign, abs(value), rel.kind.unit)
     direction = Words.same(f"∥$ {ram.outer.point}{ram.inner.point}$") if value else Words.same("—")
     return Term(
         rel=rel,
@@ -180,5 +178,4 @@ def _parallelogram(desk: Desk, view: View, ram: Ram, turning: Term, along: tuple
         board.arrow(view, corner, closed.meeting, Role.GIVEN, key=along[0].key)
     else:  # a^k + a^r, shifted as one
         board.join(view, corner, closed.meeting, Role.DIRECTION)
-    desk.ends |= {key: (view, a, b) for key, (a, b) in moved.items()}
     return moved

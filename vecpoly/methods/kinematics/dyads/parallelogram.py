@@ -17,7 +17,7 @@ from ....words import Words
 from ...desk import QUANTITY, VECTOR, Desk
 from ..chains import never_turns
 from ..image import imaged, images_of_link
-from ..terms import ABSENT, known, symbol
+from ..terms import ABSENT, known
 
 
 def is_parallelogram(desk: Desk, d: Dyad) -> bool:
@@ -68,7 +68,7 @@ def move_parallelogram(desk: Desk, view: View, d: Dyad) -> None:
     if fixed:
         coupler, held = (d.link_j, b) if fixed[0] == d.link_j else (d.link_k, end)
         turning = (d.link_k, d.parent_j) if coupler == d.link_j else (d.link_j, d.parent_k)
-        vectors = [symbol(desk, Rel(VECTOR[view], desk.canonical(At(p)))) for p in (c, held)]
+        vectors = [desk.symbol(Rel(VECTOR[view], desk.canonical(At(p)))) for p in (c, held)]
         words += Words(
             f"连杆 {coupler} 作平动，各点{QUANTITY[view].zh}相同：${vectors[0]}$ = ${vectors[1]}$；"
             f"$ {letter}_{turning[0]}$ = $ {letter}_{turning[1]}$。",
@@ -98,8 +98,8 @@ def _equate(desk: Desk, view: View, c: str, b: str) -> None:
     """v_C = v_B + v_CB with v_CB = 0, written with its rows; what is zero needs no line."""
     kind = VECTOR[view]
     whole, turned = Rel(kind, At(c)), Rel(kind, At(c), At(b))
-    left = Term(rel=whole, symbol=symbol(desk, whole), direction=UNKNOWN, magnitude="?")
-    none = Term(rel=turned, symbol=symbol(desk, turned), direction=ABSENT, magnitude="0", vector=0j, drawn=True)
+    left = Term(rel=whole, symbol=desk.symbol(whole), direction=UNKNOWN, magnitude="?")
+    none = Term(rel=turned, symbol=desk.symbol(turned), direction=ABSENT, magnitude="0", vector=0j, drawn=True)
     desk.board.equate(Equation(left=(left,), right=(known(desk, view, At(b)), none)).table())
 
 
@@ -108,7 +108,6 @@ def _reach(desk: Desk, view: View, coupler: str, c: str) -> None:
     imaged(desk, view, coupler, At(c))
     tip = desk.tip(view, At(c))
     desk.board.plot(view, tip, desk.tip_label(view, At(c)))
-    desk.ends[Rel(VECTOR[view], At(c)).key] = (view, 0j, tip)
 
 
 def _turn_as(desk: Desk, view: View, link: str, along: str) -> None:

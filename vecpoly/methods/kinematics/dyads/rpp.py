@@ -78,5 +78,4 @@ def _from_block(desk: Desk, view: View, d: Dyad, to: At) -> tuple[Term, ...]:
         return (front, sliding(desk, Rel(Kind.V, to, tail), d.inner))
     if desk.turns[omega(d.link_k)].never:
         return (front, sliding(desk, Rel(Kind.AR, to, tail), d.inner))
-    _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
-    return (front, coriolis(desk, to, tail, d.link_k, (start, end)), sliding(desk, Rel(Kind.AR, to, tail), d.inner))
+    return (front, coriolis(desk, to, tail, d.link_k), sliding(desk, Rel(Kind.AR, to, tail), d.inner))

@@ -72,8 +72,7 @@ def _slid(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> tuple[Te
     letter_at_pole(desk, view, ref)
     if view is View.VELOCITY:
         return (front, sliding(desk, Rel(Kind.V, to, tail), joint))
-    _, start, end = desk.ends[Rel(Kind.V, to, tail).key]
-    return (front, coriolis(desk, to, tail, joint.guide, (start, end)), sliding(desk, Rel(Kind.AR, to, tail), joint))
+    return (front, coriolis(desk, to, tail, joint.guide), sliding(desk, Rel(Kind.AR, to, tail), joint))
 
 
 def _opening(desk: Desk, view: View, to: At, ref: At, joint: Prismatic) -> Words:

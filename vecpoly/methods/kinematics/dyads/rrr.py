@@ -13,7 +13,7 @@ from ...desk import QUANTITY, VECTOR, Desk
 from ...registry import Stage, method
 from ..chains import letters, solve, turning_chain
 from ..image import images_of_link
-from ..terms import ref_at, symbol
+from ..terms import ref_at
 from ..turning import angular_acceleration, angular_velocity
 from .parallelogram import is_parallelogram, move_parallelogram
 
@@ -67,7 +67,7 @@ def hinge_polygon(desk: Desk, view: View, c: str, *arms: tuple[str, str]) -> Non
 
 def total(desk: Desk, view: View, to: At, terms: int) -> str:
     """The sought vector's own symbol, where no side of the equation is that vector alone."""
-    return "" if view is View.VELOCITY and terms == 1 else symbol(desk, Rel(VECTOR[view], desk.canonical(to)))
+    return "" if view is View.VELOCITY and terms == 1 else desk.symbol(Rel(VECTOR[view], desk.canonical(to)))
 
 
 def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: str) -> None:
@@ -75,10 +75,10 @@ def turn_of_link(desk: Desk, view: View, ends: Ends, to: At, about: str, link: s
     ref = ref_at(desk, view, At(about), link)
     rel = Rel(Kind.V if view is View.VELOCITY else Kind.AT, desk.canonical(to), ref)
     if view is View.VELOCITY:
-        angular_velocity(desk, link, about, to.point, ends[rel.key], letters(desk, view, ref, to), symbol(desk, rel))
+        angular_velocity(desk, link, about, to.point, ends[rel.key], letters(desk, view, ref, to), desk.symbol(rel))
     else:
         line = f"n_{link}^′ {desk.tip_label(view, to)}"
-        angular_acceleration(desk, link, about, to.point, ends[rel.key], line, symbol(desk, rel))
+        angular_acceleration(desk, link, about, to.point, ends[rel.key], line, desk.symbol(rel))
 
 
 def opening(view: View, c: str, *links: str) -> Words:

@@ -13,7 +13,7 @@ from ...desk import Desk
 from ...registry import Stage, method
 from ..chains import letters
 from ..image import found_tip, images_of_link
-from ..terms import key, known, normal, symbol
+from ..terms import known, normal
 from ..turning import angular_acceleration, angular_velocity
 from .meshing import mesh
 from .pitch import pitch_velocity, rolling_of, wheel
@@ -39,9 +39,8 @@ def velocity_gear(desk: Desk, group: Group) -> None:
     ref = None if desk.at_rest(view, At(h)) else At(h)
     rel = Rel(Kind.V, At(c), ref)
     ends = desk.tip(view, At(h)), desk.tip(view, At(c))
-    desk.ends[rel.key] = (view, *ends)
-    desk.board.arrow_once(view, *ends, key=key(desk, rel))
-    angular_velocity(desk, gear, h, c, ends, letters(desk, view, ref, At(c)), symbol(desk, rel))
+    desk.board.arrow_once(view, *ends, key=desk.key(rel))
+    angular_velocity(desk, gear, h, c, ends, letters(desk, view, ref, At(c)), desk.symbol(rel))
     image_circle(desk, gear, c, h)
     images_of_link(desk, view, gear)
 
@@ -65,7 +64,7 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
     def led() -> tuple[Term, ...]:
         tangent = Term(
             rel=rel,
-            symbol=symbol(desk, rel),
+            symbol=desk.symbol(rel),
             direction=Words.same(f"⊥$ {h}{c}$"),
             magnitude="?",
             along=1j * desk.towards(c, h),
@@ -74,7 +73,7 @@ def acceleration_gear(desk: Desk, group: Group) -> None:
 
     closed = mesh(desk, joint, gear, led, Words(f"，列方程求 $α_{gear}$：", f"; for $α_{gear}$:"))
     angular_acceleration(
-        desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", symbol(desk, rel)
+        desk, gear, c, h, closed.ends[rel.key], f"n_{gear}^′ {desk.tip_label(view, own)}", desk.symbol(rel)
     )
     images_of_link(desk, view, gear)
 

@@ -23,7 +23,7 @@ from ....words import Words
 from ...desk import POLE, Desk
 from ..image import imaged
 from ..lengths import write_lengths
-from ..terms import ABSENT, key, known, symbol
+from ..terms import ABSENT, known
 
 
 def rolling_in(joints: Iterable[Joint]) -> tuple[Rolling, ...]:
@@ -115,21 +115,20 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
     rel = Rel(Kind.A, own)
     if base:
         eq = Equation(
-            left=(Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?"),), right=(*base, term)
+            left=(Term(rel=rel, symbol=desk.symbol(rel), direction=UNKNOWN, magnitude="?"),), right=(*base, term)
         )
         board.equate(eq.table())
         closed = close(board, view, 0j, eq, to=desk.tip_label(view, own))
         write_lengths(desk, view, eq)
-        desk.tips[view, own] = closed.meeting
-        desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
+        tip = desk.reach_tip(view, own, closed.meeting)
     else:
-        if term.rel.key in desk.sizes and term.magnitude != "0":
-            board.write_length(view, f"{POLE[view]} {desk.tip_label(view, own)}", desk.sizes[term.rel.key])
-        desk.put_tip(view, own, board.lay_off(0j, _along(term), _mm(term), key=key(desk, rel)))
-        board.arrow_once(view, 0j, desk.tips[view, own], key=key(desk, rel))
+        tip = desk.put_tip(view, own, board.lay_off(0j, _along(term), _mm(term), key=desk.key(rel)))
+        size = desk.size(rel)
+        if size is not None and term.magnitude != "0":
+            board.write_length(view, f"{POLE[view]} {desk.tip_label(view, own)}", size)
+        board.arrow_once(view, 0j, tip, key=desk.key(rel))
         desk.known_as[view, own] = (term.direction, term.magnitude)
-        desk.ends[rel.key] = (view, 0j, desk.tips[view, own])
-    board.plot(view, desk.tips[view, own], desk.tip_label(view, own))
+    board.plot(view, tip, desk.tip_label(view, own))
 
 
 def partner_acceleration(desk: Desk, joint: Rolling, link: str) -> tuple[Term, ...]:
@@ -151,9 +150,9 @@ def rolling_term(desk: Desk, joint: Rolling, link: str, tip: str = "") -> Term:
     """a_HkHm = ω_km² ρ, along the common normal: computed, then laid off to μ_a."""
     h, other, board = joint.point, partner(joint, link), desk.board
     rel = Rel(Kind.A, At(h, link), None if other == FRAME else At(h, other))
-    sign = symbol(desk, rel)
+    sign = desk.symbol(rel)
     turning = _relative(desk, link, other)
-    size = desk.sizes[rel.key] = board.compute(sign, turning.squared() * _curved(joint), "m/s^2")
+    size = board.compute(sign, turning.squared() * _curved(joint), "m/s^2")
     vanishes = abs(nominal(size.value)) < 1e-12
     start, end = _normal(joint, link)
     return Term(
@@ -174,7 +173,7 @@ def along_normal(desk: Desk, joint: Rolling, link: str) -> Term:
     c = joint.gear.centre
     name = f"∥$ {joint.point}{c}$" if isinstance(joint.on, Rack) else f"∥$ {joint.on.centre}{c}$"
     return Term(
-        rel=rel, symbol=symbol(desk, rel), direction=Words.same(name), magnitude="?", along=desk.towards(joint.point, c)
+        rel=rel, symbol=desk.symbol(rel), direction=Words.same(name), magnitude="?", along=desk.towards(joint.point, c)
     )
 
 

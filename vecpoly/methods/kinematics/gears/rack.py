@@ -14,7 +14,7 @@ from ...desk import Desk
 from ...registry import Stage, method
 from ..chains import coincident_tip, never_turns, sliding_chain
 from ..image import images_of_link
-from ..terms import known, symbol
+from ..terms import known
 from ..turning import same_turn
 from .meshing import mesh
 from .pitch import pitch_velocity, rolling_of
@@ -57,10 +57,10 @@ def velocity_rack(desk: Desk, group: Group) -> None:
             view,
         )
         rel = Rel(Kind.V, own, desk.canonical(base))
-        slip = Term(rel=rel, symbol=symbol(desk, rel), direction=UNKNOWN, magnitude="?")
+        slip = Term(rel=rel, symbol=desk.symbol(rel), direction=UNKNOWN, magnitude="?")
         eq = Equation(left=(known(desk, view, own),), right=(known(desk, view, base), slip))
         desk.board.equate(eq.table())
-        desk.ends |= {key: (view, a, b) for key, (a, b) in close(desk.board, view, 0j, eq).ends.items()}
+        close(desk.board, view, 0j, eq)
         same_turn(desk, rack, led, view)
     _lettered(desk, view, rack)
 

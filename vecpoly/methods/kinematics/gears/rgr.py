@@ -13,7 +13,6 @@ from ...registry import Stage, method
 from ..chains import solve, turning_chain
 from ..dyads.rrr import hinge_polygon, opening, total, turn_of_link
 from ..image import images_of_link
-from ..terms import symbol
 from ..turning import angular_acceleration
 from .pitch import rolling_term
 from .rrg import imaged_wheel
@@ -56,7 +55,7 @@ def acceleration_rgr(desk: Desk, d: Dyad) -> None:
     closed = solve(desk, view, Equation(left=left, right=right, total=total(desk, view, two, 2)), two)
     rel = Rel(Kind.AT, one, None if desk.at_rest(view, At(p)) else At(p))
     angular_acceleration(
-        desk, d.link_j, p, h, closed.ends[rel.key], f"r′ {desk.tip_label(view, two)}", symbol(desk, rel)
+        desk, d.link_j, p, h, closed.ends[rel.key], f"r′ {desk.tip_label(view, two)}", desk.symbol(rel)
     )
     turn_of_link(desk, view, closed.ends, two, q, d.link_k)
     for link in (d.link_j, d.link_k):

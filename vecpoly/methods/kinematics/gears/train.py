@@ -26,7 +26,7 @@ from ...registry import Stage, method
 from ..chains import letters, solve, turning_chain
 from ..dyads.rrr import hinge_polygon, opening, total, turn_of_link
 from ..image import images_of_link, known_tips
-from ..terms import across, key, known, symbol
+from ..terms import across, known
 from ..turning import angular_acceleration, angular_velocity
 from .pitch import rolling_in, rolling_term
 from .rrg import imaged_wheel, seat
@@ -109,9 +109,8 @@ def _from_two(desk: Desk, view: View, link: str) -> None:
         ref = None if desk.at_rest(view, p_at) else p_at
         rel = Rel(Kind.V, q_at, ref)
         both = desk.tip(view, p_at), desk.tip(view, q_at)
-        desk.board.arrow_once(view, *both, key=key(desk, rel))
-        desk.ends[rel.key] = (view, *both)
-        angular_velocity(desk, link, p, q, both, letters(desk, view, ref, q_at), symbol(desk, rel))
+        desk.board.arrow_once(view, *both, key=desk.key(rel))
+        angular_velocity(desk, link, p, q, both, letters(desk, view, ref, q_at), desk.symbol(rel))
     else:
         _alpha_from_two(desk, link, (p, p_at), (q, q_at))
     images_of_link(desk, view, link)
@@ -132,7 +131,7 @@ def _alpha_from_two(desk: Desk, link: str, one: tuple[str, At], two: tuple[str, 
     parts = (
         Term(
             rel=normal,
-            symbol=symbol(desk, normal),
+            symbol=desk.symbol(normal),
             direction=Words.same(f"∥$ {p}{q}$"),
             magnitude="?",
             along=desk.towards(p, q),
@@ -142,7 +141,6 @@ def _alpha_from_two(desk: Desk, link: str, one: tuple[str, At], two: tuple[str, 
     eq = Equation(left=(known(desk, view, q_at),), right=parts if rest else (known(desk, view, p_at), *parts))
     board.equate(eq.table())
     closed = close(board, view, 0j, eq)
-    desk.ends |= {key: (view, a, b) for key, (a, b) in closed.ends.items()}
     board.plot(view, closed.ends[tangential.key][0], f"n_{link}^′")
     angular_acceleration(
         desk,
@@ -151,7 +149,7 @@ def _alpha_from_two(desk: Desk, link: str, one: tuple[str, At], two: tuple[str, 
         q,
         closed.ends[tangential.key],
         f"n_{link}^′ {desk.tip_label(view, q_at)}",
-        symbol(desk, tangential),
+        desk.symbol(tangential),
     )
 
 
@@ -193,7 +191,7 @@ def _closed(desk: Desk, view: View, one: str, two: str, x: str, joint: Rolling |
     right = turning_chain(desk, view, far, q, two)
     closed = solve(desk, view, Equation(left=left, right=right, total=total(desk, view, far, 2)), far)
     rel = next(term.rel for term in left if isinstance(term.rel, Rel) and term.rel.kind is Kind.AT)
-    angular_acceleration(desk, one, p, x, closed.ends[rel.key], f"r′ {desk.tip_label(view, far)}", symbol(desk, rel))
+    angular_acceleration(desk, one, p, x, closed.ends[rel.key], f"r′ {desk.tip_label(view, far)}", desk.symbol(rel))
     turn_of_link(desk, view, closed.ends, far, q, two)
     for link in (one, two):
         images_of_link(desk, view, link)
