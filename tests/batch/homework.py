@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vecpoly.batch.classwork import Made, Order, make_class
+from vecpoly.batch.gather import gather
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
 from vecpoly.problem.assignment import load_assignment
@@ -44,11 +45,11 @@ def files(out: Path) -> dict[str, bytes]:
 
 
 def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:
-    """Each shard by itself, then the run that completes the folder."""
+    """Each shard by itself, then gathered."""
     out.mkdir(parents=True, exist_ok=True)
     file = out.parent / "hw3.yaml"
     file.write_text(TEXT, encoding="utf-8")
     order = Order(assignment=load_assignment(file), students=tuple(students), out=out, lang="zh", version="test")
     for shard in range(count):
         make_class(order, Here(), lambda *_: None, (shard, count))
-    make_class(order, Here(), lambda *_: None)
+    gather(order, (out,), Here(), lambda *_: None)
