@@ -7,6 +7,7 @@ from pathlib import Path
 
 import vecpoly
 from vecpoly.batch.classwork import Made, Order, make_class
+from vecpoly.batch.gather import gather
 from vecpoly.batch.run.runners import Here
 from vecpoly.batch.student import Student
 from vecpoly.problem.assignment import load_assignment
@@ -55,8 +56,8 @@ def files(out: Path) -> dict[str, bytes]:
 
 
 def made_in_shards(out: Path, students: Sequence[Student], count: int) -> None:
-    """Each shard by itself, then the run that completes the folder."""
+    """Each shard by itself, then gathered."""
     order = ordered(out, students)
     for shard in range(count):
         make_class(order, Here(), lambda *_: None, (shard, count))
-    make_class(order, Here(), lambda *_: None)
+    gather(order, (out,), Here(), lambda *_: None)

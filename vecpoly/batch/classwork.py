@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 from ..errors import VecpolyError
-from ..foundation.data import data_dir
 from ..foundation.files import write_whole
 from ..grading.scheme import USUAL_SCHEME, Scheme, scheme_of
 from ..problem.assignment import Assignment
@@ -18,16 +16,16 @@ from ..problem.values.vary import data_of
 from ..variants.pilot import Pilot, pilot
 from ..variants.seeds import Seed
 from ..words import Lang, Words
-from .drawing import Course, drawn, fingerprint, finished, refuse_too_few
+from .drawing import Course, drawn, fingerprint, refuse_too_few
 from .keyed import key_for
-from .register import NAME, Exercise, Part, Register, Sheet, read_register
+from .printing import printed
+from .register import NAME, Exercise, Part, Register, read_register
+from .run.manifest import roster_digest, write_manifest
 from .run.runners import Runner
-from .run.store import digest
-from .run.tasks import Print, bare, cut, laid_out, own
+from .run.tasks import bare, laid_out
 from .student import Student
 from .unvaried import same_for_all
 
-PAGES = 10  # students of one task
 _LEFT_OUT = ("printed", "errata", "tables", "extends")
 Told = Callable[[Words, int, int], None]
 
@@ -56,8 +54,9 @@ class Order:
         return Seed(assignment=self.assignment.id, problem=problem, student=student, salt=self.assignment.salt)
 
 
-def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | None = None) -> Made:
-    """Draw the values of all, write the sheets of all (or of one of so many shards), and keep the register.
+def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | None = None, *, pieces: int = 1) -> Made:
+    """Draw the values of all, write the sheets of all, and keep the register; or write one of so many shards, and keep
+    what it made in a manifest. pieces: the shards whose sheets are there already.
 
     Raises VecpolyError where a problem gives too few variants; a student who cannot be served does not stop the others.
     """
@@ -70,7 +69,7 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
             refuse_too_few(problem, found.passed, len(order.students))
         exercises.append(_exercise(order, problem, found))
         courses[problem.id] = Course(problem=problem, fingerprint=exercises[-1].fingerprint, standard=found.standard)
-    parts, refused = _drawn(order, courses, old, run, told)
+    parts, refused = _drawn(order, courses, old, run, told, 0.0 if shard is None else shard[0] / shard[1])
     sheets = tuple(
         bare(one, [parts[name][one.number] for name in courses], order.assignment.id, order.assignment.salt)
         for one in sorted(order.students, key=lambda one: one.number)
@@ -86,11 +85,33 @@ def make_class(order: Order, run: Runner, told: Told, shard: tuple[int, int] | N
         sheets=sheets,
     )
     _no_twin_sheets(register)
-    layouts, failed = _printed(order, register, run, told, shard)
+    shares = [shard] if shard is not None else [(n, pieces) for n in range(pieces)]
+    sheets_of = [register.sheets[n::of] for n, of in shares]
+    layouts, failed = printed(register, order.out, run, told, sheets_of)
     done = replace(register, sheets=laid_out(register.sheets, layouts)).marked_by(scheme)
     if shard is None:
         write_whole(order.out / NAME, done.as_bytes())
+    else:
+        _note(order, done, shard, refused, failed)
     return Made(register=done, pilots=pilots, refused=refused | failed)
+
+
+def _note(
+    order: Order,
+    done: Register,
+    shard: tuple[int, int],
+    refused: Mapping[str, VecpolyError],
+    failed: Mapping[str, VecpolyError],
+) -> None:
+    """Write what this shard made, and who of its share got nothing."""
+    mine = {number: error for number, error in refused.items() if _falls_to(number, order, shard)}
+    write_manifest(order.out, done, roster_digest(order.students), shard, {**mine, **failed})
+
+
+def _falls_to(number: str, order: Order, shard: tuple[int, int]) -> bool:
+    """Whether it is this shard that tells of a student who got no values."""
+    numbers = sorted(one.number for one in order.students)
+    return numbers.index(number) % shard[1] == shard[0]
 
 
 def _scheme(assignment: Assignment) -> Scheme:
@@ -163,7 +184,7 @@ def _kept(old: Register | None, course: Course) -> dict[str, Part]:
 
 
 def _drawn(
-    order: Order, courses: dict[str, Course], old: Register | None, run: Runner, told: Told
+    order: Order, courses: dict[str, Course], old: Register | None, run: Runner, told: Told, begin: float
 ) -> tuple[dict[str, dict[str, Part]], dict[str, VecpolyError]]:
     parts: dict[str, dict[str, Part]] = {}
     refused: dict[str, VecpolyError] = {}
@@ -180,6 +201,7 @@ def _drawn(
             run,
             order.out,
             lambda what, done, of: told(Words(f"取数 {what}", f"drawing values of {what}"), done, of),
+            begin,
         )
         refused |= without
     return parts, refused
@@ -215,21 +237,3 @@ def _no_twin_sheets(register: Register) -> None:
                 ),
                 code="twin",
             )
-
-
-def _printed(
-    order: Order, register: Register, run: Runner, told: Told, shard: tuple[int, int] | None
-) -> tuple[dict[str, Any], dict[str, VecpolyError]]:
-    """Layouts of the sheets that were written, and what went wrong with others."""
-    mark = digest(["pages", order.version, _templates()])
-    sheets: Sequence[Sheet] = register.sheets if shard is None else register.sheets[shard[0] :: shard[1]]
-    tasks = [Print(register=own(register, piece), mark=mark) for piece in cut(sheets, PAGES)]
-    results = finished(tasks, run, order.out, lambda done, of: told(Words("写作业", "writing sheets"), done, of))
-    rows = [row for result in results for row in result]
-    failed = {row["number"]: VecpolyError(Words(**row["error"])) for row in rows if "error" in row}
-    return {row["number"]: row["layout"] for row in rows if "layout" in row}, failed
-
-
-def _templates() -> list[str]:
-    """The templates that lecturers edit: with others the pages are others."""
-    return [file.read_text("utf-8") for file in sorted(data_dir("templates").glob("*.j2"))]

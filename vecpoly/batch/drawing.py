@@ -36,9 +36,16 @@ class Course:
 
 
 def drawn(
-    course: Course, seeds: Sequence[Seed], kept: Mapping[str, Part], run: Runner, out: Path, told: Told
+    course: Course,
+    seeds: Sequence[Seed],
+    kept: Mapping[str, Part],
+    run: Runner,
+    out: Path,
+    told: Told,
+    begin: float = 0.0,
 ) -> tuple[dict[str, Part], dict[str, VecpolyError]]:
-    """Student -> variant, and whoever got none. kept: what was handed out before, and stays.
+    """Student -> variant, and whoever got none. kept: what was handed out before, and stays. begin: where in the class
+    this process begins (0 to 1): shards that see one folder share the work, each begins at its own place.
 
     Everybody's turn comes in an order that follows from the seeds alone: the order of the roster does not matter.
     """
@@ -51,7 +58,7 @@ def drawn(
     waiting, refused = [(seed, 0) for seed in first], dict[str, VecpolyError]()
     for _ in range(ROUNDS):
         left: list[tuple[Seed, int]] = []
-        for seed, found in _found(course, waiting, apart.taken, run, out, told):
+        for seed, found in _found(course, waiting, apart.taken, run, out, told, begin):
             good = next((part for part in found if apart.takes(part.key)), None)
             if good is not None:
                 parts[seed.student] = good
@@ -66,7 +73,7 @@ def drawn(
 
 
 def _found(
-    course: Course, waiting: Sequence[tuple[Seed, int]], taken: Taken, run: Runner, out: Path, told: Told
+    course: Course, waiting: Sequence[tuple[Seed, int]], taken: Taken, run: Runner, out: Path, told: Told, begin: float
 ) -> Iterator[tuple[Seed, list[Part]]]:
     """The variants of each from an attempt on, in this order."""
     tasks = [
@@ -80,17 +87,21 @@ def _found(
         )
         for piece in cut(waiting, BATCH)
     ]
-    results = finished(tasks, run, out, lambda done, of: told(course.problem.id, done, of))
+    results = finished(tasks, run, out, lambda done, of: told(course.problem.id, done, of), begin)
     for task, result in zip(tasks, results, strict=True):
         for seed, found in zip(task.seeds, result, strict=True):
             yield seed, [Part(**{**one, "key": AnswerKey.from_json(one["key"])}) for one in found]
 
 
-def finished(tasks: Sequence[Task], run: Runner, out: Path, told: Callable[[int, int], None]) -> list[Any]:
+def finished(
+    tasks: Sequence[Task], run: Runner, out: Path, told: Callable[[int, int], None], begin: float = 0.0
+) -> list[Any]:
     """The results of all tasks: of those that are on file, and of the others when they are done."""
     store = Store(out)
     results = [store.get(task.address) for task in tasks]
-    todo = [n for n, result in enumerate(results) if result is None]
+    waiting = [n for n, result in enumerate(results) if result is None]
+    first = int(begin * len(waiting))
+    todo = waiting[first:] + waiting[:first]
     told(len(tasks) - len(todo), len(tasks))
     for count, (number, result) in enumerate(run.each([tasks[n] for n in todo], out), 1):
         results[todo[number]] = result

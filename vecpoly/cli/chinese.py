@@ -166,8 +166,11 @@ HELP = {
     "The assignment: a YAML file that lists problems.": ("作业：列有题目的 YAML 文件。"),
     "Numbers, names and classes: XLSX or CSV.": ("学号、姓名、班级：XLSX 或 CSV。"),
     "Processes; as many as there are processors where 0 is said.": ("进程数；0 则与处理器数相同。"),
-    "Write only every Nth sheet, from the Ith (0/4 ... 3/4); a run without it completes the folder.": (
-        "只写每 N 份中的一份，从第 I 份起（0/4 …… 3/4）；最后不带此选项再运行一次即成。"
+    "Write only every Nth sheet, from the Ith (0/4 ... 3/4), and a manifest; --gather completes the class.": (
+        "只写每 N 份中的一份，从第 I 份起（0/4 …… 3/4），并写清单；用 --gather 汇总成整班。"
+    ),
+    "Complete the class from this folder of shards, or from several: all there, none twice, bytes equal.": (
+        "由这个（或几个）文件夹中的分片汇总成整班：各片齐全、无人重复、字节相同。"
     ),
     "Let a Dask cluster do the work: the address of its scheduler.": ("由 Dask 集群来做：写调度器的地址。"),
     "Also a table with the columns of another platform, as this YAML file says.": (

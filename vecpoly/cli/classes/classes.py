@@ -40,7 +40,16 @@ ShardOption = Annotated[
     typer.Option(
         "--shard",
         metavar="I/N",
-        help="Write only every Nth sheet, from the Ith (0/4 ... 3/4); a run without it completes the folder.",
+        help="Write only every Nth sheet, from the Ith (0/4 ... 3/4), and a manifest; --gather completes the class.",
+        show_default=False,
+    ),
+]
+GatherOption = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--gather",
+        metavar="FOLDER",
+        help="Complete the class from this folder of shards, or from several: all there, none twice, bytes equal.",
         show_default=False,
     ),
 ]
@@ -71,6 +80,7 @@ def classes(
     lang: LangOption = "zh",
     jobs: JobsOption = 0,
     shard: ShardOption = "",
+    gather: GatherOption = None,
     dask: DaskOption = None,
     profile: ProfileOption = None,
     allow_outside: OutsideOption = False,
@@ -83,11 +93,12 @@ def classes(
     from ... import __version__
     from ...batch.classwork import Order, make_class
     from ...batch.forms.profile import read_profile
+    from ...batch.gather import gather as gathered
     from ...batch.roster import read_roster
     from ...batch.run.runners import runner
     from ...problem.assignment import load_assignment
 
-    part, columns = _shard(shard), read_profile(profile) if profile else None
+    part, columns = _shard(shard, gather), read_profile(profile) if profile else None
     people = read_roster(roster)
     order = Order(
         assignment=load_assignment(assignment, allow_outside=allow_outside),
@@ -97,7 +108,7 @@ def classes(
         version=__version__,
     )
     with progress_bar() as told, runner(jobs or os.cpu_count() or 1, dask) as run:
-        made = make_class(order, run, told, part)
+        made = gathered(order, gather, run, told) if gather else make_class(order, run, told, part)
         if part is None:
             _bundle(made, output, columns, told)
     _report(made)
@@ -115,10 +126,18 @@ def _settle(faults: Sequence[Fault], refused: Mapping[str, VecpolyError]) -> Non
         raise typer.Exit(REFUSED)
 
 
-def _shard(text: str) -> tuple[int, int] | None:
+def _shard(text: str, gather: Sequence[Path] | None) -> tuple[int, int] | None:
     """0/4: the first of four."""
     if not text:
         return None
+    if gather:
+        raise VecpolyError(
+            Words(
+                "--shard 与 --gather 不能同时写；请先分片，再汇总",
+                "--shard and --gather do not go together; write the shards, then gather them",
+            ),
+            code="shard",
+        )
     found = re.fullmatch(r"(\d+)/(\d+)", text)
     if found is None or not int(found[1]) < int(found[2]):
         raise VecpolyError(
