@@ -10,7 +10,7 @@ from vecpoly.board.hand import hand, steady
 from vecpoly.board.otherwise.amended import AS_DRAWN, Amended
 from vecpoly.errors import VecpolyError
 from vecpoly.methods.every_hand import by_every_hand
-from vecpoly.solution import constructed
+from vecpoly.solution import constructed, solve
 
 
 @pytest.mark.parametrize("name", ["3-9", "3-7a", "A-27"])
@@ -41,3 +41,12 @@ def test_what_one_hand_does_wrongly_no_other_does() -> None:
     for key, reading in right.readings.items():
         nominal = np.broadcast_to(found[key], (len(made) + 1,))[0]
         assert nominal == pytest.approx(reading.scalar if reading.vector is None else reading.vector)
+
+
+@pytest.mark.parametrize("name", ["peaucellier", "scissor-lift", "pantograph"])
+@pytest.mark.parametrize("seed", [1, 3, 8])
+def test_a_pencil_draws_what_stands_on_a_line_with_its_own_error(name: str, seed: int) -> None:
+    """One meeting point of Peaucellier's rhombus is B itself: drawn a hair beside B, it is no second assembly."""
+    found = solve(load(name), by="pencil", seed=seed, repeats=0).answers
+    off = [abs(answer.deviation) / abs(answer.exact) for answer in found.values() if answer.exact and answer.deviation]
+    assert off and 0 < max(off) < 0.6

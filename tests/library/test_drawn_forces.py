@@ -224,6 +224,7 @@ def test_no_reaction_of_a_guide_leaves_its_friction_cone(name: str) -> None:
 )
 def test_a_reaction_at_a_pin_with_friction_touches_its_circle_on_the_side_that_was_read(name: str) -> None:
     read, touched = by_symbol(name), 0
+    rubbing = {(m.centre, m.radius) for f in bodies(name) for m in f.marks if isinstance(m, FrictionCircle)}
     for figure in bodies(name):
         for circle in (m for m in figure.marks if isinstance(m, FrictionCircle)):
             for mark in arrows(figure):
@@ -240,7 +241,7 @@ def test_a_reaction_at_a_pin_with_friction_touches_its_circle_on_the_side_that_w
                     moment = ((mark.a - circle.centre).conjugate() * (mark.b - mark.a)).imag
                     assert ("ccw" if moment > 0 else "cw") == tangent, (figure.name, mark.label)
                     touched += 1
-    assert touched >= 2
+    assert touched >= min(2, len(rubbing))
 
 
 @pytest.mark.parametrize("name", IDS)

@@ -25,6 +25,7 @@ KNOWN: dict[str, list[int]] = json.loads(
     (Path(__file__).resolve().parents[1] / "data" / "equations.json").read_text(encoding="utf-8")
 )
 IDS = tuple(sorted({*ids(view=View.VELOCITY), *ids(view=View.ACCELERATION)}))
+TURNING = {"planetary-reactions", "rack-lift", "winch-gears"}  # gears alone: their velocities need no equation
 SEEN = 0.01  # mm: what is shorter is drawn as nothing
 
 
@@ -78,7 +79,7 @@ def test_a_table_has_as_many_columns_in_each_row_and_two_unknowns(name: str) -> 
 @pytest.mark.parametrize("name", IDS)
 def test_one_side_of_every_table_is_the_whole_vector_that_is_sought_and_nothing_is_said_twice(name: str) -> None:
     told = [table for view in POLYGONS.values() for _, table in tables(name, view)]
-    assert told
+    assert told or name in TURNING
     for table in told:
         sides = "".join(sign + symbol for sign, symbol in zip(table.signs, table.symbols, strict=True)).split("=")
         assert any(re.fullmatch(r"[va]_\{?[A-Z]\d*\}?", side) for side in sides) and len(set(table.symbols)) == len(
@@ -150,7 +151,7 @@ def test_a_magnitude_told_in_a_table_is_that_of_the_vector_drawn(name: str) -> N
                 seen += 1
             elif size == "0":
                 assert abs(b - a) < SEEN, sign
-    assert seen or drawn(name).problem.mechanism.drive.slide
+    assert seen or drawn(name).problem.mechanism.drive.slide or name in TURNING
 
 
 def radial(desk: Desk, told: str) -> float:

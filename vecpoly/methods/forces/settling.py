@@ -27,7 +27,8 @@ Couples = Mapping[tuple[str, str], Reals]
 Walk = Callable[[Statics], None]
 Further = Callable[[Statics], dict[tuple[str, str], Reals]]
 ROUNDS = 30  # for each share of the friction
-SHARES = (0.25, 0.5, 0.75, 1.0)
+SHARE = 0.25  # of the friction at a time
+FINEST = 0.01
 SETTLED = 1e-12  # change of the couples between two rounds, of the largest couple
 
 
@@ -52,7 +53,6 @@ def settled(
         own=ideal.own,
         balanced=ideal.balanced,
     )
-    shares = SHARES if ideal.by_moments or ideal.hubs or ideal.balanced else (1.0,)
     guide: Statics = ideal
 
     def rubbed(st: Statics) -> dict[tuple[str, str], Reals]:
@@ -60,8 +60,16 @@ def settled(
 
     couples: dict[tuple[str, str], Reals] = dict.fromkeys(pin_couples(ideal, groups), 0.0)
     couples |= further(ideal) | on_trial(ideal)  # from the first, so that moments solve the groups of hubs
-    for share in shares:
-        guide, couples = _fixed(replace(start, ideal=guide, share=share), rubbed, walk, couples)
+    done, stride = 0.0, SHARE if ideal.by_moments or ideal.hubs or ideal.balanced else 1.0
+    while done < 1.0:
+        share = min(done + stride, 1.0)
+        try:
+            guide, couples = _fixed(replace(start, ideal=guide, share=share), rubbed, walk, couples)
+            done = share
+        except LockedError:
+            if not ideal.balanced or stride < FINEST:
+                raise
+            stride /= 2  # a size on trial may bind where the right one does not: less friction more at a time
     return guide, couples
 
 
