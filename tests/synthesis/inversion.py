@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
-from vecpoly.board.candidates import Candidate
-from vecpoly.methods.synthesis.plan import construct_design
-
 import vecpoly
+from vecpoly.board.candidates import Candidate
 from vecpoly.board.hand import hand
 from vecpoly.drawing.sheets.paper import A4Paper
+from vecpoly.methods.synthesis.plan import construct_design
 from vecpoly.solution import Solution, solve
 
 
@@ -19,8 +19,10 @@ def posed(kind: str, **data: Any) -> vecpoly.Problem:
 
 
 def drawn_anyhow(kind: str, **data: Any) -> tuple[Candidate, ...]:
-    """The same where none of it may be of any use."""
-    return construct_design(posed(kind, **data), hand("exact"), A4Paper(False)).construction.candidates
+    """What the exact hand finds on paper, be it of any use or not; its pins in mm as they will be."""
+    drawn = construct_design(posed(kind, **data), hand("exact"), A4Paper(False)).construction
+    mu = 1e3 * drawn.figures[0].scale.value
+    return tuple(replace(one, pins={key: mu * at for key, at in one.pins.items()}) for one in drawn.candidates)
 
 
 def solved(problem: vecpoly.Problem) -> Solution:

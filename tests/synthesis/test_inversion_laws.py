@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+from collections.abc import Mapping
 from math import cos, pi, radians, sin
 from typing import Any
 
@@ -11,12 +12,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import root
-from vecpoly.oracle.synthesis.registry import Linkage
 
 from tests.synthesis.inversion import drawn_anyhow, place, pose, posed
 from vecpoly.designs.base import Design
 from vecpoly.errors import AssemblyError
 from vecpoly.oracle.synthesis.inversion import angle_pairs, positions
+from vecpoly.oracle.synthesis.registry import Linkage
 
 SEED = st.integers(0, 2**32 - 1)
 Motion = list[tuple[float, float, float]]  # x, y (mm) and the angle (deg) of a body
@@ -38,6 +39,11 @@ def _spot(draw: np.random.Generator) -> tuple[float, float]:
 def _pins_given(motion: Motion, b: tuple[float, float], c: tuple[float, float]) -> dict[str, Any]:
     data: dict[str, Any] = {"poses": [pose(*at) for at in motion], "body": {"B": place(*b), "C": place(*c)}}
     return data if len(motion) == 3 else data | {"A": "on y = -70 mm", "D": "on x = 60 mm"}
+
+
+def _lengths(values: Mapping[str, float]) -> dict[str, float]:
+    """AB, BC, CD, AD (mm)."""
+    return {key: values[key] for key in ("AB", "BC", "CD", "AD")}
 
 
 def _one(data: dict[str, Any]) -> Linkage:
@@ -68,9 +74,10 @@ def test_a_linkage_on_paper_goes_through_the_given_positions(seed: int) -> None:
     data = _pins_given(motion, *pins)
     true = _one(data)
     (found,) = drawn_anyhow("positions", **data)
-    lengths = dict(found.values)
-    assert lengths == pytest.approx({key: true.values[key] for key in lengths}, rel=1e-6)
-    a, d = (1e3 * true.pins[letter] for letter in "AD")
+    a, d = (found.pins[letter] for letter in "AD")
+    b, c = (found.pins[f"{letter}1"] for letter in "BC")
+    lengths = {"AB": abs(b - a), "BC": abs(c - b), "CD": abs(d - c), "AD": abs(d - a)}
+    assert lengths == pytest.approx(_lengths(true.values), rel=1e-6)
     for x, y, deg in motion:
         at, turn = complex(x, y), cmath.exp(1j * radians(deg))
         b, c = (at + turn * complex(*pin) for pin in pins)
@@ -97,7 +104,7 @@ def test_the_whole_paper_may_be_moved_and_turned(seed: int, shift: float, turn: 
         for x, y, deg in motion
     ]
     here, there = _one(_pins_given(motion, *pins)), _one(_pins_given(carried, *pins))
-    assert dict(there.values) == pytest.approx(dict(here.values), rel=1e-5)
+    assert _lengths(there.values) == pytest.approx(_lengths(here.values), rel=1e-5)
     assert there.verdict is here.verdict
 
 
@@ -112,7 +119,7 @@ def test_data_seen_in_a_mirror_give_the_linkage_seen_in_it(seed: int) -> None:
     seen = [(x, -y, -deg) for x, y, deg in motion]
     here = _one(_pins_given(motion, b, c))
     there = _one(_pins_given(seen, (b[0], -b[1]), (c[0], -c[1])))
-    assert dict(there.values) == pytest.approx(dict(here.values), rel=1e-6)
+    assert _lengths(there.values) == pytest.approx(_lengths(here.values), rel=1e-6)
     assert there.verdict is here.verdict
     assert 1e3 * there.pins["A"] == pytest.approx(1e3 * here.pins["A"].conjugate(), rel=1e-6, abs=1e-4)
 
@@ -126,7 +133,7 @@ def test_fixed_pins_given_are_found_again_from_the_moving_pins_that_they_give(se
     at, turn = complex(*motion[0][:2]), cmath.exp(1j * radians(motion[0][2]))
     b, c = ((1e3 * first.pins[f"{letter}1"] - at) / turn for letter in "BC")
     again = _one(_pins_given(motion, (b.real, b.imag), (c.real, c.imag)))
-    assert dict(again.values) == pytest.approx(dict(first.values), rel=1e-4)
+    assert _lengths(again.values) == pytest.approx(_lengths(first.values), rel=1e-4)
 
 
 @given(SEED)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from math import degrees
+from typing import Any, ClassVar
 
 from pydantic import model_validator
 
@@ -11,6 +13,7 @@ from ..errors import FaultError
 from ..names import Named
 from ..words import Words
 from .base import Design, Which
+from .inversion.built import posed_four_bar, posed_slider_crank
 from .inversion.loops import Hinged, Sliding
 from .inversion.plan import FRAME, Body, Find, On, Pin, Plan, Position, Slide
 from .inversion.written import Corresponding, on
@@ -68,6 +71,15 @@ class AnglePairs(Design):
     def quantities(self) -> tuple[Named, ...]:
         """The lengths, and by how much the sought pin is ahead of the line of its link."""
         return (AB, BC, AHEAD_B) if self.slides else (*FOUR_BAR, AHEAD_C)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The linkage in the position of the first pair, AB driving it."""
+        first = self.pairs[0]
+        if self.slides:
+            slide = self.plan().slides[0]
+            turned = degrees(first.one) + values[AHEAD_B.key]
+            return posed_slider_crank(values, turned, slide.places[0], slide.along, self.omega)
+        return posed_four_bar(values, degrees(first.one), degrees(first.two) + values[AHEAD_C.key], 0.0, self.omega)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The pairs, and the links that are given."""

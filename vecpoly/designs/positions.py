@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
 
@@ -10,11 +11,12 @@ from ..errors import FaultError
 from ..names import Named
 from ..words import Words
 from .base import Design, Which
+from .inversion.built import posed_four_bar
 from .inversion.loops import Hinged
 from .inversion.plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
 from .inversion.written import Place, Pose, on
 from .place import Carried
-from .quantities import FOUR_BAR
+from .quantities import FOUR_BAR, TURN_AB, TURN_AD, TURN_DC
 
 _BODY = "S"
 _MOVING = {"A": "B", "D": "C"}
@@ -83,8 +85,13 @@ class Positions(Design):
         return {"A": self.A, "B": self.B, "C": self.C, "D": self.D}[letter]
 
     def quantities(self) -> tuple[Named, ...]:
-        """The four lengths."""
-        return FOUR_BAR
+        """The four lengths, and the directions of AB, DC and AD in the first position."""
+        return (*FOUR_BAR, TURN_AB, TURN_DC, TURN_AD)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The four-bar in the first position, AB driving it."""
+        ab, dc, ad = (values[named.key] for named in (TURN_AB, TURN_DC, TURN_AD))
+        return posed_four_bar(values, ab, dc, ad, self.omega)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """The positions, the pins, the lines."""

@@ -10,7 +10,7 @@ from ..devices.base import Angle, Length
 from ..names import Named
 from .base import Design
 from .inversion.assembling import Assembly
-from .inversion.plan import Plan
+from .inversion.plan import Find, Plan
 from .inversion.step import Step
 from .inversion.written import Place
 
@@ -32,8 +32,11 @@ class Stages(Design):
         return self
 
     def quantities(self) -> tuple[Named, ...]:
-        """The lengths of all links that are found, loop by loop."""
-        return tuple(Named(one + two, f"l_{{{one}{two}}}", "mm") for one, two in self.plan().bars())
+        """The lengths of all links that are found, loop by loop; by how much pins are ahead of the lines of links."""
+        plan = self.plan()
+        lengths = tuple(Named(one + two, f"l_{{{one}{two}}}", "mm") for one, two in plan.bars())
+        pins = (stage.pin for stage in plan.stages if isinstance(stage, Find) and plan.turns(stage.on))
+        return (*lengths, *(Named(f"delta_{pin}", f"δ_{{{pin}}}", "deg") for pin in pins))
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Pivots, lengths, rays and points."""

@@ -167,6 +167,11 @@ class Plan:
         still = Body(name=FRAME, positions=(Position(),) * self.count)
         return next((body for body in self.bodies if body.name == name), still)
 
+    def turns(self, name: str) -> bool:
+        """Whether a link turns about a pivot of the frame."""
+        limits = any(isinstance(stage, Limits) and stage.of == name for stage in self.stages)
+        return limits or self.body(name).pivot != ""
+
     @property
     def extent(self) -> float:
         """How far what is given reaches (m)."""

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+from cmath import phase
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from math import degrees
-
-import numpy as np
 
 from ...designs.angle_pairs import AnglePairs
 from ...designs.inversion.loops import Hinged, Loop
@@ -48,7 +47,7 @@ def _linkages(plan: Plan) -> Iterator[Linkage]:
     for found in linkages(plan):
         values = {one + two: 1e3 * found.length(one, two) for one, two in plan.bars()}
         yield Linkage(
-            values=values | _ahead(plan, found),
+            values=values | _ahead(plan, found) | _turned(plan, found),
             pins=_pins(found),
             verdict=_verdict(plan, found),
             order=_order(plan, found),
@@ -56,12 +55,19 @@ def _linkages(plan: Plan) -> Iterator[Linkage]:
 
 
 def _ahead(plan: Plan, found: Found) -> dict[str, float]:
-    """Of three pairs the angle by which the pin is ahead of the line of its link, in (−180°, 180°]."""
-    kept = (stage for stage in plan.stages if isinstance(stage, Find) and plan.body(stage.on).pivot)
+    """The angle by which the pin is ahead of the line of its link, in (−180°, 180°]."""
+    kept = (stage for stage in plan.stages if isinstance(stage, Find) and plan.turns(stage.on))
     return {
-        f"delta_{stage.pin}": degrees(float(np.angle(found.bodies[stage.on][0].trace(found.pins[stage.pin][0]))))
+        f"delta_{stage.pin}": degrees(phase(found.bodies[stage.on][0].trace(found.pins[stage.pin][0])))
         for stage in kept
     }
+
+
+def _turned(plan: Plan, found: Found) -> dict[str, float]:
+    """Of a body led through positions the directions of AB, DC and AD in the first (deg)."""
+    rays = (("A", "B"), ("D", "C"), ("A", "D")) if plan.either else ()
+    pins = found.pins
+    return {f"phi_{one}{two}": degrees(phase(pins[two][0] - pins[one][0])) for one, two in rays}
 
 
 def _pins(found: Found) -> dict[str, complex]:

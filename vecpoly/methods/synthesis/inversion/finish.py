@@ -8,6 +8,7 @@ import numpy as np
 
 from ....designs.inversion.loops import Hinged, Loop
 from ....designs.inversion.plan import Find
+from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
 from ....designs.verdict import Verdict
 from ....names import Named
 from ....plane import Points, Reals
@@ -15,7 +16,7 @@ from ....words import Words
 from ..draft import SHEET
 from ..linkage import drawn, rejected
 from .judged import drives, judged
-from .sheet import Sheet
+from .sheet import Sheet, Stands
 
 
 def finish(sheet: Sheet) -> None:
@@ -30,6 +31,7 @@ def finish(sheet: Sheet) -> None:
     rejected(draft, verdict)
     _lengths(sheet, verdict)
     _ahead(sheet)
+    _turned(sheet)
     draft.candidate(verdict, _order(sheet), **_pins(sheet))
 
 
@@ -72,15 +74,30 @@ def _lengths(sheet: Sheet, verdict: Verdict) -> None:
 
 
 def _ahead(sheet: Sheet) -> None:
-    """Of three pairs the angle by which the pin is ahead of the line of its link."""
+    """The angle by which a pin is ahead of the line of its link: read of three positions, else known."""
     for stage in sheet.plan.stages:
-        if not isinstance(stage, Find) or sheet.plan.body(stage.on).pivot == "" or stage.lies is not None:
+        if not isinstance(stage, Find) or not sheet.plan.turns(stage.on):
             continue
-        stands = sheet.bodies[stage.on][stage.kept]
-        turned: Reals = np.degrees(
-            sheet.draft.board.gauge(0j, (sheet.pins[stage.pin][stage.kept] - stands.start) / stands.along)
-        )
+        stands, at = sheet.bodies[stage.on][stage.kept], sheet.pins[stage.pin][stage.kept]
         named = Named(f"delta_{stage.pin}", f"δ_{{{stage.pin}}}", "deg")
+        if stage.lies is None:
+            sheet.draft.stated(sheet.draft.of_this(named), _between(sheet, stands, at))
+        else:
+            sheet.draft.shared(named, np.degrees(np.angle((at - stands.start) / stands.along)))
+
+
+def _between(sheet: Sheet, stands: Stands, at: Points) -> Reals:
+    """From the line of a link to a pin, by protractor (deg)."""
+    return np.degrees(sheet.draft.board.gauge(0j, (at - stands.start) / stands.along))
+
+
+def _turned(sheet: Sheet) -> None:
+    """Of a body led through positions the directions of AB, DC and AD in the first, by protractor (deg)."""
+    if not sheet.plan.either:
+        return
+    pins = sheet.pins
+    for named, one, two in ((TURN_AB, "A", "B"), (TURN_DC, "D", "C"), (TURN_AD, "A", "D")):
+        turned = np.degrees(sheet.draft.board.gauge(pins[one][0], pins[two][0]))
         sheet.draft.stated(sheet.draft.of_this(named), turned)
 
 
