@@ -26,6 +26,12 @@ class Compass(Instruments):
         head = self.head(centre, radius, on=view)
         self.log(done.Swing(head=head, centre=spot(centre), radius=amount(radius), start=0.0, sweep=2 * pi))
 
+    def arc(self, view: Place, centre: Points, radius: Reals, start: Points, end: Points) -> None:
+        """Leave a compass arc from one point to another, counter-clockwise."""
+        head = self.head(centre, radius, start, end, on=view)
+        first, sweep = amount(np.angle(start - centre)), amount(np.angle((end - centre) / (start - centre)))
+        self.log(done.Swing(head=head, centre=spot(centre), radius=amount(radius), start=first, sweep=sweep % (2 * pi)))
+
     def bisector(self, view: Place, a: Points, b: Points) -> Line:
         """The perpendicular bisector of a segment, by equal arcs about both ends."""
         radius = WIDER * np.abs(b - a)

@@ -79,7 +79,8 @@ def verified(design: Design, number: int, values: Mapping[str, float], spread: M
 
 def _moved(number: int, values: Mapping[str, float], loose: Mapping[str, float], turn: Cycle) -> Verified:
     seen = facts(turn)
-    kind, margin = grashof(*(values[key] for key in ("AB", "BC", "CD", "AD"))) if "CD" in values else (None, nan)
+    lengths = [values[key] for key in ("AB", "BC", "CD", "AD") if key in values]
+    kind, margin = grashof(*lengths) if len(lengths) == 4 else (None, nan)
     stroke, least = (seen.strokes or (None,))[-1], min((t.least for t in seen.transmissions), key=_value, default=None)
     angle = stroke is not None and stroke.key.startswith("phi")
     return Verified(

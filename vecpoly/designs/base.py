@@ -40,6 +40,19 @@ def _advance(text: Any) -> Quantity:
     return Quantity(value, str(text))
 
 
+def _quick(text: Any) -> Quantity:
+    """K above 1: a linkage that only exists with a quick return."""
+    if (quantity := _advance(text)).si == 1:
+        raise FaultError(
+            Words(
+                "K = 1：θ = 0，没有急回，不能由此定出机构；须 K > 1，如 1.5",
+                "K = 1 means θ = 0: without quick return the linkage is not determined; K > 1 is needed, e.g. 1.5",
+            ),
+            code="out-of-range",
+        )
+    return quantity
+
+
 def _which(text: Any) -> int:
     """The number of a solution."""
     if isinstance(text, int):
@@ -56,6 +69,7 @@ def _which(text: Any) -> int:
 
 
 Advance = Annotated[Quantity, BeforeValidator(_advance), WithJsonSchema({"type": ["string", "number"]})]
+Quick = Annotated[Quantity, BeforeValidator(_quick), WithJsonSchema({"type": ["string", "number"]})]
 Omega = Annotated[
     Quantity,
     BeforeValidator(lambda text: text if isinstance(text, Quantity) else read(text, Dim.OMEGA)),
@@ -90,6 +104,20 @@ class Design(BaseModel):
     def built(self, values: Mapping[str, float]) -> dict[str, Any] | None:
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None
+
+    def one_of(self, *names: str) -> None:
+        """Raise FaultError unless just one of these data is given."""
+        more = [name for name in names if getattr(self, name) is not None]
+        if len(more) != 1:
+            raise FaultError(
+                Words(
+                    f"还须且只须给定 {'、'.join(names)} 之一，此处有：{'、'.join(more) or '无'}；如写 {names[0]}: 70 "
+                    f"mm",
+                    f"just one of {', '.join(names)} is needed beside, and here are: {', '.join(more) or 'none'}; "
+                    f"write e.g. {names[0]}: 70 mm",
+                ),
+                code="contradiction",
+            )
 
     def is_length(self, key: str) -> bool:
         """Whether a quantity is a length that is to be found."""

@@ -39,3 +39,39 @@ def slider_crank(values: Mapping[str, float], omega: Quantity | None) -> dict[st
         "branch": ["C right of B"],
         "find": ["v_C", "omega_2", "a_C", "alpha_2"],
     }
+
+
+def shaper(values: Mapping[str, float], rod: float, omega: Quantity | None) -> dict[str, Any]:
+    """C in the origin, A above it, the crank in the slot of the lever CD, the ram E on the guide y = h; rod: DE."""
+    return {
+        "frame": {"A": ["0 mm", _mm(values["AC"])], "C": ["0 mm", "0 mm"]},
+        "links": {
+            "1": {"AB": _mm(values["AB"])},
+            "2": {"block": "B"},
+            "3": {"slot": "C", "D": {"along": "CB", "at": _mm(values["CD"])}},
+            "4": {"DE": _mm(rod)},
+            "5": {"block": "E"},
+        },
+        "joints": ["2 slides in 3", f"5 slides on y = {values['h']!r} mm"],
+        "input": _input(omega),
+        "branch": ["E right of D"],
+        "find": ["omega_3", "v_D", "v_E", "alpha_3", "a_E"],
+    }
+
+
+def whitworth(values: Mapping[str, float], rod: float, omega: Quantity | None) -> dict[str, Any]:
+    """C in the origin, A above it, the crank in the slot of the bar that turns about C, the slider E on y = 0."""
+    return {
+        "frame": {"A": ["0 mm", _mm(values["AC"])], "C": ["0 mm", "0 mm"]},
+        "links": {
+            "1": {"AB": _mm(values["AB"])},
+            "2": {"block": "B"},
+            "3": {"CD": _mm(values["CD"]), "slot": {"through": "C", "angle": "180 deg from CD"}},
+            "4": {"DE": _mm(rod)},
+            "5": {"block": "E"},
+        },
+        "joints": ["2 slides in 3", "5 slides on y = 0 mm"],
+        "input": _input(omega),
+        "branch": ["E right of D"],
+        "find": ["omega_3", "v_D", "v_E", "alpha_3", "a_E"],
+    }

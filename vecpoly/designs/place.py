@@ -41,3 +41,29 @@ def _line(text: Any) -> OnLine:
 
 
 Carried = Annotated[OnLine, BeforeValidator(_line), WithJsonSchema({"type": "string", "pattern": _LINE.pattern})]
+
+
+_SPOT = re.compile(r"\s*[(（]\s*(?P<x>[^,，()]+?)\s*[,，]\s*(?P<y>[^,，()]+?)\s*[)）]\s*(?P<unit>\S*)\s*")
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """A given point (m), and as it was written."""
+
+    at: complex
+    text: str
+
+
+def _spot(text: Any) -> Spot:
+    if isinstance(text, Spot):
+        return text
+    if not (isinstance(text, str) and (m := _SPOT.fullmatch(text))):
+        raise FaultError(
+            Words(f"“{text}”不是给定的点；如写 (35, 11) mm", f"'{text}' is no given point; write e.g. (35, 11) mm"),
+            code="spelling",
+        )
+    x, y = (read(f"{m[axis]} {m['unit']}".strip(), Dim.LENGTH).si for axis in "xy")
+    return Spot(complex(x, y), text)
+
+
+Fixed = Annotated[Spot, BeforeValidator(_spot), WithJsonSchema({"type": "string", "pattern": _SPOT.pattern})]

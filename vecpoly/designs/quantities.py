@@ -16,3 +16,5 @@ TURN_DC = Named("phi_DC", "φ_{DC}", "deg")
 TURN_AD = Named("phi_AD", "φ_{AD}", "deg")
 OFFSET, STROKE = Named("e", "e", "mm"), Named("H", "H", "mm")
 ALPHA_MAX = Named("alpha_max", "α_{max}", "deg")  # greatest pressure angle
+AC = Named("AC", "l_{AC}", "mm")
+HEIGHT = Named("h", "h", "mm")  # of the ram's guide above the pivot of the lever

@@ -23,6 +23,7 @@ from ..board.paper.marks import (
     Segment,
     Vector,
 )
+from ..designs.base import Design
 from ..mechanism.model import Mechanism
 from ..problem.problem import Problem
 from ..words import Words
@@ -40,6 +41,8 @@ def picture(problem: Problem, construction: Construction, width: float, height: 
     figure = construction.figure(View.MECHANISM)
     if figure is None:
         return None
+    if isinstance(problem.subject, Design):
+        return None  # what is given of a synthesis are numbers; what its first steps draw is what is asked
     if not isinstance(problem.subject, Mechanism):
         return _device(figure, width, height)
     position = construction.steps[0].section

@@ -39,11 +39,13 @@ class Found:
 class Draft(Bench):
     """The state of one synthesis.
 
-    numbers: the number of each candidate in the order in which they are found, as a first sketch tells it.
-    asked: the keys that are to be read.
+    numbers: the number of each candidate in the order in which they are found, as a first sketch tells it, and how many
+    of them are valid. asked: the keys that are to be read. take: the number of the solution that is taken.
     """
 
     numbers: tuple[int, ...] = ()
+    valid: int = 0
+    take: int = 1
     asked: frozenset[str] = frozenset()
     found: list[Found] = field(default_factory=list)
 
@@ -57,8 +59,8 @@ class Draft(Bench):
 
     @property
     def alone(self) -> bool:
-        """Whether there is only one candidate."""
-        return len(self.numbers) == 1
+        """Whether there is only one solution."""
+        return self.valid == 1
 
     def letter(self, letter: str) -> str:
         """A letter of the candidate that is found next: B1 as B_1, of the second B′_1."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...designs.quantities import AB, AD, BC, SWING
+from ...designs.quantities import AB, AD, BC, CD, SWING
 from ...designs.verdict import Verdict
 from ...plane import Points, cross, nominal, unit
 from .draft import TWO, Draft
@@ -73,6 +73,8 @@ def _read(draft: Draft, limits: Limits) -> None:
     near = board.measure(limits.a, limits.folded, f"{of_a} {of_near}")
     crank = draft.length(draft.of_this(AB), (far - near) / TWO, f"{of_a} B")
     coupler = draft.length(draft.of_this(BC), (far + near) / TWO, "B C")
+    if CD.key not in board.readings:
+        draft.length(draft.of_this(CD), board.measure(limits.d, limits.extended, f"D {of_far}"), f"D {of_far}")
     if AD.key not in board.readings:
         draft.length(draft.of_this(AD), board.measure(limits.a, limits.d, f"{of_a} D"), f"{of_a} D")
     if SWING.key not in board.readings:

@@ -17,7 +17,8 @@ def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.V
     """The links of a candidate as chains of pins in its positions; a rejected one is dashed in all of them."""
     for chain in thin:
         _bars(draft, chain, Role.CONSTRUCTION if verdict is Verdict.VALID else Role.HIDDEN)
-    _bars(draft, thick, Role.LINK if verdict is Verdict.VALID else Role.HIDDEN)
+    full = Role.LINK if draft.number == draft.take else Role.GIVEN
+    _bars(draft, thick, full if verdict is Verdict.VALID else Role.HIDDEN)
 
 
 def _bars(draft: Draft, chain: Chain, role: Role) -> None:

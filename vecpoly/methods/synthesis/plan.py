@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 import numpy as np
 
 from ...board.board import Board
@@ -9,7 +11,7 @@ from ...board.construction import Construction, Scale, View
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
 from ...board.paper.extent import extent
-from ...board.paper.scales import round_scale
+from ...board.paper.scales import round_scale, round_up
 from ...designs.base import Design
 from ...designs.verdict import Verdict
 from ...problem.problem import Problem
@@ -20,17 +22,17 @@ from .draft import SHEET, Draft
 from .registry import find_design
 
 TITLES = {View.MECHANISM: Words("机构的综合", "Synthesis of the linkage")}
+COARSEST = 1.51  # how much coarser the scale may be for all figures to go on one sheet
 SAME = 9  # digits to which two numbers that order candidates are one
 
 
 def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended = AS_DRAWN) -> Drawn:
-    """Find the linkages on a board; the sketch's figure tells the scale, its candidates their numbers."""
-    asked = frozenset(ask.rel.key for ask in problem.asks)
+    """Find the linkages on a board; the sketch's figures tell the scale, its candidates their numbers."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        sketch = _draw(problem, hand("exact"), _guess(problem), (), asked)
-        numbers = _numbers(sketch)
-        ideal = _draw(problem, hand("exact"), _scale(problem, sketch, paper), numbers, asked)
-        draft = _draw(problem, by, _scale(problem, sketch, paper), numbers, asked, amended)
+        sketch = _draw(problem, hand("exact"), _guess(problem), None)
+        scale = _scale(problem, sketch, paper)
+        ideal = _draw(problem, hand("exact"), scale, sketch)
+        draft = _draw(problem, by, scale, sketch, amended)
     board, keys = draft.board, [ask.rel.key for ask in problem.asks]
     construction = Construction(
         problem=problem.id,
@@ -54,16 +56,16 @@ def _design(problem: Problem) -> Design:
     return problem.subject
 
 
-def _draw(
-    problem: Problem,
-    by: Hand,
-    scale: float,
-    numbers: tuple[int, ...],
-    asked: frozenset[str],
-    amended: Amended = AS_DRAWN,
-) -> Draft:
+def _draw(problem: Problem, by: Hand, scale: float, sketch: Draft | None, amended: Amended = AS_DRAWN) -> Draft:
+    """The construction; its candidates have the numbers that a sketch tells."""
     design = _design(problem)
-    draft = Draft(Board(by, {SHEET: Scale.of(SHEET, scale)}, amended), numbers=numbers, asked=asked)
+    draft = Draft(
+        Board(by, {SHEET: Scale.of(SHEET, scale)}, amended),
+        numbers=() if sketch is None else _numbers(sketch),
+        valid=0 if sketch is None else sum(one.verdict is Verdict.VALID for one in sketch.found),
+        take=design.take,
+        asked=frozenset(ask.rel.key for ask in problem.asks),
+    )
     find_design(design).draw(draft, design)
     draft.settle(design)
     return draft
@@ -81,10 +83,24 @@ def _guess(problem: Problem) -> float:
 
 
 def _scale(problem: Problem, sketch: Draft, paper: Paper) -> float:
-    """As given; else the round scale with which the largest figure fills its place on a sheet."""
+    """As given; else the round scale with which the largest figure fills its place, or all go on one sheet."""
     given = problem.scales.of(SHEET.mu)
     if given is not None:
         return given
-    place = paper.slots(1)[0]
-    guess = _guess(problem)
-    return max(round_scale(guess, extent(figure.marks), place) for figure in sketch.board.figures(TITLES))
+    guess, place = _guess(problem), paper.slots(1)[0]
+    sizes = [extent(figure.marks) for figure in sketch.board.figures(TITLES)]
+    alone = max(round_scale(guess, size, place) for size in sizes)
+    return next((scale for scale in _coarser(alone) if paper.fits(_at(sizes, guess / scale))), alone)
+
+
+def _coarser(scale: float) -> Iterator[float]:
+    """The scale and those of the series above it, up to half its size on paper."""
+    found = scale
+    while found <= COARSEST * scale:
+        yield found
+        found = round_up(1.01 * found)
+
+
+def _at(sizes: Sequence[tuple[float, float]], larger: float) -> list[tuple[float, float]]:
+    """The sizes of the figures at another scale."""
+    return [(width * larger, height * larger) for width, height in sizes]

@@ -5,18 +5,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...algebra.quantity import magnitude
 from ...board.paper.marks import Role
-from ...designs.quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE, THETA
-from ...designs.quantities import K as ADVANCE
+from ...designs.quantities import AB, ALPHA_MAX, BC, GAMMA_MIN, OFFSET, STROKE
 from ...designs.slider_crank import SliderCrank
 from ...designs.verdict import Verdict
 from ...plane import Line, Points, foot, nominal, unit
 from ...plane.geometry import dot
 from ...words import Words
+from .advance import theta_of
 from .arc_middle import MIRROR, by_arc
-from .draft import HALF_TURN, ONE, RIGHT, SHEET, TWO, Draft
+from .draft import RIGHT, SHEET, TWO, Draft
 from .eta import Eta, eta
+from .limits import Limits, limits_of
 from .linkage import drawn, pin, rejected
 from .pressure import greatest_pressure
 from .registry import design_method
@@ -33,14 +33,7 @@ from .registry import design_method
 def draw_slider_crank(draft: Draft, design: SliderCrank) -> None:
     """θ, the stroke C₁C₂, the circle η, and A on it."""
     board = draft.board
-    board.section(Words("极位夹角", "Angle between the limit positions"))
-    board.step(
-        Words("由行程速比系数 $K$ 求极位夹角：", "The angle between the limit positions, from the coefficient $K$:"),
-        SHEET,
-    )
-    k = magnitude("K", board.given(design.K.si, "K"), "")
-    theta = draft.worked(THETA, HALF_TURN * (k - ONE) / (k + ONE))
-    draft.shared(ADVANCE, design.K.si)
+    theta = theta_of(draft, design.K.si)
     draft.shared(STROKE, design.H.si * 1e3)
     board.section(Words("$A$ 点所在的圆", "The circle of $A$"))
     board.step(
@@ -67,19 +60,29 @@ def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], ci
         assert length is not None
         at = next(by_arc(draft, ends, circle, 2 * draft.mm(length.si), name))
     a = pin(draft, draft.letter("A"), at)
-    crank = (np.abs(c2 - a) - np.abs(c1 - a)) / 2
-    coupler = (np.abs(c2 - a) + np.abs(c1 - a)) / 2
     base = foot(Line(c1, unit(c2 - c1)), a)
-    offset = np.abs(a - base)
-    b1: Points = a - unit(c1 - a) * crank
-    b2: Points = a + unit(c2 - a) * crank
-    verdict = Verdict.VALID if float(nominal(dot(c2 - c1, base - c1))) < 0 else Verdict.ACROSS
-    drawn(draft, (a, b2, c2), (a, b1, c1), verdict=verdict)
+    along = float(nominal(dot(c2 - c1, base - c1) / np.square(np.abs(c2 - c1))))
+    verdict = Verdict.ACROSS if 0 <= along <= 1 else Verdict.VALID
+    letters = ("A", "C_1", "C_2")
+    _settled(draft, design, limits_of(a, base, c1, c2, letters), verdict)
+
+
+def _settled(draft: Draft, design: SliderCrank, limits: Limits, verdict: Verdict) -> None:
+    """The linkage in both limits; of a valid one its lengths. The foot of A on the guide stands in the place of D."""
+    a, near, far = limits.a, limits.folded, limits.extended
+    crank = (np.abs(far - a) - np.abs(near - a)) / 2
+    of_near: Points = a - unit(near - a) * crank
+    of_far: Points = a + unit(far - a) * crank
+    drawn(draft, (a, of_far, far), (a, of_near, near), verdict=verdict)
     rejected(draft, verdict)
     if verdict is Verdict.VALID:
-        b1, b2 = pin(draft, draft.letter("B1"), b1), pin(draft, draft.letter("B2"), b2)
-        _read(draft, design, (a, base, c1, c2))
-    draft.candidate(verdict, (crank, coupler, offset, a.real), A=a, B1=b1, C1=c1, B2=b2, C2=c2)
+        numbers = "12" if limits.first else "21"
+        of_near, of_far = (
+            pin(draft, draft.letter(f"B{i}"), b) for i, b in zip(numbers, (of_near, of_far), strict=True)
+        )
+        _read(draft, design, limits)
+    order = crank, (np.abs(far - a) + np.abs(near - a)) / 2, np.abs(a - limits.d), a.real
+    draft.candidate(verdict, order, A=a, B1=of_near, C1=near, B2=of_far, C2=far)
 
 
 def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
@@ -99,16 +102,16 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
     return left
 
 
-def _read(draft: Draft, design: SliderCrank, pins: tuple[Points, Points, Points, Points]) -> None:
+def _read(draft: Draft, design: SliderCrank, limits: Limits) -> None:
     """l_AB, l_BC by half the difference and half the sum; the offset; the greatest pressure angle."""
-    board, (a, base, c1, c2) = draft.board, pins
-    far, near = board.measure(a, c2, "A C_2"), board.measure(a, c1, "A C_1")
+    board, (_, of_near, of_far) = draft.board, limits.letters
+    far = board.measure(limits.a, limits.extended, f"A {of_far}")
+    near = board.measure(limits.a, limits.folded, f"A {of_near}")
     crank = draft.length(draft.of_this(AB), (far - near) / TWO, "A B")
     coupler = draft.length(draft.of_this(BC), (far + near) / TWO, "B C")
     if design.e is None:
-        offset = draft.length(draft.of_this(OFFSET), board.measure(a, base, "A N"), "A N")
+        offset = draft.length(draft.of_this(OFFSET), board.measure(limits.a, limits.d, "A N"), "A N")
     else:
         offset = draft.shared(OFFSET, design.e.si * 1e3)
-    alpha = greatest_pressure(draft, crank, coupler, offset)
-    found = draft.stated(draft.of_this(ALPHA_MAX), alpha)
+    found = draft.stated(draft.of_this(ALPHA_MAX), greatest_pressure(draft, crank, coupler, offset))
     draft.worked(draft.of_this(GAMMA_MIN), RIGHT - found)

@@ -61,7 +61,7 @@ def _extreme(
     per_mm = 1e-3 / board.scale_of(place).value
     b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm, key=f"AB{marks}"))
     what = Words(f"求 $C{marks}$", f"finding $C{marks}$")
-    c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, CD.key), what)
+    c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, draft.of_this(CD).key, CD.key), what)
     c = board.locate(place, f"C{marks}", c)
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)

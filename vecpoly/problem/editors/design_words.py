@@ -37,4 +37,24 @@ DESIGNS = {
     "slider-crank.e": Words("偏距", "offset of the guide from A"),
     "slider-crank.AB": Words("曲柄长", "the crank"),
     "slider-crank.BC": Words("连杆长", "the coupler"),
+    **{
+        f"{kind}.{key}": words
+        for kind in ("shaper", "whitworth")
+        for key, words in {
+            "take": _TAKE,
+            "omega": _OMEGA,
+            "K": _K,
+            "H": Words("滑枕或滑块的行程", "stroke of the ram, or of the slider"),
+            "AB": Words("曲柄长", "the crank"),
+            "AC": Words("机架长", "the frame"),
+            "DE": Words("连杆长", "the rod to the ram, or to the slider"),
+        }.items()
+    },
+    "limit-lines.take": _TAKE,
+    "limit-lines.omega": _OMEGA,
+    "limit-lines.C1": Words("C 的一个极限位置，如 (0, 0) mm", "C in one limit position: (0, 0) mm"),
+    "limit-lines.C2": Words("C 的另一极限位置", "C in the other limit position"),
+    "limit-lines.line_1": Words("C1 处连杆线的方向角", "direction of the coupler's line at C1"),
+    "limit-lines.line_2": Words("C2 处连杆线的方向角", "direction of the coupler's line at C2"),
+    "limit-lines.alpha_1": Words("C1 处的压力角", "pressure angle at C1"),
 }

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from math import degrees
 
-from ....algebra.quantity import magnitude
 from ....designs.crank_rocker import CrankRocker
-from ....designs.quantities import AD, CD, SWING, THETA
-from ....designs.quantities import K as ADVANCE
+from ....designs.quantities import AD, CD, SWING
 from ....words import Words
-from ..draft import HALF_TURN, ONE, SHEET, Draft
+from ..advance import theta_of
+from ..draft import Draft
 from ..registry import design_method
 from .by_limit import by_limit
 from .by_swing import by_swing
@@ -23,15 +22,7 @@ from .by_swing import by_swing
 )
 def draw_crank_rocker(draft: Draft, design: CrankRocker) -> None:
     """θ = 180° (K − 1) / (K + 1), and the construction that goes with what is given beside."""
-    board = draft.board
-    board.section(Words("极位夹角", "Angle between the limit positions"))
-    board.step(
-        Words("由行程速比系数 $K$ 求极位夹角：", "The angle between the limit positions, from the coefficient $K$:"),
-        SHEET,
-    )
-    k = magnitude("K", board.given(design.K.si, "K"), "")
-    theta = draft.worked(THETA, HALF_TURN * (k - ONE) / (k + ONE))
-    draft.shared(ADVANCE, design.K.si)
+    theta = theta_of(draft, design.K.si)
     draft.shared(CD, design.CD.si * 1e3)
     for named, given in ((SWING, design.swing), (AD, design.AD)):
         if given is not None:

@@ -1,0 +1,61 @@
+"""The crank-shaper (oscillating guide bar) from K and the stroke of its ram."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import pi
+from typing import Any, ClassVar
+
+from pydantic import model_validator
+
+from ..devices.base import Length
+from ..names import Named
+from .base import Design, Quick
+from .linkages import shaper
+from .quantities import AB, AC, ALPHA_MAX, CD, HEIGHT, THETA
+from .quantities import K as ADVANCE
+
+LONG = 3.0  # lever lengths: a rod DE where none is given, for the motion alone
+
+
+class Shaper(Design):
+    """K, the stroke H and the crank AB or the frame AC; DE, where the pressure angle at the ram is asked.
+
+    C, about which the lever swings, is the origin, A above it; the ram's guide is level, through the middle of the
+    height of D's arc, where the pressure angle is least.
+    """
+
+    kind: ClassVar[str] = "shaper"
+    K: Quick
+    H: Length
+    AB: Length | None = None
+    AC: Length | None = None
+    DE: Length | None = None
+
+    @model_validator(mode="after")
+    def _determined(self) -> Shaper:
+        self.one_of("AB", "AC")
+        return self
+
+    def quantities(self) -> tuple[Named, ...]:
+        """θ, which is the swing of the lever, crank, frame, lever, height of the guide; with DE the pressure angle."""
+        return (THETA, AB, AC, CD, HEIGHT, *((ALPHA_MAX,) if self.DE is not None else ()), ADVANCE)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """K, H, and what is given beside."""
+        written = (("K", self.K), ("H", self.H), ("l_{AB}", self.AB), ("l_{AC}", self.AC), ("l_{DE}", self.DE))
+        return tuple((symbol, value.text) for symbol, value in written if value is not None)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """Crank, lever, rod and ram."""
+        return shaper(values, 1e3 * self.DE.si if self.DE is not None else LONG * values["CD"], self.omega)
+
+    @property
+    def theta(self) -> float:
+        """θ = π (K − 1) / (K + 1), rad."""
+        return pi * (self.K.si - 1) / (self.K.si + 1)
+
+    @property
+    def size(self) -> float:
+        """The stroke."""
+        return 2 * self.H.si

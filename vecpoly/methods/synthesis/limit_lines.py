@@ -1,0 +1,78 @@
+"""A crank-rocker from the lines of its coupler in both limits: they meet in A; D on the bisector of C₁C₂."""
+
+from __future__ import annotations
+
+from math import pi
+
+from ...designs.limit_lines import LimitLines
+from ...designs.quantities import THETA
+from ...designs.quantities import K as ADVANCE
+from ...plane import Line, Points, cross, nominal, unit
+from ...words import Words
+from .draft import HALF_TURN, SHEET, Draft
+from .limits import judged, limits_of, settled
+from .linkage import pin
+from .registry import design_method
+
+SIDES = (("一侧", "on one side"), ("另一侧", "on the other side"))
+
+
+@design_method(
+    LimitLines,
+    title=Words("按两极限位置的连杆线设计曲柄摇杆机构", "Crank-rocker from the coupler's lines in its limit positions"),
+    source="机械原理, limit positions: crank and coupler in one line, transmission angle at the rocker",
+    example="8-5",
+)
+def draw_limit_lines(draft: Draft, design: LimitLines) -> None:
+    """A, θ; then D on either side of the coupler's line."""
+    board = draft.board
+    board.section(Words("求 $A$ 点", "The point $A$"))
+    board.step(
+        Words(
+            "选 $μ_l$，按给定位置画 $C_1$、$C_2$ 及两极限位置的连杆线。极限位置时曲柄与连杆共线，两线都通过 $A$，"
+            "其交点即 $A$；两线的夹角即 $θ$。",
+            "Choose $μ_l$, set out $C_1$ and $C_2$ and the lines of the coupler there. In its limits the coupler lies "
+            "in "
+            "line with the crank, so both pass through $A$ and meet there; the angle between them is $θ$.",
+        ),
+        SHEET,
+    )
+    c1, c2 = (pin(draft, f"C_{i}", draft.mm(1.0) * spot.at) for i, spot in ((1, design.C1), (2, design.C2)))
+    first, second = (
+        board.ray(c, 1 + 0j, board.given(angle.si, f"line_{i}"), key=f"C{i}A")
+        for i, c, angle in ((1, c1, design.line_1), (2, c2, design.line_2))
+    )
+    a = pin(draft, "A", board.meet(first, second, Words("求 $A$", "finding $A$")))
+    board.rule(SHEET, first, a)
+    board.rule(SHEET, second, a)
+    theta = draft.stated(THETA, draft.angle(a, c1, c2))
+    draft.worked(ADVANCE, (HALF_TURN + theta) / (HALF_TURN - theta))
+    _rockers(draft, design, (a, c1, c2))
+
+
+def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Points]) -> None:
+    board, (a, c1, c2) = draft.board, pins
+    board.section(Words("求 $D$ 点和各构件长度", "The point $D$ and the lengths"))
+    bisector: Line | None = None
+    for way, side in zip((1, -1), SIDES, strict=True):
+        board.step(
+            Words(
+                f"$D$ 在 $C_{{1}}C_2$ 的中垂线上。$C_1$ 处的传动角为 $90° − α_1$：过 $C_1$ 在 $C_{{1}}A$ 的{side[0]}作"
+                f"与它成此角的直线，"
+                "与中垂线相交于 $D$。",
+                f"$D$ lies on the bisector of $C_{{1}}C_2$. The transmission angle at $C_1$ is $90° − α_1$: draw a "
+                f"line "
+                f"through $C_1$ at this angle to $C_{{1}}A$ {side[1]}; it meets the bisector in $D$.",
+            ),
+            SHEET,
+        )
+        bisector = bisector or board.bisector(SHEET, c1, c2)
+        key = "C1D" if way > 0 else "C1D'"
+        ray = board.ray(c1, unit(a - c1), way * (pi / 2 - board.given(design.alpha_1.si, "alpha_1")), key=key)
+        if abs(float(nominal(cross(ray.along, bisector.along)))) < 1e-9:
+            board.remark(Words("此线与中垂线平行，不相交。", " The line is parallel to the bisector: no meeting."))
+            continue
+        d = pin(draft, draft.letter("D"), board.meet(ray, bisector, Words("求 $D$", "finding $D$")))
+        board.rule(SHEET, ray, d)
+        board.rule(SHEET, bisector, d)
+        settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", "C_2")), judged(a, d, c1, c2))

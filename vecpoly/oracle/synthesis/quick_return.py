@@ -1,0 +1,63 @@
+"""The shaper and Whitworth's quick return in closed form."""
+
+from __future__ import annotations
+
+from math import asin, cos, degrees, pi, sin
+
+from ...designs.shaper import Shaper
+from ...designs.verdict import Verdict
+from ...designs.whitworth import Whitworth
+from ...errors import AssemblyError
+from ...words import Words
+from .registry import Linkage, synthesizes
+
+
+@synthesizes(Shaper)
+def shapers(design: Shaper) -> list[Linkage]:
+    """The swing of the lever is θ: AB = AC sin(θ/2), CD = H / (2 sin(θ/2)), h = CD (1 + cos(θ/2)) / 2."""
+    half = design.theta / 2
+    ac = design.AC.si if design.AC is not None else _si(design) / sin(half)
+    cd = design.H.si / (2 * sin(half))
+    ab, height = ac * sin(half), cd * (1 + cos(half)) / 2
+    values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd, "h": 1e3 * height}
+    if design.DE is not None:
+        rise = (cd - height) / design.DE.si
+        if rise >= 1:
+            raise _short_rod(design.DE.text, cd - height)
+        values["alpha_max"] = degrees(asin(rise))
+    pins = {"A": complex(0, ac), "C": 0j}
+    return [_only(values, design.theta, pins, (ab, cd, ac, 0.0))]
+
+
+@synthesizes(Whitworth)
+def whitworths(design: Whitworth) -> list[Linkage]:
+    """The quick stroke takes the angle β = 360°/(K + 1) of the crank: AC = AB cos(β/2), CD = H/2."""
+    half = pi / (design.K.si + 1)
+    ab = design.AB.si if design.AB is not None else _si(design) / cos(half)
+    ac, cd = ab * cos(half), design.H.si / 2
+    values = {"AB": 1e3 * ab, "AC": 1e3 * ac, "CD": 1e3 * cd}
+    return [_only(values, design.theta, {"A": complex(0, ac), "C": 0j}, (ab, cd, ac, 0.0))]
+
+
+def _si(design: Shaper | Whitworth) -> float:
+    """The one length that is given: AB, else AC."""
+    length = design.AB if design.AB is not None else design.AC
+    assert length is not None
+    return length.si
+
+
+def _only(values: dict[str, float], theta: float, pins: dict[str, complex], order: tuple[float, ...]) -> Linkage:
+    told = {"theta": degrees(theta), "K": (pi + theta) / (pi - theta)}
+    return Linkage(values=values | told, pins=pins, verdict=Verdict.VALID, order=order)
+
+
+def _short_rod(given: str, rise: float) -> AssemblyError:
+    return AssemblyError(
+        Words(
+            f"DE = {given}：须大于 D 点弧高之半 {1e3 * rise:.4g} mm，滑枕才能走完行程",
+            f"DE = {given} must exceed half the height of D's arc, {1e3 * rise:.4g} mm, for the ram to go its whole "
+            f"way",
+        ),
+        code="no-solution",
+        numbers={"rise": rise},
+    )
