@@ -49,7 +49,7 @@ def test_a_linkage_that_only_its_other_link_can_drive_is_valid_and_says_so() -> 
     solution = solved(vecpoly.load("four-positions"))
     assert [one.verdict for one in solution.construction.candidates] == 3 * ["VALID"]
     told = "".join(step.words.en for step in solution.construction.steps)
-    assert "$CD$ must drive it; with $AB$ as the driver between the positions its driver meets a dead point" in told
+    assert "$CD$ must drive it: $AB$ as the driver meets a dead point between the positions" in told
 
 
 def test_a_bisector_along_the_line_of_the_pin_is_refused() -> None:
