@@ -8,6 +8,8 @@ from .board.acts import Act, Follow, LayOff, Locate, Meet, Parallel, Ray, Touch,
 from .board.hand import hand
 from .board.otherwise.amended import AS_DRAWN
 from .board.otherwise.slip import Mistake, Slip
+from .board.otherwise.wrongly import before
+from .board.place import view_of
 from .problem.problem import Problem
 from .solution import constructed
 
@@ -30,7 +32,8 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
     """The mistakes that can be made with one act."""
     match act:
         case LayOff(mm=mm) if act.key and mm > NOTHING:
-            yield from (Slip(mistake, _name(act, acts)) for mistake in KNOWN)
+            first = act.head.place is None or before(act.head.place) is view_of(act.head.place)
+            yield from (Slip(m, _name(act, acts)) for m in KNOWN if not (first and m is Mistake.SCALED))
         case Transfer(by=by) if act.key and abs(by) > NOTHING:
             yield from (Slip(mistake, _name(act, acts)) for mistake in KNOWN)
         case Follow(by=by) if abs(by) > NOTHING:

@@ -41,6 +41,10 @@ class Compass(Instruments):
                 self.swing(view, centre, radius, end)
         return Line(other, unit(one - other))
 
+    def either(self, at: Points) -> Points:
+        """One of two meetings that are mirror images of each other: to take the other one is no mistake."""
+        return traced(at, self.log(done.Meet(head=self.head(at), at=spot(at))))
+
     def ray(self, at: Points, base: Points, angle: Reals, *, key: str = "") -> Line:
         """A ray at an angle (rad, counter-clockwise) from a drawn direction, by protractor."""
         wrong = self.amended.wrong(self.here, key)

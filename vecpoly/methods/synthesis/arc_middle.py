@@ -18,7 +18,8 @@ MIRROR = Words(
 
 
 def primes_of(locus: Locus) -> str:
-    return "′" if isinstance(locus, Eta) and locus.side > 0 else ""
+    """The primes of the letters on this locus."""
+    return locus.marks if isinstance(locus, Eta) else ""
 
 
 def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, given: str) -> Iterator[Points]:
@@ -32,7 +33,8 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
     lies = ("不含", "on which $A$ does not lie") if crank else ("含", "on which $A$ lies")
     board.step(
         Words(
-            f"取圆 $η{primes}$ 上{lies[0]} $A$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$，以 $M{primes}$ 为圆心、"
+            f"取圆 $η{primes}$ 上{lies[0]} $A$ 的弧 $C_{{1}}C_2$ 的中点 $M{primes}$（在过 $O{primes}$ 的 $C_{{1}}C_2$ "
+            f"的垂线上），以 $M{primes}$ 为圆心、"
             f"$M{primes}C_1$ 为半径作圆；"
             f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
             f"$η{primes}$ 交于 $A$。",
@@ -43,19 +45,21 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
         ),
         SHEET,
     )
-    ends = board.arc_on_line(eta.bisector, eta.centre, eta.radius, Words("求弧的中点", "the middle of the arc"))
+    middle = board.parallel(eta.centre, 1j * unit(c2 - c1))
+    ends = board.arc_on_line(middle, eta.centre, eta.radius, Words("求弧的中点", "the middle of the arc"))
     up = max(ends, key=lambda at: float(nominal(at).imag)), min(ends, key=lambda at: float(nominal(at).imag))
+    board.rule(SHEET, middle, up[0 if (eta.side < 0) == crank else 1])
     m = point(draft, f"M{primes}", up[0 if (eta.side < 0) == crank else 1])
     radius, what = np.abs(c1 - m), Words(f"求 $S{primes}$", f"finding $S{primes}$")
     spots = board.arcs(c2, twice, m, radius, what)
     board.circle(SHEET, m, radius)
-    s = point(draft, f"S{primes}", min(spots, key=lambda at: _across(c2, at, eta)))
+    s = point(draft, f"S{primes}", board.either(min(spots, key=lambda at: _across(c2, at, eta))))
     board.swing(SHEET, c2, twice, s)
     board.remark(MIRROR)
     line = Line(c2, unit(s - c2))
     a, _ = board.arc_on_line(line, eta.centre, eta.radius, Words("求 $A$", "finding $A$"))
     board.rule(SHEET, line, a)
-    yield a
+    yield board.either(a)
 
 
 def _across(c2: Points, s: Points, eta: Eta) -> float:

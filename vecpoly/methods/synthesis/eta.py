@@ -16,12 +16,11 @@ from .linkage import point
 _FIRST = Words(
     "过 $C_2$ 作 $C_{1}C_{2}$ 的垂线，过 $C_1$ 作与 $C_{1}C_{2}$ 成 $90° − θ$ 的射线，两线交于 $P$，则 "
     "$∠C_{1}PC_{2} = θ$；以 $C_{1}P$ 为直径作圆 $η$"
-    "（圆心 $O$ 在 $C_{1}C_{2}$ 的中垂线上），圆上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此圆上。",
+    "（圆心 $O$ 为其中点），圆上各点看 $C_{1}C_{2}$ 的角均为 $θ$，$A$ 必在此圆上。",
     "Draw the perpendicular to $C_{1}C_{2}$ at $C_2$ and from $C_1$ a ray at $90° − θ$ to $C_{1}C_{2}$; they meet "
     "in $P$, so that "
-    "$∠C_{1}PC_{2} = θ$. From every point of the circle $η$ on the diameter $C_{1}P$ (its centre $O$ on the "
-    "bisector of "
-    "$C_{1}C_{2}$) the chord is seen under $θ$: $A$ lies on it.",
+    "$∠C_{1}PC_{2} = θ$. From every point of the circle $η$ on the diameter $C_{1}P$ (its centre $O$ in the "
+    "middle of it) the chord is seen under $θ$: $A$ lies on it.",
 )
 _AGAIN = Words(
     "在 $C_{1}C_{2}$ 的另一侧同样作 $P′$ 和圆 $η′$（$η$ 对 $C_{1}C_{2}$ 的镜像）。",
@@ -37,7 +36,7 @@ class Eta:
     centre: Points
     radius: Reals
     side: int
-    bisector: Line
+    marks: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,13 +49,10 @@ class Straight:
 Locus = Eta | Straight
 
 
-def eta(
-    draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, middle: Line | None = None, first: bool = True
-) -> Eta:
+def eta(draft: Draft, ends: tuple[Points, Points], theta: Quantity, way: int, first: bool = True) -> Eta:
     """The circle on C₁P, P where the perpendicular at C₂ meets the ray at 90° − θ from C₁.
 
-    way: −1 on the right of C₁C₂, 1 on the left. middle: the bisector of C₁C₂, where it is drawn already. first: whether
-    there is no other circle yet.
+    way: −1 on the right of C₁C₂, 1 on the left. first: whether there is no other circle yet.
     """
     (c1, c2), board = ends, draft.board
     chord, marks = unit(c2 - c1), "" if first else "′"
@@ -66,8 +62,7 @@ def eta(
     p = point(draft, f"P{marks}", board.meet(normal, ray, Words(f"求 $P{marks}$", f"finding $P{marks}$")))
     board.rule(SHEET, normal, p)
     board.rule(SHEET, ray, p)
-    middle = middle or board.bisector(SHEET, c1, c2)
-    o = point(draft, f"O{marks}", board.meet(middle, ray, Words("求圆心", "the centre")))
-    radius = np.abs(c1 - o)
+    radius = np.abs(p - c1) / 2
+    o = point(draft, f"O{marks}", board.lay_off(c1, unit(p - c1), radius))
     board.circle(SHEET, o, radius)
-    return Eta(centre=o, radius=radius, side=way, bisector=middle)
+    return Eta(centre=o, radius=radius, side=way, marks=marks)

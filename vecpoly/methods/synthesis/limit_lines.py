@@ -39,7 +39,7 @@ def draw_limit_lines(draft: Draft, design: LimitLines) -> None:
     )
     c1, c2 = (pin(draft, f"C_{i}", draft.mm(1.0) * spot.at) for i, spot in ((1, design.C1), (2, design.C2)))
     first, second = (
-        board.ray(c, 1 + 0j, board.given(angle.si, f"line_{i}"), key=f"C{i}A")
+        board.ray(c, 1 + 0j, board.given(angle.si, f"line_{i}"))
         for i, c, angle in ((1, c1, design.line_1), (2, c2, design.line_2))
     )
     a = pin(draft, "A", board.meet(first, second, Words("求 $A$", "finding $A$")))
@@ -67,7 +67,7 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
             SHEET,
         )
         bisector = bisector or board.bisector(SHEET, c1, c2)
-        key = "C1D" if way > 0 else "C1D'"
+        key = "C1D" if way > 0 else ""
         ray = board.ray(c1, unit(a - c1), way * (pi / 2 - board.given(design.alpha_1.si, "alpha_1")), key=key)
         if abs(float(nominal(cross(ray.along, bisector.along)))) < 1e-9:
             board.remark(Words("此线与中垂线平行，不相交。", " The line is parallel to the bisector: no meeting."))

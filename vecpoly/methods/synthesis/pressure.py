@@ -27,10 +27,10 @@ def greatest_pressure(draft: Draft, crank: Quantity, coupler: Quantity, offset: 
     per_mm = 1e-3 / board.scale_of(place).value
     a = board.locate(place, "A", 0j)
     b = board.locate(place, "B′", board.lay_off(a, 1j, crank.value * per_mm, key="AB′"))
-    n = board.lay_off(a, -1j, offset.value * per_mm, key="e")
-    guide = board.parallel(n, 1 + 0j, key="guide")
+    n = board.lay_off(a, -1j, offset.value * per_mm)
+    guide = board.parallel(n, 1 + 0j)
     c, _ = board.arc_on_line(guide, b, coupler.value * per_mm, Words("求 $C′$", "finding $C′$"))
-    c = board.locate(place, "C′", c)
+    c = board.locate(place, "C′", board.either(c))
     board.rule(place, guide, c)
     board.join(place, a, n, Role.CONSTRUCTION)
     for one, other in ((a, b), (b, c)):

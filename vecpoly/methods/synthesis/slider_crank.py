@@ -99,7 +99,7 @@ def _at_offset(draft: Draft, circle: Eta, c1: Points, offset: float) -> Points:
     right, left = board.arc_on_line(line, circle.centre, circle.radius, Words("求 $A$", "finding $A$"))
     board.rule(SHEET, Line(right, -line.along), left)
     board.remark(MIRROR)
-    return left
+    return board.either(left)
 
 
 def _read(draft: Draft, design: SliderCrank, limits: Limits) -> None:

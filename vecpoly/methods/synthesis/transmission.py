@@ -41,7 +41,7 @@ def least_angle(draft: Draft, crank: Quantity, coupler: Quantity) -> None:
     )
     frame = _mm(draft, draft.of_this(AD).key, AD.key)
     a = board.locate(place, "A", 0j)
-    d = board.locate(place, "D", board.lay_off(a, 1 + 0j, frame, key="AD"))
+    d = board.locate(place, "D", board.lay_off(a, 1 + 0j, frame))
     both = [_extreme(draft, place, (a, d), crank, coupler, side) for side in (1, -1)]
     _linkages(draft, place, (a, d), both)
     draft.stated(draft.of_this(GAMMA_MIN), np.minimum(both[0].gamma, both[1].gamma))
@@ -59,10 +59,10 @@ def _extreme(
     """The position with the crank along AD (side 1), or along DA produced (−1)."""
     board, (a, d), marks = draft.board, ends, "′" if side > 0 else "″"
     per_mm = 1e-3 / board.scale_of(place).value
-    b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm, key=f"AB{marks}"))
+    b = board.locate(place, f"B{marks}", board.lay_off(a, side + 0j, crank.value * per_mm))
     what = Words(f"求 $C{marks}$", f"finding $C{marks}$")
     c, _ = board.arcs(b, coupler.value * per_mm, d, _mm(draft, draft.of_this(CD).key, CD.key), what)
-    c = board.locate(place, f"C{marks}", c)
+    c = board.locate(place, f"C{marks}", board.either(c))
     angle = draft.angle(c, b, d)
     gamma = np.minimum(angle, 180.0 - angle)
     board.write(stated(magnitude(f"γ{marks}", gamma, "deg")))

@@ -62,7 +62,7 @@ def _other_limits(draft: Draft, pins: tuple[Points, Points, Points], radius: Rea
         )
         if way == towards:
             board.circle(SHEET, d, radius)
-        ray = board.ray(a, unit(c1 - a), way * theta.value * pi / 180, key="AC2" if way == towards else "AC2'")
+        ray = board.ray(a, unit(c1 - a), way * theta.value * pi / 180, key="AC2" if way == towards else "")
         _meetings(draft, ray, pins, radius, level)
 
 

@@ -67,10 +67,8 @@ def _loci(draft: Draft, rocker: Rocker, theta: Quantity) -> Iterator[Locus]:
         )
         yield Straight(line=board.parallel(rocker.c1, chord, key="C1C2"))
         return
-    middle = None
     for way in (-1, 1):
-        yield (locus := eta(draft, (rocker.c1, rocker.c2), theta, way, middle, way < 0))
-        middle = locus.bisector
+        yield eta(draft, (rocker.c1, rocker.c2), theta, way, way < 0)
 
 
 def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) -> None:

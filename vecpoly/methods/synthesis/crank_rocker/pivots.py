@@ -83,7 +83,7 @@ def _no_meeting(draft: Draft, radius: float, frame: float, span: float) -> None:
 def _left(draft: Draft, *meetings: Points) -> Points:
     """Of two mirror images the left one."""
     draft.board.remark(MIRROR)
-    return min(meetings, key=lambda at: float(nominal(at).real))
+    return draft.board.either(min(meetings, key=lambda at: float(nominal(at).real)))
 
 
 def _on_line(draft: Draft, given: OnLine, locus: Locus) -> Iterator[Points]:

@@ -85,8 +85,8 @@ def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> 
             ),
             SHEET,
         )
-        side = board.lay_off(c, -1j * bars[0].along, draft.mm(design.AB.si), key="AB")
-        line, axis = board.parallel(side, bars[0].along, key="A"), board.parallel(c, UP, key="AC")
+        side = board.lay_off(c, -1j * bars[0].along, draft.mm(design.AB.si))
+        line, axis = board.parallel(side, bars[0].along), board.parallel(c, UP)
         a = pin(draft, "A", board.meet(line, axis, Words("求 $A$", "finding $A$")))
         board.rule(SHEET, line, a)
         draft.shared(AB, design.AB.si * 1e3)
@@ -117,7 +117,7 @@ def _ends(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> t
     )
     half, found = draft.mm(design.H.si) / 2, []
     for i, (bar, way) in enumerate(zip(bars, (-1, 1), strict=True), 1):
-        aside = board.parallel(board.lay_off(c, way + 0j, half, key=f"H{i}"), UP, key=f"D{i}")
+        aside = board.parallel(board.lay_off(c, way + 0j, half, key=f"H{i}" if i == 1 else ""), UP)
         d = pin(draft, f"D_{i}", board.meet(aside, bar, Words(f"求 $D_{i}$", f"finding $D_{i}$")))
         board.rule(SHEET, aside, d)
         found.append(d)
@@ -138,10 +138,10 @@ def _height(draft: Draft, design: Shaper, c: Points, ends: tuple[Points, Points]
         ),
         SHEET,
     )
-    axis = board.parallel(c, UP, key="CN")
+    axis = board.parallel(c, UP)
     top, _ = board.arc_on_line(axis, c, np.abs(ends[0] - c), Words("求 $N$", "finding $N$"))
     board.arc(SHEET, c, np.abs(ends[0] - c), ends[1], ends[0])
-    n = point(draft, "N", top)
+    n = point(draft, "N", board.either(top))
     chord = Line(ends[0], unit(ends[1] - ends[0]))
     m = point(draft, "M", board.meet(chord, axis, Words("求 $M$", "finding $M$")))
     board.join(SHEET, *ends, Role.CONSTRUCTION)
@@ -162,10 +162,10 @@ def _pressure(draft: Draft, rod: float, c: Points, height: Quantity, n: Points) 
         ),
         SHEET,
     )
-    at = board.lay_off(c, UP, height.value * 1e-3 / board.scale_of(SHEET).value, key="h")
-    guide = board.parallel(at, 1 + 0j, key="guide")
+    at = board.lay_off(c, UP, height.value * 1e-3 / board.scale_of(SHEET).value)
+    guide = board.parallel(at, 1 + 0j)
     e, _ = board.arc_on_line(guide, n, draft.mm(rod), Words("求 $E$", "finding $E$"))
-    e = pin(draft, "E", e, Dot.JOINT)
+    e = pin(draft, "E", board.either(e), Dot.JOINT)
     board.rule(SHEET, guide, e)
     board.join(SHEET, n, e, Role.CONSTRUCTION)
     draft.stated(draft.of_this(ALPHA_MAX), draft.angle(e, at, n))

@@ -74,7 +74,7 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
             pin(draft, f"B_{i}", board.lay_off(a, ray.along, draft.mm(design.AB.si), key=f"AB{i}"))
             for i, ray in enumerate(rays, 1)
         )
-        axis = board.parallel(a, DOWN, key="AC")
+        axis = board.parallel(a, DOWN)
         c = pin(draft, "C", board.meet(Line(b1, unit(b2 - b1)), axis, Words("求 $C$", "finding $C$")))
     else:
         assert design.AC is not None
@@ -88,7 +88,7 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
             SHEET,
         )
         c = pin(draft, "C", board.lay_off(a, DOWN, draft.mm(design.AC.si), key="AC"))
-        line = board.parallel(c, 1 + 0j, key="C")
+        line = board.parallel(c, 1 + 0j)
         b1, b2 = (pin(draft, f"B_{i}", board.meet(line, ray, what)) for i, ray in enumerate(rays, 1))
     board.circle(SHEET, a, np.abs(b1 - a))
     board.join(SHEET, a, c, Role.CENTRE)
@@ -106,7 +106,7 @@ def _arm(draft: Draft, design: Whitworth, c: Points) -> None:
         SHEET,
     )
     draft.worked(draft.of_this(CD), magnitude("H", design.H.si * 1e3, "mm") / TWO)
-    d = pin(draft, "D", board.lay_off(c, 1 + 0j, draft.mm(design.H.si / 2), key="CD"))
+    d = pin(draft, "D", board.lay_off(c, 1 + 0j, draft.mm(design.H.si / 2)))
     board.join(SHEET, c, d, Role.LINK)
 
 
