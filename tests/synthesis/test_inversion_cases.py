@@ -62,3 +62,8 @@ def test_the_printed_crank_of_8_13_is_found_wrong_and_the_other_lengths_right() 
     told = {line.printed.symbol: line for line in check_problem(vecpoly.load("8-13")).answers}
     assert told["AB"].deviation == pytest.approx(0.0816, abs=1e-4)
     assert [name for name, line in told.items() if line.verdict is not Verdict.REPRODUCED] == ["AB"]
+
+
+def test_8_10_is_a_rocker_slider_by_its_lengths() -> None:
+    told = "".join(step.words.en for step in solved(vecpoly.load("8-10")).construction.steps)
+    assert "$l_{AB} + e$ > $l_{BC}$: $ABC$ is a rocker-slider" in told

@@ -34,7 +34,7 @@ def _parts(one: Verified) -> list[Words]:
         parts.append(Words.same(f"$K$ = {one.ratio:.4f}"))
         parts.append(Words.same(f"$θ$ = {one.theta:.2f}°"))
         parts.append(name + Words(f" {one.stroke:.2f}{unit}", f" {one.stroke:.2f}{unit}"))
-    if isfinite(one.gamma):
+    if isfinite(one.gamma) and one.full:  # a rocker comes to its dead points at the ends of its range
         parts.append(
             Words(
                 f"最小传动角 {one.gamma:.2f}°（曲柄转角 {one.gamma_at:.1f}° 处）",

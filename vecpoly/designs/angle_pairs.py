@@ -16,7 +16,7 @@ from .base import Design, Which
 from .inversion.built import posed_four_bar, posed_slider_crank
 from .inversion.loops import Hinged, Sliding
 from .inversion.plan import FRAME, Body, Find, On, Pin, Plan, Position, Slide
-from .inversion.written import Corresponding, on
+from .inversion.written import Corresponding, on, said
 from .place import Carried
 from .quantities import AB, BC, FOUR_BAR
 
@@ -84,8 +84,13 @@ class AnglePairs(Design):
     def given(self) -> tuple[tuple[str, str], ...]:
         """The pairs, and the links that are given."""
         pairs = tuple((f"φ_{{{n}}}", pair.text) for n, pair in enumerate(self.pairs, 1))
-        more = (("l_{AB}", self.AB), ("l_{AD}", self.AD), ("C", self.C or self.guide), ("B", self.B))
-        return (*((symbol, value.text) for symbol, value in more if value is not None), *pairs)
+        lengths = (("l_{AB}", self.AB), ("l_{AD}", self.AD))
+        lines = (("C", self.guide), ("C", self.C), ("B", self.B))
+        return (
+            *((symbol, value.text) for symbol, value in lengths if value is not None),
+            *(said(letter, line) for letter, line in lines if line is not None),
+            *pairs,
+        )
 
     @property
     def size(self) -> float:

@@ -14,7 +14,7 @@ from .base import Design, Which
 from .inversion.built import posed_four_bar
 from .inversion.loops import Hinged
 from .inversion.plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
-from .inversion.written import Place, Pose, on
+from .inversion.written import Place, Pose, on, said
 from .place import Carried
 from .quantities import FOUR_BAR, TURN_AB, TURN_AD, TURN_DC
 
@@ -97,7 +97,7 @@ class Positions(Design):
         """The positions, the pins, the lines."""
         poses = tuple((f"S_{{{n}}}", pose.text) for n, pose in enumerate(self.poses, 1))
         pins = tuple((letter, place.text) for letter, place in (*self.body.items(), *self.frame.items()))
-        lines = tuple((letter, line.text) for letter in "ABCD" if (line := self._line(letter)))
+        lines = tuple(said(letter, line) for letter in "ABCD" if (line := self._line(letter)))
         return (*poses, *pins, *lines)
 
     @property

@@ -50,7 +50,7 @@ class Stages(Design):
             for letter, places in self.points.items()
             for n, place in enumerate(places, 1)
         )
-        return (*pins, *links, *rays, *points)
+        return (*pins, *links, *rays, *points, *(one for step in self.stages for one in step.given()))
 
     @property
     def size(self) -> float:

@@ -51,6 +51,12 @@ class Step(BaseModel):
             )
         return self
 
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """The limit position and K, where it has them."""
+        if self.first is None or self.K is None:
+            return ()
+        return (f"{self.limits}_{{1}}", self.first.text), ("K", self.K.text)
+
     @property
     def kind(self) -> str | None:
         """What this stage does: find, join or limits."""

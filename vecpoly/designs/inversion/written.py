@@ -104,6 +104,12 @@ def on(line: Carried) -> On:
     return On(through=line.at, along=line.along)
 
 
+def said(letter: str, line: Carried) -> tuple[str, str]:
+    """The line of a point for 已知: y_A and its value."""
+    axis = "y" if line.along.real else "x"
+    return f"{axis}_{{{letter}}}", line.text.partition("=")[2].strip()
+
+
 _TEXT = WithJsonSchema({"type": "string"})
 Place = Annotated[Point, BeforeValidator(_point), WithJsonSchema({"type": ["string", "array"]})]
 Pose = Annotated[Posed, BeforeValidator(_posed), _TEXT]

@@ -15,6 +15,7 @@ from ....plane import Line, Points, nominal
 from ....words import Words
 from ..draft import SHEET
 from ..linkage import pin
+from .curve import centre_point_curve
 from .sheet import Places, Sheet, Stands, placed
 
 TRIALS = 2000  # over the whole line, denser where the figure is
@@ -39,6 +40,8 @@ def centre_points(sheet: Sheet, stage: CentrePoints) -> Iterator[Sheet]:
     pairs = [(a, d) for a in first for d in second if (a.number < d.number if same else _apart(a, d))]
     if not pairs:
         raise no_centre_point(stage, len(first) + (0 if same else len(second)))
+    bars = {bar.number: bar for bar in (*first, *second)}
+    centre_point_curve(sheet, stage.on, {f"M^{{({number})}}": bar.fixed for number, bar in bars.items()})
     for a, d in pairs:
         yield _paired(sheet, stage, a, d)
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ....designs.inversion.loops import Hinged, Loop
+from ....designs.inversion.loops import Hinged, Loop, Sliding
 from ....designs.inversion.plan import Find
 from ....designs.quantities import TURN_AB, TURN_AD, TURN_DC
 from ....designs.verdict import Verdict
@@ -15,7 +15,7 @@ from ....plane import Points, Reals
 from ....words import Words
 from ..draft import SHEET
 from ..linkage import drawn, rejected
-from .judged import drives, judged
+from .judged import drives, judged, turns_fully
 from .sheet import Sheet, Stands
 
 
@@ -40,18 +40,32 @@ def _told(sheet: Sheet, verdict: Verdict) -> Words:
         "连接各铰链，第一位置画粗线，其余位置画细线；由图量得各构件长度：",
         "Join the pins: thick in the first position, thin in the others. The lengths, as measured:",
     )
-    if verdict is not Verdict.VALID or not sheet.plan.either:
+    if verdict is not Verdict.VALID:
         return told
+    if not sheet.plan.either:
+        return told + _kinds(sheet)
     first, last = drives(sheet, sheet.plan.loops[0])
     if first is last is Verdict.VALID:
         return told
-    able, other = ("CD", "AB") if last is Verdict.VALID else ("AB", "CD")
-    why = first if able == "CD" else last
-    assert why is not None
+    able, other, why = ("CD", "AB", first) if last is Verdict.VALID else ("AB", "CD", last)
+    zh, en = ("经过死点", "meets a dead point") if why is Verdict.BRANCH else ("次序不对", "comes in another order")
     return told + Words(
-        f"（须以 ${able}$ 为原动件：以 ${other}$ 为原动件时，{why.value.zh}。）",
-        f" (${able}$ must drive it; with ${other}$ as the driver {why.value.en}.)",
+        f"（须以 ${able}$ 为原动件；若以 ${other}$ 为原动件，则在各位置之间{zh}。）",
+        f" (${able}$ must drive it: ${other}$ as the driver {en} between the positions.)",
     )
+
+
+def _kinds(sheet: Sheet) -> Words:
+    """Of what type its slider-cranks are: whether the link on the frame can turn fully."""
+    told = Words("", "")
+    for loop in sheet.plan.loops:
+        if isinstance(loop, Sliding):
+            turns, name = turns_fully(sheet, loop), f"${loop.a}{loop.b}{loop.c}$"
+            crank, rocker = Words("曲柄滑块机构", "a crank-slider"), Words("摇杆滑块机构", "a rocker-slider")
+            kind, sign = (crank, "≤") if turns else (rocker, ">")
+            terms = f"$l_{{{loop.a}{loop.b}}} + e$ {sign} $l_{{{loop.b}{loop.c}}}$"
+            told += Words(f"（{terms}，{name} 为{kind.zh}。）", f" ({terms}: {name} is {kind.en}.)")
+    return told
 
 
 def _chain(sheet: Sheet, loop: Loop, n: int) -> tuple[Points, ...]:

@@ -54,6 +54,12 @@ def drives(sheet: Sheet, loop: Loop) -> tuple[Verdict, Verdict | None]:
             assert_never(loop)
 
 
+def turns_fully(sheet: Sheet, loop: Sliding) -> bool:
+    """Whether the link on the frame turns fully with its slider: AB + e ≤ BC."""
+    a, b, c = (_spots(sheet, letter)[0] for letter in (loop.a, loop.b, loop.c))
+    return abs(b - a) + abs(((c - a) / loop.along).imag) <= abs(c - b)
+
+
 def _loop(sheet: Sheet, loop: Loop) -> Verdict:
     first, last = drives(sheet, loop)
     return Verdict.VALID if sheet.plan.either and last is Verdict.VALID else first

@@ -1,0 +1,27 @@
+"""The curve of centre points that is drawn by circles over opposite poles is that of the determinant."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+
+from vecpoly.methods.synthesis.inversion.curve import meetings
+from vecpoly.oracle.synthesis.burmester import determinant
+from vecpoly.oracle.synthesis.motions import Pose, pole
+
+PLACES = ((0j, 0), (13 + 19j, 24), (42 + 28j, 35), (83 + 15j, 54))
+FOUR = tuple(Pose.turned(at, np.radians(deg)) for at, deg in PLACES)
+
+
+@pytest.mark.parametrize("sides", [((0, 1), (0, 2), (1, 3), (2, 3)), ((0, 1), (1, 3), (0, 2), (2, 3))])
+def test_circles_over_opposite_sides_with_one_inscribed_angle_meet_in_centre_points(
+    sides: tuple[tuple[int, int], ...],
+) -> None:
+    poles = [at for i, j in sides if (at := pole(FOUR[i], FOUR[j])) is not None]
+    tried = (meetings(poles, float(gamma))[n] for gamma, n in product(np.linspace(0.05, 3.1, 60), (0, 1)))
+    points = [at for at in tried if np.isfinite(at)]
+    assert len(points) >= 15
+    for at in points:
+        assert abs(determinant(FOUR, at)) < 1e-7 * abs(determinant(FOUR, at + 0.1 * (1 + abs(at))))
