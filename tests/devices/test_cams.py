@@ -160,11 +160,11 @@ def test_a_mirrored_cam_has_the_same_answers(data: dict[str, Any]) -> None:
 def test_no_point_of_the_profile_is_nearer_to_a_place_of_the_roller_than_its_radius(case: str) -> None:
     cam = cam_of(case)
     assert isinstance(cam, Cam)
-    parts = traced(Board(hand("exact"), cam_scales(cam, Scales())), cam, 361)
-    centres = np.concatenate([pitch for pitch, _ in parts])
-    for pitch, edge in parts:
-        assert np.abs(edge - pitch) == pytest.approx(cam.follower.radius, abs=1e-12)
-        assert (np.abs(edge[::5, None] - centres[None, :]) > cam.follower.radius - 1e-5).all()
+    parts = traced(Board(hand("exact"), cam_scales(cam, Scales())), cam)
+    centres = np.concatenate([part.pitch for part in parts])
+    for part in parts:
+        assert np.abs(part.edge - part.pitch) == pytest.approx(cam.follower.radius, abs=1e-12)
+        assert (np.abs(part.edge[::5, None] - centres[None, :]) > cam.follower.radius - 1e-5).all()
 
 
 def test_neighbouring_faces_meet_on_the_profile() -> None:
@@ -172,13 +172,12 @@ def test_neighbouring_faces_meet_on_the_profile() -> None:
     cam = cam_of("flat-1")
     assert isinstance(cam, Cam) and cam.r0
     board = Board(hand("exact"), {**cam_scales(cam, Scales()), View.MECHANISM: Scale.of(View.MECHANISM, 1e-3)})
-    pitch, edge = traced(board, cam, 2001)[0]
-    normals = pitch / np.abs(pitch)
-    distance = np.abs(pitch)
+    part = traced(board, cam, [2000] * len(cam.pieces))[0]
+    normals, distance = part.pitch / np.abs(part.pitch), np.abs(part.pitch)
     for i in range(100, 1900, 200):
         (a, b), (p, q) = normals[i : i + 2], distance[i : i + 2]
         met = 1j * (a * q - b * p) / (np.conj(a) * b).imag  # Re(z ā) = p, Re(z b̄) = q
-        assert abs(met - edge[i]) < 1e-4
+        assert abs(met - part.edge[i]) < 1e-4
 
 
 # -- undercut ------------------------------------------------------------------------------------------------------
