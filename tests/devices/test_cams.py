@@ -14,6 +14,7 @@ from tests.cam_cases import CASES, agree, cam_of, device, drawn
 from vecpoly.board.board import Board
 from vecpoly.board.construction import Scale, View
 from vecpoly.board.hand import hand
+from vecpoly.board.otherwise.slip import Mistake, Slip
 from vecpoly.board.place import view_named
 from vecpoly.devices.cams.cam import Cam
 from vecpoly.devices.cams.motion import Law, Piece
@@ -21,6 +22,7 @@ from vecpoly.errors import ProblemFileError
 from vecpoly.methods.devices.cam.laws import lift
 from vecpoly.methods.devices.cam.scales import cam_scales
 from vecpoly.methods.devices.cam.trying import traced
+from vecpoly.mistakes import slips
 from vecpoly.oracle.devices.cams.laws import raised
 from vecpoly.oracle.devices.registry import device_answers
 from vecpoly.plane import nominal
@@ -40,8 +42,9 @@ def test_every_station_stands_where_another_program_has_it(case: str) -> None:
     for row in CASES[case]["results"]["table"]:
         name = f"{row['phi']:g}"
         assert found[f"r_{name}"] == pytest.approx(hypot(*row["profile"]), abs=2e-8), name
-        travel = found[f"s_{name}"] if "s" in row else found[f"psi_{name}"]
-        assert travel == pytest.approx(row.get("s", row.get("psi_deg")), abs=2e-9), name
+        if row["phi"]:
+            travel = found[f"s_{name}"] if "s" in row else found[f"psi_{name}"]
+            assert travel == pytest.approx(row.get("s", row.get("psi_deg")), abs=2e-9), name
         if "alpha" in row:
             assert found[f"alpha_{name}"] == pytest.approx(abs(row["alpha"]), abs=2e-9), name
 
@@ -206,6 +209,24 @@ def test_a_heart_cam_cannot_be_followed_by_a_roller() -> None:
     motion = ["rise 30 mm in 180 deg uniform", "return in 180 deg uniform"]
     subject = device("cam", follower={"roller": "5 mm"}, r0="40 mm", motion=motion)
     assert drawn(subject).readings["undercut"].scalar == 1 == device_answers(subject)["undercut"]
+
+
+# -- mistakes ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("mistake", "key", "wrong"),
+    [
+        (Mistake.DROPPED, "r_r", "r_60"),  # the pitch curve is taken for the profile
+        (Mistake.REVERSED, "mechanism:e", "alpha_60"),  # the guide on the other side
+        (Mistake.REVERSED, "mechanism alpha_rise:OP", "alpha_rise"),
+    ],
+)
+def test_a_mistake_with_offset_roller_or_centre_can_be_made(mistake: Mistake, key: str, wrong: str) -> None:
+    problem, slip = load("cam-roller-offset"), Slip(mistake, key)
+    assert slip in slips(problem)
+    right, other = (solve(problem, by="exact", repeats=0, slip=one).answers[wrong].drawn for one in (None, slip))
+    assert abs(other - right) > 0.5
 
 
 # -- refusals ------------------------------------------------------------------------------------------------------
