@@ -57,9 +57,10 @@ HELP = {
     ),
     "Write a GeoGebra file: turn the crank with a slider, and diagram, velocity and acceleration polygon "
     "follow.\n\nPoints are made of earlier points, as on the sheet; poles can be dragged. Drawn exactly; loads are "
-    "left away.": (
+    "left away. Of a cam: its profile, splines as .dxf or points as .csv.": (
         "写出 GeoGebra 文件：用滑动条转动曲柄，机构图、速度多边形和加速度多边形随之变动。\n\n各点都由先前的点作出，"
         "与图纸上相同；极点可拖动。按精确作图，不取整；不含载荷。"
+        "凸轮题写出廓线：.dxf 为样条，.csv 为点。"
     ),
     "List the library of problems, or the methods.": "列出题库中的题目，或已有的图解法。",
     "Write a step player: one HTML file for class, phone or desktop, in both languages.\n\nIt shows the "

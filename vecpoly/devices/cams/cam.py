@@ -215,7 +215,7 @@ class Cam(Device):
         if self.alpha is not None:
             return (R0, E, S0, *APEX, CENTRAL)
         here = [round(degrees(phi), 6) for phi, _ in self.places]
-        moved = [travel(phi, swings=bool(self.arm)) for phi in here]
+        moved = [travel(phi, swings=bool(self.arm)) for phi in here if phi]  # at the start it is nothing
         if self.follower.flat:
             return (RHO, UNDERCUT_FLAT, REACH_RISE, REACH_BACK, *moved, *(radius(phi) for phi in here))
         first = (PSI0 if self.arm else S0, ALPHA, ALPHA_RISE, ALPHA_BACK, RHO)

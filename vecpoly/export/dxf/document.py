@@ -58,7 +58,7 @@ def _parts(construction: Construction, sheet: Sheet) -> Iterator[Part]:
 
 
 def _written(parts: Sequence[Part], furnishing: Sequence[Item], lang: Lang, upto: int | None) -> bytes:
-    ezdxf = _library()
+    ezdxf = library()
     doc = ezdxf.new(VERSION, units=MILLIMETRES)
     doc.header["$MEASUREMENT"] = 1
     doc.header["$LTSCALE"] = 1.0
@@ -75,7 +75,8 @@ def _written(parts: Sequence[Part], furnishing: Sequence[Item], lang: Lang, upto
     return into.getvalue().encode(doc.output_encoding)
 
 
-def _library() -> Any:
+def library() -> Any:
+    """The package ezdxf; raises VecpolyError where it is not installed."""
     try:
         import ezdxf
     except ModuleNotFoundError:

@@ -8,6 +8,7 @@ from math import degrees
 import numpy as np
 
 from ....algebra.quantity import Quantity, magnitude, number
+from ....board.board import Board
 from ....board.construction import Pane, View
 from ....board.paper.marks import Dot, Role
 from ....devices.cams.asked import REACH_BACK, REACH_RISE, RHO, RHO_PROFILE, UNDERCUT, UNDERCUT_FLAT
@@ -45,6 +46,17 @@ def least_radius(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
     rho = _hartmann(bench, cam, cuts, place, spot)
     if cam.follower.roller:
         _judged(bench, cam, rho)
+
+
+def is_spoilt(board: Board, cam: Cam) -> bool:
+    """Whether the profile cannot be made: judged as on the sheet, by trial alone."""
+    worst = best(board, place_of(cam), cam.pieces, curving(cam)).merit  # 1/ρ (1/mm on paper), or −ρ under a face
+    if corners(board, place_of(cam), cam) and (cam.follower.flat or cam.follower.roller):
+        return True
+    if cam.follower.flat:
+        return worst >= 0
+    radius = cam.follower.radius / board.scale_of(VIEW).value
+    return bool(radius) and (radius * worst > 1 or interferes(board, cam))
 
 
 def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Spot) -> Quantity:

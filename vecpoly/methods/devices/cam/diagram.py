@@ -98,7 +98,7 @@ def _curve(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> N
 def _read(bench: Bench, place: View, cam: Cam, found: tuple[Station, ...]) -> None:
     scale = bench.board.scale_of(place)
     values = []
-    for station in found:
+    for station in found[1:]:
         value = np.degrees(station.lift.s) if cam.arm else 1e3 * station.lift.s
         named = travel(station.name, swings=bool(cam.arm))
         letters = f"{station.number} {station.number}′"

@@ -115,7 +115,7 @@ def _touch(bench: Bench, cam: Cam, it: Pose) -> Points:
         return board.meet(board.parallel(it.pole, it.way), board.parallel(it.b, 1j * it.way), "")
     if not cam.follower.roller:
         return it.b
-    return board.lay_off(it.b, it.normal, cam.follower.radius / mm)
+    return board.lay_off(it.b, it.normal, cam.follower.radius / mm, key="r_r")
 
 
 def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:

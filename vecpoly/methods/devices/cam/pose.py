@@ -45,14 +45,15 @@ def _guided(board: Board, place: Place, cam: Cam, phi: Reals, lift: Lift) -> Pos
     assert cam.r0
     mm, sense = board.scale_of(place).value, cam.sense
     across = np.exp(-1j * sense * phi)
-    start = board.lay_off(0j, across, cam.follower.e / mm) if cam.follower.e else 0j * across
+    e = cam.follower.e / mm
+    start = board.lay_off(0j, across if e > 0 else -across, abs(e), key="e") if e else 0j * across
     guide = board.parallel(start, 1j * across)
     if cam.follower.e:
         base = board.arc_on_line(guide, 0j, cam.r0.si / mm, Words("导路与基圆", "the guide and the base circle"))[0]
     else:
         base = board.lay_off(start, guide.along, cam.r0.si / mm)
-    b = board.lay_off(base, guide.along, lift.s / mm)
-    pole = board.lay_off(0j, sense * across, lift.slope / mm)
+    b = board.lay_off(base, guide.along, lift.s / mm, key="s")
+    pole = board.lay_off(0j, sense * across, lift.slope / mm, key="OP")
     return Pose(
         start=start,
         base=base,

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 import numpy.typing as npt
 
@@ -15,37 +18,53 @@ from .diagram import place_of
 from .laws import lift
 from .pose import pose
 
-DENSE, CLEAR = 241, 1e-5  # points a piece; m by which a point may lie inside the roller
+DENSE, CLEAR = 240, 1e-5  # chords a piece; m by which a point may lie inside the roller
 Spots = npt.NDArray[np.complex128]
+Angles = npt.NDArray[np.float64]
 
 
-def traced(board: Board, cam: Cam, count: int = DENSE) -> tuple[tuple[Spots, Spots], ...]:
-    """Of every piece so many points of the pitch curve and of the profile (m)."""
-    return tuple(_piece(board, cam, piece, span) for piece in cam.pieces for span in _spans(piece, count))
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Traced:
+    """Points of a stretch in which nothing jumps: the cam's angle, the pitch curve, the profile."""
+
+    phi: Angles
+    pitch: Spots
+    edge: Spots
 
 
-def _spans(piece: Piece, count: int) -> tuple[npt.NDArray[np.float64], ...]:
+def traced(board: Board, cam: Cam, counts: Sequence[int] | None = None) -> tuple[Traced, ...]:
+    """Every piece with so many chords (m)."""
+    each = counts or [DENSE] * len(cam.pieces)
+    return tuple(
+        _stretch(board, cam, piece, phi, late)
+        for piece, count in zip(cam.pieces, each, strict=True)
+        for phi, late in _spans(piece, count)
+    )
+
+
+def _spans(piece: Piece, count: int) -> tuple[tuple[Angles, bool], ...]:
     """The angles of a piece; of a parabola its halves, each drawn from its own end."""
     if piece.law is not Law.PARABOLIC:
-        return (np.linspace(piece.start, piece.end, count),)
-    middle = piece.start + piece.angle / 2
-    return np.linspace(piece.start, middle, count // 2 + 1), np.linspace(middle, piece.end, count // 2 + 1)
+        return ((np.linspace(piece.start, piece.end, count + 1), False),)
+    middle, half = piece.start + piece.angle / 2, -(-count // 2)
+    return (
+        (np.linspace(piece.start, middle, half + 1), piece.rises < 0),
+        (np.linspace(middle, piece.end, half + 1), piece.rises > 0),
+    )
 
 
-def _piece(board: Board, cam: Cam, piece: Piece, phi: npt.NDArray[np.float64]) -> tuple[Spots, Spots]:
+def _stretch(board: Board, cam: Cam, piece: Piece, phi: Angles, late: bool) -> Traced:
     trial, mm = board.scratch(), board.scale_of(View.MECHANISM).value
     trial.step(Words("试作", "trial"))
-    middle = piece.start + piece.angle / 2
-    late = piece.law is Law.PARABOLIC and (bool(phi[-1] > middle + 1e-9) == (piece.rises > 0))
     it = pose(trial, View.MECHANISM, cam, phi, lift(trial, place_of(cam), piece, phi, late=late))
     inset = cam.follower.radius / mm
     edge = foot(Line(it.b, 1j * it.way), it.pole) if cam.follower.flat else it.b + inset * it.normal
-    return np.asarray(it.b * mm), np.asarray(edge * mm)
+    return Traced(phi=phi, pitch=np.asarray(it.b * mm), edge=np.asarray(edge * mm))
 
 
 def interferes(board: Board, cam: Cam) -> bool:
     """Whether the roller in some place covers a point of the profile that it does not touch."""
     parts = traced(board, cam)
-    centres = np.concatenate([pitch for pitch, _ in parts])
+    centres = np.concatenate([part.pitch for part in parts])
     limit = cam.follower.radius - CLEAR
-    return any(bool((np.abs(edge[::3, None] - centres[None, :]) < limit).any()) for _, edge in parts)
+    return any(bool((np.abs(part.edge[::3, None] - centres[None, :]) < limit).any()) for part in parts)

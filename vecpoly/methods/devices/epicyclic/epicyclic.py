@@ -103,7 +103,8 @@ def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:
     radius = magnitude(f"r_{{{key}}}", train.radii[key], "m")
     named = Named(f"v_{POINTS[key]}", f"v_{{{POINTS[key]}}}", "m/s")
     speed = bench.worked(named, magnitude(f"ω_{key}", omega.si, "rad/s") * radius)
-    return board.lay_off(foot, 1 + 0j, board.to_paper_across(RADII, speed.value))
+    sense = 1 if omega.si >= 0 else -1
+    return board.lay_off(foot, sense + 0j, sense * board.to_paper_across(RADII, speed.value), key=named.key)
 
 
 def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]) -> Points:

@@ -23,6 +23,7 @@ def train_scales(train: Epicyclic, given: Scales) -> Mapping[View, Scale]:
     turn = given.of(TURNS.mu) or round_up(max(map(abs, known.values())) / SIDE or 1.0)
     return {
         View.MECHANISM: Scale.of(View.MECHANISM, length),
+        View.VELOCITY: Scale.of(View.VELOCITY, speed),
         RADII: Scale.of(RADII, length, speed),
         TURNS: Scale.of(TURNS, turn),
     }

@@ -53,7 +53,7 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
 def _cut(bench: Bench, pole: Points, level: Line, key: str, line: Points) -> Points:
     """Where the ray of a link meets the level."""
     board = bench.board
-    ray = board.parallel(pole, unit(line) if float(nominal(line).imag) > 0 else -unit(line), key=f"ray_{key}")
+    ray = board.parallel(pole, unit(line) if float(nominal(line).imag) > 0 else -unit(line))
     at = board.meet(ray, level, Words(f"构件 {key} 的射线", f"the ray of link {key}"))
     board.join(TURNS, pole, at, Role.RESULT)
     board.plot(TURNS, at, key, Dot.POINT)

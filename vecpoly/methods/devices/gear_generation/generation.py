@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, pi, tan
+from math import degrees, pi, sin, tan
 
 import numpy as np
 
@@ -22,14 +22,21 @@ from .places import draw_places, draw_tooth
 from .rack import VIEW, Rack, contact, place_rack
 from .start import crossing
 
-TALL, WIDE = 130.0, 0.25 * pi  # mm: the tip radius; rad: of the circles to either side of the tooth
+TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
 DEGREE = Quantity(Txt("57.30°"), degrees(1.0), "")
+THIN = 0.25  # modules: a tip that is thinner breaks
 TWO = Quantity(Txt("2"), 2.0, "")
 
 
 def gear_scales(gear: GearGeneration, given: Scales) -> dict[View, Scale]:
     """As given, or as large as a page allows."""
-    return {VIEW: Scale.of(VIEW, given.of(VIEW.mu) or fitting(gear.size / TALL))}
+    across = 2 * gear.size * sin(_opening(gear))
+    return {VIEW: Scale.of(VIEW, given.of(VIEW.mu) or fitting(max(gear.size / TALL, across / WIDE)))}
+
+
+def _opening(gear: GearGeneration) -> float:
+    """How far the circles are drawn to either side of the tooth (rad)."""
+    return min(PITCHES * 2 * pi / gear.z, pi / 2)
 
 
 @device_method(
@@ -73,7 +80,7 @@ def _circles(bench: Bench, gear: GearGeneration, mm: float) -> tuple[float, floa
     ra, rf = bench.worked(RA, r + (ha + x) * m), bench.worked(RF, r - (ha + c - x) * m)
     for found in (r, ra, rf):
         radius = float(nominal(found.value)) / 1e3 / mm
-        board.circle(VIEW, 0j, radius, Role.CENTRE, start=pi / 2 - WIDE, sweep=2 * WIDE)
+        board.circle(VIEW, 0j, radius, Role.CENTRE, start=pi / 2 - _opening(gear), sweep=2 * _opening(gear))
     board.plot(VIEW, 0j, "O", Dot.JOINT)
     return float(nominal(r.value)) / 1e3, float(nominal(ra.value)) / 1e3
 
@@ -97,7 +104,7 @@ def _rack(bench: Bench, gear: GearGeneration, mm: float) -> Rack:
     board.join(VIEW, rack.foot, rack.pole + 1.4 * (rack.pole - rack.foot), Role.DIRECTION)
     board.join(VIEW, 0j, rack.foot, Role.CONSTRUCTION)
     board.join(VIEW, 0j, rack.pole, Role.CENTRE)
-    board.circle(VIEW, 0j, np.abs(rack.foot), Role.HIDDEN, start=pi / 2 - WIDE, sweep=2 * WIDE)
+    board.circle(VIEW, 0j, np.abs(rack.foot), Role.HIDDEN, start=pi / 2 - _opening(gear), sweep=2 * _opening(gear))
     board.right_angle(VIEW, rack.foot, rack.action.along, 1j * rack.action.along)
     board.plot(VIEW, rack.pole, "P", Dot.POINT)
     board.plot(VIEW, rack.foot, "N", Dot.POINT)
@@ -223,4 +230,17 @@ def _tip(bench: Bench, rack: Rack, radii: tuple[float, float], thick: Quantity, 
     angle = magnitude("δ", np.degrees(board.gauge(0j, rack.pole / at)), "deg")
     r = magnitude("r", 1e3 * radii[0], "mm")
     half = board.compute("ψ_a", DEGREE * thick / (TWO * r) + angle - DEGREE * way / base, "deg")
-    bench.worked(S_TIP, Times(2, magnitude("r_a", 1e3 * radii[1], "mm") * half) / DEGREE)
+    tip = bench.worked(S_TIP, Times(2, magnitude("r_a", 1e3 * radii[1], "mm") * half) / DEGREE)
+    board.remark(_pointed(float(nominal(tip.value)) / (1e3 * rack.gear.m.si)))
+
+
+def _pointed(modules: float) -> Words:
+    """Whether the tip is thick enough, in modules."""
+    if modules <= 0:
+        return Words("齿顶变尖：应减小变位系数。", " The tooth is pointed: take a smaller shift.")
+    if modules < THIN:
+        return Words(
+            f"$s_a$ = {number(modules)} $m$，小于 {THIN:g} $m$，齿顶过薄。",
+            f" $s_a$ = {number(modules)} $m$ is less than {THIN:g} $m$: the tip is too thin.",
+        )
+    return Words(f"$s_a$ = {number(modules)} $m$，足够厚。", f" $s_a$ = {number(modules)} $m$ is thick enough.")

@@ -49,7 +49,7 @@ def place_rack(board: Board, gear: GearGeneration, mm: float) -> Rack:
     """Lay the rack on: its middle line shifted by x m from the rolling line, a space over P."""
     alpha, m, r = gear.alpha.si, gear.m.si / mm, gear.m.si * gear.z / 2 / mm
     pole = board.lay_off(0j, 1j, r)
-    datum = board.lay_off(pole, 1j, gear.x * m)
+    datum = board.lay_off(pole, 1j if gear.x >= 0 else -1j, abs(gear.x) * m, key="xm")
     start = board.lay_off(datum, 1 + 0j, pi * m / 4)
     flank = board.parallel(start, complex(sin(alpha), -cos(alpha)))
     low = board.lay_off(datum, -1j, gear.ha.si * m)

@@ -59,7 +59,8 @@ def _stations(device: Cam) -> dict[str, float]:
     for phi, piece in device.places:
         name, at = f"{round(degrees(phi), 6):g}", np.array([phi])
         s = float(raised(piece, at)[0][0])
-        found |= {f"psi_{name}": degrees(s)} if device.arm else {f"s_{name}": 1e3 * s}
+        if phi:
+            found |= {f"psi_{name}": degrees(s)} if device.arm else {f"s_{name}": 1e3 * s}
         found[f"r_{name}"] = 1e3 * float(np.abs(profile(device, piece, at))[0])
         if not device.follower.flat:
             found[f"alpha_{name}"] = degrees(float(pitch(device, piece, at).pressure[0]))

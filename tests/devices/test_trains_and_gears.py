@@ -1,0 +1,184 @@
+"""Epicyclic trains by Kutzbach's diagrams and gears by generation: drawn, exact, worked out elsewhere, refused."""
+
+from __future__ import annotations
+
+from math import acos, cos, pi, radians, tan
+from typing import Any
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from tests.cam_cases import CASES, agree, device, drawn
+from vecpoly.errors import NotAskedError, ProblemFileError
+from vecpoly.oracle.devices.registry import device_answers
+from vecpoly.problem.load import load, loads
+from vecpoly.solution import solve
+
+TEETH = st.integers(12, 60)
+SPEED = st.integers(-30, 30)
+
+
+def train_of(case: str) -> Any:
+    told = CASES[case]["inputs"]
+    z1, z2, *rest = told["teeth"]
+    planets = {"planet": z2, "ring": rest[0]} if len(rest) == 1 else {"planet": [z2, rest[0]], "ring": rest[1]}
+    turns = {f"omega_{link}": f"{omega} rad/s" for link, omega in told["given"].items()}
+    return device("epicyclic", sun=z1, **planets, **turns)
+
+
+@pytest.mark.parametrize("case", ["train-1", "train-4", "train-5"])
+def test_the_speeds_are_those_of_the_worked_train(case: str) -> None:
+    train, told = train_of(case), CASES[case]["results"]
+    found = agree(train)
+    for link in ("1", "2", "3", "H"):
+        assert found[f"omega_{link}"] == pytest.approx(told[f"w{link}"], abs=1e-9), link
+    for point, speed in told["kutzbach"]["v"].items():
+        assert 1e3 * found[f"v_{point}"] == pytest.approx(speed, abs=1e-7), point
+    for point, radius in told["kutzbach"]["radii"].items():
+        assert 1e3 * train.radii[{"A": "1", "O2": "H", "C": "3"}[point]] == pytest.approx(radius, abs=1e-9)
+
+
+@st.composite
+def trains(draw: st.DrawFn) -> dict[str, Any]:
+    sun, planet = draw(TEETH), draw(TEETH)
+    match draw(st.integers(0, 2)):
+        case 0:
+            teeth: dict[str, Any] = {"planet": planet, "ring": sun + 2 * planet}
+        case 1:
+            teeth = {"planet": [planet, draw(TEETH)], "ring": draw(st.integers(70, 130))}
+        case _:
+            teeth = {"planet": [planet, draw(TEETH)], "sun_2": draw(TEETH)}
+    links = draw(st.sampled_from([("1", "3"), ("1", "H"), ("3", "H")]))
+    return {"sun": sun, **teeth, **{f"omega_{link}": f"{draw(SPEED)} rad/s" for link in links}}
+
+
+def basic(data: dict[str, Any]) -> float:
+    """(ω_1 − ω_H) / (ω_3 − ω_H), by the teeth: an outer mesh turns the sense, an inner one does not."""
+    if not isinstance(data["planet"], list):
+        return -float(data["ring"] / data["sun"])
+    large, small = data["planet"]
+    outer = -large / data["sun"]
+    return float(outer * data["ring"] / small if "ring" in data else -outer * data["sun_2"] / small)
+
+
+@settings(max_examples=20, deadline=None)
+@given(data=trains())
+def test_any_train_moves_as_willis_says(data: dict[str, Any]) -> None:
+    assume(abs(basic(data) - 1) > 0.05)
+    found = device_answers(device("epicyclic", **data))
+    w1, w3, arm = (float(found[f"omega_{link}"].real) for link in ("1", "3", "H"))
+    assert w1 - arm == pytest.approx(basic(data) * (w3 - arm), abs=1e-7)
+
+
+@settings(max_examples=10, deadline=None)
+@given(data=trains())
+def test_any_train_that_can_be_read_is_drawn_as_it_is_computed(data: dict[str, Any]) -> None:
+    try:
+        subject = device("epicyclic", **data)
+        found = agree(subject, within=1e-8)
+    except (NotAskedError, ValueError):
+        assume(False)
+    else:
+        assert found
+
+
+def test_a_ratio_of_ten_thousand_is_known_but_not_measured() -> None:
+    for driver in ("H", "1"):
+        given_ = {f"omega_{driver}": "100 rad/s", "omega_3": "0 rad/s"}
+        train = device("epicyclic", sun=100, planet=[101, 100], sun_2=99, **given_)
+        ratio = float(device_answers(train)["i_H1" if driver == "H" else "i_1H"].real)
+        assert ratio == pytest.approx(1e4 if driver == "H" else 1e-4, rel=1e-9)
+        with pytest.raises(NotAskedError, match="too large to be measured"):
+            drawn(train)
+
+
+TRAIN = load("train-ring").text
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("ring: 64", "ring: 65", r"z_3 = z_1 \+ 2 z_2 = 64"),
+        ("ring: 64", "sun_2: 30", "one of 'ring' and 'sun_2'"),
+        ("sun: 20", "sun: 2", "from 3 to 2000"),
+        ("planet: 22, ring: 64", "planet: [22, 70], ring: 64", "more teeth than the planet in it, 70"),
+        (", omega_3: 0 rad/s", "", "two of omega_1, omega_3 and omega_H; here stand omega_1"),
+        ("planet: 22, ring: 64", "planet: [20, 20], sun_2: 20", "both central gears always turn alike"),
+    ],
+)
+def test_a_train_that_cannot_be_built_is_refused(old: str, new: str, said: str) -> None:
+    assert old in TRAIN
+    with pytest.raises(ProblemFileError, match=said):
+        loads(TRAIN.replace(old, new, 1))
+
+
+# -- generation ----------------------------------------------------------------------------------------------------
+
+
+def gear(**data: Any) -> Any:
+    return device("gear-generation", **data)
+
+
+@pytest.mark.parametrize("case", ["gear-1", "gear-2", "gear-4"])
+def test_the_tooth_is_that_of_the_numerical_generation(case: str) -> None:
+    given_, told = CASES[case]["inputs"], CASES[case]["results"]
+    found = agree(gear(m=f"{given_['m']} mm", z=given_["z"], x=str(given_["x"])))
+    names = {"s": "tooth_thickness_pitch", "s_tip": "tip_thickness", "r_start": "involute_start_radius"}
+    for key in ("r", "rb", "ra", "rf", "x_min", "z_min"):
+        assert found[key] == pytest.approx(told[key], abs=2e-9), key
+    for key, name in names.items():
+        assert found[key] == pytest.approx(told[name], abs=2e-8), key
+    assert bool(found["undercut"]) is told["undercut"]
+
+
+@settings(max_examples=15, deadline=None)
+@given(z=st.integers(7, 40), x=st.floats(-0.3, 0.6).map(lambda x: round(x, 2)), m=st.integers(2, 20))
+def test_any_gear_is_drawn_as_it_is_computed(z: int, x: float, m: int) -> None:
+    subject = gear(m=f"{m} mm", z=z, x=str(x), steps=6)
+    assume(abs(x - subject.limit) > 1e-6)
+    agree(subject, within=1e-8)
+
+
+@given(z=st.integers(7, 60), x=st.floats(0, 0.5))
+def test_the_tip_is_thinner_than_the_pitch_and_all_grows_with_the_module(z: int, x: float) -> None:
+    one, double = (device_answers(gear(m=f"{m} mm", z=z, x=str(x))) for m in (3, 6))
+    assert one["s_tip"].real < one["s"].real
+    lengths = [key for key in one if key not in ("x_min", "z_min", "undercut")]
+    assert [double[key] for key in lengths] == pytest.approx([2 * one[key] for key in lengths], rel=1e-9)
+    ra, rb, alpha = one["ra"].real, one["rb"].real, radians(20)
+    slope = acos(rb / ra)
+    thick = ra * ((pi / 2 + 2 * x * tan(alpha)) * 2 / z + 2 * (tan(alpha) - alpha - tan(slope) + slope))
+    assert one["s_tip"] == pytest.approx(thick, rel=1e-9) and rb == pytest.approx(1.5 * z * cos(alpha))
+
+
+@pytest.mark.parametrize(("x", "cut"), [("0", True), ("0.4", True), ("0.42", False)])
+def test_the_shift_at_which_undercut_ends_is_told(x: str, cut: bool) -> None:
+    construction = drawn(gear(m="10 mm", z=10, x=x))
+    assert bool(construction.readings["undercut"].scalar) is cut
+    assert any("should be 0.415" in step.words.en for step in construction.steps) is cut
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("z: 10", "z: 4", "from 5 to 200"),
+        ("steps: 20", "steps: 100", "from 6 to 60"),
+        ("x: 0,", "x: 2,", "the shift should be -1 … 1.5"),
+        ("m: 10 mm", "m: 10 mm, alpha: 45 deg", "10 … 30 deg"),
+        ("m: 10 mm", "m: 10 mm, ha: 2", "0.5 … 1.25"),
+    ],
+)
+def test_a_gear_that_no_rack_cuts_is_refused(old: str, new: str, said: str) -> None:
+    text = load("gear-undercut").text
+    assert old in text
+    with pytest.raises(ProblemFileError, match=said):
+        loads(text.replace(old, new, 1))
+
+
+@pytest.mark.parametrize("name", ["train-ring", "train-stepped", "train-differential", "gear-undercut", "gear-shifted"])
+def test_a_careful_hand_is_off_by_no_more_than_its_drawing_error(name: str) -> None:
+    solution = solve(load(name), repeats=60)
+    assert not solution.suspect
+    for answer in solution.answers.values():
+        assert abs(answer.deviation) <= 1.7 * answer.expected_error + 1e-9 * abs(answer.exact), answer.key

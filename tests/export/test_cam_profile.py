@@ -1,0 +1,60 @@
+"""The profile of a cam for other programs: every point where the oracle has it, each file with its tolerance."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from math import radians
+
+import numpy as np
+import pytest
+from ezdxf import document as drawing
+
+from vecpoly.devices.cams.cam import Cam
+from vecpoly.errors import NoMethodError
+from vecpoly.export.cams.drawing import cam_dxf, tolerance
+from vecpoly.export.cams.profile import profile_of
+from vecpoly.export.cams.table import cam_csv
+from vecpoly.oracle.devices.cams.shape import profile
+from vecpoly.problem.load import load
+
+CAMS = ("cam-roller-offset", "cam-flat-face", "cam-rocker", "cam-heart")
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_every_point_of_the_table_lies_on_the_exact_profile(name: str) -> None:
+    problem = load(name)
+    cam = problem.subject
+    assert isinstance(cam, Cam)
+    told, *lines = cam_csv(profile_of(problem)).decode().splitlines()
+    rows = [[float(cell) for cell in row] for row in list(csv.reader(io.StringIO("\n".join(lines))))[1:]]
+    assert len(rows) > 355 and rows[0][0] == 0 and rows[-1][0] == 360
+    for phi, x, y, *_ in rows[::7]:
+        pieces = [piece for piece in cam.pieces if piece.start - 1e-9 <= radians(phi) <= piece.end + 1e-9]
+        exact = [1e3 * complex(profile(cam, piece, np.array([radians(phi)]))[0]) for piece in pieces]
+        assert min(abs(complex(x, y) - spot) for spot in exact) < 2e-6
+    found = re.search(r"by ([\d.]+) mm", told)
+    assert found and 0 < float(found[1]) < 0.02
+
+
+@pytest.mark.parametrize("name", CAMS)
+def test_the_splines_close_and_keep_their_tolerance(name: str) -> None:
+    made = profile_of(load(name))
+    doc = drawing.Drawing.read(io.StringIO(cam_dxf(made).decode()))
+    assert doc.units == 4 and not doc.audit().errors
+    splines = list(doc.modelspace().query("SPLINE"))
+    assert len(splines) == len(made.stretches)
+    joined = list(doc.modelspace().query("LINE"))
+    ends = [(s.construction_tool().control_points[0], s.construction_tool().control_points[-1]) for s in splines]
+    gaps = [a.distance(b) for (_, a), (b, _) in zip(ends, [*ends[1:], ends[0]], strict=True)]
+    assert sum(gap > 1e-6 for gap in gaps) == len(joined)
+    assert 0 < tolerance(made) < 1e-3
+    (told,) = doc.modelspace().query("TEXT")
+    assert f"{tolerance(made):.6f} mm" in told.dxf.text
+
+
+@pytest.mark.parametrize("name", ["cam-undercut", "cam-least-circle", "3-9", "5-5"])
+def test_what_has_no_profile_that_can_be_made_is_refused(name: str) -> None:
+    with pytest.raises(NoMethodError, match=r"undercut|only a cam"):
+        profile_of(load(name))
