@@ -8,8 +8,8 @@ from itertools import pairwise
 from math import degrees
 
 from ...designs.angle_pairs import AnglePairs
-from ...designs.inversion.loops import Hinged, Loop, sides
-from ...designs.inversion.plan import Find, Limits, Plan
+from ...designs.inversion.loops import Hinged, Loop
+from ...designs.inversion.plan import Find, Plan
 from ...designs.positions import Positions
 from ...designs.stages import Stages
 from ...designs.verdict import Verdict
@@ -17,6 +17,7 @@ from .defects import Defect, fourbar, slider_crank
 from .registry import Linkage, synthesizes
 from .staged import Found, linkages
 
+_NONE = 1e-7  # of the extent of what is given: a link shorter than that has no length
 _VERDICTS: Mapping[Defect | None, Verdict] = {
     None: Verdict.VALID,
     Defect.CIRCUIT: Verdict.CIRCUIT,
@@ -80,17 +81,10 @@ def _pins(found: Found) -> dict[str, complex]:
 
 
 def _verdict(plan: Plan, found: Found) -> Verdict:
-    if any(isinstance(stage, Limits) and not _cranks(plan.loops[0], found) for stage in plan.stages):
-        return Verdict.NOT_GRASHOF
+    if min(found.length(one, two) for one, two in plan.bars()) < _NONE * plan.extent:
+        return Verdict.NO_LINK
     verdicts = [_VERDICTS[_defect(loop, found, plan.either)] for loop in plan.loops]
     return next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
-
-
-def _cranks(loop: Loop, found: Found) -> bool:
-    """Whether the first link of a four-bar turns fully and the last one swings: it is the shortest, and Grashof."""
-    assert isinstance(loop, Hinged)
-    ab, bc, cd, ad = (found.length(*ends) for ends in sides(loop))
-    return ab + max(bc, cd, ad) < bc + cd + ad - max(bc, cd, ad) and ab < min(bc, cd, ad)
 
 
 def _defect(loop: Loop, found: Found, either: bool) -> Defect | None:

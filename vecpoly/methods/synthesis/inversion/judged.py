@@ -13,32 +13,27 @@ from typing import assert_never
 import numpy as np
 
 from ....designs.inversion.loops import Hinged, Loop, Sliding
-from ....designs.inversion.plan import Limits
 from ....designs.verdict import Verdict
 from ....plane import nominal
 from .sheet import Sheet
 
 DEAD = 1e-4  # sine, as one sees it: at a dead point either side is as good
+NONE = 1e-5  # mm: a link shorter than that has no length
 Spots = tuple[complex, ...]
 
 
 def judged(sheet: Sheet) -> Verdict:
     """The verdict on the whole linkage, by the first loop that fails; either link may drive where the plan says so."""
-    if any(isinstance(stage, Limits) and not _cranks(sheet) for stage in sheet.plan.stages):
-        return Verdict.NOT_GRASHOF
+    if _shrunk(sheet):
+        return Verdict.NO_LINK
     verdicts = [_loop(sheet, loop) for loop in sheet.plan.loops]
     return next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
 
 
-def _cranks(sheet: Sheet) -> bool:
-    """Whether the driver comes through both positions on the line of the frame: AD ± AB, with BC and CD, is a triangle,
-    and it is the shortest link."""
-    loop = sheet.plan.loops[0]
-    assert isinstance(loop, Hinged)
-    a, b, c, d = (_spots(sheet, letter)[0] for letter in (loop.a, loop.b, loop.c, loop.d))
-    crank, rod, rocker, frame = abs(b - a), abs(c - b), abs(d - c), abs(d - a)
-    triangles = (abs(rod - rocker) < base < rod + rocker for base in (abs(frame - crank), frame + crank))
-    return crank < min(rod, rocker, frame) and all(triangles)
+def _shrunk(sheet: Sheet) -> bool:
+    """Whether a link has no length on paper."""
+    bars = ((_spots(sheet, one)[0], _spots(sheet, two)[0]) for one, two in sheet.plan.bars())
+    return any(abs(two - one) < NONE for one, two in bars)
 
 
 def drives(sheet: Sheet, loop: Loop) -> tuple[Verdict, Verdict | None]:
