@@ -124,7 +124,7 @@ def _at_one_place(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     letter_at_pole(desk, view, held)
     tip = desk.put_tip(view, at, desk.tip(view, held))
     board.plot(view, tip, label)
-    board.arrow(view, 0j, tip, Role.RESULT, key=key(desk, Rel(VECTOR[view], at)))
+    board.arrow(view, 0j, tip, Role.RESULT, key=desk.key(Rel(VECTOR[view], at)))
 
 
 def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
