@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
+from ...words import Words
 from .base import Done
 
 
@@ -11,6 +13,7 @@ from .base import Done
 class Locate(Done):
     """A point has been found, and has its letter (key) from now on."""
 
+    verb: ClassVar[Words | None] = Words("定点", "point")
     at: complex
 
 
@@ -25,6 +28,7 @@ class Turn(Done):
 class Parallel(Done):
     """Rule a line through a point parallel, or perpendicular, to a drawn direction."""
 
+    verb: ClassVar[Words | None] = Words("作方向线", "direction of")
     at: complex
     along: complex
 
@@ -33,6 +37,7 @@ class Parallel(Done):
 class LayOff(Done):
     """Lay off a length (mm) from a point in a direction."""
 
+    verb: ClassVar[Words | None] = Words("量取", "lay off")
     start: complex
     at: complex
     mm: float
@@ -42,6 +47,7 @@ class LayOff(Done):
 class Follow(Done):
     """Go along a vector (key) that stands on the polygon already."""
 
+    verb: ClassVar[Words | None] = Words("沿已有矢量", "go along")
     by: complex
 
 
@@ -49,6 +55,7 @@ class Follow(Done):
 class Transfer(Done):
     """Carry a length, or a whole vector, to another place with the dividers."""
 
+    verb: ClassVar[Words | None] = Words("移画", "transfer")
     by: complex
 
 
@@ -56,6 +63,7 @@ class Transfer(Done):
 class Meet(Done):
     """Where two lines, a line and an arc, or two arcs meet; other: the second meeting, which was not taken."""
 
+    verb: ClassVar[Words | None] = Words("求交点", "meet")
     at: complex
     other: complex | None = None
 
@@ -65,6 +73,7 @@ class Touch(Done):
     """A line of action (key: its force) that touches one friction circle, or two;
     free: there is no circle, the radius is zero."""
 
+    verb: ClassVar[Words | None] = Words("作切线", "tangent")
     along: complex
     free: bool
 
@@ -73,6 +82,7 @@ class Touch(Done):
 class Image(Done):
     """The third corner of a similar figure with the same letter order."""
 
+    verb: ClassVar[Words | None] = Words("作影像", "image")
     at: complex
 
 
@@ -80,6 +90,7 @@ class Image(Done):
 class Measure(Done):
     """Read a length (key: its letters) off the rule."""
 
+    verb: ClassVar[Words | None] = Words("量得", "measure")
     a: complex
     b: complex
     mm: float
@@ -96,6 +107,7 @@ class Gauge(Done):
 class Compute(Done):
     """Symbol = formula = numbers = result."""
 
+    verb: ClassVar[Words | None] = Words("计算", "compute")
     value: float
     unit: str
 
@@ -104,5 +116,6 @@ class Compute(Done):
 class Answer(Done):
     """Write down what was found of a quantity (key): the value in SI units, of a vector x + iy."""
 
+    verb: ClassVar[Words | None] = Words("结果", "answer")
     value: complex
     unit: str

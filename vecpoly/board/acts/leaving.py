@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from ...words import Words
 from ..paper.marks import Dot, Mark, Role
@@ -32,6 +33,7 @@ class Arrow(Done):
     """Draw the vector (key) from a to b; label: the symbol written beside it,
     where the letters at its ends do not tell it."""
 
+    verb: ClassVar[Words | None] = Words("画矢量", "vector")
     a: complex
     b: complex
     role: Role
