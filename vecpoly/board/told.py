@@ -11,7 +11,7 @@ from ..algebra.quantity import number
 from ..names import written_unit
 from ..words import Lang, Words, bare
 from . import acts as done
-from .acts import Act
+from .acts import Act, Leaving
 
 VERB, OBJECT = 14, 28  # columns of a terminal: what is done, and with what
 
@@ -47,7 +47,7 @@ def _lines(steps: Sequence[Stepped], acts: Sequence[Act], lang: Lang) -> Iterato
 def _line(act: Act, acts: Sequence[Act], lang: Lang) -> str:
     """Number, verb, object, and what was needed, in columns that Chinese letters keep too."""
     needed = ("、" if lang == "zh" else ", ").join(dict.fromkeys(acts[n].key or f"#{n}" for n in act.inputs))
-    verb, what = _VERBS[type(act)].of(lang), _object(act)
+    verb, what = (act.verb or Words.same("")).of(lang), _object(act)
     return f"{f'#{act.number}':>7s}  {wide(verb, VERB)}{wide(what, OBJECT)}{'← ' + needed if needed else ''}".rstrip()
 
 
@@ -64,11 +64,13 @@ def primed(text: str) -> str:
 
 def _shown(act: Act) -> bool:
     """Acts that only leave ink are not told, nor vectors and lines without a name."""
-    return type(act) in _VERBS and bool(act.key or isinstance(act, done.Meet | done.Image))
+    return act.verb is not None and bool(act.key or isinstance(act, done.Meet | done.Image))
 
 
 def _object(act: Act) -> str:
     """What was done it with, and what it gave."""
+    if isinstance(act, Leaving):
+        return act.key
     match act:
         case done.Locate() | done.Image() | done.Meet():
             return f"{act.key} ({_mm(act.at.real)}, {_mm(act.at.imag)}) mm".lstrip()
@@ -80,27 +82,7 @@ def _object(act: Act) -> str:
             return f"{act.key} = {_value(act.value, act.unit)}"
         case done.Answer():
             return f"{act.key} = {_value(abs(act.value) if isinstance(act.value, complex) else act.value, act.unit)}"
-        case (
-            done.Arrow()
-            | done.Parallel()
-            | done.Ray()
-            | done.Follow()
-            | done.Transfer()
-            | done.Touch()
-            | done.Plot()
-            | done.Join()
-            | done.Turn()
-            | done.Rule()
-            | done.Swing()
-            | done.Curve()
-            | done.Corner()
-            | done.Angle()
-            | done.CurvedArrow()
-            | done.Annotate()
-            | done.Tint()
-            | done.Gauge()
-            | done.Depict()
-        ):
+        case done.Turn() | done.Parallel() | done.Ray() | done.Follow() | done.Transfer() | done.Touch() | done.Gauge():
             return act.key
         case _:
             assert_never(act)
@@ -113,20 +95,3 @@ def _value(value: float, name: str) -> str:
 
 def _mm(place: float) -> str:
     return f"{place + 0.0:.2f}".replace("-0.00", "0.00").replace("-", "−")
-
-
-_VERBS: dict[type, Words] = {
-    done.Locate: Words("定点", "point"),
-    done.Image: Words("作影像", "image"),
-    done.LayOff: Words("量取", "lay off"),
-    done.Meet: Words("求交点", "meet"),
-    done.Measure: Words("量得", "measure"),
-    done.Compute: Words("计算", "compute"),
-    done.Answer: Words("结果", "answer"),
-    done.Arrow: Words("画矢量", "vector"),
-    done.Parallel: Words("作方向线", "direction of"),
-    done.Ray: Words("作射线", "ray"),
-    done.Follow: Words("沿已有矢量", "go along"),
-    done.Transfer: Words("移画", "transfer"),
-    done.Touch: Words("作切线", "tangent"),
-}

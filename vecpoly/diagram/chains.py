@@ -10,19 +10,20 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from ..board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Point, Role, Segment
+from ..board.paper.marks import Block, Dot, Ground, LinkNumber, Mark, Plate, Point, Role, Segment
 from ..board.paper.symbols import Symbol
 from ..mechanism.joints import FRAME
 from ..names import subscripted
 from .bars import bar, hull
-from .guides import bush, rail_under
+from .guides import bush, rail_under, through
 from .owners import FIXED, joint
 from .owners import link as owner
+from .posed import Way
 from .profiles import FACE, Touching, is_hollow, profile, round_of
 
 NEAR = 0.3  # mm: places closer than this are one
-BEYOND = 13.0  # mm: a guide goes on past its block
-HALF_GUIDE = 11.0  # mm: half a fixed guide
+BEYOND, HALF_GUIDE = 13.0, 11.0  # mm: a rod goes on past its block; half a fixed guide
+Rod = Segment | Plate  # a rod, the arms beside it, and the marks of their rigid corners
 DOWNS = (-1j, 1j, 1 + 0j, -1 + 0j)
 
 
@@ -90,10 +91,10 @@ class Sketched:
         yield from rods or (bar(points) if len(points) > 1 else ())
         yield self._numbered(link, points, rods, profiles)
 
-    def _numbered(self, link: str, points: list[complex], rods: list[Segment], profiles: list[Joined]) -> LinkNumber:
+    def _numbered(self, link: str, points: list[complex], rods: list[Rod], profiles: list[Joined]) -> LinkNumber:
         """Its number beside its longest line; within its profile or beside its block where it has no line."""
         number = self.number(link)
-        lines = [(rod.a, rod.b) for rod in rods]
+        lines = [(rod.a, rod.b) for rod in rods if isinstance(rod, Segment)]
         if not lines and len(points) > 1:
             corners = hull(points) if len(points) > 2 else tuple(points)
             lines = list(zip(corners, corners[1:] + corners[:1], strict=True))
@@ -154,23 +155,12 @@ def _way(pair: Joined) -> Segment:
     return Segment(a=pair.at - pair.along * HALF_GUIDE, b=pair.at + pair.along * HALF_GUIDE, role=Role.CENTRE)
 
 
-def _rod(pair: Joined, points: list[complex]) -> Iterator[Segment]:
-    return through(pair.at, pair.along, BEYOND, points)
+def _rod(pair: Joined, points: list[complex]) -> Iterator[Rod]:
+    return through(Way(pair.at, pair.along), pair.at, BEYOND, points)
 
 
-def _face(pair: Joined, points: list[complex]) -> Iterator[Segment]:
-    return through(pair.at, 1j * pair.normal, FACE, points)
-
-
-def through(at: complex, u: complex, half: float, points: list[complex]) -> Iterator[Segment]:
-    """A guide that moves, or a flat face: a rod through its block or contact, on to its hinges;
-    a hinge beside it is joined to it at right angles."""
-    aside = [p for p in points if abs((u.conjugate() * (p - at)).imag) > NEAR]
-    along = [(u.conjugate() * (p - at)).real for p in points]
-    back, ahead = min([-half, *along]), max([half, *along])
-    yield Segment(a=at + back * u, b=at + ahead * u, role=Role.LINK)
-    for p in aside:
-        yield Segment(a=at + u * (u.conjugate() * (p - at)).real, b=p, role=Role.LINK)
+def _face(pair: Joined, points: list[complex]) -> Iterator[Rod]:
+    return through(Way(pair.at, 1j * pair.normal), pair.at, FACE, points)
 
 
 def _points(pairs: Sequence[Joined], link: str) -> list[complex]:

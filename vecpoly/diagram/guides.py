@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Role, Segment, Slot
+from ..board.paper.marks import Block, FixedGuide, LinkNumber, Mark, Plate, Role, Segment, Slot
 from ..mechanism.model import FRAME, Prismatic
 from ..problem.problem import Shape
 from .bars import weld
-from .posed import Posed
+from .posed import Posed, Way
 
 HALF_SLOT = 15.0  # mm from the pin to either end of a slot, and of a fixed guide
 BEYOND = 12.0  # mm a rod sticks out behind its block
@@ -25,7 +25,7 @@ def guide_body(posed: Posed, link: str, joint: Prismatic, shape: Shape) -> Itera
     """A slotted link or a rod: from its own points along the guide to a little past the block."""
     line, own = posed.guide(joint), posed.spots(link)
     pin = posed.at.get(joint.pin, line.at)
-    yield from _slot(posed, joint, own, pin) if shape is Shape.SLOT else _rod(posed, joint, own, pin)
+    yield from _slot(posed, joint, own, pin) if shape is Shape.SLOT else through(line, pin, BEYOND, own)
 
 
 def is_slot(posed: Posed, link: str, joint: Prismatic) -> bool:
@@ -106,15 +106,16 @@ def _slot(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> I
             yield weld(near, spot - near, pin - near)
 
 
-def _rod(posed: Posed, joint: Prismatic, own: list[complex], pin: complex) -> Iterator[Mark]:
-    line = posed.guide(joint)
+def through(line: Way, pin: complex, half: float, own: Sequence[complex]) -> Iterator[Segment | Plate]:
+    """A rod, or a flat face, past what slides or presses on it, on to the link's own places;
+    one beside it is joined to it at right angles."""
     t, feet = line.travel(pin), [line.travel(spot) for spot in own]
-    yield Segment(a=line.spot(min(*feet, t - BEYOND)), b=line.spot(max(*feet, t + BEYOND)), role=Role.LINK)
+    yield Segment(a=line.spot(min([t - half, *feet])), b=line.spot(max([t + half, *feet])), role=Role.LINK)
     for spot in own:
         if abs(line.off(spot)) >= BESIDE:
             foot = line.foot(spot)
             yield Segment(a=foot, b=spot, role=Role.LINK)
-            yield weld(foot, spot - foot, pin - foot)
+            yield weld(foot, spot - foot, (pin if abs(pin - foot) > BESIDE else line.spot(t + half)) - foot)
 
 
 def _other_side(posed: Posed, joint: Prismatic, middle: complex, along: complex) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 from ..board import acts as done
 from ..board.paper.marks import AngleMark, FixedGuide
@@ -29,6 +30,8 @@ def _standing(act: done.Depict) -> tuple[object, ...]:
 
 def _places(act: done.Act) -> tuple[complex, ...]:
     """The places at which an act leaves ink."""
+    if isinstance(act, done.Inkless):
+        return ()
     match act:
         case done.Plot(at=at) | done.CurvedArrow(at=at) | done.Annotate(at=at):
             return (at,)
@@ -42,5 +45,7 @@ def _places(act: done.Act) -> tuple[complex, ...]:
             return (at, u, v)
         case done.Tint(points=points) | done.Curve(points=points):
             return points
+        case done.Depict():
+            return ()  # a symbol is carried along by its owner
         case _:
-            return ()
+            assert_never(act)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from ...foundation.slotted import dataclass
+from ...words import Words
 from ..place import Place, called, named
 
 
@@ -20,8 +23,12 @@ class Head:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Done:
-    """An act: what it is and what it gave is told by its kind."""
+    """An act: what it is and what it gave is told by its kind.
 
+    verb: what is done, as a list of acts tells it; None of acts that only leave ink.
+    """
+
+    verb: ClassVar[Words | None] = None
     head: Head
 
     @property

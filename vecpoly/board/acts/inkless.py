@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from ...foundation.slotted import dataclass
+from ...words import Words
 from .base import Done
 
 
@@ -10,6 +13,7 @@ from .base import Done
 class Locate(Done):
     """A point has been found, and has its letter (key) from now on."""
 
+    verb: ClassVar[Words | None] = Words("定点", "point")
     at: complex
 
 
@@ -24,6 +28,7 @@ class Turn(Done):
 class Parallel(Done):
     """Rule a line through a point parallel, or perpendicular, to a drawn direction."""
 
+    verb: ClassVar[Words | None] = Words("作方向线", "direction of")
     at: complex
     along: complex
 
@@ -32,6 +37,7 @@ class Parallel(Done):
 class Ray(Done):
     """Set out a line through a point at an angle from a drawn direction, by protractor."""
 
+    verb: ClassVar[Words | None] = Words("作射线", "ray")
     at: complex
     along: complex
 
@@ -40,6 +46,7 @@ class Ray(Done):
 class LayOff(Done):
     """Lay off a length (mm) from a point in a direction."""
 
+    verb: ClassVar[Words | None] = Words("量取", "lay off")
     start: complex
     at: complex
     mm: float
@@ -49,6 +56,7 @@ class LayOff(Done):
 class Follow(Done):
     """Go along a vector (key) that stands on the polygon already."""
 
+    verb: ClassVar[Words | None] = Words("沿已有矢量", "go along")
     by: complex
 
 
@@ -56,6 +64,7 @@ class Follow(Done):
 class Transfer(Done):
     """Carry a length, or a whole vector, to another place with the dividers."""
 
+    verb: ClassVar[Words | None] = Words("移画", "transfer")
     by: complex
 
 
@@ -66,6 +75,7 @@ class Meet(Done):
     angle: at which an arc crosses the other arc, or the line (rad, to a right angle).
     """
 
+    verb: ClassVar[Words | None] = Words("求交点", "meet")
     at: complex
     other: complex | None = None
     angle: float | None = None
@@ -76,6 +86,7 @@ class Touch(Done):
     """A line of action (key: its force) that touches one friction circle, or two;
     free: there is no circle, the radius is zero."""
 
+    verb: ClassVar[Words | None] = Words("作切线", "tangent")
     along: complex
     free: bool
 
@@ -84,6 +95,7 @@ class Touch(Done):
 class Image(Done):
     """The third corner of a similar figure with the same letter order."""
 
+    verb: ClassVar[Words | None] = Words("作影像", "image")
     at: complex
 
 
@@ -91,6 +103,7 @@ class Image(Done):
 class Measure(Done):
     """Read a length (key: its letters) off the rule."""
 
+    verb: ClassVar[Words | None] = Words("量得", "measure")
     a: complex
     b: complex
     mm: float
@@ -107,6 +120,7 @@ class Gauge(Done):
 class Compute(Done):
     """Symbol = formula = numbers = result."""
 
+    verb: ClassVar[Words | None] = Words("计算", "compute")
     value: float
     unit: str
 
@@ -115,5 +129,6 @@ class Compute(Done):
 class Answer(Done):
     """Write down what was found of a quantity (key): the value in SI units, of a vector x + iy."""
 
+    verb: ClassVar[Words | None] = Words("结果", "answer")
     value: complex
     unit: str

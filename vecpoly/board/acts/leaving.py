@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from ...foundation.slotted import dataclass
 from ...words import Words
 from ..paper.marks import Dot, Mark, Role
@@ -31,6 +33,7 @@ class Arrow(Done):
     """Draw the vector (key) from a to b; label: the symbol written beside it,
     where the letters at its ends do not tell it."""
 
+    verb: ClassVar[Words | None] = Words("画矢量", "vector")
     a: complex
     b: complex
     role: Role

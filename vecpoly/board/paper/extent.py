@@ -3,27 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import assert_never
 
 import numpy as np
 
 from .marks import (
     AngleMark,
     Arc,
+    Block,
     Cell,
     Curve,
     Disc,
     Dot,
+    FixedGuide,
     FrictionCircle,
     GearMark,
+    Ground,
     ImageOf,
+    LinkNumber,
     Mark,
+    Note,
     Outline,
     Plate,
     Point,
+    RackMark,
     RightAngle,
     Role,
     Segment,
+    Slot,
     TurnArrow,
+    Vector,
 )
 
 
@@ -62,9 +71,9 @@ def corners(mark: Mark) -> Iterator[complex]:
             yield from (c + r * turn for turn in (1, 1j, -1, -1j))
         case Cell(at=at, width=w, height=h):
             yield from (at + complex(x * w, y * h) / 2 for x in (-1, 1) for y in (-1, 1))
-        case TurnArrow(at=at) | AngleMark(at=at) | RightAngle(at=at):
-            yield at
+        case Segment() | Vector() | FixedGuide() | Slot() | RackMark() | LinkNumber():
+            yield from (mark.a, mark.b)
+        case Point() | Ground() | Block() | Note() | TurnArrow() | AngleMark() | RightAngle():
+            yield mark.at
         case _:
-            for name in ("a", "b", "at"):
-                if hasattr(mark, name):
-                    yield getattr(mark, name)
+            assert_never(mark)

@@ -87,9 +87,13 @@ class Surroundings:
 
 def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
     """The primitives of one mark, without lettering."""
+    if isinstance(mark, Trace):
+        return _line(mark, around)
+    if isinstance(mark, Solid):
+        return _solid(mark, around)
+    if isinstance(mark, Body):
+        return _body(mark, around)
     match mark:
-        case Segment() | Vector() | Arc() | Curve():
-            return _line(mark, around)
         case Point():
             return _point(mark, around)
         case RightAngle():
@@ -100,12 +104,8 @@ def draw(mark: Mark, around: Surroundings) -> tuple[Item, ...]:
             return draw_turn(mark, kind_hue(around.view, mark.label))
         case AngleMark():
             return draw_angle(mark)
-        case FrictionCircle() | Disc() | Outline() | Cell():
-            return _solid(mark, around)
         case LinkNumber() | Note():
             return ()
-        case Plate() | Ground() | FixedGuide() | Block() | Slot() | GearMark() | RackMark():
-            return _body(mark, around)
     assert_never(mark)
 
 

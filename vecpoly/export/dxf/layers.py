@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING, assert_never
 
 from ...board.paper.marks import (
     AngleMark,
-    Arc,
     Block,
     Cell,
-    Curve,
     Disc,
     FixedGuide,
     FrictionCircle,
@@ -26,10 +24,9 @@ from ...board.paper.marks import (
     RackMark,
     RightAngle,
     Role,
-    Segment,
     Slot,
+    Trace,
     TurnArrow,
-    Vector,
 )
 from ...drawing.style import GIVEN, THIN, Dash, Hue, Pen, pen
 
@@ -87,9 +84,9 @@ def weight(width: float) -> int:
 
 def layer_of(mark: Mark) -> str:
     """The layer on which a mark lies."""
+    if isinstance(mark, Trace):
+        return mark.role.value
     match mark:
-        case Segment(role=role) | Vector(role=role) | Arc(role=role) | Curve(role=role):
-            return role.value
         case Plate() | Block() | Slot() | Disc() | Outline() | Cell():
             return Role.LINK.value
         case GearMark() | RackMark():

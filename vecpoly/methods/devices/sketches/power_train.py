@@ -10,7 +10,6 @@ from ....board.paper.marks import Role
 from ....devices.power_train import PowerTrain
 from ....devices.train import Part, Train
 from ....diagram.single import machine
-from ....names import ascii_key
 from ....words import Words
 
 BOX, HEIGHT, GAP, ROW = 17.0, 12.0, 16.0, 24.0  # mm on paper: five machines in a row fit the text
@@ -111,7 +110,7 @@ class _Rows:
     def _arrow(self, a: complex, b: complex, flow: Flow, head: bool = True) -> None:
         """The arrow with its power, and over that the power's symbol where it has one."""
         if head:
-            self.board.arrow(self.place, a, b, Role.GIVEN, key=ascii_key(flow.symbol))
+            self.board.arrow(self.place, a, b, Role.GIVEN)  # power is no vector: its symbol is in the note
         else:
             self.board.join(self.place, a, b, Role.GIVEN)
         name = f"${flow.symbol}$\n" if flow.symbol else ""
