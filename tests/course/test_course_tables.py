@@ -4,111 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from itertools import combinations
 from math import floor, log10
-from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.presses import Made, press, shown
 from tests.studies import studied
-from vecpoly import oracle
 from vecpoly.cycle import Column
-from vecpoly.mechanism.model import FRAME
-from vecpoly.report.content import Objects
-from vecpoly.report.course.modelling.dimensions import dimensions, rounded
-from vecpoly.report.course.modelling.order import order
-from vecpoly.report.course.numbering import SMALL, TINY, Press
+from vecpoly.report.course.numbering import SMALL, TINY
 from vecpoly.report.course.results.extreme_values import _exact, extremes
 from vecpoly.report.course.results.tabled import TIGHT, _formats, decimal, tabled
-from vecpoly.report.picture import picture
 from vecpoly.words import Words
 
 NAMES = ("A-27", "B-24", "3-9", "3-5")
-LENGTH = re.compile(r"\$l_\{(\w)(\w)\}\$ = ([\d.]+)")
-
-
-@dataclass(frozen=True, slots=True)
-class Made:
-    """A table as it was asked for."""
-
-    title: Words
-    header: Sequence[str]
-    rows: Sequence[tuple[str, ...]]
-    style: Any
-
-
-@dataclass(slots=True)
-class Kept(Press):
-    """A press that keeps the tables."""
-
-    made: list[Made] = field(default_factory=list)
-
-    def table(self, title: Any, header: Any, rows: Any, align: str, **style: Any) -> str:
-        assert len(align) == len(header) and {len(row) for row in rows} == {len(header)}
-        self.made.append(Made(title, header, rows, style.get("style")))
-        return "made"
-
-
-def press(lang: Any = "en") -> Kept:
-    return Kept(lang, Objects())
-
-
-def shown(cell: str) -> float:
-    return float(cell.replace("−", "-"))
 
 
 def half_unit(cell: str) -> float:
     return 0.5 * 10.0 ** -len(cell.partition(".")[2])
-
-
-# -- dimensions -------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", [*NAMES, "cam-roller", "jansen-leg"])
-@pytest.mark.parametrize("lang", ["zh", "en"])
-def test_every_distance_of_a_link_stands_in_nature_and_as_it_is_on_paper(name: str, lang: Any) -> None:
-    it, kept = studied(name), press(lang)
-    drawn = picture(it.problem, it.solution.construction, 130.0, 80.0)
-    assert drawn is not None
-    figure = rounded(drawn)
-    dimensions(it, kept, figure)
-    motion, scale = oracle.solve(it.mech), figure.scale.value
-    bodies = {it.name(body): body for body in it.mech.bodies if body not in it.mech.substitutes}
-    for head, nature, paper in kept.made[0].rows:
-        link = bodies.get(head, FRAME)
-        told = LENGTH.findall(nature)
-        for (p, q, size), mm in zip(told, re.split("，|, ", paper), strict=True):
-            apart = abs(complex(motion.position(p)) - complex(motion.position(q)))
-            assert float(size) == pytest.approx(1e3 * apart, rel=6e-5)
-            assert float(mm) == pytest.approx(apart / scale, abs=0.0501)
-            assert f"l_{p}{q}" in given_symbols(name) or (f"l_{q}{p}" not in given_symbols(name) and p < q)
-        assert {frozenset(one[:2]) for one in told} == apart_on(name, link)
-    assert [row[0] for row in kept.made[0].rows] == [
-        *(head for head, body in bodies.items() if apart_on(name, body)),
-        *({"zh": ["机架"], "en": ["frame"]}[lang] if apart_on(name, FRAME) else []),
-    ]
-
-
-def given_symbols(name: str) -> set[str]:
-    return {datum.symbol for datum in studied(name).problem.given.lengths}
-
-
-def apart_on(name: str, link: str) -> set[frozenset[str]]:
-    """The pairs of letters that are told of a link: all, of more than four those with the first."""
-    mech = studied(name).mech
-    points = dict(mech.frame if link == FRAME else mech.link(link).points)
-    pairs = list(combinations(points, 2)) if len(points) <= 4 else [(next(iter(points)), p) for p in [*points][1:]]
-    return {frozenset(pair) for pair in pairs if abs(points[pair[0]] - points[pair[1]]) > 1e-9}
-
-
-def test_what_is_not_drawn_or_not_to_scale_has_no_table_of_dimensions() -> None:
-    kept = press()
-    sketch = picture(studied("3-9").problem, studied("3-9").solution.construction, 130.0, 80.0)
-    assert dimensions(studied("3-9"), kept, None) == "" and sketch is not None and kept.made == []
 
 
 # -- columns ----------------------------------------------------------------------------------------------------------
@@ -121,6 +36,7 @@ def unfolded(made: Made, columns: int) -> tuple[list[str], list[tuple[str, ...]]
     assert len(made.header) == 2 * columns + 1 and made.header[columns] == ""
     assert made.header[:columns] == made.header[columns + 1 :]
     right = [row[columns + 1 :] for row in made.rows]
+    assert [row[0] for row in right[:-1]].count("") == 0  # the left half is longer by one row at most
     return list(made.header[:columns]), [*(row[:columns] for row in made.rows), *(row for row in right if row[0] != "")]
 
 
@@ -140,6 +56,8 @@ def test_every_cell_of_a_table_over_the_cycle_is_the_oracle_s_to_its_last_digit(
     tabled(it, kept, keys, Words("", ""), SMALL, every)
     parts = [p for key in keys for p in it.turn.info(key).parts if it.varies(p)]
     head, rows = unfolded(kept.made[0], 1 + len(parts))
+    narrow, long = 1 + len(parts) <= (6 if it.dense else 5), len(rows) > 20
+    assert (len(kept.made[0].rows) < len(rows)) == (narrow and long)
     assert len(rows) == len(it.rows[::every])
     drive = it.turn.drive
     for k, key in enumerate(parts, 1):
@@ -150,6 +68,15 @@ def test_every_cell_of_a_table_over_the_cycle_is_the_oracle_s_to_its_last_digit(
         for row, value in zip(rows, values, strict=True):
             gap = (shown(row[k]) - value + 180) % 360 - 180 if info.unit == "rad" else shown(row[k]) - value
             assert abs(gap) <= 1.001 * half_unit(row[k]) + 1e-9 * abs(value), (key, row)
+
+
+@pytest.mark.parametrize(
+    ("key", "head"), [("M", "$M$ /(N·m)"), ("omega_2", "$ω_{2}$ /(rad/s)"), ("phi_2", "$φ_{2}$ /°"), ("eta", "$η$")]
+)
+def test_the_unit_stands_behind_the_symbol_in_brackets_where_it_has_a_bar_or_a_dot(key: str, head: str) -> None:
+    kept = press()
+    tabled(studied("4-3a"), kept, (key,), Words("", ""))
+    assert kept.made[0].header[1] == head
 
 
 def test_many_columns_are_set_in_tiny_type() -> None:
@@ -172,7 +99,7 @@ def columns(units: Sequence[str]) -> list[Column]:
     return [Column(key=f"q{unit}_{n}", symbol="q", unit=unit, words=Words("", "")) for n, unit in enumerate(units)]
 
 
-@given(st.lists(st.floats(0.011, 9e3).map(lambda v: v + 1e-3), min_size=1, max_size=5))
+@given(st.lists(st.floats(-4.5, 4).map(lambda e: 1.2345678 * 10**e), min_size=1, max_size=5))
 def test_columns_of_one_quantity_have_the_same_decimals_that_suit_the_smallest_and_the_largest(
     tops: list[float],
 ) -> None:
@@ -218,6 +145,19 @@ def test_no_value_of_a_fine_grid_lies_beyond_the_extremes_and_they_are_where_the
     assert len(told) >= 5
 
 
+@pytest.mark.parametrize(("name", "unit"), [("3-4a-straight", "°"), ("elliptic-trammel", " mm")])
+def test_places_of_extremes_are_in_the_drive_s_unit_under_its_symbol_and_no_zero_has_a_minus(
+    name: str, unit: str
+) -> None:
+    kept, symbol = press(), f"${studied(name).turn.drive.symbol}$"
+    extremes(studied(name), kept)
+    (made,) = kept.made
+    assert list(made.header) == ["Quantity", "Unit", "Greatest", symbol, "Least", symbol]
+    places = [place for row in made.rows for place in (row[3], row[5])]
+    assert all(re.fullmatch(rf"−?\d+\.\d\d{unit}\*?", place) for place in places)
+    assert {place for place in places if not shown(re.sub("[° a-z]", "", place))} == {f"0.00{unit}"}
+
+
 def expected(name: str) -> Iterator[str]:
     """Rates of all links, places and rates of all points, all forces: what changes over the cycle."""
     it = studied(name)
@@ -235,25 +175,3 @@ def test_an_extreme_has_five_digits_and_what_rounding_leaves_is_zero(value: floa
     assert float(text) == pytest.approx(value, rel=6e-5, abs=6e-7)
     assert _exact(-value, value) == f"−{text}" and _exact(1e-10 * value, value) == "0"
     assert len(text.replace(".", "").lstrip("0")) <= max(6, len(str(int(value))))
-
-
-# -- the order of solution --------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_every_letter_is_found_once_and_none_is_taken_over_before_it_was_found(name: str) -> None:
-    it, zh, en = studied(name), press("zh"), press("en")
-    order(it, en)
-    order(it, zh)
-    known, lines = set(it.mech.frame), en.made[0].rows
-    for n, (number, title, taken, gives) in enumerate(lines, 1):
-        letters = re.findall(r"\$([A-Z])\$", taken)
-        assert number == str(n) and title and set(letters) <= known
-        new = set(re.findall(r"\$([A-Z])\$", gives))
-        assert not new & known
-        known |= new
-    assert known == {*it.mech.frame, *(letter for link in it.mech.links for letter in link.points)}
-    assert lines[0][2] == f"${it.turn.drive.symbol}$"
-    assert [re.findall(r"\$[^$]*\$", " ".join(row)) for row in lines] == [
-        re.findall(r"\$[^$]*\$", " ".join(row)) for row in zh.made[0].rows
-    ]
