@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import shutil
+from contextlib import chdir
 from pathlib import Path
 
 import pytest
@@ -21,15 +21,15 @@ COMMAND = ("class", "hw3.yaml", "--roster", "名单.csv", "-o", "hw", "-j", "1")
 
 
 def prepared(folder: Path, text: str = TEXT) -> None:
-    """Go into the folder, with an assignment and a roster in it."""
-    os.chdir(folder)
-    Path("hw3.yaml").write_text(text, encoding="utf-8")
-    Path("名单.csv").write_bytes(ROSTER.encode("gb18030"))
+    """An assignment and a roster in the folder."""
+    (folder / "hw3.yaml").write_text(text, encoding="utf-8")
+    (folder / "名单.csv").write_bytes(ROSTER.encode("gb18030"))
 
 
-@pytest.fixture(autouse=True)
-def back(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.chdir(tmp_path)  # and back where it was, whoever goes where
+def run(folder: Path, *words: str) -> Result:
+    """The command, given in this folder."""
+    with chdir(folder):
+        return CliRunner().invoke(app, words)
 
 
 @pytest.fixture(scope="module")
@@ -37,15 +37,16 @@ def first(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Result]:
     """The class, made once, and what was said of it."""
     folder = tmp_path_factory.mktemp("first")
     prepared(folder)
-    return folder, CliRunner().invoke(app, COMMAND)
+    return folder, run(folder, *COMMAND)
 
 
 @pytest.fixture(scope="module")
 def variants(tmp_path_factory: pytest.TempPathFactory) -> Result:
     """Two variants, of a problem whose statement tells a value that is varied."""
     told = TEXT.replace("    scales: null\n", "    scales: null\n    statement: 曲柄 AB = 30 mm。\n")
-    prepared(tmp_path_factory.mktemp("variants"), told)
-    return CliRunner().invoke(app, ["variants", "hw3.yaml", "-n", "2"])
+    folder = tmp_path_factory.mktemp("variants")
+    prepared(folder, told)
+    return run(folder, "variants", "hw3.yaml", "-n", "2")
 
 
 def test_one_bad_row_never_stops_the_rest(first: tuple[Path, Result]) -> None:
@@ -69,7 +70,7 @@ def test_one_bad_row_never_stops_the_rest(first: tuple[Path, Result]) -> None:
 def test_a_second_run_changes_no_byte_and_makes_again_what_is_lost(first: tuple[Path, Result], tmp_path: Path) -> None:
     shutil.copytree(first[0], tmp_path, dirs_exist_ok=True)
     (tmp_path / "hw" / "questions" / "20230001_王小明.pdf").unlink()
-    CliRunner().invoke(app, COMMAND)
+    run(tmp_path, *COMMAND)
     made = files(tmp_path / "hw")
     assert len(made) >= 12 and made == files(first[0] / "hw")
 
@@ -86,7 +87,7 @@ def test_the_yield_is_shown_before_anything_is_printed(variants: Result) -> None
 @pytest.mark.parametrize(("extra", "says"), [(["--shard", "4/4"], "0/4"), (["--profile", "none.yaml"], "none.yaml")])
 def test_a_wrong_option_is_refused_in_a_sentence(tmp_path: Path, extra: list[str], says: str) -> None:
     prepared(tmp_path)
-    done = CliRunner().invoke(app, [*COMMAND, *extra])
+    done = run(tmp_path, *COMMAND, *extra)
     assert done.exit_code == 2 and says in done.stderr and "Traceback" not in done.stderr
 
 

@@ -62,7 +62,7 @@ def in_english(turn: Cycle) -> str:
 
 @pytest.mark.parametrize("name", ["4-3a", "4-5", "4-6", "slider-crank-dynamic"])
 def test_no_reaction_round_the_cycle_is_greater_than_the_greatest(name: str) -> None:
-    fine, turn = cycle(load(name), 361), cycle(load(name))
+    fine, turn = cycle(load(name), 721), cycle(load(name))
     for column in [c for c in turn.columns if c.key.startswith(("R_", "M", "eta"))][:3]:
         values, found = fine.real(column.key), extremes(turn, column.key)
         known = values[np.isfinite(values)]

@@ -115,12 +115,17 @@ def _slips(node: ast.AST) -> Iterator[tuple[str, ast.expr | ast.stmt, str]]:
 def _calls(node: ast.Call) -> Iterator[tuple[str, ast.expr, str]]:
     if isinstance(node.func, ast.Name) and node.func.id == "Words" and len(node.args) == 2:
         yield "swapped languages", node, _with(node, args=node.args[::-1])
-    elif len(node.args) == 2 and not any(isinstance(arg, ast.Starred) for arg in node.args):
+    elif len(node.args) == 2 and not any(isinstance(arg, ast.Starred) for arg in node.args) and not _of_any_order(node):
         yield "swapped arguments", node, _with(node, args=node.args[::-1])
     for keyword in node.keywords:
         if keyword.arg == "strict":  # of zip: an assertion
             continue
         yield "dropped argument", node, _with(node, keywords=[other for other in node.keywords if other is not keyword])
+
+
+def _of_any_order(node: ast.Call) -> bool:
+    """Whether the arguments may change places, and nothing else changes."""
+    return isinstance(node.func, ast.Name) and node.func.id in ("min", "max")
 
 
 def _other(value: complex) -> complex:

@@ -94,10 +94,15 @@ class Listener:
                 self._now.add((code.co_filename, code.co_qualname))
 
 
-def forget() -> None:
-    """Empty everything that functions keep of their results."""
+def keepers() -> list[functools._lru_cache_wrapper[Any]]:
+    """All functions that keep their results."""
     gc.unfreeze()  # what conftest.py has set aside is not listed
-    for kept in (thing for thing in gc.get_objects() if isinstance(thing, functools._lru_cache_wrapper)):
+    return [thing for thing in gc.get_objects() if isinstance(thing, functools._lru_cache_wrapper)]
+
+
+def forget(known: Sequence[functools._lru_cache_wrapper[Any]] = ()) -> None:
+    """Empty everything that functions keep of their results."""
+    for kept in known or keepers():
         kept.cache_clear()
 
 
@@ -121,7 +126,7 @@ def listen(*files: str) -> None:
 
 def _kept(files: Sequence[str]) -> tuple[dict[str, list[str]], dict[str, float]]:
     """The map without what it says of these files."""
-    data = json.loads(MAP.read_text(encoding="utf-8"))
+    data = json.loads(MAP.read_text(encoding="utf-8")) if MAP.exists() else {"calls": {}, "seconds": {}}
     calls = {
         place: [test for test in tests if test.split("::")[0] not in files] for place, tests in data["calls"].items()
     }

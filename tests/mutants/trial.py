@@ -16,6 +16,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from enum import StrEnum
+from functools import _lru_cache_wrapper
 from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
@@ -26,13 +27,14 @@ from _pytest.runner import runtestprotocol
 import vecpoly
 
 from .slips import Mutant
-from .touched import ROOT, forget
+from .touched import ROOT, forget, keepers
 
 _PARTLY = (
     "-o",
     "enable_assertion_pass_hook=false",
 )  # of a test with parameters only some may be chosen: none of these need reach an assertion
 Chosen = Callable[[Mutant], Sequence[str]]
+Keepers = Sequence["_lru_cache_wrapper[Any]"]
 
 
 class Fate(StrEnum):
@@ -56,10 +58,10 @@ class Trials:
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         """Try one mutant after the other."""
         items = {item.nodeid: item for item in session.items}
-        functions = _functions()
+        functions, kept = _functions(), keepers()
         for mutant in self.mutants:
             tests = [items[name] for name in self.chosen(mutant) if name in items] if self.chosen else session.items
-            self.tell(mutant, _tried(mutant, functions, tests, self.limit))
+            self.tell(mutant, _tried(mutant, functions, tests, self.limit, kept))
         return True
 
 
@@ -91,7 +93,11 @@ def _functions() -> dict[tuple[str, str], list[FunctionType]]:
 
 
 def _tried(
-    mutant: Mutant, functions: dict[tuple[str, str], list[FunctionType]], tests: Sequence[pytest.Item], limit: int
+    mutant: Mutant,
+    functions: dict[tuple[str, str], list[FunctionType]],
+    tests: Sequence[pytest.Item],
+    limit: int,
+    kept: Keepers,
 ) -> Fate:
     path, outer = str(ROOT / mutant.path), mutant.function.split(".<locals>")[0]
     targets = {name: functions.get((path, name), []) for name in {outer, mutant.function}}
@@ -102,7 +108,7 @@ def _tried(
     if child == 0:
         _spoil(path, mutant.text)
         module = compile(mutant.text, path, "exec")
-        _run([(one, _code(module, name)) for name, found in targets.items() for one in found], tests, limit)
+        _run([(one, _code(module, name)) for name, found in targets.items() for one in found], tests, limit, kept)
     _, status = os.waitpid(child, 0)
     if os.WIFSIGNALED(status):
         return Fate.HUNG if os.WTERMSIG(status) == signal.SIGVTALRM else Fate.KILLED
@@ -126,7 +132,9 @@ def _code(module: CodeType, name: str) -> CodeType:
     raise LookupError(name)
 
 
-def _run(targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytest.Item], limit: int) -> None:
+def _run(
+    targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytest.Item], limit: int, kept: Keepers
+) -> None:
     """The child: never returns. A function made by another before the slip has the code of its own."""
     signal.setitimer(signal.ITIMER_VIRTUAL, limit)  # of the processor: a busy machine is no endless loop
     silent = os.open(os.devnull, os.O_WRONLY)
@@ -134,7 +142,7 @@ def _run(targets: Sequence[tuple[FunctionType, CodeType]], tests: Sequence[pytes
     os.dup2(silent, 2)
     failed = True
     try:
-        forget()
+        forget(kept)
         for function, code in targets:
             function.__code__ = code
         failed = any(_fails(test, following) for test, following in zip(tests, [*tests[1:], None], strict=True))

@@ -58,11 +58,7 @@ def _unbounded(study: Study, key: str, spot: Spot) -> bool:
 def _placed(study: Study, phi: float) -> str:
     """The drive's position with two decimals."""
     drive = study.turn.drive
-    return (
-        f"{drive.factor * study.reduced(phi):.2f}{'°' if drive.shown_unit == '°' else ' ' + drive.shown_unit}".replace(
-            "-", "−"
-        )
-    )
+    return decimal(drive.factor * study.reduced(phi), 2) + ("°" if drive.shown_unit == "°" else f" {drive.shown_unit}")
 
 
 def _exact(value: float, top: float) -> str:

@@ -15,6 +15,7 @@ from ...flow.style import Style
 from ..numbering import SMALL, TINY, Press
 
 _HALVED, _LONG = 6, 20  # a table of few columns and many rows is told in two halves beside each other
+_MOST = 6  # decimals
 _SPARED = 2  # of five significant digits, in the smaller columns of a quantity
 COLUMNS, TIGHT = 9, 12  # beside the drive's position, in small and in tiny type
 
@@ -48,18 +49,18 @@ def _formats(columns: Sequence[Column], values: Any) -> list[int]:
     kinds = [(column.key.partition("_")[0], column.unit) for column in columns]
     found = []
     for n, kind in zip(own, kinds, strict=True):
-        alike = [m for m, other in zip(own, kinds, strict=True) if other == kind and m] or [n]
-        found.append(min(2, n) if kind[1] == "rad" else max(max(alike) - _SPARED, min(alike)))
+        alike = [m for m, other in zip(own, kinds, strict=True) if other == kind and m is not None] or [0]
+        found.append(min(2, n or 0) if kind[1] == "rad" else min(_MOST, max(max(alike) - _SPARED, min(alike))))
     return found
 
 
-def _decimals(values: Any) -> int:
-    """As many decimals as give the largest number five significant digits."""
+def _decimals(values: Any) -> int | None:
+    """As many decimals as give the largest number five significant digits; None where all are whole numbers."""
     known = np.abs(values[np.isfinite(values)])
     top = float(known.max()) if known.size else 0.0
     if not top or np.allclose(known, np.round(known), atol=1e-9):
-        return 0
-    return int(min(6, max(0, 4 - floor(log10(top)))))
+        return None
+    return int(max(0, 4 - floor(log10(top))))
 
 
 def decimal(value: float, places: int) -> str:
