@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
-from typing import assert_never
+from typing import TypeGuard, assert_never, get_args
 
+from ...foundation.slotted import replace
 from .. import acts as done
-from ..acts import Act, Inkless, Leaving
+from ..acts import Act, Leaving
 from ..place import Place
 from .marks import Arc, Dot, ImageOf, Mark, Point, RightAngle, Role, Segment, Vector
+
+_LEAVING = frozenset(get_args(Leaving))
 
 
 def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
@@ -23,11 +25,17 @@ def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
 
 def marks_of(act: Act) -> tuple[Mark, ...]:
     """The marks of one act: each knows the act, its step, its owner and, where it stands for a quantity, its key."""
+    if not _leaves_ink(act):
+        return ()
     h = act.head
     return tuple(
         replace(mark, step=mark.step or h.step, act=h.number, key=mark.key or h.key, owner=mark.owner or h.owner)
-        for mark in (() if isinstance(act, Inkless) else _left(act))
+        for mark in _left(act)
     )
+
+
+def _leaves_ink(act: Act) -> TypeGuard[Leaving]:
+    return type(act) in _LEAVING
 
 
 def _left(act: Leaving) -> tuple[Mark, ...]:
