@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from vecpoly.board.paper.marks import Ink, Role, Segment
 from vecpoly.foundation.slotted import _dataclass as late
+from vecpoly.foundation.slotted import replace as quickly_replaced
 
 DECORATORS: dict[str, Any] = {"late": late, "standard": dataclasses.dataclass}
 MADE: dict[str, Any] = {}
@@ -88,6 +89,12 @@ def test_nobody_changes_one() -> None:
     with pytest.raises(FrozenInstanceError, match="a"):
         del mark.a
     assert replace(mark, a=2j).a == 2j and mark.a == 0j
+
+
+@given(GIVEN, GIVEN)
+def test_what_is_replaced_quickly_is_what_is_replaced(given: dict[str, Any], changes: dict[str, Any]) -> None:
+    one = MADE["late"](**given)
+    assert _seen(quickly_replaced(one, **changes)) == _seen(replace(one, **changes))
 
 
 def test_a_copy_and_a_pickle_are_equal_and_hash_alike() -> None:

@@ -4,13 +4,13 @@ What stands on a figure follows from the acts."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any, TypeVar
 
 import numpy as np
 
 from ..algebra.formula import Node
 from ..algebra.quantity import Quantity, magnitude
+from ..foundation.slotted import replace
 from ..plane import Points, Reals
 from ..plane.traced import Acts, acts_of, bare, traced
 from ..words import Words

@@ -95,6 +95,7 @@ def caption_items(figure: Figure, over: Rect, lang: Lang) -> tuple[Item, ...]:
     return (under, TextBox(box=scale, x=middle - scale.width / 2, y=y - below))
 
 
+@lru_cache(maxsize=256)
 def scale_box(scale: Scale) -> Box:
     """A scale in type: ``μ_v = 0.006 (m/s)/mm``; after it that to the right, where it is another."""
     right = () if scale.across is None else (Txt(",  "), *_scale_items(scale.across))

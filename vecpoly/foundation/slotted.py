@@ -10,10 +10,12 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, Field, FrozenInstanceError, fields
+from functools import cache
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 Method = Callable[..., Any]
+T = TypeVar("T")
 
 
 def _dataclass(*, frozen: Literal[True], slots: Literal[True], kw_only: bool = False) -> Callable[[type], type]:
@@ -34,6 +36,21 @@ if TYPE_CHECKING:
     from dataclasses import dataclass as dataclass
 else:
     dataclass = _dataclass
+
+
+def replace(one: T, **changes: Any) -> T:
+    """As `dataclasses.replace`, in half of its time."""
+    kind: Any = type(one)
+    names, values = _given(kind)
+    made: T = kind(**dict(zip(names, values(one), strict=True)) | changes)
+    return made
+
+
+@cache
+def _given(kind: Any) -> tuple[tuple[str, ...], Callable[[object], tuple[object, ...]]]:
+    """What one of this class is made of: the names, and what gets the values."""
+    names = tuple(one.name for one in fields(kind) if one.init)
+    return names, attrgetter(*names) if len(names) > 1 else lambda one: tuple(getattr(one, name) for name in names)
 
 
 def _methods(made: Any) -> dict[str, Method]:

@@ -7,8 +7,10 @@ one point, along its guide line). A point of the plane, or of a link, is one com
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping
 from dataclasses import field
+from functools import cached_property
 
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
@@ -72,7 +74,7 @@ class Drive:
         return frozenset((self.link, self.on))
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclasses.dataclass(frozen=True, kw_only=True)  # without slots: what follows from it is found once and kept
 class Mechanism:
     """A planar mechanism: the frame's points (in m), moving links, joints,
     drives, branches, rough positions for Newton."""
@@ -96,12 +98,12 @@ class Mechanism:
         """The only drive (one degree of freedom)."""
         return self.drives[0]
 
-    @property
+    @cached_property
     def substitutes(self) -> frozenset[str]:
         """Names of the links that are only thought, in place of higher pairs."""
         return frozenset(contact.substitute for contact in self.contacts)
 
-    @property
+    @cached_property
     def slot_pins(self) -> Mapping[str, SlotPin]:
         """The pins that run in slots, by the name of the block that is only thought there."""
         led = (joint for joint in self.joints if isinstance(joint, Prismatic) and joint.pin_in_slot)
@@ -121,18 +123,18 @@ class Mechanism:
         ]
         return next((name for name in (*beside, *self.links_at(slide.pin)) if name not in thought), slide.block)
 
-    @property
+    @cached_property
     def bodies(self) -> tuple[str, ...]:
         """Names of the moving links that exist, without the substitutes of higher pairs."""
         return tuple(link.name for link in self.links if link.name not in self.substitutes)
 
-    @property
+    @cached_property
     def numbered(self) -> tuple[str, ...]:
         """Names of the moving links that the problem names:
         the bodies, without the blocks that are thought about pins in slots."""
         return tuple(name for name in self.bodies if name not in self.slot_pins)
 
-    @property
+    @cached_property
     def frame_number(self) -> str:
         """The frame's number as printed: one more than the highest of the links."""
         return str(
@@ -160,9 +162,11 @@ class Mechanism:
 
     def link(self, name: str) -> Link:
         """The moving link with this name; the frame as a link where name is FRAME."""
-        if name == FRAME:
-            return Link(name=FRAME, points=self.frame)
-        return next(link for link in self.links if link.name == name)
+        return self._by_name[name]
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, Link]:
+        return {link.name: link for link in (*self.links[::-1], Link(name=FRAME, points=self.frame))}
 
     def links_at(self, point: str) -> tuple[str, ...]:
         """Names of all links (frame included, last) that carry the lettered point."""

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
-from typing import assert_never
+from typing import TypeGuard, assert_never, get_args
 
+from ...foundation.slotted import replace
 from .. import acts as done
-from ..acts import Act, Inkless, Leaving
+from ..acts import Act, Leaving
 from ..place import Place, called
 from .marks import AngleMark, Arc, Curve, Dot, ImageOf, Mark, Note, Point, RightAngle, Role, Segment, TurnArrow, Vector
 from .smooth import smooth
+
+_LEAVING = frozenset(get_args(Leaving))
 
 
 def marks(acts: Iterable[Act]) -> dict[Place, tuple[Mark, ...]]:
@@ -27,12 +29,18 @@ def marks_of(act: Act) -> tuple[Mark, ...]:
 
     What belongs to no link and no joint is its figure's own: the polygon's.
     """
+    if not _leaves_ink(act):
+        return ()
     h = act.head
     owner = h.owner or (called(h.place) if h.place is not None else "")
     return tuple(
         replace(mark, step=mark.step or h.step, act=h.number, key=mark.key or h.key, owner=mark.owner or owner)
-        for mark in (() if isinstance(act, Inkless) else _left(act))
+        for mark in _left(act)
     )
+
+
+def _leaves_ink(act: Act) -> TypeGuard[Leaving]:
+    return type(act) in _LEAVING
 
 
 def _left(act: Leaving) -> tuple[Mark, ...]:

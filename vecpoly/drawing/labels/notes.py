@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from ...typeset import Box, layout_words
 from ...typeset.box import place, scaled
 from ...typeset.words import is_han
@@ -10,6 +12,7 @@ LEADING = 1.3  # baseline to baseline, em
 WORTH = 1.2  # by how much larger type must become for a line to be folded
 
 
+@lru_cache(maxsize=1024)  # the same titles and words of boxes come again and again
 def lines(text: str, em: float) -> Box:
     """The lines of a text one under the other, centred; the origin on the first baseline."""
     boxes = [layout_words(line, em) for line in text.split("\n")]

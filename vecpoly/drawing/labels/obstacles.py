@@ -93,37 +93,24 @@ class Obstacles:
     @classmethod
     def of(cls, items: tuple[Item, ...]) -> Obstacles:
         """Gathered from the primitives of a figure."""
-        pieces: list[tuple[complex, complex, float, float]] = []
-        polygons: list[Any] = []
-        solid: list[bool] = []
-        for item in items:
-            match item:
-                case Stroke():
-                    pieces.extend(_pieces(item))
-                case Fill(points=points, hue=hue, layer=layer):
-                    polygons.append(shapely.polygons([(z.real, z.imag) for z in points]))
-                    solid.append(not hue.is_tint or layer > Layer.TINT)
-                case TextBox(rect=r):
-                    polygons.append(shapely.box(r.x0, r.y0, r.x1, r.y1))
-                    solid.append(True)
+        strokes = [item for item in items if isinstance(item, Stroke)]
+        areas = [item for item in items if not isinstance(item, Stroke)]
+        pieces = [
+            piece for stroke, points in zip(strokes, _coarse(strokes), strict=True) for piece in _pieces(stroke, points)
+        ]
         a, b, half, weight = zip(*pieces, strict=True) if pieces else ((), (), (), ())
-        return cls._indexed(
-            np.array(a, dtype=complex),
-            np.array(b, dtype=complex),
+        ends = np.array(a, dtype=complex), np.array(b, dtype=complex)
+        shapes = _polygons([_corners(item) for item in areas])
+        shapely.prepare(shapes)
+        return cls(
+            *ends,
             np.array(half, dtype=float),
             np.array(weight, dtype=float),
-            polygons,
-            np.array(solid, dtype=bool),
+            shapes,
+            np.array([_is_solid(item) for item in areas], dtype=bool),
+            Bounds.between(*ends),
+            Bounds(*shapely.bounds(shapes).reshape(-1, 4).T),
         )
-
-    @classmethod
-    def _indexed(
-        cls, a: Complexes, b: Complexes, half: Floats, weight: Floats, polygons: list[Any], solid: NDArray[np.bool_]
-    ) -> Obstacles:
-        shapes = np.array(polygons, dtype=object)
-        shapely.prepare(shapes)
-        areas = Bounds(*shapely.bounds(shapes).reshape(-1, 4).T)
-        return cls(a, b, half, weight, shapes, solid, Bounds.between(a, b), areas)
 
     def cost(self, centre: Complexes, wide: Floats, high: Floats, own: Own, groups: Groups) -> Floats:
         """What each of many places costs; `own`: the line that its label names, which may be as near as it likes."""
@@ -167,13 +154,43 @@ class Obstacles:
         return total
 
 
-def _pieces(stroke: Stroke) -> list[tuple[complex, complex, float, float]]:
-    points = stroke.points + stroke.points[:1] if stroke.closed else stroke.points
-    if len(points) > 12:
-        line = shapely.simplify(shapely.LineString([(z.real, z.imag) for z in points]), COARSE)
-        points = tuple(complex(x, y) for x, y in line.coords)
+def _coarse(strokes: Sequence[Stroke]) -> list[tuple[complex, ...]]:
+    """The points of each stroke, of a curve as few as are fine enough."""
+    found = [stroke.points + stroke.points[:1] if stroke.closed else stroke.points for stroke in strokes]
+    curved = [i for i, points in enumerate(found) if len(points) > 12]
+    xy, which = _joined([found[i] for i in curved])
+    simple = shapely.simplify(shapely.linestrings(xy, indices=which), COARSE)
+    for i, line in zip(curved, simple, strict=True):
+        found[i] = tuple(complex(x, y) for x, y in shapely.get_coordinates(line))
+    return found
+
+
+def _pieces(stroke: Stroke, points: tuple[complex, ...]) -> list[tuple[complex, complex, float, float]]:
     weight = 1.0 if stroke.width <= THIN else 1.6
     return [(a, b, stroke.width / 2, weight) for a, b in itertools.pairwise(points)]
+
+
+def _is_solid(item: Fill | TextBox) -> bool:
+    return isinstance(item, TextBox) or not item.hue.is_tint or item.layer > Layer.TINT
+
+
+def _corners(item: Fill | TextBox) -> tuple[complex, ...]:
+    if isinstance(item, Fill):
+        return item.points
+    r = item.rect
+    return complex(r.x1, r.y0), complex(r.x1, r.y1), complex(r.x0, r.y1), complex(r.x0, r.y0)
+
+
+def _polygons(corners: Sequence[tuple[complex, ...]]) -> NDArray[np.object_]:
+    xy, which = _joined(corners)
+    found: NDArray[np.object_] = shapely.polygons(shapely.linearrings(xy, indices=which))
+    return found
+
+
+def _joined(points: Sequence[tuple[complex, ...]]) -> tuple[Floats, Indices]:
+    """The coordinates of many curves in one array, and to which of them each belongs."""
+    flat = np.array([z for some in points for z in some], dtype=complex)
+    return np.stack([flat.real, flat.imag], axis=1), np.repeat(np.arange(len(points)), [len(some) for some in points])
 
 
 def _cross(a: Complexes, b: Complexes, p: Complexes, q: Complexes) -> NDArray[np.bool_]:

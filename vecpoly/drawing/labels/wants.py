@@ -32,6 +32,8 @@ from ..symbols.shapes import NEAR
 from .notes import lines
 
 FRACTIONS = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
+_RADIUS = {Dot.JOINT: JOINT_RADIUS, Dot.POLE: POLE_RADIUS, Dot.POINT: DOT_RADIUS, Dot.NONE: 0.0}
+Taken = tuple[complex, float]  # a place, and the radius of what is drawn there
 ROOMY = 7.0  # mm: a friction circle smaller than this does not hold the letter of its pin
 
 
@@ -77,13 +79,14 @@ class Want:
 
 def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want, ...]:
     """All that is to be lettered; points at the same place share one label."""
-    found = list(_points(marks))
+    taken = _taken(marks)
+    found = list(_points(marks, taken))
     for mark in marks:
         match mark:
             case Vector(label=label) if label:
                 found.append(_vector(mark, kind_hue(view, label)))
             case LinkNumber(a=a, b=b, number=number):
-                keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, marks)
+                keep = LINK / 2 if abs(b - a) > NEAR else _keep(a, taken)
                 found.append(_line_want(a, b, keep, (_piece(number, Hue.BLACK, mark.step),), Thing.LINK))
             case TurnArrow(at=at, radius=radius, start=start, ccw=ccw, label=label) if label:
                 found.append(
@@ -96,7 +99,7 @@ def wants(view: View, marks: tuple[Mark, ...], lang: Lang = "zh") -> tuple[Want,
                 found.append(_circle(mark))
             case Note(at=at, words=words):
                 piece = Piece(lines(words.of(lang), NOTE), 0.0, Hue.BLACK, mark.step)
-                found.append(Want((piece,), (at,), (0j,), _keep(at, marks), (at, at)))
+                found.append(Want((piece,), (at,), (0j,), _keep(at, taken), (at, at)))
             case _:
                 pass
     return tuple(found)
@@ -112,7 +115,7 @@ def _lettered(text: str) -> Box:
     return layout(row(text), LETTER)
 
 
-def _points(marks: tuple[Mark, ...]) -> Iterable[Want]:
+def _points(marks: tuple[Mark, ...], taken: list[Taken]) -> Iterable[Want]:
     groups: list[tuple[complex, list[Point]]] = []
     for mark in marks:
         if isinstance(mark, Point) and mark.label:
@@ -131,24 +134,28 @@ def _points(marks: tuple[Mark, ...]) -> Iterable[Want]:
                 x += comma.box.width + 0.3 * LETTER
             pieces.append(_piece(mark.label, Hue.BLACK, mark.step, x))
         thing = Thing.POINT if any(mark.dot is not Dot.NONE for mark in group) else Thing.OTHER
-        yield Want(tuple(pieces), (at,), (0j,), _keep(at, marks), (at, at), thing=thing)
+        yield Want(tuple(pieces), (at,), (0j,), _keep(at, taken), (at, at), thing=thing)
 
 
-def _keep(at: complex, marks: tuple[Mark, ...]) -> float:
-    """The radius of whatever is drawn at a point."""
-    radius = {Dot.JOINT: JOINT_RADIUS, Dot.POLE: POLE_RADIUS, Dot.POINT: DOT_RADIUS, Dot.NONE: 0.0}
-    found = [0.0]
+def _taken(marks: tuple[Mark, ...]) -> list[Taken]:
+    """Each place at which something is drawn, and the radius of that."""
+    found: list[Taken] = []
     for mark in marks:
         match mark:
-            case Point(at=here, dot=dot) if abs(here - at) < NEAR:
-                found.append(radius[dot])
-            case Ground(at=here) | Block(at=here) if abs(here - at) < NEAR:
-                found.append(JOINT_RADIUS)
-            case FrictionCircle(centre=here, radius=r) if abs(here - at) < NEAR and r < ROOMY:
-                found.append(r)
+            case Point(at=here, dot=dot):
+                found.append((here, _RADIUS[dot]))
+            case Ground(at=here) | Block(at=here):
+                found.append((here, JOINT_RADIUS))
+            case FrictionCircle(centre=here, radius=r) if r < ROOMY:
+                found.append((here, r))
             case _:
                 pass
-    return max(found)
+    return found
+
+
+def _keep(at: complex, taken: list[Taken]) -> float:
+    """The radius of whatever is drawn at a point."""
+    return max((radius for here, radius in taken if abs(here - at) < NEAR), default=0.0)
 
 
 def _vector(mark: Vector, hue: Hue) -> Want:

@@ -58,5 +58,6 @@ def _free_side(desk: Desk, pivot: complex, phi: float, radius: float) -> float:
     ]  # what lies beyond is farther than the ground
     middles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     arcs = pivot + radius * np.exp(1j * (middles[:, None] + np.linspace(-1.0, 1.0, 9)))
-    clear = np.abs(arcs[:, :, None] - taken).min(axis=(1, 2))
+    apart = arcs[:, :, None] - taken
+    clear = (apart.real**2 + apart.imag**2).min(axis=(1, 2))
     return float(middles[int(np.argmax(clear))])
