@@ -161,6 +161,9 @@ HELP = {
     "Drawings (DXF, SVG, PDF, GGB) named NUMBER_PROBLEM, graded vector by vector.": (
         "作图文件（DXF、SVG、PDF、GGB），命名为 学号_题号，逐个矢量批改。"
     ),
+    "With a box for one's own answers: right, close, or wrong and why.": (
+        "带一个核对自己答案的框：正确、接近，或错误及其原因。"
+    ),
     "Rules and points, as YAML.": ("评分规则和分值（YAML）。"),
     "Tell what is marked otherwise than there.": ("列出与该文件夹中批改结果的不同。"),
     "Write a feedback sheet for everybody.": ("为每人写一份反馈。"),

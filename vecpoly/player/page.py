@@ -18,6 +18,7 @@ from .faces import font_css
 from .figures import LANGS, Shown, shown_figures
 from .ink import Ink
 from .motion import moving
+from .questions import box
 from .readings import names, readings
 from .steps import html, sections
 from .turned import Cycle, cycle
@@ -37,13 +38,16 @@ class Page(NamedTuple):
     warning: Words | None
 
 
-def player_html(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0) -> str:
+def player_html(
+    solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0, check: bool = False
+) -> str:
     """The player of a solved problem as one HTML document."""
-    return player(solution, lang=lang, places=places, seed=seed).html
+    return player(solution, lang=lang, places=places, seed=seed, check=check).html
 
 
-def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0) -> Page:
-    """The player of a solved problem: its steps, and its figures at `places` places of the drive.
+def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed: int = 0, check: bool = False) -> Page:
+    """The player of a solved problem: its steps, and its figures at `places` places of the drive; check: with a box in
+    which one's own answers are checked.
 
     A page that would be larger than a megabyte has half as many places.
     """
@@ -67,11 +71,12 @@ def player(solution: Solution, *, lang: Lang = "zh", places: int = PLACES, seed:
         "drive": _drive(solution, ink) if turning else "",
         "motion": _motion(through, solution, ink) if turning else "",
     }
+    context["box"] = box(solution.problem, ink.faces) if check else None
     page = _rendered(context | {"definitions": ink.definitions(), "looks": ink.css()}, ink)
     return (
         Page(page, warning)
         if len(page.encode()) <= LIMIT or not turning
-        else player(solution, lang=lang, places=places // 2, seed=seed)
+        else player(solution, lang=lang, places=places // 2, seed=seed, check=check)
     )
 
 

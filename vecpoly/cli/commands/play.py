@@ -20,6 +20,10 @@ Places = Annotated[
     int, typer.Option("--places", min=0, max=360, help="Places of the crank over its turn; 0 leaves its slider away.")
 ]
 
+Check = Annotated[
+    bool, typer.Option("--check", help="With a box for one's own answers: right, close, or wrong and why.")
+]
+
 
 def play(
     name: Id,
@@ -28,6 +32,7 @@ def play(
     hand: HandOption = "drafting",
     seed: SeedOption = 0,
     places: Places = 72,
+    check: Check = False,
     allow_outside: OutsideOption = False,
 ) -> None:
     """Write a step player: one HTML file for class, phone or desktop, in both languages.
@@ -45,7 +50,7 @@ def play(
         spared(path, ENDINGS, found)
         with tally.job(), about(problem.id):
             solution = solve(problem, by=hand, seed=seed, repeats=0)
-            page = player(solution, lang=lang, places=places, seed=seed)
+            page = player(solution, lang=lang, places=places, seed=seed, check=check)
             put(path, page.html.encode())
             warn(problem.id, solution.warnings, lang)
             tally.weigh(problem.id, page.warning, lang)

@@ -54,13 +54,20 @@ def _others(one: Graded, mine: Measured, key: AnswerKey) -> Iterator[Message]:
     """Vectors of the same name or letters whose value this is: v for v_rel, pc for bc, a coincident point of another
     link.
     """
+    for other in mistaken_for(one, key):
+        target = Target(value=other.exact, allowed=other.allowed)
+        if abs(gap(mine.value, other, target)) <= other.allowed / 2:
+            yield message(Told.SWAPPED, other=other.symbol)
+
+
+def mistaken_for(one: Graded, key: AnswerKey) -> Iterator[Graded]:
+    """The quantities that are easily taken for this one, and are far enough from it to be told apart."""
     for other in key.quantities:
         if other.key == one.key or other.unit != one.unit or other.kind is not one.kind or not _kin(one, other):
             continue
         apart = abs(gap(other.exact, one, Target(value=one.exact, allowed=0.0)))
-        target = Target(value=other.exact, allowed=other.allowed)
-        if apart > 2 * (one.allowed + other.allowed) and abs(gap(mine.value, other, target)) <= other.allowed / 2:
-            yield message(Told.SWAPPED, other=other.symbol)
+        if apart > 2 * (one.allowed + other.allowed):
+            yield other
 
 
 def _kin(one: Graded, other: Graded) -> bool:

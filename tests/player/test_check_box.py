@@ -1,0 +1,145 @@
+"""The box for one's own answers in a real browser: the verdicts of `vecpoly check`, and nothing told before it is
+asked."""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64decode
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tests.chromium import Page, browser, chromium
+from vecpoly.grading.compare.outcome import Outcome
+from vecpoly.grading.derive.keyed import answer_key
+from vecpoly.grading.key import AnswerKey, Graded, Kind
+from vecpoly.grading.student import check_answers
+from vecpoly.player.page import player_html
+from vecpoly.player.questions import KINDS
+from vecpoly.problem.load import load
+from vecpoly.report.values import printed_unit
+from vecpoly.solution import solve
+
+pytestmark = pytest.mark.skipif(browser() is None, reason="no chromium or chrome on this machine")
+NAMES = ("3-9", "4-3a")
+SENSES = {"": 0, "ccw": 1, "cw": -1}
+FACTORS = (1.0, 1.3, 0.5, 2.0, 10.0, 0.001, 6.2832)
+
+
+@cache
+def key_of(name: str) -> AnswerKey:
+    return answer_key(load(name))
+
+
+@cache
+def html_of(name: str) -> str:
+    return player_html(solve(load(name), repeats=0), places=0, check=True)
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    folder = tmp_path_factory.mktemp("box")
+    for name in NAMES:
+        (folder / f"{name}.html").write_text(html_of(name), encoding="utf-8")
+    with chromium() as opened:
+        opened.folder = folder  # type: ignore[attr-defined]
+        yield opened
+
+
+def at(page: Page, name: str, lang: str = "zh") -> None:
+    folder: Path = page.folder  # type: ignore[attr-defined]
+    page.open(f"{(folder / name).as_uri()}.html#lang={lang}")
+    page.wait("player.ready")
+
+
+def asked(name: str) -> list[Graded]:
+    return [one for one in key_of(name).quantities if one.asked and one.kind in KINDS]
+
+
+def tried(one: Graded) -> list[tuple[str, str]]:
+    """Values to be checked, each with a sense: right, just right, close, wrong by this and that, turned."""
+    sizes = [abs(one.exact) * factor for factor in FACTORS]
+    sizes += [abs(one.exact) + times * one.allowed for times in (0.9, -0.9, 1.2, -1.2, 2.2, -2.2)]
+    ways = ["ccw" if one.exact > 0 else "cw"] if one.kind is Kind.SIGNED else [""]
+    cells = [(f"{size:.4g}", way) for size in sizes if size > 0 for way in ways]
+    if one.kind is Kind.SIGNED:
+        cells += [(f"{abs(one.exact):.4g}", way) for way in ("", "cw", "ccw")]
+    return [cell for cell in cells if "e" not in cell[0]]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_box_says_what_the_program_says(name: str, page: Page) -> None:
+    at(page, name)
+    count = 0
+    for index, one in enumerate(asked(name)):
+        factor = printed_unit(one.unit)[0]
+        for text, way in tried(one):
+            own = f"{float(text) * factor:.10g}"
+            (mine,) = check_answers(load(name), {one.key: f"{text} {way}".strip()}).answers
+            theirs = json.loads(page.value(f"JSON.stringify(check.judge({index}, '{own}', {SENSES[way]}))"))
+            expected = "right" if mine.outcome in (Outcome.RIGHT, Outcome.UNSAID) else mine.outcome.value
+            expected = "wrong" if expected == "sense" else expected
+            assert theirs["verdict"] == expected, (one.key, text, way, mine, theirs)
+            count += 1
+    assert count > 60
+
+
+def test_reasons_are_those_of_the_program(page: Page) -> None:
+    at(page, "3-9", "en")
+    index = [one.key for one in asked("3-9")].index("ak_C2C3")
+    exact = key_of("3-9")["ak_C2C3"].exact
+    for factor in (0.5, 10.0, 1.6, 0.01, 100.0):
+        mine = check_answers(load("3-9"), {"ak_C2C3": f"{exact * factor:.4g}"}).answers[0]
+        ids = {one.id.value for one in mine.messages}
+        names = json.loads(page.value(f"JSON.stringify(check.judge({index}, '{exact * factor:.4g}').said)"))
+        assert ("two_slips" in names) is ("two_slips" in ids) and ("sense" in names) is ("sense" in ids)
+        assert any(name.startswith("pow10") for name in names) is ("pow10" in ids)
+
+
+def test_nothing_is_told_before_it_is_asked(page: Page) -> None:
+    text = re.sub(r"<script.*?</script>", "", html_of("3-9"), flags=re.S)
+    (block,) = re.findall(r'<details id="check">.*?</details>', text, re.S)
+    shown = [row["shown"] for row in rows("3-9")]
+    assert shown and not [one for one in shown if one in block]
+    assert not [one for one in shown if len(one.partition(" ")[0]) > 4 and one.partition(" ")[0] in block]
+    at(page, "3-9")
+    assert page.value("all('#check .said').every((node) => node.textContent === '')")
+    page.value("one('#check').open = true, one('#own-1').value = '0.3', one('#check form').requestSubmit()")
+    said = json.loads(page.value("JSON.stringify(all('#check .said').map((node) => node.textContent))"))
+    assert said[0] and not any(said[1:])
+    page.value("one('#reveal').click()")
+    told = json.loads(page.value("JSON.stringify(all('#check .said').map((node) => node.textContent))"))
+    assert told == shown
+
+
+def rows(name: str) -> list[dict[str, str]]:
+    (data,) = re.findall(r'id="answers">([^<]+)<', html_of(name))
+    found: list[dict[str, str]] = json.loads(b64decode(data))["rows"]
+    return found
+
+
+def test_keys_typed_into_the_box_do_not_turn_the_pages(page: Page) -> None:
+    at(page, "3-9")
+    page.value("one('#check').open = true, one('#own-1').focus()")
+    before = page.value("player.step")
+    page.press("ArrowRight")
+    page.press("End")
+    assert page.value("player.step") == before
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("0.3", 0.3), ("０．３", 0.3), ("1.2×10^3", 1200.0), ("-2", -2.0), ("3e-2", 0.03)]
+)
+def test_numbers_are_read_as_people_write_them(text: str, value: float, page: Page) -> None:
+    at(page, "3-9")
+    assert page.value(f"check.read({json.dumps(text)}).value") == pytest.approx(value)
+    assert page.value("check.read('abc') === null && check.read('') === null && check.read('.') === null")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_box_is_small(name: str) -> None:
+    without = player_html(solve(load(name), repeats=0), places=0)
+    assert len(html_of(name)) - len(without) < 80_000 and 'id="check"' not in without
