@@ -28,4 +28,9 @@ class Verdict(Enum):
         "from one "
         "to the other; take $e < H cot θ$",
     )
-    NOT_GRASHOF = Words("不满足曲柄存在条件", "no link can turn fully (Grashof)")
+    OTHER_SIDE = Words(
+        "两位置中 $C$ 不在 $BD$ 的同一侧，机构不能连续到达", "$C$ lies on different sides of $BD$ in the two positions"
+    )
+    NO_DOUBLE_CRANK = Words(
+        "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动", "no double crank: $AB$ and $CD$ do not both turn fully"
+    )

@@ -1,0 +1,1 @@
+"""Pins by inversion (刚化反转法): the linkage is thought rigid in one position and laid over into another."""
