@@ -12,7 +12,7 @@ from ...names import Named
 from ...plane import Points, Reals, unit
 from ...words import Words
 from .draft import HALF_TURN, RIGHT, SHEET, Draft
-from .linkage import drawn, pin
+from .linkage import drawn, pin, pivot
 from .pressure import greatest_pressure
 from .registry import design_method
 from .transmission import least_angle
@@ -24,6 +24,7 @@ SOURCE = "机械原理, limit positions: crank and coupler in one line"
     CrankRockerLimits,
     title=Words("曲柄摇杆机构的极限位置和急回特性", "Limit positions and quick return of a crank-rocker"),
     source=SOURCE,
+    sheet=Words("极限位置", "Limit positions"),
     example="8-3a",
 )
 def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
@@ -43,13 +44,15 @@ def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
         SHEET,
     )
     crank, coupler, rocker, frame = (draft.on_paper(one) for one in lengths)
-    a = pin(draft, "A", 0j)
-    d = pin(draft, "D", board.lay_off(a, 1 + 0j, frame, key="AD"))
+    a = pivot(draft, "A", 0j)
+    d = pivot(draft, "D", board.lay_off(a, 1 + 0j, frame, key="AD"))
     ends = [
         pin(draft, f"C_{i}", board.either(board.arcs(a, radius, d, rocker, Words("求极限位置", "the limits"))[0]))
         for i, radius in ((1, coupler - crank), (2, coupler + crank))
     ]
     board.arc(SHEET, d, rocker, ends[1], ends[0])
+    for radius, end in zip((coupler - crank, coupler + crank), ends, strict=True):
+        board.swing(SHEET, a, radius, end)
     b1, b2 = _cranks(draft, a, (ends[0], ends[1]), crank)
     drawn(draft, (a, b2, ends[1], d), (a, b1, ends[0], d))
     _advance(draft, a, (ends[0], ends[1]))
@@ -62,6 +65,7 @@ def draw_crank_rocker_limits(draft: Draft, design: CrankRockerLimits) -> None:
     SliderCrankLimits,
     title=Words("曲柄滑块机构的极限位置和急回特性", "Limit positions and quick return of a slider-crank"),
     source=SOURCE,
+    sheet=Words("极限位置", "Limit positions"),
     example="8-3b",
 )
 def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
@@ -80,13 +84,15 @@ def draw_slider_crank_limits(draft: Draft, design: SliderCrankLimits) -> None:
         SHEET,
     )
     crank, coupler = (draft.on_paper(one) for one in lengths)
-    a = pin(draft, "A", 0j)
+    a = pivot(draft, "A", 0j)
     guide = board.parallel(board.lay_off(a, -1j, draft.mm(design.offset)), 1 + 0j)
     ends = [
         pin(draft, f"C_{i}", board.either(board.arc_on_line(guide, a, radius, Words("求极限位置", "the limits"))[0]))
         for i, radius in ((1, coupler - crank), (2, coupler + crank))
     ]
     board.join(SHEET, guide.at, ends[1], Role.CENTRE)
+    for radius, end in zip((coupler - crank, coupler + crank), ends, strict=True):
+        board.swing(SHEET, a, radius, end)
     b1, b2 = _cranks(draft, a, (ends[0], ends[1]), crank)
     drawn(draft, (a, b2, ends[1]), (a, b1, ends[0]))
     _advance(draft, a, (ends[0], ends[1]))
@@ -109,5 +115,12 @@ def _cranks(draft: Draft, a: Points, ends: tuple[Points, Points], crank: Reals) 
 
 def _advance(draft: Draft, a: Points, ends: tuple[Points, Points]) -> None:
     """θ = ∠C₁AC₂ by protractor, K = (180° + θ) / (180° − θ)."""
+    draft.board.step(
+        Words(
+            "两极限位置时连杆线 $AC_1$、$AC_2$ 的夹角即极位夹角 $θ$，量得：",
+            "The angle between $AC_1$ and $AC_2$, the coupler's lines in both limits, is $θ$; read it:",
+        ),
+        SHEET,
+    )
     theta = draft.stated(draft.of_this(THETA), draft.angle(a, ends[0], ends[1]))
     draft.worked(draft.of_this(ADVANCE), (HALF_TURN + theta) / (HALF_TURN - theta))

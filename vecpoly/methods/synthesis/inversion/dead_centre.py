@@ -11,7 +11,7 @@ from ....designs.verdict import Verdict
 from ....plane import Line, Points, cross, nominal, unit
 from ....words import Words
 from ..draft import SHEET, Draft
-from ..linkage import drawn, pin, point, rejected
+from ..linkage import drawn, pin, pivot, point, rejected
 from ..registry import design_method
 
 
@@ -30,18 +30,18 @@ def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
     board.section(Words("刚化反转", "Inversion"))
     board.step(
         Words(
-            "将位置 1 的图形刚化，绕 $A$ 转过 $φ_12$，使 $AB_1$ 与 $AB_2$ 重合，$C_1$ 转到 $C_1′$。$B_2$ 到 $C_1′$ 和 "
+            "将位置 1 的图形刚化，绕 $A$ 转过 $φ_12$，使 $AB_1$ 与 $AB_2$ 重合，$C_1$ 转到 $C′_1$。$B_2$ 到 $C′_1$ 和 "
             "$C_2$ 等距，"
-            "又在极限位置 $A$、$B_2$、$C_2$ 共线，故 $C_1′C_2$ 的中垂线与直线 $AC_2$ 的交点即 $B_2$。",
+            "又在极限位置 $A$、$B_2$、$C_2$ 共线，故 $C′_{1}C_2$ 的中垂线与直线 $AC_2$ 的交点即 $B_2$。",
             "Think the figure of position 1 rigid and turn it by $φ_12$ about $A$, so that $AB_1$ falls on $AB_2$ and "
             "$C_1$ "
-            "on $C_1′$. $B_2$ is as far from $C_1′$ as from $C_2$, and $A$, $B_2$ and $C_2$ lie in one line; so the "
-            "bisector of $C_1′C_2$ meets the line $AC_2$ in $B_2$.",
+            "on $C′_1$. $B_2$ is as far from $C′_1$ as from $C_2$, and $A$, $B_2$ and $C_2$ lie in one line; so the "
+            "bisector of $C′_{1}C_2$ meets the line $AC_2$ in $B_2$.",
         ),
         SHEET,
     )
     laid = board.ray(a, unit(c1 - a), board.given(design.phi_12.si, "phi_12"), key="C1'")
-    over = point(draft, "C_1′", board.lay_off(a, laid.along, np.abs(c1 - a)))
+    over = point(draft, "C′_1", board.lay_off(a, laid.along, np.abs(c1 - a)))
     board.swing(SHEET, a, np.abs(c1 - a), over)
     bisector, line = board.bisector(SHEET, over, c2), Line(a, unit(c2 - a))
     b2 = board.meet(bisector, line, Words("求 $B_2$", "finding $B_2$"))
@@ -74,8 +74,8 @@ def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Po
     )
     draft.shared(AD, design.AD.si * 1e3)
     draft.shared(CD, design.CD.si * 1e3)
-    a = pin(draft, "A", 0j)
-    d = pin(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si)))
+    a = pivot(draft, "A", 0j)
+    d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si)))
     ends = []
     for i, psi in ((1, design.psi_1), (2, design.psi_2)):
         ray = board.ray(d, 1 + 0j, board.given(psi.si, f"psi_{i}"))

@@ -15,7 +15,7 @@ from ....designs.verdict import Verdict
 from ....plane import Points, nominal
 from ....words import Words
 from ..draft import ONE, SHEET, Draft
-from ..linkage import drawn, pin, point, rejected
+from ..linkage import drawn, pin, pivot, point, rejected
 from ..registry import design_method
 from ..transmission import least_angle
 
@@ -38,16 +38,16 @@ def draw_drag_link(draft: Draft, design: DragLink) -> None:
     board.section(Words("刚化反转", "Inversion"))
     board.step(
         Words(
-            "从动曲柄转过 180°，将位置 2 的图形刚化，绕 $D$ 反转 180°，使 $DC_2$ 与 $DC_1$ 重合，$B_2$ 转到 $B_2′$。"
-            "$C_1$ 到 $B_1$、$B_2′$ 等距，故 $B_{1}B_2′$ 的中垂线与给定的射线 $DC_1$ 的交点即 $C_1$。",
+            "从动曲柄转过 180°，将位置 2 的图形刚化，绕 $D$ 反转 180°，使 $DC_2$ 与 $DC_1$ 重合，$B_2$ 转到 $B′_2$。"
+            "$C_1$ 到 $B_1$、$B′_2$ 等距，故 $B_{1}B′_2$ 的中垂线与给定的射线 $DC_1$ 的交点即 $C_1$。",
             "The driven crank turns by 180°. Think the figure of position 2 rigid and turn it back by 180° about $D$, "
             "so that "
-            "$DC_2$ falls on $DC_1$ and $B_2$ on $B_2′$. $C_1$ is as far from $B_1$ as from $B_2′$, so the bisector of "
-            "$B_{1}B_2′$ meets the given ray $DC_1$ in $C_1$.",
+            "$DC_2$ falls on $DC_1$ and $B_2$ on $B′_2$. $C_1$ is as far from $B_1$ as from $B′_2$, so the bisector of "
+            "$B_{1}B′_2$ meets the given ray $DC_1$ in $C_1$.",
         ),
         SHEET,
     )
-    over = point(draft, "B_2′", d + board.transfer(SHEET, d - b2, "DB2"))
+    over = point(draft, "B′_2", d + board.transfer(SHEET, d - b2, "DB2"))
     board.join(SHEET, b2, over, Role.CONSTRUCTION)
     ray = board.ray(d, 1 + 0j, board.given(design.psi_1.si, "psi_1"))
     bisector = board.bisector(SHEET, b1, over)
@@ -77,8 +77,8 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
         ),
         SHEET,
     )
-    a = pin(draft, "A", 0j)
-    d = pin(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si)))
+    a = pivot(draft, "A", 0j)
+    d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si)))
     first = board.ray(a, 1 + 0j, board.given(design.phi_1.si, "phi_1"))
     second = board.ray(a, first.along, np.radians(beta.value), key="AB2")
     b1, b2 = (
