@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import Any
 
 import pytest
 
 import vecpoly
 from tests.synthesis.inversion import drawn_anyhow, place, pose, posed, solved
+from vecpoly.board.otherwise.slip import Mistake
 from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.solution import solve
 
 THREE: dict[str, dict[str, Any]] = {
     "circuit": {
@@ -93,6 +96,25 @@ def test_a_limit_that_cannot_be_the_left_one_is_refused() -> None:
     stages = [dict(data["stages"][0], first=place(1500, -120)), data["stages"][1]]
     with pytest.raises(AssemblyError, match="none of which makes C1 the left limit"):
         posed("stages", **{**data, "stages": stages}).solve()
+
+
+def test_a_line_through_the_pole_puts_both_pivots_there_and_leaves_no_frame() -> None:
+    data = {"poses": [pose(-30, 0, -45), pose(30, 0, 45)], "body": {"B": place(0, 0), "C": place(0, 20)}}
+    with pytest.raises(AssemblyError, match="two of its pins coincide"):
+        posed("positions", **data, A="on y = -30 mm", D="on y = -30 mm").solve()
+    (found,) = drawn_anyhow("positions", **data, A="on y = -30 mm", D="on y = -30 mm")
+    assert found.verdict == "NO_LINK"
+
+
+@pytest.mark.parametrize(("name", "count"), [("8-8", 12), ("8-13", 8), ("three-positions-frame", 6)])
+def test_mistakes_with_given_angles_can_be_made_and_go_on_to_an_answer(name: str, count: int) -> None:
+    problem = vecpoly.load(name)
+    right = solved(problem).answers
+    made = [slip for slip in vecpoly.slips(problem) if slip.mistake in (Mistake.COMPLEMENT, Mistake.OTHER_SIDE)]
+    assert len(made) == count
+    wrong = solve(problem, by="exact", repeats=0, precise=False, slip=made[0]).answers
+    assert any(abs(wrong[key].drawn - right[key].drawn) > 1e-3 for key in right)
+    assert all(isfinite(answer.drawn) for answer in wrong.values())
 
 
 def test_limits_on_both_sides_of_the_frame_belong_to_two_circuits() -> None:

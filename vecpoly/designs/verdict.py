@@ -36,4 +36,5 @@ class Verdict(Enum):
     BRANCH = Words(
         "各位置之间原动件经过死点，运动不连续", "between the positions its driver meets a dead point (branch defect)"
     )
+    NO_LINK = Words("有两个铰链重合，构件长度为零", "two of its pins coincide: a link has no length")
     ORDER = Words("通过各位置的次序不对（错序）", "it comes through the positions in another order")

@@ -17,6 +17,7 @@ from .defects import Defect, fourbar, slider_crank
 from .registry import Linkage, synthesizes
 from .staged import Found, linkages
 
+_NONE = 1e-7  # of the extent of what is given: a link shorter than that has no length
 _VERDICTS: Mapping[Defect | None, Verdict] = {
     None: Verdict.VALID,
     Defect.CIRCUIT: Verdict.CIRCUIT,
@@ -80,6 +81,8 @@ def _pins(found: Found) -> dict[str, complex]:
 
 
 def _verdict(plan: Plan, found: Found) -> Verdict:
+    if min(found.length(one, two) for one, two in plan.bars()) < _NONE * plan.extent:
+        return Verdict.NO_LINK
     verdicts = [_VERDICTS[_defect(loop, found, plan.either)] for loop in plan.loops]
     return next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
 

@@ -83,7 +83,7 @@ def _bars(sheet: Sheet, stage: CentrePoints, on: On, before: int) -> list[Bar]:
 
 def _line(sheet: Sheet, on: On) -> Line:
     at = on.through - on.along * (on.along.conjugate() * on.through).real
-    return sheet.draft.board.parallel(placed(sheet.draft, at, "line"), np.complex128(on.along))
+    return sheet.draft.board.parallel(placed(sheet.draft, at), np.complex128(on.along))
 
 
 def _off(spots: Sequence[Stands], m: complex) -> float:

@@ -19,10 +19,10 @@ def laid_out(draft: Draft, plan: Plan) -> Sheet:
     board = draft.board
     board.section(Words("给定的位置", "The given positions"))
     board.step(_told(plan), SHEET)
-    fixed = {one.letter: placed(draft, one.at, one.letter) for one in plan.pins if one.on == FRAME}
+    fixed = {one.letter: placed(draft, one.at) for one in plan.pins if one.on == FRAME}
     pins: dict[str, Places] = {letter: lettered(draft, letter, (at,) * plan.count) for letter, at in fixed.items()}
     for slide in plan.slides:
-        places = tuple(placed(draft, at, f"{slide.letter}{n}") for n, at in enumerate(slide.places, 1))
+        places = tuple(placed(draft, at) for at in slide.places)
         pins[slide.letter] = lettered(draft, slide.letter, places)
         board.join(SHEET, pins[slide.letter][0], pins[slide.letter][-1], Role.CENTRE)
     sheet = Sheet(draft=draft, plan=plan, pins=FrozenMap(pins), bodies=FrozenMap({}))
@@ -76,7 +76,7 @@ def _with_body(sheet: Sheet, body: Body) -> Sheet:
 def _stands(sheet: Sheet, body: Body, n: int) -> Stands:
     """Its origin, and the point that marks its line, in one position."""
     draft, position = sheet.draft, body.positions[n]
-    start = sheet.pins[body.name[0]][n] if not _free(body) else placed(draft, position.at, f"{body.name}{n + 1}")
+    start = sheet.pins[body.name[0]][n] if not _free(body) else placed(draft, position.at)
     along = draft.board.ray(start, 1 + 0j, position.angle, key=f"{body.name}{n + 1}").along
     return Stands(start=start, end=draft.board.lay_off(start, along, draft.mm(REACH * sheet.plan.extent)))
 
@@ -85,7 +85,7 @@ def _on_body(draft: Draft, stands: Stands, one: Pin) -> Points:
     """A pin of the body in one position."""
     if one.at == 0:
         return stands.start
-    return draft.board.lay_off(stands.start, stands.along * one.at / abs(one.at), draft.mm(abs(one.at)), key=one.letter)
+    return draft.board.lay_off(stands.start, stands.along * one.at / abs(one.at), draft.mm(abs(one.at)))
 
 
 def _marked(sheet: Sheet, body: Body, own: list[Pin]) -> Sheet:

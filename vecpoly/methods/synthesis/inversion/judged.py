@@ -18,13 +18,22 @@ from ....plane import nominal
 from .sheet import Sheet
 
 DEAD = 1e-4  # sine, as one sees it: at a dead point either side is as good
+NONE = 1e-5  # mm: a link shorter than that has no length
 Spots = tuple[complex, ...]
 
 
 def judged(sheet: Sheet) -> Verdict:
     """The verdict on the whole linkage, by the first loop that fails; either link may drive where the plan says so."""
+    if _shrunk(sheet):
+        return Verdict.NO_LINK
     verdicts = [_loop(sheet, loop) for loop in sheet.plan.loops]
     return next((verdict for verdict in verdicts if verdict is not Verdict.VALID), Verdict.VALID)
+
+
+def _shrunk(sheet: Sheet) -> bool:
+    """Whether a link has no length on paper."""
+    bars = ((_spots(sheet, one)[0], _spots(sheet, two)[0]) for one, two in sheet.plan.bars())
+    return any(abs(two - one) < NONE for one, two in bars)
 
 
 def drives(sheet: Sheet, loop: Loop) -> tuple[Verdict, Verdict | None]:

@@ -33,7 +33,7 @@ def limits(sheet: Sheet, stage: Limits) -> Iterator[Sheet]:
         SHEET,
     )
     a, d = sheet.pins[stage.about][0], sheet.pins[stage.pivot][0]
-    c1 = pin(sheet.draft, f"{c}_1", placed(sheet.draft, stage.first, f"{c}1"))
+    c1 = pin(sheet.draft, f"{c}_1", placed(sheet.draft, stage.first))
     board.circle(SHEET, d, np.abs(c1 - d))
     board.join(SHEET, a, c1, Role.CONSTRUCTION)
     met = [c2 for ray in _rays(sheet, stage, a, c1) for c2 in _meetings(sheet, ray, d, np.abs(c1 - d))]

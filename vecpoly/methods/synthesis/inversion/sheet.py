@@ -90,11 +90,11 @@ def _far(one: Points, other: Points) -> bool:
     return abs(complex(nominal(one - other))) > 1e-9
 
 
-def placed(draft: Draft, at: complex, key: str) -> Points:
+def placed(draft: Draft, at: complex) -> Points:
     """A place given by coordinates (m), set out from the origin."""
     if at == 0:
         return np.complex128(0)
-    return draft.board.lay_off(0j, at / abs(at), draft.mm(abs(at)), key=key)
+    return draft.board.lay_off(0j, at / abs(at), draft.mm(abs(at)))
 
 
 def lettered(draft: Draft, letter: str, places: Places, dot: Dot = Dot.JOINT) -> Places:
