@@ -38,3 +38,9 @@ class Verdict(Enum):
     )
     NO_LINK = Words("有两个铰链重合，构件长度为零", "two of its pins coincide: a link has no length")
     ORDER = Words("通过各位置的次序不对（错序）", "it comes through the positions in another order")
+    OTHER_SIDE = Words(
+        "两位置中 $C$ 不在 $BD$ 的同一侧，机构不能连续到达", "$C$ lies on different sides of $BD$ in the two positions"
+    )
+    NO_DOUBLE_CRANK = Words(
+        "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动", "no double crank: $AB$ and $CD$ do not both turn fully"
+    )

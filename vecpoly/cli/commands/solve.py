@@ -35,7 +35,7 @@ ActsOption = Annotated[
 
 ThenOption = Annotated[
     Literal["analyse"] | None,
-    typer.Option("--then", help="Of a synthesis: go on with the linkage that was found, analyse."),
+    typer.Option("--then", metavar="analyse", help="Of a synthesis: go on with the linkage that was found, analyse."),
 ]
 
 

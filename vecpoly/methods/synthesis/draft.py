@@ -87,6 +87,10 @@ class Draft(Bench):
         """A given length on paper."""
         return float(self.board.to_paper(SHEET, metres))
 
+    def on_paper(self, length: Quantity, place: Place = SHEET) -> Reals:
+        """A length that is told in mm, on paper."""
+        return length.value * 1e-3 / self.board.scale_of(place).value
+
     def length(self, named: Named, on_paper: Expr, letters: str, place: Place = SHEET) -> Quantity:
         """A length of the linkage: μ_l times what is read on paper."""
         found = self.worked(named, self.mu(place) * on_paper)

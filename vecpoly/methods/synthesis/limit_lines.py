@@ -11,7 +11,7 @@ from ...plane import Line, Points, cross, nominal, unit
 from ...words import Words
 from .draft import HALF_TURN, SHEET, Draft
 from .limits import judged, limits_of, settled
-from .linkage import pin
+from .linkage import pin, pivot
 from .registry import design_method
 
 SIDES = (("一侧", "on one side"), ("另一侧", "on the other side"))
@@ -42,7 +42,7 @@ def draw_limit_lines(draft: Draft, design: LimitLines) -> None:
         board.ray(c, 1 + 0j, board.given(angle.si, f"line_{i}"))
         for i, c, angle in ((1, c1, design.line_1), (2, c2, design.line_2))
     )
-    a = pin(draft, "A", board.meet(first, second, Words("求 $A$", "finding $A$")))
+    a = pivot(draft, "A", board.meet(first, second, Words("求 $A$", "finding $A$")))
     board.rule(SHEET, first, a)
     board.rule(SHEET, second, a)
     theta = draft.stated(THETA, draft.angle(a, c1, c2))
@@ -72,7 +72,7 @@ def _rockers(draft: Draft, design: LimitLines, pins: tuple[Points, Points, Point
         if abs(float(nominal(cross(ray.along, bisector.along)))) < 1e-9:
             board.remark(Words("此线与中垂线平行，不相交。", " The line is parallel to the bisector: no meeting."))
             continue
-        d = pin(draft, draft.letter("D"), board.meet(ray, bisector, Words("求 $D$", "finding $D$")))
+        d = pivot(draft, draft.letter("D"), board.meet(ray, bisector, Words("求 $D$", "finding $D$")))
         board.rule(SHEET, ray, d)
         board.rule(SHEET, bisector, d)
         settled(draft, limits_of(a, d, c1, c2, ("A", "C_1", "C_2")), judged(a, d, c1, c2))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from ...board.paper.marks import Dot, Role
+from ...board.paper.marks import Dot, Ground, Role
+from ...board.strokes import spot
 from ...designs.verdict import Verdict
 from ...plane import Points
 from ...words import Words
@@ -30,6 +31,13 @@ def pin(draft: Draft, letter: str, at: Points, dot: Dot = Dot.JOINT) -> Points:
     """A pin of the linkage gets its letter."""
     at = draft.board.locate(SHEET, letter, at)
     draft.board.plot(SHEET, at, letter, dot)
+    return at
+
+
+def pivot(draft: Draft, letter: str, at: Points) -> Points:
+    """A pin on the frame gets its letter and its ground."""
+    at = pin(draft, letter, at)
+    draft.board.mark(SHEET, Ground(at=spot(at), down=-1j), owner="frame")
     return at
 
 

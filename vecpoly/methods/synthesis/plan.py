@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ...board.board import Board
-from ...board.construction import Construction, Scale, View
+from ...board.construction import Construction, Scale
 from ...board.hand import Hand, hand
 from ...board.otherwise.amended import AS_DRAWN, Amended
 from ...board.paper.extent import extent
@@ -15,13 +15,11 @@ from ...board.paper.scales import round_scale, round_up
 from ...designs.base import Design
 from ...designs.verdict import Verdict
 from ...problem.problem import Problem
-from ...words import Words
 from ..drawing import Paper
 from ..drawn import Drawn
 from .draft import SHEET, Draft
 from .registry import find_design
 
-TITLES = {View.MECHANISM: Words("机构的综合", "Synthesis of the linkage")}
 COARSEST = 1.51  # how much coarser the scale may be for all figures to go on one sheet
 SAME = 9  # digits to which two numbers that order candidates are one
 
@@ -37,7 +35,7 @@ def construct_design(problem: Problem, by: Hand, paper: Paper, amended: Amended 
     construction = Construction(
         problem=problem.id,
         hand=by.name,
-        figures=board.figures(TITLES),
+        figures=board.figures({SHEET: find_design(_design(problem)).sheet}),
         steps=tuple(board.steps),
         acts=tuple(board.acts),
         readings={key: board.readings[key] for key in keys},
@@ -88,7 +86,7 @@ def _scale(problem: Problem, sketch: Draft, paper: Paper) -> float:
     if given is not None:
         return given
     guess, place = _guess(problem), paper.slots(1)[0]
-    sizes = [extent(figure.marks) for figure in sketch.board.figures(TITLES)]
+    sizes = [extent(figure.marks) for figure in sketch.board.figures()]
     alone = max(round_scale(guess, size, place) for size in sizes)
     return next((scale for scale in _coarser(alone) if paper.fits(_at(sizes, guess / scale))), alone)
 

@@ -26,19 +26,30 @@ class DesignMethod(Generic[Of]):
     source: str
     example: str
     draw: Callable[[Draft, Of], None]
+    sheet: Words
 
 
 AnyDesign = DesignMethod[Never]
 _METHODS: dict[type[Design], AnyDesign] = {}
 
 
-def design_method(design: type[D], *, title: Words, source: str, example: str) -> Callable[[Draw[D]], Draw[D]]:
-    """Register the construction of a task of synthesis; raises ValueError where it has one."""
+SHEET = Words("机构的综合", "Synthesis of the linkage")
+
+
+def design_method(
+    design: type[D], *, title: Words, source: str, example: str, sheet: Words = SHEET
+) -> Callable[[Draw[D]], Draw[D]]:
+    """Register the construction of a task of synthesis; raises ValueError where it has one.
+
+    sheet: what its figure is called.
+    """
 
     def register(draw: Draw[D]) -> Draw[D]:
         if design in _METHODS:
             raise ValueError(f"two constructions solve the synthesis {design.kind}")
-        made: DesignMethod[D] = DesignMethod(design=design, title=title, source=source, example=example, draw=draw)
+        made: DesignMethod[D] = DesignMethod(
+            design=design, title=title, source=source, example=example, draw=draw, sheet=sheet
+        )
         _METHODS[design] = made
         return draw
 

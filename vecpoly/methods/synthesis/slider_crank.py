@@ -17,7 +17,7 @@ from .arc_middle import MIRROR, by_arc
 from .draft import RIGHT, SHEET, TWO, Draft
 from .eta import Eta, eta
 from .limits import Limits, limits_of
-from .linkage import drawn, pin, rejected
+from .linkage import drawn, pin, pivot, rejected
 from .pressure import greatest_pressure
 from .registry import design_method
 
@@ -59,7 +59,7 @@ def _solution(draft: Draft, design: SliderCrank, ends: tuple[Points, Points], ci
         length, name = (design.AB, "AB") if design.AB is not None else (design.BC, "BC")
         assert length is not None
         at = next(by_arc(draft, ends, circle, 2 * draft.mm(length.si), name))
-    a = pin(draft, draft.letter("A"), at)
+    a = pivot(draft, draft.letter("A"), at)
     base = foot(Line(c1, unit(c2 - c1)), a)
     along = float(nominal(dot(c2 - c1, base - c1) / np.square(np.abs(c2 - c1))))
     verdict = Verdict.ACROSS if 0 <= along <= 1 else Verdict.VALID

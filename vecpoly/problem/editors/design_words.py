@@ -57,4 +57,25 @@ DESIGNS = {
     "limit-lines.line_1": Words("C1 处连杆线的方向角", "direction of the coupler's line at C1"),
     "limit-lines.line_2": Words("C2 处连杆线的方向角", "direction of the coupler's line at C2"),
     "limit-lines.alpha_1": Words("C1 处的压力角", "pressure angle at C1"),
+    **{
+        f"{kind}.{key}": words
+        for kind in ("crank-rocker-limits", "slider-crank-limits", "dead-centre", "drag-link")
+        for key, words in {
+            "take": _TAKE,
+            "omega": _OMEGA,
+            "AB": Words("曲柄长", "the crank"),
+            "BC": Words("连杆长", "the coupler"),
+            "CD": Words("摇杆长", "the rocker"),
+            "AD": Words("机架长", "the frame"),
+            "e": Words("偏距", "offset of the guide from A"),
+            "K": _K,
+            "psi_1": Words("DC 在第一位置的方向角", "direction of DC in the first position"),
+            "psi_2": Words("DC 在死点位置的方向角", "direction of DC at the dead centre"),
+            "phi_12": Words(
+                "曲柄由位置 1 到位置 2 的转角（逆时针为正）",
+                "turn of the crank from the first position to the dead centre",
+            ),
+            "phi_1": Words("AB 在第一位置的方向角", "direction of AB in the first position"),
+        }.items()
+    },
 }

@@ -15,7 +15,7 @@ from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET, Draft
 from ..limits import judged, limits_of, settled
-from ..linkage import pin
+from ..linkage import pin, pivot
 
 SIDES = (("朝 $D$ 一侧", "on the side of $D$"), ("另一侧", "on the other side"))
 
@@ -34,8 +34,8 @@ def by_limit(draft: Draft, design: CrankRocker, theta: Quantity) -> None:
         SHEET,
     )
     assert design.AD is not None and design.ADC is not None
-    a = pin(draft, "A", 0j)
-    d = pin(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si), key="AD"))
+    a = pivot(draft, "A", 0j)
+    d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si), key="AD"))
     rocker = board.ray(d, unit(a - d), -board.given(design.ADC.si, "ADC"), key="DC1")
     c1 = pin(draft, "C_1", board.lay_off(d, rocker.along, draft.mm(design.CD.si), key="CD"))
     board.join(SHEET, a, d, Role.LINK)

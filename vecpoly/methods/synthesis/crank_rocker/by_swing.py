@@ -13,7 +13,7 @@ from ....words import Words
 from ..draft import SHEET, Draft
 from ..eta import Locus, Straight, eta
 from ..limits import judged, limits_of, settled
-from ..linkage import pin
+from ..linkage import pin, pivot
 from .pivots import pivots
 from .rocker import Rocker
 
@@ -39,7 +39,7 @@ def _rocker(draft: Draft, design: CrankRocker) -> Rocker:
         ),
         SHEET,
     )
-    d, half = pin(draft, "D", 0j), board.given(design.swing.si, "swing") / 2
+    d, half = pivot(draft, "D", 0j), board.given(design.swing.si, "swing") / 2
     c1, c2 = (
         pin(
             draft,
@@ -75,7 +75,7 @@ def _solutions(draft: Draft, design: CrankRocker, rocker: Rocker, locus: Locus) 
     """Each A on this locus, and its linkage."""
     for a in pivots(draft, design, rocker, locus):
         letter = draft.letter("A")
-        a = pin(draft, letter, a)
+        a = pivot(draft, letter, a)
         verdict = judged(a, rocker.d, rocker.c1, rocker.c2) if _sees(a, rocker, locus) else Verdict.FAR_ARC
         settled(draft, limits_of(a, rocker.d, rocker.c1, rocker.c2, (letter, "C_1", "C_2")), verdict)
 

@@ -1,1 +1,1 @@
-"""Linkages through given positions by inversion (刚化反转法): transfer, bisect, meet, one pin after another."""
+"""Pins by inversion (刚化反转法): a linkage is thought rigid in one position and laid over into another."""

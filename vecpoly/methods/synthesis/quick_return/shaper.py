@@ -15,7 +15,7 @@ from ....plane import Line, Points, foot, unit
 from ....words import Words
 from ..advance import theta_of
 from ..draft import SHEET, TWO, Draft
-from ..linkage import drawn, pin, point
+from ..linkage import drawn, pin, pivot, point
 from ..registry import design_method
 
 UP = 1j
@@ -54,7 +54,7 @@ def _limits(draft: Draft, theta: Quantity) -> tuple[Points, tuple[Line, Line]]:
         ),
         SHEET,
     )
-    c, half = pin(draft, "C", 0j), theta.value * pi / 360
+    c, half = pivot(draft, "C", 0j), theta.value * pi / 360
     return c, (board.ray(c, UP, half, key="CD1"), board.ray(c, UP, -half, key="CD2"))
 
 
@@ -71,7 +71,7 @@ def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> 
             ),
             SHEET,
         )
-        a = pin(draft, "A", board.lay_off(c, UP, draft.mm(design.AC.si), key="AC"))
+        a = pivot(draft, "A", board.lay_off(c, UP, draft.mm(design.AC.si), key="AC"))
         draft.shared(AC, design.AC.si * 1e3)
     else:
         assert design.AB is not None
@@ -87,7 +87,7 @@ def _crank(draft: Draft, design: Shaper, c: Points, bars: tuple[Line, Line]) -> 
         )
         side = board.lay_off(c, -1j * bars[0].along, draft.mm(design.AB.si))
         line, axis = board.parallel(side, bars[0].along), board.parallel(c, UP)
-        a = pin(draft, "A", board.meet(line, axis, Words("求 $A$", "finding $A$")))
+        a = pivot(draft, "A", board.meet(line, axis, Words("求 $A$", "finding $A$")))
         board.rule(SHEET, line, a)
         draft.shared(AB, design.AB.si * 1e3)
         draft.length(draft.of_this(AC), board.measure(c, a, "A C"), "A C")

@@ -16,7 +16,7 @@ from ....plane import Line, Points, unit
 from ....words import Words
 from ..advance import theta_of
 from ..draft import ONE, SHEET, TWO, Draft
-from ..linkage import drawn, pin
+from ..linkage import drawn, pin, pivot
 from ..registry import design_method
 
 DOWN = -1j
@@ -56,7 +56,7 @@ def draw_whitworth(draft: Draft, design: Whitworth) -> None:
 def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Points, Points, tuple[Points, Points]]:
     """A, C and B in both limits: the rays at β/2 to AC, as far as the circle of AB or the line through C."""
     board, half = draft.board, beta.value * pi / 360
-    a, what = pin(draft, "A", 0j), Words("求 $B$", "finding $B$")
+    a, what = pivot(draft, "A", 0j), Words("求 $B$", "finding $B$")
     rays = [board.ray(a, DOWN, way * half, key=f"AB{i}") for i, way in ((1, -1), (2, 1))]
     if design.AB is not None:
         board.step(
@@ -75,7 +75,7 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
             for i, ray in enumerate(rays, 1)
         )
         axis = board.parallel(a, DOWN)
-        c = pin(draft, "C", board.meet(Line(b1, unit(b2 - b1)), axis, Words("求 $C$", "finding $C$")))
+        c = pivot(draft, "C", board.meet(Line(b1, unit(b2 - b1)), axis, Words("求 $C$", "finding $C$")))
     else:
         assert design.AC is not None
         board.step(
@@ -87,7 +87,7 @@ def _crank_circle(draft: Draft, design: Whitworth, beta: Quantity) -> tuple[Poin
             ),
             SHEET,
         )
-        c = pin(draft, "C", board.lay_off(a, DOWN, draft.mm(design.AC.si), key="AC"))
+        c = pivot(draft, "C", board.lay_off(a, DOWN, draft.mm(design.AC.si), key="AC"))
         line = board.parallel(c, 1 + 0j)
         b1, b2 = (pin(draft, f"B_{i}", board.meet(line, ray, what)) for i, ray in enumerate(rays, 1))
     board.circle(SHEET, a, np.abs(b1 - a))

@@ -1,0 +1,105 @@
+"""Shaper, Whitworth, limit lines, dead centre, drag link, limits of given linkages: cases, motion, refusals."""
+
+from __future__ import annotations
+
+import pytest
+
+import vecpoly
+from vecpoly.errors import AssemblyError, ProblemFileError
+
+CASES = {
+    "shaper": (
+        {"K": "1.5", "H": "240 mm", "AC": "160 mm"},
+        {"theta": 36.0, "AB": 49.4427191, "CD": 388.3281573, "h": 378.825090881},
+    ),
+    "whitworth": ({"K": "2", "H": "160 mm", "AC": "60 mm"}, {"AB": 120.0, "CD": 80.0}),
+    "limit-lines": (
+        {"C1": "(0, 0) mm", "line_1": "270 deg", "C2": "(35, 11) mm", "line_2": "230 deg", "alpha_1": "40 deg"},
+        {"AB": 11.869479, "BC": 42.580855, "CD": 34.091672, "AD": 27.557770, "gamma_min": 19.9402, "psi": 65.1056},
+    ),
+    "dead-centre": (
+        {"AD": "100 mm", "CD": "60 mm", "psi_1": "125 deg", "psi_2": "75 deg", "phi_12": "-140 deg"},
+        {"AB": 27.486076729, "BC": 101.76495244},
+    ),
+    "drag-link": (
+        {"AD": "25 mm", "AB": "60 mm", "K": "1.5", "phi_1": "275 deg", "psi_1": "180 deg"},
+        {"BC": 65.386399983, "CD": 46.279660459, "gamma_min": 30.917032733},
+    ),
+    "crank-rocker-limits": (
+        {"AB": "40 mm", "BC": "125 mm", "CD": "70 mm", "AD": "120 mm"},
+        {"theta": 12.96285, "K": 1.155209, "gamma_min": 36.18229},
+    ),
+    "slider-crank-limits": (
+        {"AB": "35 mm", "BC": "100 mm", "e": "28 mm"},
+        {"theta": 13.54592, "K": 1.162759, "gamma_min": 50.94988, "H": 73.4043},
+    ),
+}
+
+
+def posed(kind: str, **data: str) -> vecpoly.Problem:
+    """A task of synthesis with these data."""
+    return vecpoly.problem({"id": "t", "title": "t", "synthesis": kind, "data": data})
+
+
+@pytest.mark.parametrize("kind", CASES)
+def test_what_is_found_is_that_of_the_case(kind: str) -> None:
+    data, true = CASES[kind]
+    solution = posed(kind, **data).solve(by="exact")
+    found = {key: solution.answers[key].drawn for key in true}
+    assert found == pytest.approx(true, rel=1e-9 if kind in ("shaper", "dead-centre", "drag-link") else 3e-6)
+    assert not solution.suspect and all(one.full for one in solution.verification)
+
+
+@pytest.mark.parametrize("kind", ["shaper", "whitworth"])
+def test_a_quick_return_that_is_moved_has_its_ratio_and_its_stroke(kind: str) -> None:
+    data, _ = CASES[kind]
+    (moved,) = posed(kind, **data).solve(by="exact").verification
+    assert (moved.ratio, moved.stroke) == pytest.approx((float(data["K"]), float(data["H"][:3])), rel=1e-6)
+
+
+def test_the_second_d_of_8_5_stays_on_the_sheet_with_its_reason() -> None:
+    valid, rejected = vecpoly.load("8-5").solve().construction.candidates
+    assert valid.reason is None and rejected.verdict == "OPPOSITE" and rejected.number == 2
+
+
+def test_the_rocker_of_a_dead_centre_turns_back_there() -> None:
+    solution = posed("dead-centre", **CASES["dead-centre"][0]).solve(by="exact")
+    pins = solution.construction.candidates[0].pins
+    b, c = pins["B2"] - pins["A"], pins["C2"] - pins["A"]
+    assert abs((b.conjugate() * c).imag) < 1e-9 * abs(b) * abs(c)
+
+
+@pytest.mark.parametrize(
+    ("kind", "change", "told"),
+    [
+        ("shaper", {"K": "1"}, "K > 1 is needed"),
+        ("whitworth", {"AB": "70 mm"}, "just one of AB, AC"),
+        ("limit-lines", {"alpha_1": "95 deg"}, "between 0 and 90"),
+        ("limit-lines", {"C2": "35, 11 mm"}, "is no given point"),
+        ("dead-centre", {"take": "zero"}, "no number of a solution"),
+    ],
+)
+def test_data_that_cannot_be_are_told(kind: str, change: dict[str, str], told: str) -> None:
+    with pytest.raises(ProblemFileError, match=told):
+        posed(kind, **(CASES[kind][0] | change))
+
+
+@pytest.mark.parametrize(
+    ("kind", "change", "told"),
+    [
+        ("shaper", {"DE": "9 mm"}, r"must exceed half the height of D's arc, 9\.503 mm"),
+        ("limit-lines", {"line_2": "270 deg"}, "are parallel: no A"),
+        ("crank-rocker-limits", {"AB": "70 mm", "BC": "126 mm"}, r"AB is no crank: AB \+ l_max = 196 mm, 190 mm"),
+        ("slider-crank-limits", {"e": "66 mm"}, r"AB \+ e = 101 mm, BC = 100 mm"),
+        ("drag-link", {"AD": "80 mm"}, "no double crank"),
+    ],
+)
+def test_what_cannot_be_found_is_refused_with_the_numbers(kind: str, change: dict[str, str], told: str) -> None:
+    with pytest.raises(AssemblyError, match=told):
+        posed(kind, **(CASES[kind][0] | change)).solve()
+
+
+def test_the_linkage_that_was_found_goes_on_as_a_problem_of_its_own() -> None:
+    solution = vecpoly.load("8-16").solve(by="exact")
+    assert solution.mechanism.drive.rate == 1.0
+    assert solution.linkage.id == "8-16-1" and solution.as_json()["verification"][0]["turns_fully"]

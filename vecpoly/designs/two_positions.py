@@ -1,0 +1,86 @@
+"""Two positions of a crank and the link it drives: a dead centre in the second, or half a turn of a drag link."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import pi
+from typing import Any, ClassVar
+
+from ..devices.base import Angle, Length
+from ..names import Named
+from .base import Design, Quick
+from .linkages import four_bar
+from .quantities import FOUR_BAR, GAMMA_MIN
+from .quantities import K as ADVANCE
+
+
+class DeadCentre(Design):
+    """AD, CD, the angles ψ₁, ψ₂ of DC (from the x axis) and the turn φ₁₂ of AB; in position 2 A, B, C lie in one line.
+
+    A is the origin, D on the x axis.
+    """
+
+    kind: ClassVar[str] = "dead-centre"
+    AD: Length
+    CD: Length
+    psi_1: Angle
+    psi_2: Angle
+    phi_12: Angle
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The four lengths."""
+        return FOUR_BAR
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Frame, rocker, the angles."""
+        written = (
+            ("l_{AD}", self.AD),
+            ("l_{CD}", self.CD),
+            ("ψ_1", self.psi_1),
+            ("ψ_2", self.psi_2),
+            ("φ_{12}", self.phi_12),
+        )
+        return tuple((symbol, value.text) for symbol, value in written)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The four-bar with A in the origin and D on the x axis."""
+        return four_bar(values, self.omega)
+
+    @property
+    def size(self) -> float:
+        """The frame."""
+        return 2 * self.AD.si
+
+
+class DragLink(Design):
+    """AD, AB, K, the angles φ₁ of AB and ψ₁ of DC: while DC turns by 180° AB turns by 360°/(K + 1)."""
+
+    kind: ClassVar[str] = "drag-link"
+    AD: Length
+    AB: Length
+    K: Quick
+    phi_1: Angle
+    psi_1: Angle
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The four lengths, the least transmission angle, K."""
+        return (*FOUR_BAR, GAMMA_MIN, ADVANCE)
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Frame, crank, K, the angles."""
+        written = (("l_{AD}", self.AD), ("l_{AB}", self.AB), ("K", self.K), ("φ_1", self.phi_1), ("ψ_1", self.psi_1))
+        return tuple((symbol, value.text) for symbol, value in written)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The four-bar with A in the origin and D on the x axis."""
+        return four_bar(values, self.omega)
+
+    @property
+    def beta(self) -> float:
+        """360°/(K + 1), rad."""
+        return 2 * pi / (self.K.si + 1)
+
+    @property
+    def size(self) -> float:
+        """The crank, both ways."""
+        return 2 * self.AB.si + self.AD.si

@@ -1,0 +1,84 @@
+"""A dead centre: the crank is taken as the frame, C₁ laid over; the bisector meets the line AC₂ in B₂."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....board.paper.marks import Role
+from ....designs.quantities import AB, AD, BC, CD
+from ....designs.two_positions import DeadCentre
+from ....designs.verdict import Verdict
+from ....plane import Line, Points, cross, nominal, unit
+from ....words import Words
+from ..draft import SHEET, Draft
+from ..linkage import drawn, pin, pivot, point, rejected
+from ..registry import design_method
+
+
+@design_method(
+    DeadCentre,
+    title=Words(
+        "按摇杆的一个极限位置（死点）设计四杆机构", "Four-bar with a dead centre in a given position of its rocker"
+    ),
+    source="机械原理, inversion: the crank taken as the frame, the figure of the first position laid over",
+    example="dead-centre",
+)
+def draw_dead_centre(draft: Draft, design: DeadCentre) -> None:
+    """C₁, C₂; C₁ turned with the crank; B₂; B₁."""
+    board = draft.board
+    a, d, c1, c2 = _given(draft, design)
+    board.section(Words("刚化反转", "Inversion"))
+    board.step(
+        Words(
+            "将位置 1 的图形刚化，绕 $A$ 转过 $φ_12$，使 $AB_1$ 与 $AB_2$ 重合，$C_1$ 转到 $C′_1$。$B_2$ 到 $C′_1$ 和 "
+            "$C_2$ 等距，"
+            "又在极限位置 $A$、$B_2$、$C_2$ 共线，故 $C′_{1}C_2$ 的中垂线与直线 $AC_2$ 的交点即 $B_2$。",
+            "Think the figure of position 1 rigid and turn it by $φ_12$ about $A$, so that $AB_1$ falls on $AB_2$ and "
+            "$C_1$ "
+            "on $C′_1$. $B_2$ is as far from $C′_1$ as from $C_2$, and $A$, $B_2$ and $C_2$ lie in one line; so the "
+            "bisector of $C′_{1}C_2$ meets the line $AC_2$ in $B_2$.",
+        ),
+        SHEET,
+    )
+    laid = board.ray(a, unit(c1 - a), board.given(design.phi_12.si, "phi_12"), key="C1'")
+    over = point(draft, "C′_1", board.lay_off(a, laid.along, np.abs(c1 - a)))
+    board.swing(SHEET, a, np.abs(c1 - a), over)
+    bisector, line = board.bisector(SHEET, over, c2), Line(a, unit(c2 - a))
+    b2 = board.meet(bisector, line, Words("求 $B_2$", "finding $B_2$"))
+    board.rule(SHEET, bisector, b2)
+    board.rule(SHEET, line, c2)
+    b2 = pin(draft, "B_2", b2)
+    back = board.ray(a, unit(b2 - a), -board.given(design.phi_12.si, "phi_12"))
+    b1 = pin(draft, "B_1", board.lay_off(a, back.along, np.abs(b2 - a)))
+    same = float(nominal(cross(d - b1, c1 - b1) * cross(d - b2, c2 - b2))) > 0
+    verdict = Verdict.VALID if same else Verdict.OTHER_SIDE
+    drawn(draft, (a, b1, c1, d), (a, b2, c2, d), verdict=verdict)
+    rejected(draft, verdict)
+    if verdict is Verdict.VALID:
+        draft.length(draft.of_this(AB), board.measure(a, b2, "A B_2"), "A B_2")
+        draft.length(draft.of_this(BC), board.measure(b2, c2, "B_2 C_2"), "B_2 C_2")
+    order = np.abs(b2 - a), np.abs(c2 - b2), np.abs(d - a), a.real
+    draft.candidate(verdict, order, A=a, D=d, B1=b1, C1=c1, B2=b2, C2=c2)
+
+
+def _given(draft: Draft, design: DeadCentre) -> tuple[Points, Points, Points, Points]:
+    """A, D and the rocker in both positions."""
+    board = draft.board
+    board.section(Words("摇杆的两位置", "The rocker in both positions"))
+    board.step(
+        Words(
+            "选 $μ_l$，画机架 $AD$ 和摇杆的两位置 $DC_1$、$DC_2$。",
+            "Choose $μ_l$ and draw the frame $AD$ and the rocker in its two positions $DC_1$ and $DC_2$.",
+        ),
+        SHEET,
+    )
+    draft.shared(AD, design.AD.si * 1e3)
+    draft.shared(CD, design.CD.si * 1e3)
+    a = pivot(draft, "A", 0j)
+    d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si)))
+    ends = []
+    for i, psi in ((1, design.psi_1), (2, design.psi_2)):
+        ray = board.ray(d, 1 + 0j, board.given(psi.si, f"psi_{i}"))
+        ends.append(pin(draft, f"C_{i}", board.lay_off(d, ray.along, draft.mm(design.CD.si))))
+        board.join(SHEET, d, ends[-1], Role.CONSTRUCTION)
+    return a, d, ends[0], ends[1]

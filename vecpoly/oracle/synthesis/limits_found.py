@@ -1,0 +1,64 @@
+"""Limit positions of a crank-rocker and of a slider-crank with given lengths, by the law of cosines."""
+
+from __future__ import annotations
+
+from cmath import exp
+from math import acos, asin, degrees, pi, sqrt
+
+from ...designs.limits_found import CrankRockerLimits, SliderCrankLimits
+from ...designs.verdict import Verdict
+from ...errors import AssemblyError
+from ...words import Words
+from .four_bar import found
+from .registry import Linkage, synthesizes
+
+
+@synthesizes(CrankRockerLimits)
+def crank_rocker(design: CrankRockerLimits) -> list[Linkage]:
+    """C₁, C₂ at the distances BC ∓ AB from A, above AD."""
+    a, b, c, d = (one.si for one in (design.AB, design.BC, design.CD, design.AD))
+    longest = max(b, c, d)
+    if not (a <= min(b, c, d) and a + longest < b + c + d - longest):
+        raise _no_crank(
+            f"AB + l_max = {1e3 * (a + longest):.4g} mm",
+            f"{1e3 * (b + c + d - longest):.4g} mm",
+            Words(
+                "AB 须最短，且 AB + l_max 小于其余两杆之和",
+                "AB must be the shortest, and AB + l_max below the sum of the others",
+            ),
+        )
+    c1, c2 = (r * exp(1j * acos((r * r + d * d - c * c) / (2 * r * d))) for r in (b - a, b + a))
+    return [found(0j, complex(d), c1, c2)]
+
+
+@synthesizes(SliderCrankLimits)
+def slider_crank(design: SliderCrankLimits) -> list[Linkage]:
+    """C₁, C₂ on the guide at the distances BC ∓ AB from A: θ = acos(e/(b + a)) − acos(e/(b − a))."""
+    a, b, e = design.AB.si, design.BC.si, design.offset
+    if not a + e < b:
+        raise _no_crank(
+            f"AB + e = {1e3 * (a + e):.4g} mm",
+            f"BC = {1e3 * b:.4g} mm",
+            Words("须 AB + e < BC", "AB + e must be below BC"),
+        )
+    theta = acos(e / (b + a)) - acos(e / (b - a))
+    alpha = degrees(asin((a + e) / b))
+    near, far = (sqrt(r * r - e * e) for r in (b - a, b + a))
+    values = {
+        "theta": degrees(theta),
+        "K": (pi + theta) / (pi - theta),
+        "H": 1e3 * (far - near),
+        "alpha_max": alpha,
+        "gamma_min": 90 - alpha,
+        "AB": 1e3 * a,
+        "BC": 1e3 * b,
+        "e": 1e3 * e,
+    }
+    pins = {"A": 0j, "C1": complex(near, -e), "C2": complex(far, -e)}
+    return [Linkage(values=values, pins=pins, verdict=Verdict.VALID, order=(a, b, e, 0.0))]
+
+
+def _no_crank(one: str, other: str, condition: Words) -> AssemblyError:
+    return AssemblyError(
+        Words(f"AB 不是曲柄：{one}，{other}；", f"AB is no crank: {one}, {other}; ") + condition, code="no-solution"
+    )

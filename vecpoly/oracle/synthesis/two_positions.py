@@ -1,0 +1,72 @@
+"""Dead centre and drag link: one linear equation for the pin that is sought, from equal couplers."""
+
+from __future__ import annotations
+
+from cmath import exp
+from math import pi
+
+from ...designs.two_positions import DeadCentre, DragLink
+from ...designs.verdict import Verdict
+from ...errors import AssemblyError
+from ...words import Words
+from .four_bar import least_angle
+from .registry import Linkage, synthesizes
+
+NEAR = 1e-9
+
+
+@synthesizes(DeadCentre)
+def dead_centre(design: DeadCentre) -> list[Linkage]:
+    """B₂ = t u on AC₂ with |B₂ − C₂| = |B₂ − C₁ e^{iφ₁₂}|."""
+    d, turn = complex(design.AD.si), exp(1j * design.phi_12.si)
+    c1, c2 = (d + design.CD.si * exp(1j * psi.si) for psi in (design.psi_1, design.psi_2))
+    along = c2 / abs(c2)
+    b2 = along * _equally_far(0j, along, c2, c1 * turn)
+    b1 = b2 / turn
+    same = _side(b1, d, c1) * _side(b2, d, c2) > 0
+    return [_linkage(design, (b1, b2, c1, c2), Verdict.VALID if same else Verdict.OTHER_SIDE)]
+
+
+@synthesizes(DragLink)
+def drag_link(design: DragLink) -> list[Linkage]:
+    """C₁ = D + t u on the given ray with |C₁ − B₁| = |C₁ − B₂ turned by −180° about D|."""
+    d = complex(design.AD.si)
+    b1 = design.AB.si * exp(1j * design.phi_1.si)
+    b2, along = b1 * exp(1j * design.beta), exp(1j * design.psi_1.si)
+    c1 = d + along * _equally_far(d, along, b1, 2 * d - b2)
+    one = _linkage(design, (b1, b2, c1, 2 * d - c1), Verdict.VALID)
+    a, b, c, frame = (one.values[key] for key in ("AB", "BC", "CD", "AD"))
+    others = sorted((a, b, c))
+    double = frame < others[0] and frame + others[2] < others[0] + others[1]
+    return [one if double else _linkage(design, (b1, b2, c1, 2 * d - c1), Verdict.NO_DOUBLE_CRANK)]
+
+
+def _equally_far(start: complex, along: complex, one: complex, other: complex) -> float:
+    """t with |start + t along − one| = |start + t along − other|; raises AssemblyError where there is none."""
+    lean = 2 * (along.conjugate() * (other - one)).real
+    if abs(lean) < NEAR * abs(other - one):
+        raise AssemblyError(
+            Words(
+                "中垂线与给定的直线平行，没有交点；请改动角度",
+                "the bisector is parallel to the given line: no meeting; change an angle",
+            ),
+            code="no-solution",
+        )
+    return (abs(other - start) ** 2 - abs(one - start) ** 2) / lean
+
+
+def _side(b: complex, d: complex, c: complex) -> float:
+    """Positive where C lies on the left of BD."""
+    return ((d - b).conjugate() * (c - b)).imag
+
+
+def _linkage(
+    design: DeadCentre | DragLink, pins: tuple[complex, complex, complex, complex], verdict: Verdict
+) -> Linkage:
+    (b1, b2, c1, c2), d = pins, complex(design.AD.si)
+    a, b, c = abs(b1), abs(c1 - b1), abs(c1 - d)
+    values = {"AB": 1e3 * a, "BC": 1e3 * b, "CD": 1e3 * c, "AD": 1e3 * d.real}
+    if isinstance(design, DragLink):
+        values |= {"gamma_min": least_angle(a, b, c, d.real) * 180 / pi, "K": design.K.si}
+    where = {"A": 0j, "D": d, "B1": b1, "B2": b2, "C1": c1, "C2": c2}
+    return Linkage(values=values, pins=where, verdict=verdict, order=(a, b, d.real, 0.0))
