@@ -7,14 +7,14 @@ from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
 
-from ..devices.base import Angle, Length
-from ..names import Named
-from .base import Design
-from .inversion.assembling import Assembly
-from .inversion.chain import chain
-from .inversion.plan import Find, Plan
-from .inversion.step import Step
-from .inversion.written import Place
+from ...devices.base import Angle, Length
+from ...names import Named
+from ..base import Design
+from .assembling import Assembly
+from .chain import chain
+from .plan import Find, Plan
+from .step import Step
+from .written import Place
 
 
 class Stages(Design):

@@ -8,15 +8,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...board.paper.marks import Role
-from ...designs.cognates import LEFT, RIGHT, Cognates
-from ...designs.verdict import Verdict
-from ...names import Named
-from ...plane import Points, circles_meet, nominal, unit
-from ...words import Words
-from .draft import SHEET, Draft
-from .linkage import drawn, pin
-from .registry import design_method
+from ....board.paper.marks import Role
+from ....designs.inversion.cognates import LEFT, RIGHT, Cognates
+from ....designs.verdict import Verdict
+from ....names import Named
+from ....plane import Points, circles_meet, nominal, unit
+from ....words import Words
+from ..draft import SHEET, Draft
+from ..linkage import drawn, pin
+from ..registry import design_method
 
 TURN = 48  # positions of the crank in which the coupler curve is drawn and the cognates are tried
 
