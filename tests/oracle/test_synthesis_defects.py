@@ -10,7 +10,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vecpoly.oracle.synthesis.defects import Defect, Driven, crank_slider, fourbar, slider_crank
+from vecpoly.oracle.synthesis.inversion.defects import Defect, Driven, crank_slider, fourbar, slider_crank
 
 STEP = 0.02  # rad, of the walk
 Way = list[tuple[float, float]]  # the angles of both links on the frame, on and on

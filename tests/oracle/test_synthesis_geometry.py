@@ -11,10 +11,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.optimize import root
 
-from vecpoly.oracle.synthesis.burmester import CentrePoint, centre_points, circle_points, determinant
-from vecpoly.oracle.synthesis.cognates import Fourbar, cognates, third_pivot
-from vecpoly.oracle.synthesis.loci import Round, Still, Straight, equidistant, locus
-from vecpoly.oracle.synthesis.motions import Pose, inverted, pole
+from vecpoly.oracle.synthesis.inversion.burmester import CentrePoint, centre_points, circle_points, determinant
+from vecpoly.oracle.synthesis.inversion.cognates import Fourbar, cognates, third_pivot
+from vecpoly.oracle.synthesis.inversion.loci import Round, Still, Straight, equidistant, locus
+from vecpoly.oracle.synthesis.inversion.motions import Pose, inverted, pole
 
 SPOT = st.builds(complex, *(2 * [st.floats(-100, 100).map(lambda x: round(x, 3))]))
 POSE = st.builds(Pose.turned, SPOT, st.floats(-3, 3).map(lambda x: round(x, 3)))

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from vecpoly.methods.synthesis.inversion.curve import meetings
-from vecpoly.oracle.synthesis.burmester import determinant
-from vecpoly.oracle.synthesis.motions import Pose, pole
+from vecpoly.oracle.synthesis.inversion.burmester import determinant
+from vecpoly.oracle.synthesis.inversion.motions import Pose, pole
 
 PLACES = ((0j, 0), (13 + 19j, 24), (42 + 28j, 35), (83 + 15j, 54))
 FOUR = tuple(Pose.turned(at, np.radians(deg)) for at, deg in PLACES)

@@ -16,7 +16,7 @@ from scipy.optimize import root
 from tests.synthesis.inversion import drawn_anyhow, place, pose, posed
 from vecpoly.designs.base import Design
 from vecpoly.errors import AssemblyError
-from vecpoly.oracle.synthesis.inversion import angle_pairs, positions
+from vecpoly.oracle.synthesis.inversion.linkages import angle_pairs, positions
 from vecpoly.oracle.synthesis.registry import Linkage
 
 SEED = st.integers(0, 2**32 - 1)

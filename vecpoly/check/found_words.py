@@ -23,9 +23,8 @@ def told(one: Verified) -> Words:
 def _parts(one: Verified) -> list[Words]:
     parts = []
     if one.kind is not None:
-        parts.append(
-            one.kind + Words(f"（杆长和余量 {one.margin:.4g} mm）", f" (margin of lengths {one.margin:.4g} mm)")
-        )
+        margin = f"{one.margin:.4g}".replace("-", "−")
+        parts.append(one.kind + Words(f"（杆长和余量 {margin} mm）", f" (margin of lengths {margin} mm)"))
     full = Words("主动件可整周转动", "the driver turns right round")
     parts.append(full if one.full else Words("主动件不能整周转动", "the driver cannot turn right round"))
     if isfinite(one.ratio):

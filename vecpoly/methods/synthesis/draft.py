@@ -110,8 +110,12 @@ class Draft(Bench):
     # -- the end -------------------------------------------------------------------------------------------
 
     def settle(self, design: Design) -> None:
-        """Answer what is asked without a number by the solution that is taken; what is shared, of each."""
+        """Answer what is asked without a number by the solution that is taken; what is shared, of each.
+
+        Who has made a mistake may have none that is valid, and reads what is there.
+        """
         valid = sorted(one.number for one in self.found if one.verdict is Verdict.VALID)
+        valid = valid or sorted(one.number for one in self.found)
         taken = valid[design.take - 1] if design.take <= len(valid) else 0
         for named in design.quantities():
             for key, number in ((named, taken), *((numbered(named, n), n) for n in range(1, MOST + 1))):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from ...board.paper.marks import Dot, Ground, Role
+from ...board.paper.marks import Block, Dot, FixedGuide, Ground, Role
 from ...board.strokes import spot
 from ...designs.verdict import Verdict
 from ...plane import Points
@@ -12,6 +12,7 @@ from ...words import Words
 from .draft import SHEET, Draft
 
 Chain = tuple[Points, ...]
+HALF_BLOCK, BEYOND = 2.5, 9.0  # mm: from the middle of a block to its guide; how far the guide goes on
 
 
 def drawn(draft: Draft, thick: Chain, *thin: Chain, verdict: Verdict = Verdict.VALID) -> None:
@@ -39,6 +40,15 @@ def pivot(draft: Draft, letter: str, at: Points) -> Points:
     at = pin(draft, letter, at)
     draft.board.mark(SHEET, Ground(at=spot(at), down=-1j), owner="frame")
     return at
+
+
+def slider(draft: Draft, places: tuple[Points, ...], along: complex) -> None:
+    """The block of a slider in its first position, and the guide on which it comes through all of them."""
+    travels = [(along.conjugate() * (spot(at) - spot(places[0]))).real for at in places]
+    low = spot(places[0]) - 1j * along * HALF_BLOCK
+    guide = FixedGuide(a=low + along * (min(travels) - BEYOND), b=low + along * (max(travels) + BEYOND))
+    draft.board.mark(SHEET, Block(at=spot(places[0]), along=along), owner="block")
+    draft.board.mark(SHEET, guide, owner="frame")
 
 
 def point(draft: Draft, letter: str, at: Points) -> Points:

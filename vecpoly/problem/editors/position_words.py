@@ -6,8 +6,12 @@ from ...words import Words
 
 _ONTO = Words("在第几个位置取该构件为机架，默认 1", "in which position the link is taken for the frame; 1 by default")
 _TAKE = Words("取第几个解（按编号），默认 1", "which of the solutions is meant, by its number; 1 where nothing is said")
+_OMEGA = Words(
+    "所得机构作分析时原动件的角速度，默认 1 rad/s", "of the driver, where what is found is analysed; else 1 rad/s"
+)
 
 POSITIONS = {
+    **{f"{kind}.omega": _OMEGA for kind in ("positions", "angle-pairs", "stages", "cognates")},
     "positions.take": _TAKE,
     "positions.poses": Words(
         "平面 S 的二至四个位置，如 (30, 5) mm at 20 deg", "two to four positions of the body S: (30, 5) mm at 20 deg"

@@ -14,7 +14,7 @@ from ....foundation.frozen import FrozenMap
 from ....plane import Line, Points, nominal
 from ....words import Words
 from ..draft import SHEET
-from ..linkage import pin
+from ..linkage import pin, pivot
 from .curve import centre_point_curve
 from .sheet import Places, Sheet, Stands, placed
 
@@ -122,7 +122,7 @@ def _bar(sheet: Sheet, stage: CentrePoints, line: Line, t: float, number: int) -
         ),
         SHEET,
     )
-    fixed = pin(draft, here, board.lay_off(line.at, line.along, t))
+    fixed = pivot(draft, here, board.lay_off(line.at, line.along, t))
     board.rule(SHEET, line, fixed)
     seen = [fixed, *(sheet.carried(fixed, stage.on, n, 0, here) for n in range(1, sheet.plan.count))]
     first, second = (_between(sheet, one, two) for one, two in _chosen(seen))

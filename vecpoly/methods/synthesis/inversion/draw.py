@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from ....designs.angle_pairs import AnglePairs
+from ....designs.inversion.angle_pairs import AnglePairs
 from ....designs.inversion.plan import Assemble, CentrePoints, Find, Limits, Plan, Stage
-from ....designs.positions import Positions
-from ....designs.stages import Stages
+from ....designs.inversion.positions import Positions
+from ....designs.inversion.stages import Stages
 from ....words import Words
 from ..draft import Draft
 from ..registry import design_method

@@ -14,7 +14,7 @@ from ....names import Named
 from ....plane import Points, Reals
 from ....words import Words
 from ..draft import SHEET
-from ..linkage import drawn, rejected
+from ..linkage import drawn, rejected, slider
 from .judged import drives, judged, turns_fully
 from .sheet import Sheet, Stands
 
@@ -28,6 +28,8 @@ def finish(sheet: Sheet) -> None:
     for loop in plan.loops:
         thick, *thin = (_chain(sheet, loop, n) for n in range(plan.count))
         drawn(draft, thick, *thin, verdict=verdict)
+        if isinstance(loop, Sliding):
+            slider(draft, sheet.pins[loop.c], loop.along)
     rejected(draft, verdict)
     _lengths(sheet, verdict)
     _ahead(sheet)

@@ -13,7 +13,7 @@ from ....foundation.frozen import FrozenMap
 from ....plane import Points, cross, nominal, unit
 from ....words import Words
 from ..draft import SHEET, Draft
-from ..linkage import pin
+from ..linkage import pin, pivot
 
 Places = tuple[Points, ...]
 GRAZING = 0.26  # sine (15°) below which two arcs of transfer meet too flatly
@@ -100,5 +100,5 @@ def placed(draft: Draft, at: complex) -> Points:
 def lettered(draft: Draft, letter: str, places: Places, dot: Dot = Dot.JOINT) -> Places:
     """The places of a pin get their letters: one where it is fixed, else with the number of the position."""
     if len({complex(nominal(at)) for at in places}) == 1:
-        return (pin(draft, letter, places[0], dot),) * len(places)
+        return (pivot(draft, letter, places[0]),) * len(places)
     return tuple(pin(draft, f"{letter}_{n}", at, dot) for n, at in enumerate(places, 1))

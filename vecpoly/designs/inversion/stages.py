@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
 
-from ..devices.base import Angle, Length
-from ..names import Named
-from .base import Design
-from .inversion.assembling import Assembly
-from .inversion.plan import Find, Plan
-from .inversion.step import Step
-from .inversion.written import Place
+from ...devices.base import Angle, Length
+from ...names import Named
+from ..base import Design
+from .assembling import Assembly
+from .chain import chain
+from .plan import Find, Plan
+from .step import Step
+from .written import Place
 
 
 class Stages(Design):
@@ -37,6 +39,10 @@ class Stages(Design):
         lengths = tuple(Named(one + two, f"l_{{{one}{two}}}", "mm") for one, two in plan.bars())
         pins = (stage.pin for stage in plan.stages if isinstance(stage, Find) and plan.turns(stage.on))
         return (*lengths, *(Named(f"delta_{pin}", f"δ_{{{pin}}}", "deg") for pin in pins))
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any] | None:
+        """The linkage in the first position, its first ray, or its crank, driving it."""
+        return chain(self.plan(), values, self.omega)
 
     def given(self) -> tuple[tuple[str, str], ...]:
         """Pivots, lengths, rays and points."""

@@ -7,12 +7,12 @@ from typing import ClassVar, Literal
 
 from pydantic import model_validator
 
-from ..devices.base import Angle, Length
-from ..errors import FaultError
-from ..names import Named
-from ..words import Words
-from .base import Design
-from .inversion.written import Place
+from ...devices.base import Angle, Length
+from ...errors import FaultError
+from ...names import Named
+from ...words import Words
+from ..base import Design
+from .written import Place
 
 LEFT, RIGHT = ("AG", "GH", "HF", "AF"), ("DM", "MN", "NF", "DF")
 

@@ -7,16 +7,16 @@ from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
 
-from ..errors import FaultError
-from ..names import Named
-from ..words import Words
-from .base import Design, Which
-from .inversion.built import posed_four_bar
-from .inversion.loops import Hinged
-from .inversion.plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
-from .inversion.written import Place, Pose, on, said
-from .place import Carried
-from .quantities import FOUR_BAR, TURN_AB, TURN_AD, TURN_DC
+from ...errors import FaultError
+from ...names import Named
+from ...words import Words
+from ..base import Design, Which
+from ..place import Carried
+from ..quantities import FOUR_BAR, TURN_AB, TURN_AD, TURN_DC
+from .built import posed_four_bar
+from .loops import Hinged
+from .plan import FRAME, Body, CentrePoints, Find, Pin, Plan, Stage
+from .written import Place, Pose, on, said
 
 _BODY = "S"
 _MOVING = {"A": "B", "D": "C"}

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields
 
-from ...designs.cognates import LEFT, RIGHT, Cognates
-from ...designs.verdict import Verdict
+from ....designs.inversion.cognates import LEFT, RIGHT, Cognates
+from ....designs.verdict import Verdict
+from ..registry import Linkage, synthesizes
 from .cognates import Fourbar, cognates
 from .meetings import beyond
 from .motions import Pose
-from .registry import Linkage, synthesizes
 
 
 @synthesizes(Cognates)

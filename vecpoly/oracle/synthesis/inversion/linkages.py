@@ -7,14 +7,14 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from math import degrees
 
-from ...designs.angle_pairs import AnglePairs
-from ...designs.inversion.loops import Hinged, Loop
-from ...designs.inversion.plan import Find, Plan
-from ...designs.positions import Positions
-from ...designs.stages import Stages
-from ...designs.verdict import Verdict
+from ....designs.inversion.angle_pairs import AnglePairs
+from ....designs.inversion.loops import Hinged, Loop
+from ....designs.inversion.plan import Find, Plan
+from ....designs.inversion.positions import Positions
+from ....designs.inversion.stages import Stages
+from ....designs.verdict import Verdict
+from ..registry import Linkage, synthesizes
 from .defects import Defect, fourbar, slider_crank
-from .registry import Linkage, synthesizes
 from .staged import Found, linkages
 
 _NONE = 1e-7  # of the extent of what is given: a link shorter than that has no length

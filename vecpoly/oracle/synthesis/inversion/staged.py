@@ -9,9 +9,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
-from ...designs.inversion.plan import Assemble, CentrePoints, Find, Limits, On, Plan, Position, Stage, Through
-from ...designs.inversion.refusals import coincident, collinear, no_centre_point, no_limit, out_of_reach, parallel
-from ...foundation.frozen import FrozenMap
+from ....designs.inversion.plan import Assemble, CentrePoints, Find, Limits, On, Plan, Position, Stage, Through
+from ....designs.inversion.refusals import coincident, collinear, no_centre_point, no_limit, out_of_reach, parallel
+from ....foundation.frozen import FrozenMap
 from .burmester import CentrePoint, centre_points
 from .loci import Round, Still, Straight, equidistant, locus
 from .meetings import beyond, ray_and_circle

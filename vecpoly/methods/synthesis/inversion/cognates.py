@@ -8,15 +8,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...board.paper.marks import Role
-from ...designs.cognates import LEFT, RIGHT, Cognates
-from ...designs.verdict import Verdict
-from ...names import Named
-from ...plane import Points, circles_meet, nominal, unit
-from ...words import Words
-from .draft import SHEET, Draft
-from .linkage import drawn, pin
-from .registry import design_method
+from ....board.paper.marks import Role
+from ....designs.inversion.cognates import LEFT, RIGHT, Cognates
+from ....designs.verdict import Verdict
+from ....names import Named
+from ....plane import Points, circles_meet, nominal, unit
+from ....words import Words
+from ..draft import SHEET, Draft
+from ..linkage import drawn, pin, pivot
+from ..registry import design_method
 
 TURN = 48  # positions of the crank in which the coupler curve is drawn and the cognates are tried
 
@@ -48,8 +48,8 @@ def _fourbar(draft: Draft, design: Cognates) -> dict[str, Points]:
         ),
         SHEET,
     )
-    a = pin(draft, "A", np.complex128(0))
-    d = pin(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si), key="AD"))
+    a = pivot(draft, "A", np.complex128(0))
+    d = pivot(draft, "D", board.lay_off(a, 1 + 0j, draft.mm(design.AD.si), key="AD"))
     ray = board.ray(a, 1 + 0j, board.given(design.phi.si, "phi"), key="AB")
     b = pin(draft, "B", board.lay_off(a, ray.along, draft.mm(design.AB.si), key="AB"))
     both = board.arcs(b, draft.mm(design.BC.si), d, draft.mm(design.CD.si), Words("求 $C$", "finding $C$"))
@@ -118,7 +118,7 @@ def _third_pivot(draft: Draft, pins: Mapping[str, Points]) -> dict[str, Points]:
         ),
         SHEET,
     )
-    f = pin(draft, "F", _fourth(draft, pins["N"], pins["E"], pins["H"], "F"))
+    f = pivot(draft, "F", _fourth(draft, pins["N"], pins["E"], pins["H"], "F"))
     true = board.image((pins["B"], pins["C"], pins["E"]), (pins["A"], pins["D"]))
     off = abs(complex(nominal(true - f)))
     board.remark(

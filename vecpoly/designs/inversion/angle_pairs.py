@@ -8,17 +8,17 @@ from typing import Any, ClassVar
 
 from pydantic import model_validator
 
-from ..devices.base import Length
-from ..errors import FaultError
-from ..names import Named
-from ..words import Words
-from .base import Design, Which
-from .inversion.built import posed_four_bar, posed_slider_crank
-from .inversion.loops import Hinged, Sliding
-from .inversion.plan import FRAME, Body, Find, On, Pin, Plan, Position, Slide
-from .inversion.written import Corresponding, on, said
-from .place import Carried
-from .quantities import AB, BC, FOUR_BAR
+from ...devices.base import Length
+from ...errors import FaultError
+from ...names import Named
+from ...words import Words
+from ..base import Design, Which
+from ..place import Carried
+from ..quantities import AB, BC, FOUR_BAR
+from .built import posed_four_bar, posed_slider_crank
+from .loops import Hinged, Sliding
+from .plan import FRAME, Body, Find, On, Pin, Plan, Position, Slide
+from .written import Corresponding, on, said
 
 AHEAD_C, AHEAD_B = Named("delta_C", "δ_{C}", "deg"), Named("delta_B", "δ_{B}", "deg")
 

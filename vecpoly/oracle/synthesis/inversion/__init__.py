@@ -1,0 +1,1 @@
+"""Linkages through given positions in closed form: motions, circles, centre points, defects."""
