@@ -93,8 +93,7 @@ class Epicyclic(Device):
                 Words(
                     "转化轮系的传动比为 1，两中心轮总是同速，系杆的转速不能由它们确定；请改变齿数或给出 omega_H",
                     "relative to the carrier the ratio is 1: both central gears always turn alike and say nothing of "
-                    "the "
-                    "carrier; change the teeth, or give omega_H",
+                    "the carrier; change the teeth, or give omega_H",
                 ),
                 code="contradiction",
             )

@@ -80,8 +80,8 @@ class GearGeneration(Device):
             raise FaultError(
                 Words(
                     f"alpha = {self.alpha.text}、ha = {self.ha.text}：齿条的齿顶变尖；请减小其一",
-                    f"alpha = {self.alpha.text} and ha = {self.ha.text}: the rack's teeth would be pointed; lower "
-                    "one of them",
+                    f"alpha = {self.alpha.text} and ha = {self.ha.text}: the rack's teeth would be pointed; lower one "
+                    "of them",
                 ),
                 code="out-of-range",
             )

@@ -42,10 +42,10 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
     board.section(Words("轮系简图", "The train"))
     board.step(
         Words(
-            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在竖直半径上；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半径：",
+            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在 $O$ 的正上方；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半"
+            "径：",
             "To the scale $μ_l$ draw the pitch circles with the centre $O_2$ of a planet straight above $O$; $A$ and "
-            "$C$ "
-            "are the pitch points of the planet with the central gears 1 and 3. The pitch radii:",
+            "$C$ are the pitch points of the planet with the central gears 1 and 3. The pitch radii:",
         ),
         View.MECHANISM,
     )
@@ -73,12 +73,10 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     board.step(
         Words(
             f"以半径为纵坐标、速度为横坐标（逆时针转动的速度向右为正）。由已知的角速度算出 {told}，在各自半径的高度上"
-            "量出；"
-            "中心轮和系杆的速度线都过 $O$。",
-            "Draw the velocities to the right over the radius upwards (right: of a link that turns counter-clockwise). "
-            f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off at the "
-            "heights of "
-            "their radii; the lines of central gears and carrier start at $O$.",
+            "量出；中心轮和系杆的速度线都过 $O$。",
+            "Draw the velocities to the right over the radius upwards (right: of a link that turns "
+            f"counter-clockwise). Compute {told.replace('、', ' and ')} from the given angular velocities and lay "
+            "them off at the heights of their radii; the lines of central gears and carrier start at $O$.",
         ),
         RADII,
     )
@@ -116,8 +114,7 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
         Words(
             f"行星轮的速度线过两已知点的矢端，它与 ${letter}$ 高度的水平线的交点即 ${letter}$ 的速度的矢端。量得：",
             f"The planet's line passes through the two known tips; where it meets the level of ${letter}$ is the tip "
-            "of "
-            f"the velocity of ${letter}$. It is read as:",
+            f"of the velocity of ${letter}$. It is read as:",
         ),
         RADII,
     )
