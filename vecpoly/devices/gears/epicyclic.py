@@ -88,6 +88,14 @@ class Epicyclic(Device):
                 ),
                 code="missing",
             )
+        if not any(omega.si for omega in self.omegas.values() if omega is not None):
+            raise FaultError(
+                Words(
+                    "给出的两个角速度都是零，轮系不动；如写 omega_1: 10 rad/s",
+                    "both angular velocities are zero and nothing turns; write e.g. omega_1: 10 rad/s",
+                ),
+                code="out-of-range",
+            )
         if abs(self.basic - 1) < ONE_TO_ONE and self.sought == "H":
             raise FaultError(
                 Words(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sin, tan
+from math import pi, tan
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, WithJsonSchema, model_validator
@@ -91,16 +91,6 @@ class GearGeneration(Device):
     def size(self) -> float:
         """The tip radius (m)."""
         return self.m.si * (self.z / 2 + self.ha.si + self.x)
-
-    @property
-    def limit(self) -> float:
-        """x_min by formula, for sentences."""
-        return self.ha.si - self.z * sin(self.alpha.si) ** 2 / 2
-
-    @property
-    def base(self) -> float:
-        """r_b (m)."""
-        return self.m.si * self.z / 2 * cos(self.alpha.si)
 
     def quantities(self) -> tuple[Named, ...]:
         """Radii, thicknesses, the limits of undercut, where the involute starts."""

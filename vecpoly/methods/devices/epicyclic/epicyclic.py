@@ -19,7 +19,7 @@ from .scales import RADII, train_scales
 from .turns import angular_velocities
 
 POINTS = {"1": "A", "H": "O2", "3": "C"}  # the point of the radius whose velocity tells the link's
-READABLE, NOTHING, LONGEST = 0.5, 1e-9, 400.0  # mm: a velocity not between cannot be read; one that is none may be
+READABLE, NOTHING = 0.5, 1e-9  # mm: a velocity shorter than this cannot be read; shorter than that it is none
 
 
 @device_method(
@@ -101,6 +101,9 @@ def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:
     radius = magnitude(f"r_{{{key}}}", train.radii[key], "m")
     named = Named(f"v_{POINTS[key]}", f"v_{{{POINTS[key]}}}", "m/s")
     speed = bench.worked(named, magnitude(f"ω_{key}", omega.si, "rad/s") * radius)
+    mm = abs(float(nominal(board.to_paper_across(RADII, speed.value))))
+    if NOTHING < mm < READABLE:
+        raise _unreadable(POINTS[key], mm)
     sense = 1 if omega.si >= 0 else -1
     return board.lay_off(foot, sense + 0j, sense * board.to_paper_across(RADII, speed.value), key=named.key)
 
@@ -123,7 +126,7 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
     ends = sorted((one, other, tip), key=lambda at: float(nominal(at).imag))
     board.join(RADII, ends[0], ends[-1], Role.RESULT)
     mm = abs(float(nominal(tip - foot).real))
-    if NOTHING < mm < READABLE or mm > LONGEST:
+    if NOTHING < mm < READABLE:
         raise _unreadable(point, mm)
     on_paper = board.measure(foot, tip, f"{letter} {letter[0].lower()}{letter[1:]}")
     sign = 1 if float(nominal(tip - foot).real) >= 0 else -1
@@ -135,12 +138,11 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
 
 
 def _unreadable(point: str, mm: float) -> NotAskedError:
-    span = f"{READABLE:g} … {LONGEST:g} mm"
     return NotAskedError(
         Words(
-            f"v_{point} 在图上为 {mm:.2g} mm，能量取的为 {span}：各速度线几乎重合，传动比太大，图解没有意义；请用 "
+            f"v_{point} 在图上只有 {mm:.2g} mm，不足 {READABLE:g} mm：各速度线几乎重合，传动比太大，无法量取；请用 "
             "vecpoly exact，或减小传动比",
-            f"v_{point} would measure {mm:.2g} mm on paper, and {span} can be read: the lines nearly coincide, the "
+            f"v_{point} would measure {mm:.2g} mm on paper, less than {READABLE:g} mm: the lines nearly coincide, the "
             "ratio is too large to be measured; use 'vecpoly exact', or a smaller ratio",
         ),
         code="unreadable",

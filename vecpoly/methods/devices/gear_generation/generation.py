@@ -20,7 +20,7 @@ from ..cam.scales import fitting
 from ..registry import device_method
 from .places import draw_places, draw_tooth
 from .rack import VIEW, Rack, contact, place_rack
-from .start import crossing
+from .start import crossing, cuts_in
 
 TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
 DEGREE = Quantity(Txt("57.30°"), degrees(1.0), "")
@@ -175,7 +175,7 @@ def _thickness(bench: Bench, rack: Rack) -> Quantity:
 def _start(bench: Bench, rack: Rack) -> float:
     """r_s: the corner on the line of action, or where its path crosses the involute. Gives how far that is from OP."""
     board, gear = bench.board, rack.gear
-    cut = gear.x < gear.limit
+    cut = cuts_in(board, gear, rack.mm)
     aside = crossing(board, gear, rack.mm) if cut else (rack.r - rack.tip) / tan(gear.alpha.si)
     board.step(
         Words(
