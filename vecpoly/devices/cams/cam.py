@@ -61,8 +61,8 @@ class Allowed(BaseModel):
                 raise FaultError(
                     Words(
                         f"alpha.{key} = {angle.text}：许用压力角应在 0 与 90 deg 之间；如写 30 deg",
-                        f"alpha.{key} = {angle.text}: an allowed pressure angle lies between 0 and 90 deg; "
-                        "write e.g. 30 deg",
+                        f"alpha.{key} = {angle.text}: an allowed pressure angle lies between 0 and 90 deg; write e.g. "
+                        "30 deg",
                     ),
                     code="out-of-range",
                 )
@@ -125,8 +125,8 @@ class Cam(Device):
             raise FaultError(
                 Words(
                     f"偏距 {_mm(self.follower.e)} 不小于基圆半径 r0 = {r0.text}，导路不与基圆相交；|offset| 应小于 r0",
-                    f"the offset {_mm(self.follower.e)} is not below r0 = {r0.text}: the guide misses the base circle; "
-                    "|offset| must be less than r0",
+                    f"the offset {_mm(self.follower.e)} is not below r0 = {r0.text}: the guide misses the base "
+                    "circle; |offset| must be less than r0",
                 ),
                 code="out-of-range",
             )
@@ -148,9 +148,8 @@ class Cam(Device):
         if not abs(oa - ab) < r0 < oa + ab:
             raise FaultError(
                 Words(
-                    f"r0 = {self.r0.text}、OA = {_mm(oa)}、AB = {_mm(ab)} 不能构成三角形；r0 应在 "
-                    f"{_mm(abs(oa - ab))} 与 "
-                    f"{_mm(oa + ab)} 之间",
+                    f"r0 = {self.r0.text}、OA = {_mm(oa)}、AB = {_mm(ab)} 不能构成三角形；r0 应在 {_mm(abs(oa - ab))} "
+                    f"与 {_mm(oa + ab)} 之间",
                     f"r0 = {self.r0.text}, OA = {_mm(oa)} and AB = {_mm(ab)} make no triangle; r0 must lie between "
                     f"{_mm(abs(oa - ab))} and {_mm(oa + ab)}",
                 ),
@@ -162,8 +161,7 @@ class Cam(Device):
                     f"摆杆初始角 {degrees(self.psi0):.4g} deg，再摆 {degrees(self.lift):.4g} deg 就伸直了；摆角应小于 "
                     f"{degrees(SWUNG - self.psi0):.4g} deg",
                     f"the arm starts at {degrees(self.psi0):.4g} deg and after {degrees(self.lift):.4g} deg more it "
-                    "would "
-                    f"be stretched; let it swing less than {degrees(SWUNG - self.psi0):.4g} deg",
+                    f"would be stretched; let it swing less than {degrees(SWUNG - self.psi0):.4g} deg",
                 ),
                 code="out-of-range",
             )

@@ -165,8 +165,8 @@ def _closes(pieces: Sequence[Piece], turn: float, level: float, dim: Dim) -> Non
         raise FaultError(
             Words(
                 f"motion：一周之后从动件仍高出起始位置 {left}；请使各段回程之和等于推程",
-                f"motion: after the turn the follower still stands {left} above its start; let it return as far as "
-                "it rises",
+                f"motion: after the turn the follower still stands {left} above its start; let it return as far as it "
+                "rises",
             ),
             code="contradiction",
         )

@@ -88,13 +88,20 @@ class Epicyclic(Device):
                 ),
                 code="missing",
             )
+        if not any(omega.si for omega in self.omegas.values() if omega is not None):
+            raise FaultError(
+                Words(
+                    "给出的两个角速度都是零，轮系不动；如写 omega_1: 10 rad/s",
+                    "both angular velocities are zero and nothing turns; write e.g. omega_1: 10 rad/s",
+                ),
+                code="out-of-range",
+            )
         if abs(self.basic - 1) < ONE_TO_ONE and self.sought == "H":
             raise FaultError(
                 Words(
                     "转化轮系的传动比为 1，两中心轮总是同速，系杆的转速不能由它们确定；请改变齿数或给出 omega_H",
                     "relative to the carrier the ratio is 1: both central gears always turn alike and say nothing of "
-                    "the "
-                    "carrier; change the teeth, or give omega_H",
+                    "the carrier; change the teeth, or give omega_H",
                 ),
                 code="contradiction",
             )

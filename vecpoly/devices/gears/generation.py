@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sin, tan
+from math import pi, tan
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BeforeValidator, WithJsonSchema, model_validator
@@ -80,8 +80,8 @@ class GearGeneration(Device):
             raise FaultError(
                 Words(
                     f"alpha = {self.alpha.text}、ha = {self.ha.text}：齿条的齿顶变尖；请减小其一",
-                    f"alpha = {self.alpha.text} and ha = {self.ha.text}: the rack's teeth would be pointed; lower "
-                    "one of them",
+                    f"alpha = {self.alpha.text} and ha = {self.ha.text}: the rack's teeth would be pointed; lower one "
+                    "of them",
                 ),
                 code="out-of-range",
             )
@@ -91,16 +91,6 @@ class GearGeneration(Device):
     def size(self) -> float:
         """The tip radius (m)."""
         return self.m.si * (self.z / 2 + self.ha.si + self.x)
-
-    @property
-    def limit(self) -> float:
-        """x_min by formula, for sentences."""
-        return self.ha.si - self.z * sin(self.alpha.si) ** 2 / 2
-
-    @property
-    def base(self) -> float:
-        """r_b (m)."""
-        return self.m.si * self.z / 2 * cos(self.alpha.si)
 
     def quantities(self) -> tuple[Named, ...]:
         """Radii, thicknesses, the limits of undercut, where the involute starts."""

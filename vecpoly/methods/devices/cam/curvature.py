@@ -63,18 +63,14 @@ def _hartmann(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot: Sp
     board = bench.board
     board.step(
         Words(
-            f"外凸部分曲率半径的最小值经试作在 $φ$ = {number(degrees(spot.phi))}° 处。该处用哈特曼法作曲率中心：反转"
-            "运动中 "
-            "$v_B$ ⊥ $PB$，$v_B$ = $PB$·$ω$；瞬心 $P$ 的换位速度 $u$ 沿法线的垂直方向取分量 $u′$；连两矢量的端点，交"
-            "法线于"
-            " $K$（两速度用同一比例，取一半）。以 $K$ 为圆心过 $B$ 作密切圆：",
+            f"外凸部分曲率半径的最小值经试作在 $φ$ = {number(degrees(spot.phi))}° 处。该处用哈特曼法作曲率中心：反转运"
+            "动中 $v_B$ ⊥ $PB$，$v_B$ = $PB$·$ω$；瞬心 $P$ 的换位速度 $u$ 沿法线的垂直方向取分量 $u′$；连两矢量的端点"
+            "，交法线于 $K$（两速度用同一比例，取一半）。以 $K$ 为圆心过 $B$ 作密切圆：",
             f"By trial the radius of the parts that bulge out is least at $φ$ = {number(degrees(spot.phi))}°. "
-            "Hartmann's "
-            "construction there: in the inversion $v_B$ ⊥ $PB$ with $v_B$ = $PB$·$ω$, and the centre $P$ itself "
-            "moves with "
-            "$u$, of which the part $u′$ at right angles to the normal is taken. The line of both tips meets the "
-            "normal in "
-            "$K$ (both velocities to one scale, halved). The osculating circle is that about $K$ through $B$:",
+            "Hartmann's construction there: in the inversion $v_B$ ⊥ $PB$ with $v_B$ = $PB$·$ω$, and the centre $P$ "
+            "itself moves with $u$, of which the part $u′$ at right angles to the normal is taken. The line of both "
+            "tips meets the normal in $K$ (both velocities to one scale, halved). The osculating circle is that "
+            "about $K$ through $B$:",
         ),
         place,
     )
@@ -117,8 +113,7 @@ def _verdict(left: float, sharp: bool, hit: bool, cam: Cam) -> Words:
         return Words(
             f"$r_r$ = {radius} mm 大于 $ρ_min$，实际廓线相交，运动失真；滚子半径应小于 {most} mm，或加大基圆。",
             f" $r_r$ = {radius} mm exceeds $ρ_min$: the profile crosses itself and is undercut. The roller's radius "
-            "must "
-            f"be less than {most} mm, or the base circle larger.",
+            f"must be less than {most} mm, or the base circle larger.",
         )
     if sharp:
         return Words(
@@ -141,9 +136,9 @@ def _under_a_face(bench: Bench, cam: Cam, cuts: Sequence[Cut], place: Pane, spot
             "d$s$/d$φ$），曲率中心 $K$ 在其上，$PK$ = d²$s$/d$φ$²（加速度向外时在 $P$ 的内侧）。切点 $B$ 到 $K$ 的距"
             "离：",
             f"By trial the radius of the profile is least at $φ$ = {number(degrees(spot.phi))}°. The normal is "
-            "parallel to "
-            "the guide through the instant centre $P$ ($OP$ = d$s$/d$φ$); on it lies the centre of curvature $K$ with "
-            "$PK$ = d²$s$/d$φ$², inwards where the acceleration points outwards. Its distance from the contact $B$:",
+            "parallel to the guide through the instant centre $P$ ($OP$ = d$s$/d$φ$); on it lies the centre of "
+            "curvature $K$ with $PK$ = d²$s$/d$φ$², inwards where the acceleration points outwards. Its distance "
+            "from the contact $B$:",
         ),
         place,
     )
@@ -199,8 +194,7 @@ def _reach(bench: Bench, cam: Cam) -> None:
             + Words(
                 f" d$s$/d$φ$ 的最大值（$φ$ = {number(degrees(spot.phi))}°），平底由导路向该侧至少应有此长度：",
                 f" as far from the guide as the greatest d$s$/d$φ$ (at $φ$ = {number(degrees(spot.phi))}°); the face "
-                "must "
-                "reach so far on that side:",
+                "must reach so far on that side:",
             ),
             VIEW,
         )

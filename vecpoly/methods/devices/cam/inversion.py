@@ -130,7 +130,7 @@ def _profile(bench: Bench, cam: Cam, cuts: Sequence[Cut]) -> None:
             board.curve(VIEW, through, Role.LINK)
     values = []
     for cut in cuts:
-        letters = f"O K_{{{cut.station.number}}}"
+        letters = f"O T_{{{cut.station.number}}}"
         on_paper = board.measure(0j, cut.touch, letters)
         scale = board.scale_of(VIEW)
         named = radius(cut.station.name)

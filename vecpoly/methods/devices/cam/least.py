@@ -42,18 +42,14 @@ def _loop(bench: Bench, cam: Cam, allowed: Allowed) -> tuple[Line, Line]:
     board.step(
         Words(
             "以 d$s$/d$φ$ 为横坐标、$s$ 为纵坐标（比例尺同为 $μ_s$；凸轮顺时针转时，图中横坐标以向左为正）作推程和回"
-            "程的"
-            "线图，各值由运动规律的作图得出。凸轮轴心 $O$ 若在此图的 ($e$, $−s_0$)，则压力角就是它与曲线上各点的连线"
-            "和纵轴"
-            "的夹角。作与纵轴成 $[α]$ 并与曲线相切的两条直线，$O$ 应在两线之下（各程只限制法线偏向受推一侧的压力角）。",
+            "程的线图，各值由运动规律的作图得出。凸轮轴心 $O$ 若在此图的 ($e$, $−s_0$)，则压力角就是它与曲线上各点的"
+            "连线和纵轴的夹角。作与纵轴成 $[α]$ 并与曲线相切的两条直线，$O$ 应在两线之下（各程只限制法线偏向受推一侧"
+            "的压力角）。",
             "Draw the loop with d$s$/d$φ$ to the right and $s$ upwards, both to $μ_s$, from the constructions of the "
-            "laws "
-            "(for a cam that turns clockwise right and left change). If $O$ lies at ($e$, $−s_0$) on it, the "
-            "pressure angle "
-            "is that between the vertical and the line from $O$ to the point of the loop. Draw the lines at $[α]$ to "
-            "the "
-            "vertical that touch the loop: $O$ must lie below both (of each stroke only the side to which the cam "
-            "pushes is bounded).",
+            "laws (for a cam that turns clockwise right and left change). If $O$ lies at ($e$, $−s_0$) on it, the "
+            "pressure angle is that between the vertical and the line from $O$ to the point of the loop. Draw the "
+            "lines at $[α]$ to the vertical that touch the loop: $O$ must lie below both (of each stroke only the "
+            "side to which the cam pushes is bounded).",
         ),
         LOOP,
     )
@@ -173,7 +169,7 @@ def _central(bench: Bench, bounds: tuple[Line, Line]) -> None:
     board.step(
         Words(
             "对心布置（$e$ = 0）时，取两线与纵轴交点中的低者：",
-            "Without offset, the lower meeting with the vertical axis:",
+            "Without offset ($e$ = 0), the lower meeting with the vertical axis:",
         ),
         LOOP,
     )

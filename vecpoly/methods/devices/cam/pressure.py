@@ -49,15 +49,14 @@ def _greatest(bench: Bench, cam: Cam, cuts: Sequence[Cut], way: int, named: Name
     pieces = [piece for piece in cam.pieces if piece.rises == way]
     spot = best(board, place_of(cam), pieces, slanting(cam))
     place = board.open_pane(View.MECHANISM, named.key, title)
+    part = Words("摆杆", "arm") if cam.arm else Words("导路", "guide")
     board.step(
         Words(
-            f"比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = {number(degrees(spot.phi))}° 处。作该位置"
-            "的导路、"
-            "瞬心 $P$ 和法线 $BP$，量法线与从动件运动方向的夹角：",
-            f"Compare the stations and try more places near the greatest: it is at $φ$ = {number(degrees(spot.phi))}°. "
-            "Draw the guide there, the instant centre $P$ and the normal $BP$, and read the angle between the normal "
-            "and "
-            "the follower's motion:",
+            f"比较各分点的压力角，在最大值附近加密试作，最大压力角在 $φ$ = {number(degrees(spot.phi))}° 处。作该位置的"
+            f"{part.zh}、瞬心 $P$ 和法线 $BP$，量法线与从动件运动方向的夹角：",
+            "Compare the stations and try more places near the greatest: it is at $φ$ = "
+            f"{number(degrees(spot.phi))}°. Draw the {part.en} there, the instant centre $P$ and the normal $BP$, and "
+            "read the angle between the normal and the follower's motion:",
         ),
         place,
     )

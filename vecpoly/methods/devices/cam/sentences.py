@@ -10,23 +10,21 @@ def opening(cam: Cam) -> Words:
     """What is given is drawn."""
     if cam.arm:
         return Words(
-            "按 $μ_l$ 作基圆（半径 $r_0$）和以 $OA$ 为半径的摆动中心圆；以 $A$ 为圆心、$AB$ 为半径的弧交基圆于 $B_0$，"
-            "量得摆杆的初始角 $ψ_0$。",
+            "按 $μ_l$ 作基圆（半径 $r_0$）和以 $OA$ 为半径的摆动中心圆；以 $A$ 为圆心、$AB$ 为半径的弧交基圆于 "
+            "$B_0$，量得摆杆的初始角 $ψ_0$。",
             "To the scale $μ_l$ draw the base circle of radius $r_0$ and the circle of the pivots through $A$ about "
-            "$O$; "
-            "the arc of radius $AB$ about $A$ meets the base circle in $B_0$, and $ψ_0$ is read there.",
+            "$O$; the arc of radius $AB$ about $A$ meets the base circle in $B_0$, and $ψ_0$ is read there.",
         )
     if cam.follower.flat:
         return Words(
             "按 $μ_l$ 作基圆（半径 $r_0$）；从动件的导路过 $O$，平底与导路垂直，起始时与基圆相切。",
-            "To the scale $μ_l$ draw the base circle of radius $r_0$. The guide passes through $O$; the face, at right "
-            "angles to it, touches the base circle at the start.",
+            "To the scale $μ_l$ draw the base circle of radius $r_0$. The guide passes through $O$; the face, at "
+            "right angles to it, touches the base circle at the start.",
         )
     return Words(
         "按 $μ_l$ 作基圆（半径 $r_0$）和偏距圆（半径 $e$）；导路切偏距圆于 $C_0$，交基圆于 $B_0$，量得 $s_0$。",
         "To the scale $μ_l$ draw the base circle of radius $r_0$ and the offset circle of radius $e$. The guide "
-        "touches "
-        "the offset circle at $C_0$ and meets the base circle in $B_0$; $s_0$ is read there.",
+        "touches the offset circle at $C_0$ and meets the base circle in $B_0$; $s_0$ is read there.",
     )
 
 
@@ -45,8 +43,7 @@ def turning(cam: Cam) -> Words:
         return opened + Words(
             "在各分点以 $AB$ 为半径作弧交基圆，自该处转过位移线图上的 $ψ$ 得 $B_1$、$B_2$…，连成理论廓线。",
             "At each station the arc of radius $AB$ meets the base circle; from there the arm is turned by the $ψ$ "
-            "of the "
-            "diagram. The points $B_1$, $B_2$ ... give the pitch curve.",
+            "of the diagram. The points $B_1$, $B_2$ ... give the pitch curve.",
         )
     if cam.follower.flat:
         return opened + Words(
@@ -57,8 +54,7 @@ def turning(cam: Cam) -> Words:
     return opened + Words(
         "各分点的导路都切于偏距圆；自基圆沿导路向外量位移线图上的 $s$，得 $B_1$、$B_2$…，连成理论廓线。",
         "touching the offset circle at each station. Lay off the $s$ of the diagram outwards from the base circle "
-        "along "
-        "it: the points $B_1$, $B_2$ ... give the pitch curve.",
+        "along it: the points $B_1$, $B_2$ ... give the pitch curve.",
     )
 
 
@@ -67,8 +63,8 @@ def enveloped(cam: Cam) -> Words:
     if cam.follower.flat:
         first = Words("平底各位置的包络线即凸轮廓线。", "The envelope of the face is the profile. ")
         last = Words(
-            "，与平底的交点即切点 $K$。量各切点到 $O$ 的距离：",
-            "; it meets the face where they touch, in $K$. The distances from $O$:",
+            "，与平底的交点即切点 $T$。量各切点到 $O$ 的距离：",
+            "; it meets the face where they touch, in $T$. The distances from $O$:",
         )
     elif cam.follower.roller:
         first = Words(
@@ -76,8 +72,8 @@ def enveloped(cam: Cam) -> Words:
             "Circles of the roller about the points of the pitch curve; their inner envelope is the profile. ",
         )
         last = Words(
-            "，沿法线向内量 $r_r$ 得切点 $K$。量各切点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
-            "; $r_r$ inwards along it leads to the point of contact $K$. The distances of these points from $O$, and "
+            "，沿法线向内量 $r_r$ 得切点 $T$。量各切点到 $O$ 的距离，以及法线与从动件运动方向所夹的压力角：",
+            "; $r_r$ inwards along it leads to the point of contact $T$. The distances of these points from $O$, and "
             "the pressure angles between normal and motion:",
         )
     else:
@@ -93,8 +89,8 @@ def _normal(cam: Cam) -> Words:
     if cam.arm:
         return Words(
             "法线过凸轮与从动件的瞬心 $P$（在 $OA$ 上，按 $OP$∶$PA$ = d$ψ$/d$φ$∶1 分线段 $OA$）",
-            "The normal passes through the instant centre $P$ of cam and follower, which divides $OA$ as $OP$ : $PA$ = "
-            "d$ψ$/d$φ$ : 1",
+            "The normal passes through the instant centre $P$ of cam and follower, which divides $OA$ as $OP$ : $PA$ "
+            "= d$ψ$/d$φ$ : 1",
         )
     return Words(
         "法线过凸轮与从动件的瞬心 $P$（过 $O$ 作导路的垂线，在其上量 $OP$ = d$s$/d$φ$，由位移线图的作图线得出）",

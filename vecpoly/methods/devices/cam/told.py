@@ -21,8 +21,7 @@ _HOW = {
     Law.PARABOLIC: Words(
         "中点处的纵距等分，自顶点向各分点引射线，交各分点的纵线（纵距增量之比为 1∶3∶5…，后半程自终点反向作）",
         "the ordinate in the middle is divided equally and rays are drawn from the vertex to the divisions, to meet "
-        "the "
-        "ordinates of the stations (increments as 1 : 3 : 5 ...; the second half from the other end)",
+        "the ordinates of the stations (increments as 1 : 3 : 5 ...; the second half from the other end)",
     ),
     Law.COSINE: Words(
         "以行程为直径作半圆，按相同的份数等分，由各分点作水平线",

@@ -19,7 +19,7 @@ from .scales import RADII, train_scales
 from .turns import angular_velocities
 
 POINTS = {"1": "A", "H": "O2", "3": "C"}  # the point of the radius whose velocity tells the link's
-READABLE, NOTHING, LONGEST = 0.5, 1e-9, 400.0  # mm: a velocity not between cannot be read; one that is none may be
+READABLE, NOTHING = 0.5, 1e-9  # mm: a velocity shorter than this cannot be read; shorter than that it is none
 
 
 @device_method(
@@ -42,10 +42,10 @@ def _gears(bench: Bench, train: Epicyclic) -> None:
     board.section(Words("轮系简图", "The train"))
     board.step(
         Words(
-            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在竖直半径上；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半径：",
+            "按 $μ_l$ 画出各轮的节圆，行星轮中心 $O_2$ 在 $O$ 的正上方；$A$、$C$ 为行星轮与中心轮 1、3 的节点。节圆半"
+            "径：",
             "To the scale $μ_l$ draw the pitch circles with the centre $O_2$ of a planet straight above $O$; $A$ and "
-            "$C$ "
-            "are the pitch points of the planet with the central gears 1 and 3. The pitch radii:",
+            "$C$ are the pitch points of the planet with the central gears 1 and 3. The pitch radii:",
         ),
         View.MECHANISM,
     )
@@ -73,12 +73,10 @@ def _velocities(bench: Bench, train: Epicyclic) -> dict[str, Points]:
     board.step(
         Words(
             f"以半径为纵坐标、速度为横坐标（逆时针转动的速度向右为正）。由已知的角速度算出 {told}，在各自半径的高度上"
-            "量出；"
-            "中心轮和系杆的速度线都过 $O$。",
-            "Draw the velocities to the right over the radius upwards (right: of a link that turns counter-clockwise). "
-            f"Compute {told.replace('、', ' and ')} from the given angular velocities and lay them off at the "
-            "heights of "
-            "their radii; the lines of central gears and carrier start at $O$.",
+            "量出；中心轮和系杆的速度线都过 $O$。",
+            "Draw the velocities to the right over the radius upwards (right: of a link that turns "
+            f"counter-clockwise). Compute {told.replace('、', ' and ')} from the given angular velocities and lay "
+            "them off at the heights of their radii; the lines of central gears and carrier start at $O$.",
         ),
         RADII,
     )
@@ -103,6 +101,9 @@ def _laid(bench: Bench, train: Epicyclic, key: str, foot: Points) -> Points:
     radius = magnitude(f"r_{{{key}}}", train.radii[key], "m")
     named = Named(f"v_{POINTS[key]}", f"v_{{{POINTS[key]}}}", "m/s")
     speed = bench.worked(named, magnitude(f"ω_{key}", omega.si, "rad/s") * radius)
+    mm = abs(float(nominal(board.to_paper_across(RADII, speed.value))))
+    if NOTHING < mm < READABLE:
+        raise _unreadable(POINTS[key], mm)
     sense = 1 if omega.si >= 0 else -1
     return board.lay_off(foot, sense + 0j, sense * board.to_paper_across(RADII, speed.value), key=named.key)
 
@@ -116,8 +117,7 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
         Words(
             f"行星轮的速度线过两已知点的矢端，它与 ${letter}$ 高度的水平线的交点即 ${letter}$ 的速度的矢端。量得：",
             f"The planet's line passes through the two known tips; where it meets the level of ${letter}$ is the tip "
-            "of "
-            f"the velocity of ${letter}$. It is read as:",
+            f"of the velocity of ${letter}$. It is read as:",
         ),
         RADII,
     )
@@ -126,7 +126,7 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
     ends = sorted((one, other, tip), key=lambda at: float(nominal(at).imag))
     board.join(RADII, ends[0], ends[-1], Role.RESULT)
     mm = abs(float(nominal(tip - foot).real))
-    if NOTHING < mm < READABLE or mm > LONGEST:
+    if NOTHING < mm < READABLE:
         raise _unreadable(point, mm)
     on_paper = board.measure(foot, tip, f"{letter} {letter[0].lower()}{letter[1:]}")
     sign = 1 if float(nominal(tip - foot).real) >= 0 else -1
@@ -138,12 +138,11 @@ def _found(bench: Bench, train: Epicyclic, foot: Points, tips: dict[str, Points]
 
 
 def _unreadable(point: str, mm: float) -> NotAskedError:
-    span = f"{READABLE:g} … {LONGEST:g} mm"
     return NotAskedError(
         Words(
-            f"v_{point} 在图上为 {mm:.2g} mm，能量取的为 {span}：各速度线几乎重合，传动比太大，图解没有意义；请用 "
+            f"v_{point} 在图上只有 {mm:.2g} mm，不足 {READABLE:g} mm：各速度线几乎重合，传动比太大，无法量取；请用 "
             "vecpoly exact，或减小传动比",
-            f"v_{point} would measure {mm:.2g} mm on paper, and {span} can be read: the lines nearly coincide, the "
+            f"v_{point} would measure {mm:.2g} mm on paper, less than {READABLE:g} mm: the lines nearly coincide, the "
             "ratio is too large to be measured; use 'vecpoly exact', or a smaller ratio",
         ),
         code="unreadable",

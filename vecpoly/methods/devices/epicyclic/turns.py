@@ -23,12 +23,10 @@ def angular_velocities(bench: Bench, train: Epicyclic, tips: Mapping[str, Points
     board.step(
         Words(
             "在水平线下方取极点 $Π$，极距 $ΠF$ = $μ_v$/($μ_l$ $μ_ω$)；过 $Π$ 作各构件速度线的平行线，在水平线上截得各"
-            "角速度"
-            "（$F$ 以右为逆时针）：",
+            "角速度（$F$ 以右为逆时针）：",
             "Below a level line take the pole $Π$ at the distance $ΠF$ = $μ_v$/($μ_l$ $μ_ω$). Rays through $Π$ "
-            "parallel to "
-            "the lines of the links cut off their angular velocities on the level, to the right of $F$ those "
-            "counter-clockwise:",
+            "parallel to the lines of the links cut off their angular velocities on the level, to the right of $F$ "
+            "those counter-clockwise:",
         ),
         TURNS,
     )

@@ -20,7 +20,7 @@ from ..cam.scales import fitting
 from ..registry import device_method
 from .places import draw_places, draw_tooth
 from .rack import VIEW, Rack, contact, place_rack
-from .start import crossing
+from .start import crossing, cuts_in
 
 TALL, WIDE, PITCHES = 130.0, 158.0, 1.25  # mm: the tip radius, the figure; of the circles to either side
 DEGREE = Quantity(Txt("57.30°"), degrees(1.0), "")
@@ -90,13 +90,10 @@ def _rack(bench: Bench, gear: GearGeneration, mm: float) -> Rack:
     board.step(
         Words(
             "节点 $P$ 在 $O$ 的正上方，齿条的中线离 $P$ 为 $x$$m$。过 $P$ 作啮合线，与齿条节线成 $α$ 角；由 $O$ 作其"
-            "垂线，"
-            "垂足 $N$ 为啮合线与基圆的切点，量得基圆半径：",
+            "垂线，垂足 $N$ 为啮合线与基圆的切点，量得基圆半径：",
             "The pitch point $P$ lies straight above $O$, the rack's middle line $x$$m$ from it. The line of action "
-            "passes "
-            "through $P$ at the angle $α$ to the rolling line; the perpendicular from $O$ meets it in $N$, where it "
-            "touches "
-            "the base circle, whose radius is read:",
+            "passes through $P$ at the angle $α$ to the rolling line; the perpendicular from $O$ meets it in $N$, "
+            "where it touches the base circle, whose radius is read:",
         ),
         VIEW,
     )
@@ -178,14 +175,13 @@ def _thickness(bench: Bench, rack: Rack) -> Quantity:
 def _start(bench: Bench, rack: Rack) -> float:
     """r_s: the corner on the line of action, or where its path crosses the involute. Gives how far that is from OP."""
     board, gear = bench.board, rack.gear
-    cut = gear.x < gear.limit
+    cut = cuts_in(board, gear, rack.mm)
     aside = crossing(board, gear, rack.mm) if cut else (rack.r - rack.tip) / tan(gear.alpha.si)
     board.step(
         Words(
             "齿条角点的轨迹（延伸渐开线）经试作与渐开线交于 $S$，其下的渐开线已被切去。量 $S$ 到 $O$ 的距离：",
             "By trial the path of the rack's corner (a trochoid) crosses the involute in $S$; the involute below it "
-            "is cut "
-            "off. The distance of $S$ from $O$:",
+            "is cut off. The distance of $S$ from $O$:",
         )
         if cut
         else Words(
@@ -215,8 +211,8 @@ def _tip(bench: Bench, rack: Rack, radii: tuple[float, float], thick: Quantity, 
             "啮合线与齿顶圆交于 $K$，齿廓上的齿顶点在此啮合；自 $P$ 点啮合以来齿轮转过 $PK$/$r_b$，故齿顶半角为 "
             "$s$/2$r$ + $∠POK$ − $PK$/$r_b$：",
             "The line of action meets the tip circle in $K$, where the end of the flank is in contact; since the "
-            "contact in "
-            "$P$ the gear has turned by $PK$/$r_b$, so half the angle of the tip is $s$/2$r$ + $∠POK$ − $PK$/$r_b$:",
+            "contact in $P$ the gear has turned by $PK$/$r_b$, so half the angle of the tip is $s$/2$r$ + $∠POK$ − "
+            "$PK$/$r_b$:",
         ),
         VIEW,
     )

@@ -15,6 +15,12 @@ from .rack import contact, corner_at, half_thickness, on_gear, place_rack
 TRIED, CLOSER, OVER = 41, 9, 1e-9  # places in a row, how often closer; of the range: above the base circle
 
 
+def cuts_in(board: Board, gear: GearGeneration, mm: float) -> bool:
+    """Whether the rack's corner reaches below N."""
+    rack = place_rack(_scratch(board), gear, mm)
+    return rack.tip < complex(nominal(rack.foot)).imag
+
+
 def crossing(board: Board, gear: GearGeneration, mm: float) -> float:
     """How far the corner stands beside OP (mm) where its path crosses the involute: by trial on scratch paper."""
     rack = place_rack(_scratch(board), gear, mm)

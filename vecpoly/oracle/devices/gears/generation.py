@@ -20,7 +20,7 @@ def generation(device: GearGeneration) -> Values:
     m, z, alpha, ha = device.m.si, device.z, device.alpha.si, device.ha.si
     r = m * z / 2
     rb, ra, rf = r * cos(alpha), r + (ha + device.x) * m, r - (ha + device.c.si - device.x) * m
-    limit = ha - z * sin(alpha) ** 2 / 2
+    limit = _limit(device)
     thick = m * (pi / 2 + 2 * device.x * tan(alpha))
     tip = ra * (thick / r + 2 * (_involute(alpha) - _involute(acos(rb / ra))))
     lengths = {"r": r, "rb": rb, "ra": ra, "rf": rf, "s": thick, "s_tip": tip, "r_start": _start(device, r, rb)}
@@ -32,11 +32,16 @@ def _involute(angle: float) -> float:
     return tan(angle) - angle
 
 
+def _limit(device: GearGeneration) -> float:
+    """x_min."""
+    return device.ha.si - device.z * sin(device.alpha.si) ** 2 / 2
+
+
 def _start(device: GearGeneration, r: float, rb: float) -> float:
     """Where the trochoid of the rack's corner meets the involute; without undercut where it touches it."""
     m, alpha = device.m.si, device.alpha.si
     depth = (device.ha.si - device.x) * m  # of the corner below the rolling line
-    if device.x >= device.limit:
+    if device.x >= _limit(device):
         return hypot(r - depth, depth / tan(alpha))
     turned = np.linspace(0.0, depth / tan(alpha) / r, GRID)  # from the corner on the line of centres outwards
     for _ in range(ZOOMS):
