@@ -9,7 +9,7 @@ from .board.hand import hand
 from .board.otherwise.amended import AS_DRAWN
 from .board.otherwise.slip import Mistake, Slip
 from .board.otherwise.wrongly import before
-from .board.place import view_of
+from .board.place import View, view_of
 from .problem.problem import Problem
 from .solution import constructed
 
@@ -32,7 +32,7 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
     """The mistakes that can be made with one act."""
     match act:
         case LayOff(mm=mm) if act.key and mm > NOTHING:
-            first = act.head.place is None or before(act.head.place) is view_of(act.head.place)
+            first = act.head.place is None or before(act.head.place, _drawn(acts)) is view_of(act.head.place)
             yield from (Slip(m, _name(act, acts)) for m in KNOWN if not (first and m is Mistake.SCALED))
         case Transfer(by=by) if act.key and abs(by) > NOTHING:
             yield from (Slip(mistake, _name(act, acts)) for mistake in KNOWN)
@@ -51,6 +51,11 @@ def _of(act: Act, acts: Sequence[Act]) -> Iterator[Slip]:
             yield Slip(Mistake.OTHER_TANGENT, act.key)
         case _:
             return
+
+
+def _drawn(acts: Sequence[Act]) -> set[View]:
+    """The kinds of figure on which there are acts."""
+    return {view_of(act.head.place) for act in acts if act.head.place is not None}
 
 
 def _on_line(act: Parallel, acts: Sequence[Act]) -> list[Locate]:

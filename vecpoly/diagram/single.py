@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from ..board.paper.marks import (
     Arc,
+    Block,
     Cell,
     Disc,
     Dot,
@@ -56,6 +57,11 @@ def pivot(at: Points, letter: str = "", down: complex = -1j) -> Symbol:
 def rail(a: Points, b: Points) -> Symbol:
     """A fixed guide; its hatching lies to the right of a → b."""
     return Symbol.of(FIXED, (FixedGuide(a=spot(a), b=spot(b)),))
+
+
+def block(owner: str, at: Points, along: complex) -> Symbol:
+    """A block on its guide."""
+    return Symbol.of(owner, (Block(at=spot(at), along=along),))
 
 
 def number(name: str, at: Points, to: Points | None = None, *, owner: str = "") -> Symbol:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from ...board.paper.marks import Block, Dot, FixedGuide, Ground, Role
+from ...board.paper.marks import Dot, Role
 from ...board.strokes import spot
 from ...designs.verdict import Verdict
+from ...diagram.single import block, rail
+from ...diagram.single import pivot as ground
 from ...plane import Points
 from ...words import Words
 from .draft import SHEET, Draft
@@ -38,7 +40,7 @@ def pin(draft: Draft, letter: str, at: Points, dot: Dot = Dot.JOINT) -> Points:
 def pivot(draft: Draft, letter: str, at: Points) -> Points:
     """A pin on the frame gets its letter and its ground."""
     at = pin(draft, letter, at)
-    draft.board.mark(SHEET, Ground(at=spot(at), down=-1j), owner="frame")
+    draft.board.depict(SHEET, ground(at))
     return at
 
 
@@ -46,9 +48,8 @@ def slider(draft: Draft, places: tuple[Points, ...], along: complex) -> None:
     """The block of a slider in its first position, and the guide on which it comes through all of them."""
     travels = [(along.conjugate() * (spot(at) - spot(places[0]))).real for at in places]
     low = spot(places[0]) - 1j * along * HALF_BLOCK
-    guide = FixedGuide(a=low + along * (min(travels) - BEYOND), b=low + along * (max(travels) + BEYOND))
-    draft.board.mark(SHEET, Block(at=spot(places[0]), along=along), owner="block")
-    draft.board.mark(SHEET, guide, owner="frame")
+    guide = rail(low + along * (min(travels) - BEYOND), low + along * (max(travels) + BEYOND))
+    draft.board.depict(SHEET, block("slider", places[0], along), guide)
 
 
 def point(draft: Draft, letter: str, at: Points) -> Points:
