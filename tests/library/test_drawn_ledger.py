@@ -11,10 +11,12 @@ import vecpoly
 from tests.drawn_library import desk_of, ids
 from vecpoly.board.acts import Act, Arrow, Compute, LayOff, Locate
 from vecpoly.board.board import Scratch
-from vecpoly.board.construction import View
+from vecpoly.board.construction import Scale, View
+from vecpoly.board.hand import hand
 from vecpoly.board.paper.marks import Role
 from vecpoly.names import At, Kind, Rel
 from vecpoly.plane import nominal
+from vecpoly.words import Words
 
 METHODS = Path(vecpoly.__file__).parent / "methods"
 IDS = tuple(name for name in ids() if not isinstance(desk_of(name).board, Scratch))
@@ -57,17 +59,37 @@ def test_what_is_not_read_again_was_computed_or_given_and_laid_off(name: str) ->
         if key in sizes and place is not None:
             size = board.ledger.laid_off(place, key)
             assert size is not None and float(nominal(size.value)) == pytest.approx(sizes[key])
-    assert board.ledger.laid == laid
+    assert set(board.ledger.laid) == laid
 
 
 def test_scratch_paper_sees_the_sheet_and_leaves_it_alone() -> None:
     board = desk_of("3-12").board
     before = dict(board.ledger.spots)
     over = board.scratch()
-    assert over.ledger.spot(View.VELOCITY, "b") is not None
+    assert (View.VELOCITY, "b") in over.ledger.spots
     over.locate(View.VELOCITY, "b", 1 + 1j)
     over.arrow(View.VELOCITY, 0j, 1 + 1j, Role.GIVEN, key="v_X")
     assert board.ledger.spots == before and board.ledger.vector(View.VELOCITY, "v_X") is None
+
+
+def test_points_with_one_letter_are_kept_apart() -> None:
+    """k′ is the point of K, and the end of a Coriolis acceleration."""
+    board, k = Scratch(hand("exact"), {View.ACCELERATION: Scale.of(View.ACCELERATION, 1.0)}), At("K")
+    board.locate(View.ACCELERATION, "k^′", 3 + 4j, k)
+    board.locate(View.ACCELERATION, "k^′", 1j)
+    assert board.ledger.points[View.ACCELERATION, k] == 3 + 4j
+    assert board.ledger.spots[View.ACCELERATION, "k'"] == 1j
+
+
+def test_a_size_is_that_with_which_the_vector_was_laid_off() -> None:
+    board = Scratch(hand("exact"), {View.VELOCITY: Scale.of(View.VELOCITY, 1.0)})
+    board.step(Words.same(""), View.VELOCITY)
+    board.given_size("v_{B}", 2.0, "m/s")
+    board.lay_off(0j, 1 + 0j, 2.0, key="v_B")
+    board.given_size("v_{B}", 5.0, "m/s")
+    size = board.ledger.laid_off(View.VELOCITY, "v_B")
+    assert size is not None and size.value == 2.0
+    assert board.ledger.laid_off(View.VELOCITY, "v_C") is None
 
 
 def test_a_vector_that_was_never_drawn_is_nowhere() -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
+from ..names import At
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar, unit
 from ..plane.geometry import dot, inclined
 from ..plane.traced import acts_of, traced
@@ -39,15 +40,21 @@ class Instruments(Strokes):
         self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
         self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
 
-    def locate(self, view: Place, letter: str, at: Points) -> Points:
-        """From now on the point has this letter; goes on with a point of somebody's own where there is one."""
+    def locate(self, view: Place, letter: str, at: Points, of: At | None = None) -> Points:
+        """From now on the point has this letter; goes on with a point of somebody's own where there is one.
+
+        of: the point of the mechanism that it stands for on a polygon.
+        """
         key = plain_letters(letter)
         other = next((self._others[n] for n in acts_of(at) if n in self._others), at)
         swapped = (hand for hand, slip in self.amended.wrong(view, key) if slip.mistake is Mistake.OTHER_MEETING)
         at = self.amended.altered(at, ((hand, other) for hand in swapped))
         at = self.amended.point(view, letter, at)
-        found = self.gave(at, done.Locate(head=self.head(at, on=view, key=key), at=spot(at)))
+        head = self.head(at, on=view, key=key, owner="" if of is None else f"point {of}")
+        found = self.gave(at, done.Locate(head=head, at=spot(at)))
         self.ledger.spots[view, key] = found
+        if of is not None:
+            self.ledger.points[view, of] = found
         return found
 
     def turn(self, along: Points) -> Points:
@@ -74,7 +81,7 @@ class Instruments(Strokes):
     def lay_off(self, start: Points, along: Points, mm: Reals, *, key: str = "") -> Points:
         """Lay off a length from a point in a direction carried by set square."""
         along = self._wrongly(self.here, key, along)
-        self.ledger.laid.add((self.here, key))
+        self.ledger.laid[self.here, key] = self.ledger.sizes.get(key)
         at = start + self.hand.tilt(along) * self.hand.carry(mm)
         act = done.LayOff(head=self.head(start, along, mm, key=key), start=spot(start), at=spot(at), mm=amount(mm))
         return traced(at, self.log(act))

@@ -41,7 +41,6 @@ class Desk(Diagram):
 
     # letter under which links slide over each other → the block
     coincident: Mapping[str, str] = field(default_factory=dict)
-    lettered: dict[tuple[View, At], str] = field(default_factory=dict)  # points with a tip on a polygon → its letter
     turns: dict[Rel, Turn] = field(default_factory=dict)
     lengths: dict[frozenset[str], Quantity] = field(default_factory=dict)
     known_as: dict[tuple[View, At], tuple[Words, str]] = field(default_factory=dict)  # direction and magnitude in words
@@ -107,29 +106,23 @@ class Desk(Diagram):
     def put_tip(self, view: View, at: At, tip: Points) -> Points:
         """A point's vector ends here on its polygon, at the point's letter."""
         own = self.canonical(at)
-        self.lettered[view, own] = self.tip_label(view, own)
-        return self.board.locate(view, self.lettered[view, own], tip)
+        return self.board.locate(view, self.tip_label(view, own), tip, own)
 
     def reach_tip(self, view: View, at: At, tip: Points) -> Points:
-        """The same of a polygon that was closed there, and lettered the point if that was new."""
-        own = self.canonical(at)
-        if self.board.ledger.spot(view, self.tip_label(view, own)) is None:
-            return self.put_tip(view, own, tip)
-        self.lettered[view, own] = self.tip_label(view, own)
-        return self.tip(view, own)
+        """The same of a polygon that was closed there, where the point was not located by closing it."""
+        known = self.board.ledger.points.get((view, self.canonical(at)))
+        return tip if known is tip else self.put_tip(view, at, tip)
 
     def tip(self, view: View, at: At) -> Points:
         """End of a point's vector on a polygon; points of the frame are at the pole."""
         at = self.canonical(at)
         if self.at_rest(view, at):
             return 0j
-        found = self.board.ledger.spot(view, self.lettered[view, at])
-        assert found is not None
-        return found
+        return self.board.ledger.points[view, at]
 
     def tips(self, view: View) -> tuple[At, ...]:
         """The points whose vectors are drawn on a polygon, in order."""
-        return tuple(at for place, at in self.lettered if place is view)
+        return tuple(at for place, at in self.board.ledger.points if place is view)
 
     def stands(self, rel: Rel) -> Stood | None:
         """Where a vector stands on its polygon, if it was drawn: the last time, where it was drawn again."""
@@ -156,7 +149,7 @@ class Desk(Diagram):
 
     def is_tip(self, view: View, at: At) -> bool:
         """Whether the point itself has a tip on the polygon."""
-        return (view, at) in self.lettered
+        return (view, at) in self.board.ledger.points
 
     def length(self, p: str, q: str) -> Quantity:
         """l_PQ: given by the problem where one link carries both points; else measured once on the diagram, × μ_l."""

@@ -13,7 +13,7 @@ from ..board.paper.marks import Role
 from ..board.place import Place
 from ..errors import DeadPointError, EquilibriumError, bilingual
 from ..foundation.slotted import dataclass
-from ..names import Kind, Named, Rel
+from ..names import At, Kind, Named, Rel
 from ..plane import Line, Points, nominal, unit
 from ..words import Words
 from .equation import Equation, Term
@@ -41,20 +41,22 @@ def close(
     choose: Choice | None = None,
     *,
     to: str = "",
+    of: At | None = None,
     corner: str = "",
 ) -> Closed:
     """Draw the equation as a polygon from the pole (without a right side:
     back to it) and give the ends of all its vectors.
 
     choose: which of two arc meetings is meant (cases with an unknown direction).
-    to: the letter of the point where the chains meet; corner: of the one between two unknown vectors of one side.
+    to: the letter of the point where the chains meet; of: the point of the mechanism for which it stands;
+    corner: the letter of the point between two unknown vectors of one side.
     """
     ends: Ends = {}
     left, open_left = _known_chain(board, view, pole, eq.left, ends)
     right, open_right = _known_chain(board, view, pole, eq.right, ends)
     unknown = [(t, True) for t in open_left] + [(t, False) for t in open_right]
     if len(unknown) == 1:
-        return _closing_side(board, view, left, right, unknown[0], ends, to)
+        return _closing_side(board, view, left, right, unknown[0], ends, to, of)
     (one, on_left), (two, also_left) = unknown
     if on_left == also_left:  # both at the end of one side: walk to the other side's end
         start, end = (left, right) if on_left else (right, left)
@@ -66,7 +68,7 @@ def close(
     else:
         at = _corner(board, view, (one, left), (two, right), str(eq), choose)
         if to:
-            at = board.locate(view, to, at)
+            at = board.locate(view, to, at, of)
         ends[one.rel.key], ends[two.rel.key] = (left, at), (right, at)
         meeting = at
     for term, _ in unknown:
@@ -128,12 +130,20 @@ def _gone_along(board: Board, view: Place, here: Points, vector: Points, term: T
 
 
 def _closing_side(
-    board: Board, view: Place, left: Points, right: Points, unknown: tuple[Term, bool], ends: Ends, to: str
+    board: Board,
+    view: Place,
+    left: Points,
+    right: Points,
+    unknown: tuple[Term, bool],
+    ends: Ends,
+    to: str,
+    of: At | None,
 ) -> Closed:
     """One vector unknown altogether: it joins the ends of the two chains."""
     term, on_left = unknown
     if to:
-        left, right = (left, board.locate(view, to, right)) if on_left else (board.locate(view, to, left), right)
+        end = board.locate(view, to, right if on_left else left, of)
+        left, right = (left, end) if on_left else (end, right)
     ends[term.rel.key] = (left, right) if on_left else (right, left)
     _arrow(board, view, term, ends, Role.RESULT)
     return Closed(ends, right if on_left else left)

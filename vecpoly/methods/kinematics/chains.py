@@ -53,7 +53,7 @@ def solve(desk: Desk, view: View, eq: Equation, to: At) -> Closed:
     """Write the equation into the step, draw it, letter the meeting point, keep the ends of all its vectors."""
     board = desk.board
     board.equate(eq.table())
-    closed = close(board, view, 0j, eq, to=desk.tip_label(view, to))
+    closed = close(board, view, 0j, eq, to=desk.tip_label(view, to), of=desk.canonical(to))
     write_lengths(desk, view, eq)
     desk.reach_tip(view, to, closed.meeting)
     board.plot(view, closed.meeting, desk.tip_label(view, to))

@@ -144,7 +144,7 @@ def _by_turning(desk: Desk, view: View, link: str, at: At, held: At) -> None:
     eq = Equation(left=(left,), right=terms)
     if len(terms) > 1:
         board.equate(eq.table())
-    closed = close(board, view, 0j, eq, to=label)
+    closed = close(board, view, 0j, eq, to=label, of=desk.canonical(at))
     write_lengths(desk, view, eq)
     desk.reach_tip(view, at, closed.meeting)
     board.plot(view, closed.meeting, label)

@@ -118,7 +118,7 @@ def pitch_acceleration(desk: Desk, joint: Rolling, link: str) -> None:
             left=(Term(rel=rel, symbol=desk.symbol(rel), direction=UNKNOWN, magnitude="?"),), right=(*base, term)
         )
         board.equate(eq.table())
-        closed = close(board, view, 0j, eq, to=desk.tip_label(view, own))
+        closed = close(board, view, 0j, eq, to=desk.tip_label(view, own), of=own)
         write_lengths(desk, view, eq)
         tip = desk.reach_tip(view, own, closed.meeting)
     else:
