@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import re
 import time
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import suppress
 
 from tests.grader_proof.judge import Tally, Trial
 from tests.grader_proof.students import drawn_class
@@ -28,6 +31,7 @@ PROBLEMS = (
     "tipper",
     "5-2",
 )
+_SIZE = re.compile(r"(-?[\d.]+) (mm|N|deg)")
 BARS = {
     "pencil: whole sheets accepted": (">=", 0.95), "pencil: quantities accepted": (">=", 0.99),
     "pencil: accused of a slip": ("<=", 0.01),
@@ -38,17 +42,22 @@ BARS = {
 
 
 def others(problem: Problem) -> list[Problem]:
-    """The problem with other values, as another student has it."""
+    """The problem with other values, as other students have it: other places of the drive, and one other length or
+    force each."""
     found: list[Problem] = []
-    for changes in ({"phi": 12.0}, {"phi": -9.0}):
-        try:
-            text = problem.parameters.get("phi", "")
-            if text:
-                degrees = float(text.split()[0])
-                found.append(problem.vary(phi=f"{degrees + changes['phi']:g} deg"))
-        except (VecpolyError, ValueError):
-            continue
+    for name, text in _changes(problem):
+        with suppress(VecpolyError, ValueError):
+            found.append(problem.vary(**{name: text}))
     return found
+
+
+def _changes(problem: Problem) -> Iterator[tuple[str, str]]:
+    phi = _SIZE.fullmatch(problem.parameters.get("phi", ""))
+    if phi:
+        yield from (("phi", f"{float(phi[1]) + change:g} deg") for change in (12.0, -9.0, 24.0))
+    sizes = ((name, _SIZE.fullmatch(text)) for name, text in problem.parameters.items() if name.isidentifier())
+    known = [(name, size) for name, size in sizes if size and size[2] in ("mm", "N") and float(size[1])]
+    yield from ((name, f"{1.25 * float(size[1]):g} {size[2]}") for name, size in known[:6])
 
 
 def prove(name: str, count: int, seed: int = 1) -> tuple[Tally, Counter[str]]:
