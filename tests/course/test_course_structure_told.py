@@ -20,6 +20,7 @@ from vecpoly.report.course.numbering import Press
 from vecpoly.report.course.structure.special_joints import concluded, special
 from vecpoly.report.course.symbols import symbols
 from vecpoly.report.flow.table import DataTable
+from vecpoly.report.structure import kind_of
 
 CLASSES = {"II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ"}
 NAMES = ("A-27", "B-24", "3-9", "3-5", "slider-crank-dynamic")
@@ -80,6 +81,9 @@ def test_the_conclusion_names_every_group_with_its_links_and_the_highest_class(n
     groups, words = decompose(it.mech), concluded(it)
     for group in groups:
         links = [it.name(link) for link in group.links]
+        if group.dyad or group.ram or group.kind == "driven":
+            kind = kind_of(group)
+            assert f"{kind.zh}（构件" in words.zh and f"{kind.en} (" in words.en
         assert f"（构件 {'、'.join(links)}）" in words.zh and f"({', '.join(links)})" in words.en
     kinds = {group.kind for group in groups}
     if all(group.dyad or group.ram or group.kind.startswith("class") for group in groups) and "driven" not in kinds:
