@@ -11,7 +11,9 @@ import numpy as np
 from ....algebra.quantity import Expr, Quantity, Sum, magnitude
 from ....board.board import NO_LENGTH
 from ....board.construction import Pane, Place, View
+from ....errors import EquilibriumError
 from ....plane import Line, Points, Reals, cross, foot, nominal
+from ....words import Words
 from ..acting import Acting, summed
 from ..couples import couples_on
 from ..groups.body import draw_arm
@@ -76,7 +78,16 @@ def _of_forces(st: Statics, pane: Place | None, link: str, about: Points) -> Ite
             continue
         if pane is not None:
             draw_arm(st, pane, about, end, force, arm_about_point(force.named.symbol))
-        yield size_of(st, force) * st.board.mu(View.MECHANISM) * arm, np.sign(cross(end - about, force.vector))
+        sense = np.sign(cross(end - about, force.vector))
+        if np.isnan(nominal(sense)):
+            raise EquilibriumError(
+                Words(
+                    f"{force.named.key} 在图上没有确定的作用线：最大尺寸远大于其余构件，机构在图上过小；请检查各长度",
+                    f"{force.named.key} has no definite line on paper: one dimension dwarfs all others, and the rest "
+                    "of the mechanism is too small to be drawn; check the lengths",
+                )
+            )
+        yield size_of(st, force) * st.board.mu(View.MECHANISM) * arm, sense
 
 
 def _of_couples(st: Statics, link: str) -> Iterator[tuple[Expr, Reals]]:
