@@ -93,3 +93,27 @@ def test_mirrored_limit_lines_give_the_same_lengths(first: float, second: float,
     assert len(here) == len(there)
     for mine, its in zip(here, there, strict=True):
         assert mine == pytest.approx(its, rel=1e-6)
+
+
+@given(k=ratios, swing=swings)
+def test_no_other_crank_on_the_circles_transmits_better_than_the_best(k: float, swing: float) -> None:
+    theta, chord = pi * (k - 1) / (k + 1), 200 * sin(radians(swing) / 2)
+    found = solutions(posed("crank-rocker", K=f"{k}", CD="100 mm", swing=f"{swing} deg", best="gamma_min"))
+    best = max((one["gamma_min"] for one in found), default=0.0)
+    a = np.linspace(0, chord / 2, 402)[1:-1]
+    b = np.sqrt((chord**2 - 2 * a**2 * (1 + cos(theta))) / (2 * (1 - cos(theta))))
+    for side in (-1, 1):
+        x = -2 * a * b / chord
+        y = 100 * cos(radians(swing) / 2) + side * np.sqrt(np.maximum((b - a) ** 2 - (x + chord / 2) ** 2, 0))
+        d = np.hypot(x, y)
+        usable = (y * chord / 2 - x * 100 * cos(radians(swing) / 2) > 0) == (
+            -y * chord / 2 - x * 100 * cos(radians(swing) / 2) > 0
+        )
+        gamma = np.min([_acute((b**2 + 100**2 - (d + way * a) ** 2) / (200 * b)) for way in (-1, 1)], axis=0)
+        assert not found or np.max(gamma[usable], initial=0.0) <= best + 1e-6
+
+
+def _acute(cosine: Angles) -> Angles:
+    """The angle, or its supplement, in degrees."""
+    angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+    return np.asarray(np.minimum(angle, 180 - angle))

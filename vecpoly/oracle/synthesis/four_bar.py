@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
-from math import acos, degrees, pi
+from math import acos, degrees, inf, pi
 
 from ...designs.verdict import Verdict
 from .registry import Linkage
@@ -16,9 +16,13 @@ def least_angle(a: float, b: float, c: float, d: float) -> float:
 
     cos μ = (b² + c² − (d ∓ a)²) / (2 b c), γ = min(μ, π − μ).
     """
-    cosines = ((b * b + c * c - side * side) / (2 * b * c) for side in (d - a, d + a))
-    angles = [acos(max(-1.0, min(1.0, cosine))) for cosine in cosines]
-    return min(min(angle, pi - angle) for angle in angles)
+    return min(extreme_angles(a, b, c, d))
+
+
+def extreme_angles(a: float, b: float, c: float, d: float) -> tuple[float, float]:
+    """γ (rad) with the crank on the line of the frame: along it, and the other way."""
+    near, far = (acos(max(-1.0, min(1.0, (b * b + c * c - side * side) / (2 * b * c)))) for side in (d - a, d + a))
+    return min(near, pi - near), min(far, pi - far)
 
 
 def found(a_pin: complex, d_pin: complex, c1: complex, c2: complex, verdict: Verdict | None = None) -> Linkage:
@@ -35,7 +39,7 @@ def found(a_pin: complex, d_pin: complex, c1: complex, c2: complex, verdict: Ver
         "AD": 1e3 * d,
         "psi": degrees(abs(phase((c2 - d_pin) / (c1 - d_pin)))),
         "gamma_min": degrees(least_angle(a, b, c, d)),
-        "K": (pi + seen) / (pi - seen),
+        "K": (pi + seen) / (pi - seen) if seen < pi else inf,
     }
     pins = {"A": a_pin, "D": d_pin, "C1": c1, "C2": c2}
     return Linkage(values=values, pins=pins, verdict=verdict, order=(a, b, d, a_pin.real))

@@ -79,9 +79,9 @@ def _meetings(draft: Draft, ray: Line, pins: tuple[Points, Points, Points], radi
         )
         board.rule(SHEET, ray, a + ray.along * np.abs(c1 - a))
         return
-    for c2 in board.arc_on_line(ray, d, radius, Words("求 $C_2$", "finding $C_2$")):
-        if level and abs(complex(nominal(c2 - c1))) < 1e-6:
-            continue
+    ends = board.arc_on_line(ray, d, radius, Words("求 $C_2$", "finding $C_2$"))
+    away = max(ends, key=lambda at: abs(complex(nominal(at - c1))))
+    for c2 in (away,) if level else ends:  # the ray at θ = 0 goes through C₁ itself
         letter = draft.letter("C2")
         c2 = pin(draft, letter, c2)
         board.rule(SHEET, ray, c2)

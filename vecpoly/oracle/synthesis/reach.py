@@ -1,0 +1,112 @@
+"""What data no crank-rocker fits, and the range in which there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from math import asin, cos, degrees, sin
+
+import numpy as np
+
+from ...designs.crank_rocker import CrankRocker
+from ...designs.verdict import Verdict
+from ...errors import AssemblyError
+from ...words import Words
+from .chord import SIDES, Chord
+from .registry import Linkage
+
+NEAR_END = 1e-7  # of a range that is open
+
+
+def out_of_reach(design: CrankRocker) -> AssemblyError:
+    """No meeting: the range in which there is a linkage, on either side of the chord."""
+    if design.swing is None:
+        return _no_limit(design)
+    if design.best is not None:
+        return AssemblyError(
+            Words(
+                "γ_min 随 l_AB 减小而一直增大，没有最大值；请给定 AB 或 gamma_min",
+                "γ_min grows as the crank gets shorter and has no greatest value; give AB, or gamma_min",
+            ),
+            code="no-solution",
+        )
+    name, given, unit, of = _datum(design)
+    sides = SIDES if design.theta else SIDES[:1]
+    ranges = [(low, high) for side in sides for low, high in _range(Chord(design), side, of)]
+    if not ranges:
+        return AssemblyError(
+            Words(
+                f"按此 K 和摆角没有曲柄摇杆机构：θ = {degrees(design.theta):.4g}° 过大；请减小 K",
+                f"there is no crank-rocker with this K and swing: θ = {degrees(design.theta):.4g} deg is too large; "
+                f"lower K",
+            ),
+            code="no-solution",
+        )
+    zh = " 或 ".join(f"{low:.4g} 至 {high:.4g} {unit}" for low, high in ranges)
+    en = " or ".join(f"{low:.4g} to {high:.4g} {unit}" for low, high in ranges)
+    return AssemblyError(
+        Words(
+            f"{name} = {given}：与 K、摇杆长和摆角所定的圆没有可用的交点（无交点，或 A 在禁用弧上）；{name} 的允许范围"
+            f"是 {zh}",
+            f"{name} = {given} has no use on the circles that K, the rocker and its swing determine (no meeting, or A "
+            f"on "
+            f"the forbidden arc); admissible is {name} from {en}",
+        ),
+        code="no-solution",
+        numbers={"low": ranges[0][0], "high": ranges[-1][1]},
+    )
+
+
+def _datum(design: CrankRocker) -> tuple[str, str, str, Callable[[Linkage], float]]:
+    """What is given beside K and the rocker: name, as written, unit, and what it is of a linkage."""
+    if design.A is not None:
+        of_x = design.A.along == 1j
+        return "A", design.A.text, "mm", lambda one: 1e3 * (one.pins["A"].real if of_x else one.pins["A"].imag)
+    for name in ("AB", "BC", "AD"):
+        if (length := getattr(design, name)) is not None:
+            return name, length.text, "mm", lambda one, key=name: one.values[key]
+    text = design.gamma_min.text if design.gamma_min is not None else ""
+    return "gamma_min", text, "deg", lambda one: one.values["gamma_min"]
+
+
+def _range(chord: Chord, side: int, of: Callable[[Linkage], float]) -> Iterator[tuple[float, float]]:
+    """The least and the greatest of a number over the linkages with A on one side of the chord."""
+
+    def valid(t: float) -> bool:
+        return chord.tried(t, side).verdict is Verdict.VALID
+
+    places = [NEAR_END, *(float(t) for t in np.linspace(0, 1, 402)[1:-1]), 1 - NEAR_END]
+    edges = [_edge(valid, one, other) for one, other in pairwise(places) if valid(one) != valid(other)]
+    if values := [of(chord.tried(t, side)) for t in (*places, *edges) if valid(t)]:
+        yield min(values), max(values)
+
+
+def _edge(valid: Callable[[float], bool], one: float, other: float) -> float:
+    """The last place that is valid, between one that is and one that is not."""
+    good, bad = (one, other) if valid(one) else (other, one)
+    for _ in range(50):
+        middle = (good + bad) / 2
+        good, bad = (middle, bad) if valid(middle) else (good, middle)
+    return good
+
+
+def _no_limit(design: CrankRocker) -> AssemblyError:
+    assert design.AD is not None and design.ADC is not None
+    d, c = design.AD.si, design.CD.si
+    c1 = d - c * complex(cos(design.ADC.si), -sin(design.ADC.si))
+    gap = min(d * abs((c1 / abs(c1) * complex(cos(turn), sin(turn))).imag) for turn in (-design.theta, design.theta))
+    least = abs(c1.imag) / abs(c1)
+    most = degrees(asin(min(1.0, least)) + asin(min(1.0, c / d)))
+    return AssemblyError(
+        Words(
+            f"过 A 与 AC₁ 成 θ = {degrees(design.theta):.4g}° 的射线距 D {1e3 * gap:.4g} mm，大于摇杆长 "
+            f"{design.CD.text}，"
+            f"没有另一极限位置；θ 不得大于 {most:.4g}°，即 K ≤ {(180 + most) / (180 - most):.4g}",
+            f"the ray from A at θ = {degrees(design.theta):.4g} deg to AC₁ passes D at {1e3 * gap:.4g} mm, more than "
+            f"the "
+            f"rocker of {design.CD.text}: there is no other limit; admissible is θ up to {most:.4g} deg, "
+            f"K ≤ {(180 + most) / (180 - most):.4g}",
+        ),
+        code="no-solution",
+        numbers={"gap": gap, "theta": design.theta},
+    )
