@@ -56,9 +56,10 @@ def _inverting(sheet: Sheet, stage: Find) -> Words:
         f"Take link ${name}$ in position {kept} for the frame and make it rigid with {figures.replace('、', ', ')}"
     )
     return Words(
-        f"{what_zh}，反转使 ${name}$ 与位置 {kept} 重合（以两弧相交转移三角形），得 {moved}。",
+        f"{what_zh}，反转使 ${name}$ 与位置 {kept} 重合（以两弧相交转移三角形；在标线上的点沿标线量取），得 {moved}。",
         f"{what_en} in the other positions; turn these figures back until ${name}$ covers its position {kept} "
-        f"(a triangle is carried over by two arcs): {moved.replace('、', ', ')}.",
+        "(a triangle is carried over by two arcs, a point on the line is laid off along it): "
+        f"{moved.replace('、', ', ')}.",
     )
 
 

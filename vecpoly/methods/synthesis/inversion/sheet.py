@@ -11,11 +11,13 @@ from ....board.paper.marks import Dot
 from ....designs.inversion.plan import FRAME, Plan
 from ....foundation.frozen import FrozenMap
 from ....plane import Points, cross, nominal, unit
+from ....plane.geometry import dot
 from ....words import Words
 from ..draft import SHEET, Draft
 from ..linkage import pin, pivot
 
 Places = tuple[Points, ...]
+FLAT = 1e-6  # mm: a point nearer to the line of a body is on it
 GRAZING = 0.26  # sine (15°) below which two arcs of transfer meet too flatly
 
 
@@ -62,7 +64,8 @@ class Sheet:
     def carried(self, point: Points, body: str, position: int, onto: int, letter: str) -> Points:
         """A point that is rigid with the body, carried with it from one position onto another.
 
-        By arcs about two points of the body; where these would meet too flatly, as a corner of the same figure.
+        By arcs about two points of the body; laid off where it is on their line; where the arcs would meet too flatly,
+        as a corner of the same figure.
         """
         if body == FRAME or position == onto:
             return point
@@ -75,6 +78,9 @@ def transferred(draft: Draft, of: tuple[Points, Points, Points], on: tuple[Point
     p, q, corner = of
     board = draft.board
     legs = unit(corner - p) if _far(corner, p) else unit(q - p), unit(corner - q) if _far(corner, q) else unit(p - q)
+    if abs(float(nominal(cross(unit(q - p), corner - p)))) < FLAT:  # on the line itself, either way
+        way = 1 if float(nominal(dot(q - p, corner - p))) > 0 else -1
+        return board.lay_off(on[0], way * unit(on[1] - on[0]), np.abs(corner - p))
     if abs(float(nominal(cross(*legs)))) < GRAZING:
         return board.image(of, on)
     left = float(nominal(cross(q - p, corner - p))) > 0
