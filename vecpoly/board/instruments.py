@@ -234,4 +234,5 @@ class Instruments(Strokes):
             return vector
         if slip.mistake is Mistake.COINCIDENT:
             return self.spots.get((place, slip.instead), vector)
-        return as_taken(slip.mistake, vector, self.scale_of(place).value / self.scale_of(before(place)).value)
+        other = self.scale_of(before(place, self.scales))
+        return as_taken(slip.mistake, vector, self.scale_of(place).value / other.value)
