@@ -136,9 +136,9 @@ def test_two_kinds_have_neither_one_name_nor_one_place(work: View) -> None:
 def test_a_sheet_of_the_house_is_in_the_order_of_the_textbook() -> None:
     assert [view.name for view in views()] == [
         *("displacement", "swing", "loop"),
-        *("mechanism", "velocity", "radii", "turns", "acceleration", "body", "force", "work"),
+        *("mechanism", "velocity", "acceleration", "body", "force", "radii", "turns", "work"),
     ]
-    assert list(scales()) == ["mu_s", "mu_phi", "mu_psi", "mu_l", "mu_v", "mu_omega", "mu_a", "mu_F", "mu_M"]
+    assert list(scales()) == ["mu_s", "mu_phi", "mu_psi", "mu_l", "mu_v", "mu_a", "mu_F", "mu_omega", "mu_M"]
 
 
 def test_a_file_that_adds_a_kind_adds_its_scales_to_problem_files() -> None:

@@ -19,7 +19,7 @@ from vecpoly.words import Words
 
 QUOTED = re.compile(
     r"“[^”]*”|'[^']*'|\"[^\"]*\"|\{[^{}]*\}|\[[^\]]*\]|\$[^$]*\$|请写如? [^；，]*"
-    r"|(?:已有|现有)：.*|R\(1, 2\) at .*|\S*/\S+|U\+[0-9A-F]+（[^）]*）|\S+：(?=未知的键)"
+    r"|(?:^|列：)[a-z_.]+：|(?:已有|现有)：.*|R\(1, 2\) at .*|\S*/\S+|U\+[0-9A-F]+（[^）]*）|\S+：(?=未知的键)"
 )  # what people wrote, or are to write
 SPOKEN = re.compile(r"\b(?:the|of|and|or|is|are|has|have|not|with|where|which|must|cannot|but|it)\b")
 CHINESE = re.compile(r"[\u4e00-\u9fff]")

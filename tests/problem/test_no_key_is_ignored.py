@@ -32,6 +32,7 @@ from vecpoly.problem.schema.models import (
 )
 from vecpoly.solution import solve
 
+HEART, ROCKER, TRAIN = (load(name).text for name in ("cam-heart", "cam-rocker", "train-ring"))
 BASE = """\
 id: t
 title: test
@@ -147,6 +148,10 @@ CHANGES: dict[str, tuple[str, str, str]] = {  # key: the file, what stands there
     "scales.mu_v": (BASE, "0.01 (m/s)/mm, mu_F", "0.02 (m/s)/mm, mu_F"),
     "scales.mu_F": (BASE, "10 N/mm", "20 N/mm"),
     "scales.mu_a": (BASE, "mu_F: 10", "mu_a: 1 (m/s^2)/mm, mu_F: 10"),
+    "scales.mu_s": (HEART, "device:", "scales: {mu_s: 0.002 m/mm}\ndevice:"),
+    "scales.mu_phi": (HEART, "device:", "scales: {mu_phi: 0.08 rad/mm}\ndevice:"),
+    "scales.mu_psi": (ROCKER, "device:", "scales: {mu_psi: 0.02 rad/mm}\ndevice:"),
+    "scales.mu_omega": (TRAIN, "device:", "scales: {mu_omega: 0.5 (rad/s)/mm}\ndevice:"),
     "find.point": (CENTRES, "point: E2", "point: G2"),
     "find.on": (CENTRES, "on: 2", "on: 3"),
     "find.slowest": (CENTRES, "slowest: BC", "slowest: CE"),

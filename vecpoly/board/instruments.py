@@ -21,7 +21,7 @@ from .ledger import Stood
 from .otherwise.amended import AS_DRAWN, Amended, plain_letters
 from .otherwise.slip import Mistake, Slip
 from .otherwise.wrongly import FACTOR, as_taken, before
-from .place import Place, View, view_of
+from .place import Place, View
 from .strokes import NO_LENGTH, Strokes, amount, spot
 
 PARALLEL = 1e-9  # sine below which two ruled lines do not meet
@@ -247,8 +247,8 @@ class Instruments(Strokes):
             return vector
         if slip.mistake is Mistake.COINCIDENT:
             return self.ledger.spots.get((place, slip.instead), vector)
-        other = before(place, {view_of(one) for one in self.scales})
-        return as_taken(slip.mistake, vector, self.scale_of(place).value / self.scale_of(other).value)
+        other = self.scale_of(before(place, self.scales))
+        return as_taken(slip.mistake, vector, self.scale_of(place).value / other.value)
 
 
 def _between(one: complex, other: complex) -> float:

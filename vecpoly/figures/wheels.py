@@ -10,7 +10,7 @@ from .velocity import INK, SCALE
 RADII = register(
     View(
         name="radii",
-        order=22,
+        order=52,
         title=Words("线速度图", "Velocities over the radius"),
         called=Words("线速度图", "the diagram of velocities over the radius"),
         mu=LENGTH,
@@ -21,7 +21,7 @@ RADII = register(
 TURNS = register(
     View(
         name="turns",
-        order=24,
+        order=54,
         title=Words("角速度图", "Angular velocities"),
         called=Words("角速度图", "the diagram of angular velocities"),
         mu=Mu(

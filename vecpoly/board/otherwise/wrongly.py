@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Container, Mapping
 from typing import assert_never
 
 from ...plane import Points
@@ -33,7 +33,7 @@ def as_taken(mistake: Mistake, vector: Points, scale: float) -> Points:
             assert_never(mistake)
 
 
-def before(place: Place, drawn: Collection[View]) -> View:
-    """The kind of figure whose scale is taken for this one's: the one before it among those of the drawing."""
-    order = [view for view in views() if view in drawn]
+def before(place: Place, known: Container[Place]) -> View:
+    """The kind of figure whose scale is taken for this one's: of those with a scale here, the one before it."""
+    order = [view for view in views() if view in known or view is view_of(place)]
     return order[max(order.index(view_of(place)) - 1, 0)]
