@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import inf, isfinite, isnan, nan
+from math import inf, nan
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from .amend import Length, Spot, amend, found_all
-from .answer import YES_NO, Answer, bearing, line_of, small_table
-from .board.candidates import Candidate
+from .answer import YES_NO, Answer, plain, reading_json, small_table
 from .board.construction import Construction, LineOfAction, Reading
 from .board.hand import Hand, hand
 from .board.otherwise.amended import Amended
@@ -22,7 +21,7 @@ from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt, size_of
-from .errors import NotAskedError
+from .found import candidate_json, linkage, objection, verification
 from .foundation.arguments import of_kind
 from .foundation.frozen import FrozenMap
 from .mechanism.model import Mechanism
@@ -32,7 +31,7 @@ from .methods.drawn import Drawn
 from .names import Key
 from .problem.problem import Problem, Scales
 from .task import Task, task_of
-from .words import Words, bare, language
+from .words import Words, language
 
 if TYPE_CHECKING:
     from .check.found import Verified
@@ -40,34 +39,6 @@ if TYPE_CHECKING:
 __all__ = ["REPEATS", "YES_NO", "Answer", "Solution", "fewer_digits", "solve"]
 
 REPEATS = 200  # repeated hands behind every expected drawing error
-
-
-def plain(data: Any) -> Any:
-    """The data for JSON: null for what is not finite, and twelve digits,
-    behind which a float holds only its own rounding."""
-    match data:
-        case dict():
-            return {key: plain(value) for key, value in data.items()}
-        case list():
-            return [plain(value) for value in data]
-        case float():
-            return float(f"{data:.12g}") + 0.0 if isfinite(data) else None  # + 0.0: no −0
-    return data
-
-
-def _drawn(reading: Reading) -> dict[str, Any]:
-    """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
-    data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
-    if reading.vector is not None:
-        data["direction_deg"] = bearing(reading.vector) if reading.vector else None
-    return data | line_of("", reading.acts)
-
-
-def _candidate(one: Candidate) -> dict[str, Any]:
-    """A candidate as plain data: its pins in mm on paper, and why it is rejected."""
-    pins = {letter: [at.real, at.imag] for letter, at in one.pins.items()}
-    why = {} if one.reason is None else {"rejected": bare(one.reason.en)}
-    return {"number": one.number, "valid": one.reason is None, **why, "pins_mm": pins, "values": dict(one.values)}
 
 
 @dataclass(frozen=True)
@@ -90,13 +61,7 @@ class Solution:
     @cached_property
     def verification(self) -> tuple[Verified, ...]:
         """Of a synthesis: what each valid solution does, moved by the exact solver with the lengths read on paper."""
-        if isinstance(self.problem.subject, Mechanism) or not self.construction.candidates:
-            return ()
-        from .check.found import verified  # late: a whole cycle, which other problems need not
-
-        valid = [one for one in self.construction.candidates if one.reason is None]
-        found = (verified(self.problem.design, one.number, one.values, one.spread) for one in valid)
-        return tuple(one for one in found if one is not None)
+        return verification(self.problem, self.construction.candidates)
 
     @property
     def linkage(self) -> Problem:
@@ -104,22 +69,7 @@ class Solution:
 
         Raises NotAskedError where nothing was to be found.
         """
-        if not isinstance(self.problem.subject, Mechanism) and self.construction.candidates:
-            from .check.found import linkage  # late, likewise
-
-            design = self.problem.design
-            valid = [one for one in self.construction.candidates if one.reason is None]
-            if design.take <= len(valid):
-                found = linkage(design, valid[design.take - 1].values, f"{self.problem.id}-{design.take}")
-                if found is not None:
-                    return found
-        raise NotAskedError(
-            Words(
-                f"题目 {self.problem.id} 没有求出机构；只有综合题（synthesis）才有",
-                f"problem {self.problem.id} found no mechanism; only a task of synthesis does",
-            ),
-            code="no-solution",
-        )
+        return linkage(self.problem, self.construction.candidates)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -141,9 +91,9 @@ class Solution:
         if self.warnings:
             data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
         if self.construction.candidates:
-            data["candidates"] = [_candidate(one) for one in self.construction.candidates]
+            data["candidates"] = [candidate_json(one) for one in self.construction.candidates]
             data["verification"] = [one.as_json() for one in self.verification]
-        forces = {key: _drawn(reading) for key, reading in self.construction.forces.items()}
+        forces = {key: reading_json(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
 
@@ -215,17 +165,8 @@ def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construc
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(task.truth, drawn.motion) if rel.key not in answers]
     readings = {key: answer.reading for key, answer in answers.items()}
-    said, other = warning(wrong), _objection(task, drawn)
+    said, other = warning(wrong), objection(task.problem, drawn.construction.candidates)
     return replace(drawn.construction, readings=readings, warning=said + other if said and other else said or other)
-
-
-def _objection(task: Task, drawn: Drawn) -> Words | None:
-    """That a synthesis found other candidates on paper than there are; nothing of other problems."""
-    if not drawn.construction.candidates:
-        return None
-    from .check.candidates import objection  # late: other problems need none of it
-
-    return objection(task.problem, [one.verdict for one in drawn.construction.candidates])
 
 
 def fewer_digits(solution: Solution) -> Words | None:

@@ -49,7 +49,7 @@ def exact(
             if json != STDOUT:
                 _print(problem, values, lang)
     if json is not None and data:
-        from ...solution import plain
+        from ...answer import plain
 
         data = plain(data)
         write_json(data if len(data) + len(tally.failed) > 1 else data[0], json)
