@@ -145,6 +145,14 @@ def line_of(which: str, acts: LineOfAction | None) -> dict[str, Any]:
     return {f"{which}point": place_of(acts.point), f"{which}tangent": acts.tangent or None} | couple
 
 
+def reading_json(reading: Reading) -> dict[str, Any]:
+    """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
+    data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
+    if reading.vector is not None:
+        data["direction_deg"] = bearing(reading.vector) if reading.vector else None
+    return data | line_of("", reading.acts)
+
+
 def plain(data: Any) -> Any:
     """The data for JSON: null for what is not finite, and twelve digits,
     behind which a float holds only its own rounding."""
@@ -156,14 +164,6 @@ def plain(data: Any) -> Any:
         case float():
             return float(f"{data:.12g}") + 0.0 if isfinite(data) else None  # + 0.0: no −0
     return data
-
-
-def drawn_of(reading: Reading) -> dict[str, Any]:
-    """What was drawn of one quantity of a force analysis: unit, value, direction, line of action, tangent side."""
-    data: dict[str, Any] = {"unit": reading.unit, "drawn": None if isnan(reading.scalar) else reading.scalar}
-    if reading.vector is not None:
-        data["direction_deg"] = bearing(reading.vector) if reading.vector else None
-    return data | line_of("", reading.acts)
 
 
 def small_table(answers: Iterable[Answer], lang: Lang) -> str:

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from . import designed
 from .amend import Length, Spot, amend, found_all
-from .answer import YES_NO, Answer, drawn_of, plain, small_table
+from .answer import YES_NO, Answer, plain, reading_json, small_table
 from .board.construction import Construction, LineOfAction, Reading
 from .board.hand import Hand, hand
 from .board.otherwise.amended import Amended
@@ -22,6 +21,7 @@ from .check.alarm import Cause, Weighed, alarm_at, contradicted, warning
 from .check.idle import idle
 from .check.precision import PLENTY, noise, sizes
 from .check.truth import ActsAt, size_of
+from .found import candidate_json, linkage, objection, verification
 from .foundation.arguments import of_kind
 from .foundation.frozen import FrozenMap
 from .mechanism.model import Mechanism
@@ -61,7 +61,7 @@ class Solution:
     @cached_property
     def verification(self) -> tuple[Verified, ...]:
         """Of a synthesis: what each valid solution does, moved by the exact solver with the lengths read on paper."""
-        return designed.verification(self.problem, self.construction)
+        return verification(self.problem, self.construction.candidates)
 
     @property
     def linkage(self) -> Problem:
@@ -69,7 +69,7 @@ class Solution:
 
         Raises NotAskedError where nothing was to be found.
         """
-        return designed.linkage(self.problem, self.construction)
+        return linkage(self.problem, self.construction.candidates)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -91,9 +91,9 @@ class Solution:
         if self.warnings:
             data["warnings"] = [{"zh": words.zh, "en": words.en} for words in self.warnings]
         if self.construction.candidates:
-            data["candidates"] = [designed.plain_candidate(one) for one in self.construction.candidates]
+            data["candidates"] = [candidate_json(one) for one in self.construction.candidates]
             data["verification"] = [one.as_json() for one in self.verification]
-        forces = {key: drawn_of(reading) for key, reading in self.construction.forces.items()}
+        forces = {key: reading_json(reading) for key, reading in self.construction.forces.items()}
         return cast("dict[str, Any]", plain(data | ({"forces": forces} if forces else {})))
 
 
@@ -165,7 +165,7 @@ def _warned(task: Task, drawn: Drawn, answers: Mapping[str, Answer]) -> Construc
     wrong = [(one.reading.symbol, one.suspect) for one in answers.values() if one.suspect]
     wrong += [(rel.symbol, Cause.APART) for rel in contradicted(task.truth, drawn.motion) if rel.key not in answers]
     readings = {key: answer.reading for key, answer in answers.items()}
-    said, other = warning(wrong), designed.objection(task.problem, drawn.construction)
+    said, other = warning(wrong), objection(task.problem, drawn.construction.candidates)
     return replace(drawn.construction, readings=readings, warning=said + other if said and other else said or other)
 
 

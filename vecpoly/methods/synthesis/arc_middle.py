@@ -38,7 +38,8 @@ def by_arc(draft: Draft, limits: tuple[Points, Points], eta: Eta, twice: float, 
             f"$M{primes}C_1$ 为半径作圆；"
             f"以 $C_2$ 为圆心、$2l_{given}/μ_l$ 为半径作弧，交于 $S{primes}$；$C_{{2}}S{primes}$ 的延长线与 "
             f"$η{primes}$ 交于 $A$。",
-            f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} draw the circle through "
+            f"From the middle $M{primes}$ of the arc $C_{{1}}C_2$ of $η{primes}$ {lies[1]} (on the perpendicular to "
+            f"$C_{{1}}C_2$ through $O{primes}$) draw the circle through "
             f"$C_1$; the arc about "
             f"$C_2$ with the radius $2l_{given}/μ_l$ meets it in $S{primes}$. The line $C_{{2}}S{primes}$ meets "
             f"$η{primes}$ in $A$.",

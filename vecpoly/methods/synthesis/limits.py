@@ -9,7 +9,8 @@ import numpy as np
 from ...designs.quantities import AB, AD, BC, CD, SWING
 from ...designs.verdict import Verdict
 from ...plane import Points, cross, nominal, unit
-from .draft import TWO, Draft
+from ...words import Words
+from .draft import SHEET, TWO, Draft
 from .linkage import drawn, pin, rejected
 from .transmission import least_angle
 
@@ -69,6 +70,9 @@ def settled(draft: Draft, limits: Limits, verdict: Verdict) -> None:
 def _read(draft: Draft, limits: Limits) -> None:
     """l_AB = μ_l (AC_far − AC_near) / 2, l_BC = μ_l (AC_far + AC_near) / 2; then AD, the swing and γ_min."""
     board, (of_a, of_near, of_far) = draft.board, limits.letters
+    if board.here is not SHEET:  # the last solution went on to a figure of its own
+        told = Words("另一交点给出另一个解，同样量取：", "The other meeting gives another solution; read it likewise:")
+        board.step(told, SHEET)
     far = board.measure(limits.a, limits.extended, f"{of_a} {of_far}")
     near = board.measure(limits.a, limits.folded, f"{of_a} {of_near}")
     crank = draft.length(draft.of_this(AB), (far - near) / TWO, f"{of_a} B")

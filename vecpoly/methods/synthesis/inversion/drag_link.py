@@ -73,7 +73,8 @@ def _given(draft: Draft, design: DragLink) -> tuple[Points, Points, Points, Poin
     board.step(
         Words(
             "选 $μ_l$，画机架 $AD$ 和主动曲柄的两位置 $AB_1$、$AB_2$，$∠B_{1}AB_2 = β$。",
-            "Choose $μ_l$ and draw the frame $AD$ and the driving crank in its two positions, $∠B_{1}AB_2 = β$.",
+            "Choose $μ_l$ and draw the frame $AD$ and the driving crank in its two positions $AB_1$ and $AB_2$, "
+            "$∠B_{1}AB_2 = β$.",
         ),
         SHEET,
     )
