@@ -61,7 +61,15 @@ def test_drawing_and_closed_form_agree_to_the_last_digits_and_in_every_verdict(n
 def test_the_printed_crank_of_8_13_is_found_wrong_and_the_other_lengths_right() -> None:
     told = {line.printed.symbol: line for line in check_problem(vecpoly.load("8-13")).answers}
     assert told["AB"].deviation == pytest.approx(0.0816, abs=1e-4)
-    assert [name for name, line in told.items() if line.verdict is not Verdict.REPRODUCED] == ["AB"]
+    assert {name: line.verdict for name, line in told.items() if line.verdict is not Verdict.REPRODUCED} == {
+        "AB": Verdict.WRONG
+    }
+
+
+def test_of_8_15_the_coupler_and_the_frame_are_wrong_in_print() -> None:
+    told = {line.printed.symbol: line.verdict for line in check_problem(vecpoly.load("8-15")).answers}
+    assert {name for name, verdict in told.items() if verdict is Verdict.WRONG} == {"BC", "AD"}
+    assert Verdict.OUTLIER not in told.values()
 
 
 def test_8_10_is_a_rocker_slider_by_its_lengths() -> None:

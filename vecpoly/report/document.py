@@ -11,6 +11,7 @@ from jinja2 import TemplateNotFound
 
 from ..board.construction import Construction
 from ..check.printed.answers import check_problem
+from ..designs.base import Design
 from ..drawing.backends.pdf import draw_pdf
 from ..drawing.figure import draw_figure
 from ..drawing.sheets.sheet import Sheet, sheets
@@ -183,6 +184,7 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
         "graphical": any(
             c.printed.kind == "graphical" or c.printed.rel is None or c.printed.rel.is_vector for c in checked.answers
         ),
+        "design": isinstance(solution.problem.subject, Design),
         "printed": objects.add("tab", printed_table(checked.answers, lang)) if checked.answers else "",
         "verdicts": verdicts(solution, checked, lang),
         "conclusions": conclusions(solution, lang),

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from statistics import median
 
+from ...designs.base import Design
 from ...foundation.arguments import of_kind
 from ...mechanism.asked.forces import quantities
 from ...names import Kind, Rel, parse_rel
@@ -42,7 +43,7 @@ def check_problem(problem: Problem) -> PrintedCheck:
         if exact is None:
             skipped.append(printed)
         else:
-            checked.append(check_printed(printed, exact))
+            checked.append(check_printed(printed, exact, GRAPHICAL if isinstance(problem.subject, Design) else SLIP))
     if problem.loads:
         checked = follow(checked, problem.loads, _by_key(problem, truth))
     checked = with_directions(known, checked)

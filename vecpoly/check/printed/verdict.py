@@ -1,8 +1,8 @@
 """Printed answers weighed against exact ones: the verdict, and the usual slip that reproduces a wrong one.
 
 reproduced: a calculated value within half a unit of its last printed digit, a value read off a drawing within 3 %.
-rounding: off by one unit of the last digit, or by two and no more than 10 %. outlier: 3 to 10 %, a drawing slip. wrong:
-anything else.
+rounding: off by one unit of the last digit, or by two and no more than 10 %. outlier: 3 to 10 %, a drawing slip; not of
+a synthesis, where a mechanism built with such a length fails its task. wrong: anything else.
 """
 
 from __future__ import annotations
@@ -51,29 +51,31 @@ class Checked:
     slip: Words | None = None
 
 
-def check_printed(printed: Printed, exact: float) -> Checked:
-    """Weigh one printed value; signs count only for scalars such as ω,
-    α and moments, and only where the print has one."""
+def check_printed(printed: Printed, exact: float, slip: float = SLIP) -> Checked:
+    """Weigh one printed value; signs count only for scalars such as ω, α and moments, and only where the print has one.
+
+    slip: relative deviation up to which a drawing slip explains a value read off a drawing.
+    """
     scalar = printed.rel is not None and not printed.rel.is_vector
     value = printed.value if scalar else abs(printed.value)
     truth = exact if scalar and (value < 0 or _signed(printed)) else abs(exact)
     truth = 0.0 if abs(truth) < ZERO * abs(value) else truth
     deviation = (value - truth) / truth if truth else (0.0 if value == 0 else float("inf"))
-    verdict = _verdict(printed, value, truth, deviation)
-    slip = _slip(printed, value, truth) if verdict is Verdict.WRONG else None
-    return Checked(printed=printed, exact=truth, deviation=deviation, verdict=verdict, slip=slip)
+    verdict = _verdict(printed, value, truth, deviation, slip)
+    behind = _slip(printed, value, truth) if verdict is Verdict.WRONG else None
+    return Checked(printed=printed, exact=truth, deviation=deviation, verdict=verdict, slip=behind)
 
 
 def _signed(printed: Printed) -> bool:
     return bool(re.match(r"\s*[+\-−]", printed.text)) or any(w in printed.text for w in ("cw", "ccw", "顺", "逆"))
 
 
-def _verdict(printed: Printed, value: float, truth: float, deviation: float) -> Verdict:
+def _verdict(printed: Printed, value: float, truth: float, deviation: float, slip: float) -> Verdict:
     unit = last_digit(printed.text, value)
     if printed.kind == "graphical":
         if abs(deviation) <= GRAPHICAL or abs(value - truth) <= unit / 2:
             return Verdict.REPRODUCED
-        return Verdict.OUTLIER if abs(deviation) <= SLIP else Verdict.WRONG
+        return Verdict.OUTLIER if abs(deviation) <= slip else Verdict.WRONG
     if abs(value - truth) <= unit / 2 * (1 + 1e-9) or isclose(value, truth, rel_tol=1e-9, abs_tol=1e-12):
         return Verdict.REPRODUCED
     units = abs(value - truth) / unit if unit else float("inf")
