@@ -13,23 +13,20 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook
 
-from tests.batch.homework import TEXT, files, made, people
+import vecpoly
+from tests.batch.homework import TEXT, files, made, ordered, people
 from vecpoly.batch.classwork import Order, make_class
 from vecpoly.batch.gather import gather
 from vecpoly.batch.register import read_register
 from vecpoly.batch.run.manifest import SHARDS, manifests
 from vecpoly.batch.run.runners import Here
 from vecpoly.errors import VecpolyError
-from vecpoly.problem.assignment import load_assignment
 
 CLASS, COUNT = people(range(5)), 2
 
 
 def order_of(out: Path) -> Order:
-    out.parent.mkdir(parents=True, exist_ok=True)
-    file = out.parent / "hw3.yaml"
-    file.write_text(TEXT, encoding="utf-8")
-    return Order(assignment=load_assignment(file), students=CLASS, out=out, lang="zh", version="test")
+    return ordered(out, CLASS)
 
 
 @pytest.fixture(scope="module")
@@ -114,7 +111,9 @@ def test_a_shard_that_was_made_twice_must_have_been_made_alike(copies: tuple[Pat
         gathered((*copies, again), tmp_path / "two")
 
 
-@pytest.mark.parametrize(("name", "said"), [("version", "vecpoly 'test', not 'next'"), ("students", "has roster")])
+@pytest.mark.parametrize(
+    ("name", "said"), [("version", f"vecpoly '{vecpoly.__version__}', not 'next'"), ("students", "has roster")]
+)
 def test_shards_of_another_program_or_roster_are_refused(
     shards: tuple[Path, ...], tmp_path: Path, name: str, said: str
 ) -> None:

@@ -20,9 +20,12 @@ from vecpoly.words import Words
 MM = 72 / 25.4
 
 
+USUAL = (View.MECHANISM, View.VELOCITY, View.ACCELERATION, View.BODY, View.FORCE)
+
+
 def construction(*sizes: tuple[float, float]) -> Construction:
     """Figures that are boxes of these sizes."""
-    figures = tuple(_figure(view, w, h) for view, (w, h) in zip(views(), sizes, strict=False))
+    figures = tuple(_figure(view, w, h) for view, (w, h) in zip(USUAL, sizes, strict=False))
     return Construction(problem="3-1", hand="drafting", figures=figures, steps=(), readings={})
 
 

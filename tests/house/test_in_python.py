@@ -43,7 +43,7 @@ TEXT = (
 @pytest.mark.parametrize("page", ["python.md", "python.zh.md"])
 def test_the_examples_of_the_page_run(page: str) -> None:
     blocks = re.findall(r"```python\n(.*?)```", (DOCS / page).read_text("utf-8"), re.S)
-    assert len(blocks) == 8
+    assert len(blocks) == 9
     exec("\n".join(blocks), {"__name__": "page"})
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import asin, atan2, degrees, pi
+from math import asin, degrees
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import AssemblyError, DeadPointError, EquilibriumError, bilingual
 from ..names import At
 from ..plane import Line, Points, Reals, circles_meet, cross, line_circle_meet, lines_meet, nominal, similar, unit
-from ..plane.geometry import dot, inclined
+from ..plane.geometry import crossing, dot, inclined
 from ..plane.traced import acts_of, traced
 from ..words import Words
 from . import acts as done
@@ -131,7 +131,7 @@ class Instruments(Strokes):
                     f"do not meet (sum {s:.2f} mm)",
                 )
             )
-        return self._both((a, b), _between(spot(a - c1), spot(a - c2)), c1, r1, c2, r2)
+        return self._both((a, b), crossing(spot(a - c1), spot(a - c2)), c1, r1, c2, r2)
 
     def arc_on_line(self, line: Line, centre: Points, radius: Reals, what: Words | str) -> tuple[Points, Points]:
         """A compass arc on a ruled line: both meeting points, the one further along the line first."""
@@ -145,7 +145,7 @@ class Instruments(Strokes):
                     f": an arc of {nominal(radius):.2f} mm does not reach a line {gap:.2f} mm away",
                 )
             )
-        return self._both((a, b), _between(spot(line.along), 1j * spot(a - centre)), line, centre, radius)
+        return self._both((a, b), crossing(spot(line.along), 1j * spot(a - centre)), line, centre, radius)
 
     def _both(self, pair: tuple[Points, Points], angle: float, *inputs: Any) -> tuple[Points, Points]:
         """Both meetings of an arc, each an act that knows the other."""
@@ -249,9 +249,3 @@ class Instruments(Strokes):
             return self.ledger.spots.get((place, slip.instead), vector)
         other = self.scale_of(before(place, self.scales))
         return as_taken(slip.mistake, vector, self.scale_of(place).value / other.value)
-
-
-def _between(one: complex, other: complex) -> float:
-    """The angle between two radii, or lines, at which what belongs to them crosses (rad, to a right angle)."""
-    turned = one.conjugate() * other
-    return atan2(abs(turned.imag), abs(turned.real)) if turned else pi / 2

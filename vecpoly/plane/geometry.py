@@ -7,6 +7,7 @@ a meeting that does not exist: it gives NaN, and the board, which knows the lett
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import atan2, pi
 from typing import Any
 
 import numpy as np
@@ -94,3 +95,9 @@ def inclined(axis: Points, sine: Reals) -> tuple[Points, Points]:
     with np.errstate(invalid="ignore"):
         cosine = np.sqrt(1 - np.square(sine))
     return unit(axis) * (cosine + 1j * sine), unit(axis) * (1j * sine - cosine)
+
+
+def crossing(one: complex, other: complex) -> float:
+    """The angle between two radii, or lines, at which what belongs to them crosses (rad, to a right angle)."""
+    turned = one.conjugate() * other
+    return atan2(abs(turned.imag), abs(turned.real)) if turned else pi / 2

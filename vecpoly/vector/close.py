@@ -44,8 +44,7 @@ def close(
     of: At | None = None,
     corner: str = "",
 ) -> Closed:
-    """Draw the equation as a polygon from the pole (without a right side:
-    back to it) and give the ends of all its vectors.
+    """Draw the equation as a polygon from the pole (without a right side: back to it); gives the ends of its vectors.
 
     choose: which of two arc meetings is meant (cases with an unknown direction).
     to: the letter of the point where the chains meet; of: the point of the mechanism for which it stands;
@@ -59,12 +58,11 @@ def close(
         return _closing_side(board, view, left, right, unknown[0], ends, to, of)
     (one, on_left), (two, also_left) = unknown
     if on_left == also_left:  # both at the end of one side: walk to the other side's end
-        start, end = (left, right) if on_left else (right, left)
-        at = _corner(board, view, (one, start), (two, end), str(eq), choose)
+        start, meeting = (left, right) if on_left else (right, left)
+        at = _corner(board, view, (one, start), (two, meeting), str(eq), choose)
         if corner:
             at = board.locate(view, corner, at)
-        ends[one.rel.key], ends[two.rel.key] = (start, at), (at, end)
-        meeting = end
+        ends[one.rel.key], ends[two.rel.key] = (start, at), (at, meeting)
     else:
         at = _corner(board, view, (one, left), (two, right), str(eq), choose)
         if to:

@@ -94,7 +94,7 @@ class Figure:
 
     def circle(self, centre: Any, radius: float, look: Pen) -> None:
         """A whole circle."""
-        self.page.line("Circle", "conic", (self.at(centre), repr(radius)), look)
+        self.page.line("Circle", "conic", (self.at(centre), self.at(centre + radius)), look)
 
     def _pen(self, role: Role) -> Pen:
         return pen(role, self.hue)

@@ -22,6 +22,7 @@ from .sentences import enveloped, opening, turning
 
 VIEW = View.MECHANISM
 CROWDED = 24  # stations: of more only every other is numbered
+CLEAR = 14.0  # mm: of the guides about the pivot, for its letter and the arrow of ω
 FACE = 0.6  # of r0: how far a flat face is drawn to either side
 
 
@@ -94,7 +95,7 @@ def _pitch(bench: Bench, cam: Cam, stations: Sequence[Station]) -> tuple[Cut, ..
 
 def _ink(bench: Bench, cam: Cam, station: Station, it: Pose) -> None:
     board, mm = bench.board, bench.board.scale_of(VIEW).value
-    board.join(VIEW, it.start, it.b, Role.CONSTRUCTION)
+    board.join(VIEW, it.start if cam.arm else it.start + CLEAR * it.way, it.b, Role.CONSTRUCTION)
     if cam.follower.flat:
         assert cam.r0
         half = FACE * cam.r0.si / mm * 1j * it.way

@@ -92,7 +92,7 @@ def _pin(mesh: Mesh) -> str:
 def _draw(st: Statics, mesh: Mesh, h: Points, along: Points, tangent: Points) -> None:
     """The common tangent, the line of action, and α between the two."""
     board = st.board
-    toward = tangent if float(nominal(tangent.conjugate() * along).real) > 0 else -tangent
+    toward = tangent if float(nominal(dot(tangent, along))) > 0 else -tangent
     board.join(View.MECHANISM, h - toward * HALF, h + toward * HALF, Role.CENTRE)
     board.join(View.MECHANISM, h - along * HALF, h + along * HALF, Role.DIRECTION)
     board.plot(View.MECHANISM, h + along * HALF, st.named(mesh.by, mesh.held.link).symbol, Dot.NONE)
