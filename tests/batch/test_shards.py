@@ -63,7 +63,7 @@ def test_folders_of_machines_together_are_the_whole_and_nothing_is_written_anew(
 
 def test_a_manifest_tells_seeds_version_and_the_digest_of_every_file(shards: tuple[Path, ...]) -> None:
     (one,) = manifests(shards[1])
-    assert (one.head.vecpoly, one.head.assignment, one.name) == ("test", "hw3", "1/2")
+    assert (one.head.vecpoly, one.head.assignment, one.name) == (vecpoly.__version__, "hw3", "1/2")
     assert [line.number for line in one.lines] == ["20230001", "20230003"]
     for line in one.lines:
         assert line.seeds["block"].startswith(f"hw3|block|{line.number}||") and len(line.files) == 2

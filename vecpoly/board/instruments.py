@@ -35,8 +35,7 @@ class Instruments(Strokes):
         self, hand: Hand, scales: Mapping[View, Scale] | Mapping[Place, Scale], amended: Amended = AS_DRAWN
     ) -> None:
         super().__init__(scales)
-        self.hand = hand
-        self.amended = amended
+        self.hand, self.amended = hand, amended
         self._others: dict[int, Points] = {}  # of a meeting that was found the one that was not
         self._slipped: set[str] = set()  # what was computed wrongly is laid off as computed
 
@@ -230,16 +229,16 @@ class Instruments(Strokes):
 
     def _led(self, slip: Slip, at: Points, along: Points) -> Points:
         """The direction of a ruled line by this mistake."""
-        if slip.mistake is Mistake.OTHER_CENTRE:
-            return unit(self.ledger.spots[self.here, slip.instead] - at) if self.here is not None else along
+        if slip.mistake is Mistake.OTHER_CENTRE and self.here is not None:
+            return unit(self.ledger.spots[self.here, slip.instead] - at)
         return 1j * along if slip.mistake is Mistake.TURNED else along
 
     def _wrongly(self, place: Place | None, key: str, vector: Points) -> Points:
         """A known vector as somebody takes it who makes a mistake with it."""
         if place is None:
             return vector
-        wrong = self.amended.wrong(place, key)
-        return self.amended.altered(vector, [(hand, self._taken(place, key, slip, vector)) for hand, slip in wrong])
+        taken = [(hand, self._taken(place, key, slip, vector)) for hand, slip in self.amended.wrong(place, key)]
+        return self.amended.altered(vector, taken)
 
     def _taken(self, place: Place, key: str, slip: Slip, vector: Points) -> Points:
         """The vector by this mistake; one of its size was made already where the size was computed."""
@@ -247,5 +246,5 @@ class Instruments(Strokes):
             return vector
         if slip.mistake is Mistake.COINCIDENT:
             return self.ledger.spots.get((place, slip.instead), vector)
-        other = self.scale_of(before(place, self.scales))
-        return as_taken(slip.mistake, vector, self.scale_of(place).value / other.value)
+        scale, other = self.scale_of(place), self.scale_of(before(place, self.scales))
+        return as_taken(slip.mistake, vector, scale.value / other.value)

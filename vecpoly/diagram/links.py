@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..board.paper.marks import Block, Dot, LinkNumber, Mark, Point, Role, Segment
+from ..board.paper.marks import Block, Dot, FixedGuide, LinkNumber, Mark, Point, Role, Segment
 from ..board.paper.symbols import Symbol
 from ..mechanism.model import FRAME, Circle, Prismatic, Rack, Rolling
 from ..names import subscripted
@@ -51,7 +51,7 @@ def _alone(posed: Posed, name: str) -> Iterator[Mark]:
             yield from face_marks(posed, contact)
         if (guide := posed.fixed_guide(name)) is not None:
             yield stem(posed, contact, name, guide)
-    yield from _teeth(posed, name)
+    yield from (mark for mark in _teeth(posed, name) if not isinstance(mark, FixedGuide))  # that is the frame's
     thought = contact_replaced(posed.mech, name)
     if thought is not None and isinstance(thought.on, Rack):
         yield from thought_guide(posed, thought)

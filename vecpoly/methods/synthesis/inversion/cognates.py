@@ -184,7 +184,7 @@ class _Figure:
             for fixed, moving in ((pivot, near), ("F", far))
         ]
         wide = [abs(complex(one) - complex(two)) for one in ends[0] for two in ends[1]]
-        return float(np.nanmin(np.abs(np.array(wide) - self.bar(near, far))))
+        return float(np.fmin.reduce(np.abs(np.array(wide) - self.bar(near, far))))  # NaN where no two of them meet
 
 
 def _tried(draft: Draft, figure: _Figure) -> None:
