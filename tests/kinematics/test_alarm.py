@@ -87,7 +87,8 @@ def _finds_all(solution: Solution) -> bool:
 
 
 def test_a_pencil_that_loses_candidates_of_a_synthesis_is_told_so() -> None:
-    drawn = [one for name in IDS if isinstance(load(name).subject, Design) and (one := _by_pencil(name))]
+    tried = (_by_pencil(name) for name in IDS if isinstance(load(name).subject, Design))
+    drawn = [one for one in tried if one is not None]
     (lost,) = [one for one in drawn if not _finds_all(one)]
     assert lost.problem.id == "four-positions" and lost.suspect
     assert lost.construction.warning is not None and "candidates on paper" in lost.construction.warning.en
