@@ -82,8 +82,10 @@ def test_a_right_drawing_raises_no_alarm_by_any_hand() -> None:
 
 def _finds_all(solution: Solution) -> bool:
     """Whether a synthesis found on paper the candidates that there are: where it did not, the alarm is right."""
-    found = [one.verdict for one in solution.construction.candidates]
-    return found == [one.verdict for one in drafted(solution.problem.id).construction.candidates]
+    found, right = solution.construction.candidates, drafted(solution.problem.id)
+    return right is not None and [one.verdict for one in found] == [
+        one.verdict for one in right.construction.candidates
+    ]
 
 
 def test_a_pencil_that_loses_candidates_of_a_synthesis_is_told_so() -> None:
