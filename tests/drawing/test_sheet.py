@@ -58,7 +58,7 @@ SIZES = [
 @pytest.mark.parametrize("sizes", SIZES)
 def test_nothing_lies_outside_the_frame_and_no_figures_overlap(sizes: tuple[tuple[float, float], ...]) -> None:
     made = sheets(construction(*sizes))
-    assert [f.view for s in made for f in s.figures] == list(views())[: len(sizes)]
+    assert [f.view for s in made for f in s.figures] == list(USUAL[: len(sizes)])
     for sheet in made:
         frame = sheet.scene.extents.grown(-FRAME)
         assert all(inside(rect_of(item), frame.grown(0.3)) for item in sheet.scene.items)
