@@ -14,7 +14,6 @@ from vecpoly.drawing.scene import Rect, rect_of
 from vecpoly.drawing.sheets.sheet import sheets
 from vecpoly.drawing.sheets.space import FRAME, STRIP, slots, usable
 from vecpoly.errors import VecpolyError
-from vecpoly.figures import views
 from vecpoly.words import Words
 
 MM = 72 / 25.4
