@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from math import inf, nan
 from pathlib import Path
 from typing import Any
@@ -61,6 +62,7 @@ def spoilt(monkeypatch: pytest.MonkeyPatch) -> Callable[[Spoil], None]:
     return spoil
 
 
+@cache
 def _by_pencil(name: str) -> Solution | None:
     try:
         return solve(load(name), by="pencil")
