@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from math import pi
 from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, WithJsonSchema
@@ -76,6 +77,11 @@ Omega = Annotated[
     WithJsonSchema({"type": "string"}),
 ]
 Which = Annotated[int, BeforeValidator(_which), WithJsonSchema({"type": ["string", "integer"]})]
+
+
+def between_limits(advance: Quantity) -> float:
+    """The crank angle between the limit positions, θ = π (K − 1) / (K + 1), rad."""
+    return pi * (advance.si - 1) / (advance.si + 1)
 
 
 class Design(BaseModel):

@@ -12,7 +12,7 @@ from ..devices.base import Angle, Length
 from ..errors import FaultError
 from ..names import Named
 from ..words import Words
-from .base import Advance, Design
+from .base import Advance, Design, between_limits
 from .linkages import four_bar
 from .place import Carried
 from .quantities import FOUR_BAR, GAMMA_MIN, SWING, THETA
@@ -108,7 +108,7 @@ class CrankRocker(Design):
     @property
     def theta(self) -> float:
         """θ = π (K − 1) / (K + 1), rad."""
-        return pi * (self.K.si - 1) / (self.K.si + 1)
+        return between_limits(self.K)
 
     @property
     def size(self) -> float:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import pi
 from typing import Any, ClassVar
 
 from pydantic import model_validator
 
 from ..devices.base import Length
 from ..names import Named
-from .base import Design, Quick
+from .base import Design, Quick, between_limits
 from .linkages import whitworth
 from .quantities import AB, AC, CD, THETA
 from .quantities import K as ADVANCE
@@ -49,7 +48,7 @@ class Whitworth(Design):
     @property
     def theta(self) -> float:
         """θ = π (K − 1) / (K + 1), rad."""
-        return pi * (self.K.si - 1) / (self.K.si + 1)
+        return between_limits(self.K)
 
     @property
     def size(self) -> float:
