@@ -13,6 +13,7 @@ from tests.drawn_library import drawn, ids
 from tests.studies import studied
 from vecpoly.board.construction import View
 from vecpoly.findings.study.study import Study, study
+from vecpoly.mechanism.asked.forces import load_symbol
 from vecpoly.mechanism.groups.assur import decompose
 from vecpoly.mechanism.model import Prismatic, Revolute, Rolling
 from vecpoly.report.content import Objects
@@ -119,7 +120,7 @@ def test_the_list_of_symbols_has_what_the_report_uses(name: str) -> None:
     told_of = {symbol: (words, unit) for symbol, words, unit in rows}
     assert len(told_of) == len(rows) and all(words and unit for words, unit in told_of.values())
     used = {*it.env, *(c.symbol for group in it.model.groups for c in group.constants)}
-    for symbol, name_in_model in (("$G_1$", "G_1"), ("$G_2$, $G_3$", "G_2"), ("$M$", "M")):
+    for symbol, name_in_model in (("$G_1$", "G_1"), ("$G_2$, $G_3$", "G_2"), ("$σ$", "σ")):
         assert (symbol in told_of) == (name_in_model in used), symbol
     for symbol in told_of:
         for one in re.findall(r"\$([le]_\{\w+\}|[βψδ]_\{?\w+\}?)\$", symbol):
@@ -136,6 +137,16 @@ def test_the_list_of_symbols_is_the_same_list_in_both_languages(name: str) -> No
     assert [row[0].replace("、", ", ") for row in zh] == [row[0] for row in en]
     assert [row[2] for row in zh] == [row[2] for row in en]
     assert all(re.search("[\u4e00-\u9fff]", row[1]) for row in zh) and not re.search("[\u4e00-\u9fff]", str(en))
+
+
+def test_no_symbol_of_the_equations_is_that_of_a_load() -> None:
+    """The sign of the assembly was once M beside the moment M."""
+    it = studied("4-3a")
+    assert it.problem.loads is not None
+    loads = {load_symbol(load.name) for load in it.problem.loads.all}
+    model = {*it.env, *(c.symbol for group in it.model.groups for c in group.constants)}
+    assert "M" in loads and "σ" in model and not loads & model
+    assert len({row[0] for row in listed("4-3a")}) == len(listed("4-3a"))
 
 
 def test_loads_add_the_balancing_load_a_reaction_efficiency_and_friction_circles() -> None:

@@ -13,10 +13,13 @@ from hypothesis import strategies as st
 
 from tests.presses import Made, press, shown
 from tests.studies import studied
+from vecpoly import loads
 from vecpoly.cycle import Column
+from vecpoly.findings.study.study import study
 from vecpoly.report.course.numbering import SMALL, TINY
 from vecpoly.report.course.results.extreme_values import _exact, extremes
 from vecpoly.report.course.results.tabled import TIGHT, _formats, decimal, tabled
+from vecpoly.solution import solve
 from vecpoly.words import Words
 
 NAMES = ("A-27", "B-24", "3-9", "3-5")
@@ -167,6 +170,28 @@ def expected(name: str) -> Iterator[str]:
         values = np.asarray(it.turn.real(key))
         if it.varies(key) and np.nanmax(values) - np.nanmin(values) > 1e-9 * np.nanmax(np.abs(values)):
             yield key
+
+
+CRANK_DRIVES = """
+id: at-the-dead-centre
+title: The force that a given moment of the crank can hold
+frame: {A: [0 mm, 0 mm]}
+links: {1: {AB: 50 mm}, 2: {BC: 120 mm}, 3: {block: C}}
+joints: [3 slides on y = 0 mm]
+input: {link: 1, phi: 60 deg, omega: 5 rad/s ccw}
+branch: [C right of A]
+loads: {M: {on: 1, size: 10 N*m ccw}, F: {on: 3, at: C, direction: 180 deg, size: "?"}}
+find: [F, R_12, R_43]
+"""
+
+
+def test_beside_a_value_that_runs_away_the_other_extreme_is_still_a_number() -> None:
+    kept = press()
+    extremes(study(solve(loads(CRANK_DRIVES), repeats=0)), kept)
+    told = {row[0]: row[2:] for row in kept.made[0].rows}
+    assert (told["$F$"][0], told["$F$"][2]) == ("∞", "−∞")
+    assert (told["$|R_{12}|$"][0], told["$|R_{12}|$"][2]) == ("∞", "200.00")  # M / AB, where AB is square to BC
+    assert (told["$|R_{43}|$"][0], told["$|R_{43}|$"][2]) == ("142.86", "58.824")  # M / AC at both dead centres
 
 
 @given(st.floats(1e-3, 1e5))

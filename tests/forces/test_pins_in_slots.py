@@ -11,7 +11,7 @@ import pytest
 
 from tests.texts import SIX_BAR
 from vecpoly import loads
-from vecpoly.errors import NoMethodError, ProblemFileError
+from vecpoly.errors import ProblemFileError
 from vecpoly.problem.load import load
 from vecpoly.solution import Solution, solve
 
@@ -122,28 +122,3 @@ def test_reactions_are_drawn_where_gears_mesh_and_where_another_link_makes_class
     head = f"id: x\ntitle: x\nextends: {base}\n{ROLLING}"
     asked = [ask.rel.key for ask in loads(head + "find: null\n").asks]
     assert len(asked) > 6 and agreeing(exact_hand(head + "find: null\n")) == len(asked)
-
-
-TWO_LEGS_ON_THE_CRANK = """
-id: x
-title: two legs of the plate on the crank
-frame: {A: [0 mm, 0 mm], E: [90 mm, -60 mm]}
-links:
-  1: {AB: 60 mm, G: {along: AB, at: 20 mm, left: -90 mm}}
-  2: {CD: 70 mm, H: {along: CD, at: 30 mm, left: 50 mm}}
-  3: {BC: 80 mm}
-  4: {GD: 75 mm}
-  5: {EH: 85 mm}
-input: {link: 1, phi: 100 deg, omega: 5 rad/s ccw}
-loads: {M_2: {on: 2, size: 5 N*m}, M_1: {on: 1, size: "?"}}
-"""
-
-
-def test_the_balancing_moment_alone_needs_no_reaction() -> None:
-    guesses = "guesses: {C: [40 mm, 120 mm], D: [100 mm, 80 mm], H: [100 mm, 30 mm]}\n"
-    head = TWO_LEGS_ON_THE_CRANK + guesses
-    assert agreeing(exact_hand(head + "find: [M_1, M_1_power, M_1_lever]\n")) == 3
-    assert [ask.rel.key for ask in loads(head).asks] == ["M_1"]
-    with pytest.raises(NoMethodError) as refused:
-        exact_hand(head + "find: [M_1, R_23]\n")
-    assert "find: [M_1]" in refused.value.words.en and "虚功率" in refused.value.words.zh

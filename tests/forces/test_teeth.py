@@ -98,7 +98,9 @@ def test_loads_through_the_bearing_leave_the_teeth_alone() -> None:
     assert abs(vector(found, "R_32")) == pytest.approx(70)
 
 
-@pytest.mark.parametrize("problem", ["winch-gears", "rack-lift", "planetary-reactions", "plate-reactions"])
+@pytest.mark.parametrize(
+    "problem", ["winch-gears", "rack-lift", "planetary-reactions", "plate-reactions", "plate-on-crank"]
+)
 def test_drawn_forces_of_gears_and_plates_are_those_of_the_oracle(problem: str) -> None:
     for answer in of_library(problem).answers.values():
         assert answer.deviation == pytest.approx(0.0, abs=1e-9 * max(1.0, abs(answer.exact))), answer.key

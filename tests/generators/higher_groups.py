@@ -8,9 +8,10 @@ import numpy as np
 
 from vecpoly import loads
 from vecpoly.mechanism.groups.assur import hinges
+from vecpoly.mechanism.model import Prismatic
 from vecpoly.solution import Solution
 
-from .class_iii import class_iii
+from .class_iii import LEGS, Layout, class_iii, crank, made
 from .equilibrium import in_equilibrium
 from .family import family
 from .powers import loaded, no_power_is_left
@@ -44,4 +45,31 @@ def with_friction(rng: np.random.Generator) -> str:
     bare = class_iii(rng)
     pins = [p for p in hinges(loads(bare).mechanism) if rng.random() < 0.7]
     rubbing = "".join(f"  {p}: {{rho: {rng.uniform(0.2, 2):.2f} mm}}\n" for p in pins)
+    return re.sub(r"\n+$", "\n", balanced(rng, bare)) + (f"friction:\n{rubbing}" if rubbing else "")
+
+
+def on_crank(rng: np.random.Generator) -> str:
+    """Two legs on the crank more often than not: then no other link makes class II of it."""
+    lay = Layout(rng)
+    return made(lay, crank(lay), "", ["frame", "1", "1"], [str(kind) for kind in rng.choice(LEGS, 3)])
+
+
+@family("forces-special-points", also=told)
+def by_special_points(rng: np.random.Generator) -> str:
+    """A central link with legs of any kind on the crank, loads on each of them."""
+    return balanced(rng, on_crank(rng))
+
+
+@family("forces-special-points-friction", also=told, often=4)
+def by_special_points_with_friction(rng: np.random.Generator) -> str:
+    """The same with friction in pins and slides."""
+    bare = on_crank(rng)
+    mech = loads(bare).mechanism
+    rubbing = "".join(f"  {p}: {{rho: {rng.uniform(0.2, 2):.2f} mm}}\n" for p in hinges(mech) if rng.random() < 0.7)
+    slides = (j for j in mech.joints if isinstance(j, Prismatic) and j.block not in mech.slot_pins)
+    rubbing += "".join(
+        f"  {mech.number(j.block)}-{mech.number(j.guide)}: {{phi: {rng.integers(2, 10)} deg}}\n"
+        for j in slides
+        if rng.random() < 0.7
+    )
     return re.sub(r"\n+$", "\n", balanced(rng, bare)) + (f"friction:\n{rubbing}" if rubbing else "")

@@ -34,7 +34,7 @@ def _position(scope: Scope, j: Arm, k: Track, c: str) -> tuple[Part, ...]:
     (xb, yb), (xq, yq), (u, w) = scope.xy(j.outer), scope.xy(k.base), k.unit
     a, b = Var("A_0"), Var("B_0")
     ahead = (k.along.conjugate() * (scope.at[c] - scope.at[j.outer])).real > 0
-    sign = Const("M", 1.0 if ahead else -1.0, "")
+    sign = Const("σ", 1.0 if ahead else -1.0, "")
     foot = (
         Words(f" ${k.base}$ ", f"${k.base}$")
         if not k.offset.size
@@ -60,8 +60,8 @@ def _position(scope: Scope, j: Arm, k: Track, c: str) -> tuple[Part, ...]:
         ),
         Part(
             Words(
-                f"装配模式系数 $M$ = {head}（${c}$ 在 ${j.outer}$ 到导路的垂足的{side.zh}向一侧）。从而",
-                f"with $M$ = {head}, since ${c}$ lies to the {side.en} side of the foot of ${j.outer}$ "
+                f"装配模式系数 $σ$ = {head}（${c}$ 在 ${j.outer}$ 到导路的垂足的{side.zh}向一侧）。从而",
+                f"with $σ$ = {head}, since ${c}$ lies to the {side.en} side of the foot of ${j.outer}$ "
                 "on the guide. Then",
             ),
             (*both(scope.xy(c), k.point(scope)), Equation(j.angle, j.angle_from(scope, c))),

@@ -37,7 +37,7 @@ def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
     a, b, rest = Var("A_0"), Var("B_0"), Var("C_0")
     at_j, at_k, at_c = (scope.at[p] for p in (j.outer, k.outer, c))
     left = ((at_k - at_j).conjugate() * (at_c - at_j)).imag > 0
-    sign = Const("M", 1.0 if left else -1.0, "")
+    sign = Const("σ", 1.0 if left else -1.0, "")
     angle = TWO * Arctan(b + sign * SquareRoot(square(a) + square(b) - square(rest)), a + rest)
     side = Words("左", "left") if left else Words("右", "right")
     head = "+1" if left else "−1"
@@ -49,8 +49,8 @@ def _position(scope: Scope, j: Arm, k: Arm, c: str) -> tuple[Part, ...]:
         _eliminated(scope, j, k, c),
         Part(
             Words(
-                f"解得（装配模式系数 $M$ = {head}：${c}$ 在矢量 ${j.outer}→{k.outer}$ 的{side.zh}侧）",
-                f"whose solution is, with $M$ = {head} since ${c}$ lies to the {side.en} of "
+                f"解得（装配模式系数 $σ$ = {head}：${c}$ 在矢量 ${j.outer}→{k.outer}$ 的{side.zh}侧）",
+                f"whose solution is, with $σ$ = {head} since ${c}$ lies to the {side.en} of "
                 f"${j.outer}→{k.outer}$ in this assembly,",
             ),
             (Equation(j.angle, angle - j.turn),),

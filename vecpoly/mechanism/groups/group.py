@@ -34,6 +34,11 @@ class Dyad:
     outer_k: Joint
     parent_k: str
 
+    @property
+    def links(self) -> tuple[str, str]:
+        """j and k."""
+        return self.link_j, self.link_k
+
 
 _CLASS = {"I": "Ⅰ", "II": "Ⅱ", "III": "Ⅲ", "IV": "Ⅳ", "V": "Ⅴ", "VI": "Ⅵ"}
 

@@ -13,7 +13,7 @@ from .state import Statics
 def _moments(st: Statics, dyad: Dyad) -> None: ...
 
 
-def _meshing(st: Statics, group: Group) -> None: ...
+def _whole(st: Statics, group: Group) -> None: ...
 
 
 def _line(st: Statics, two: TwoForce) -> Line:
@@ -29,9 +29,9 @@ def _driver(st: Statics, held: Held) -> None: ...
 def _balancing(st: Statics, load: Load | None) -> None: ...
 
 
-MOMENTS, MESHING, LINES, COUPLES, DRIVERS, BALANCING = (
+MOMENTS, WHOLE, LINES, COUPLES, DRIVERS, BALANCING = (
     Door(_moments),
-    Door(_meshing),
+    Door(_whole),
     Door(_line),
     Door(_couple),
     Door(_driver),

@@ -9,7 +9,7 @@ from ...errors import MobilityError
 from ...mechanism.groups.assur import Group, decompose, ends
 from ...mechanism.loads import Force, Loads, Moment
 from ...mechanism.model import FRAME, Drive, Joint, Mechanism, Prismatic, Revolute, Rolling
-from .balance.power_alone import is_drawn
+from .balance.power_alone import is_drawn, is_plain
 from .hubs import on_groups
 from .lines.links_of_group import Held
 
@@ -39,20 +39,23 @@ def order_of(mech: Mechanism, loads: Loads) -> Order:
     own = replace(
         _apart(mech, replace(mech.drive, link=link, on=FRAME)), held=Held(link=link, parent=FRAME, joint=joint)
     )
-    if is_drawn(own.groups):
+    if is_plain(own.groups):
         return own
     other = _known_before(mech)
-    return other if is_drawn(other.groups) else own
+    return other if is_plain(other.groups) or (is_drawn(other.groups) and not is_drawn(own.groups)) else own
 
 
 def _known_before(mech: Mechanism) -> Order:
     """The order from the driving link, or from another on the frame from which all groups are drawn
-    (取另一构件为原动件拆组): from one link a mechanism may be of class III, and from another of class II."""
+    (取另一构件为原动件拆组): from one link a mechanism may be of class III, and from another of class II.
+
+    A group of class III is solved as it is only where no link on the frame makes class II of it.
+    """
     drive = mech.drive
     own = _apart(mech, drive)
     joint = fixed_joint(own.mech, drive.link)
     first = replace(own, held=None if joint is None else Held(link=drive.link, parent=FRAME, joint=joint), known=True)
-    if is_drawn(own.groups) or drive.between:
+    if is_plain(own.groups) or drive.between:
         return first
     for link in mech.numbered:
         moved = Drive(link=link, position=0.0, rate=1.0)
@@ -62,7 +65,7 @@ def _known_before(mech: Mechanism) -> Order:
             continue
         moved = replace(moved, slide=isinstance(joint, Prismatic))
         other = _apart(mech, moved, unfit=())
-        if other.groups and is_drawn(other.groups):
+        if other.groups and is_plain(other.groups):
             return replace(other, held=Held(link=link, parent=FRAME, joint=joint), known=True)
     return first
 
@@ -113,10 +116,14 @@ def _apart(mech: Mechanism, drive: Drive, unfit: tuple[Group, ...] | None = None
     """
     hung, mech = on_groups(mech, drive), _held(mech, drive)
     found = _pressing(mech, drive)
-    if found is not None and is_drawn(found):
+    if found is not None and is_plain(found):
         return Order(held=None, groups=found, mech=mech)
     other = _pressing(hung, drive)
-    if other is not None and (found is None or is_drawn(other)):
+    for suits in (is_plain, is_drawn):
+        for groups, as_hung in ((found, mech), (other, hung)):
+            if groups is not None and suits(groups):
+                return Order(held=None, groups=groups, mech=as_hung)
+    if other is not None and found is None:
         return Order(held=None, groups=other, mech=hung)
     if found is None and unfit is not None:
         return Order(held=None, groups=unfit, mech=mech)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from ...errors import MobilityError
 from ...mechanism.asked.forces import pairs, press_named
 from ...mechanism.groups.assur import decompose, ends
+from ...mechanism.groups.stars import has_three_axes
 from ...mechanism.loads import Loads
 from ...mechanism.model import FRAME, Drive, Mechanism, Prismatic, Revolute
 from ...names import Named
@@ -18,7 +19,7 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
     """What is asked where the file does not say:
     the unknown load, with friction also without it and η, and every reaction.
 
-    Where the reactions are not drawn (groups above class II from whichever link): the load alone.
+    Where the reactions are not drawn (groups that are not, from whichever link): the load alone.
     """
     name = loads.unknown.name
     if not loads.friction and not _comes_apart(mech):
@@ -31,11 +32,11 @@ def default_asks(mech: Mechanism, loads: Loads, forces: Mapping[str, Named]) -> 
 
 
 def _comes_apart(mech: Mechanism) -> bool:
-    """Whether from the driving link, or from another on the frame, there are dyads, cylinders, single gears and racks
-    alone: of these the reactions are drawn."""
+    """Whether from the driving link, or from another on the frame, there are dyads, cylinders, single gears and racks,
+    central links on three legs alone: of these the reactions are drawn."""
     links = () if mech.drive.between else (name for name in mech.numbered if _on_frame(mech, name))
     drives = (mech.drive, *(Drive(link=name, position=0.0, rate=1.0) for name in links))
-    return any(_is_plain(mech, drive) for drive in drives)
+    return any(_is_drawn(mech, drive) for drive in drives)
 
 
 def _on_frame(mech: Mechanism, link: str) -> bool:
@@ -43,9 +44,12 @@ def _on_frame(mech: Mechanism, link: str) -> bool:
     return any({link, FRAME} == set(ends(j)) for j in mech.joints if isinstance(j, Revolute | Prismatic))
 
 
-def _is_plain(mech: Mechanism, drive: Drive) -> bool:
+def _is_drawn(mech: Mechanism, drive: Drive) -> bool:
     try:
         groups = decompose(replace(mech, drives=(drive,)))
     except MobilityError:
         return drive is mech.drive  # what is wrong with it is told elsewhere
-    return all(group.dyad is not None or group.ram is not None or group.kind in ("gear", "rack") for group in groups)
+    return all(
+        group.dyad is not None or group.ram is not None or group.kind in ("gear", "rack") or has_three_axes(group)
+        for group in groups
+    )

@@ -105,9 +105,9 @@ def _others(constants: list[str]) -> Iterator[Row]:
         ("ψ_", Words("导路的方向角", "direction of a guide"), "°"),
         ("δ_", Words("移动副两构件的固定夹角", "fixed angle between links of a sliding pair"), "°"),
         ("r_", Words("齿轮、滚子的半径", "radius of a gear or roller"), "mm"),
-        ("M", Words("装配模式系数，$M$ = ±1", "sign that tells the assembly, $M$ = ±1"), "—"),
+        ("σ", Words("装配模式系数，$σ$ = ±1", "sign that tells the assembly, $σ$ = ±1"), "—"),
     ):
-        found = next((c for c in constants if c.startswith(stem) and (stem != "M" or c == "M")), "")
+        found = next((c for c in constants if c.startswith(stem)), "")
         if found:
             yield found, words, unit
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from ....errors import NoMethodError
 from ....mechanism.groups.assur import Group
+from ....mechanism.groups.stars import has_three_axes
 from ....mechanism.loads import Loads
 from ....problem.problem import Problem
 from ....words import Words
@@ -23,9 +24,14 @@ def is_alone(problem: Problem) -> bool:
     return not any(key.startswith("R_") or key in ("eta", "h") for key in asked)
 
 
-def is_drawn(groups: Iterable[Group]) -> bool:
-    """Whether the reactions of all these groups are drawn: dyads, and gears and racks that one pair of teeth drives."""
+def is_plain(groups: Iterable[Group]) -> bool:
+    """Whether these are dyads, and gears and racks that one pair of teeth drives, alone."""
     return all(group.dyad is not None or mesh_of(group) is not None for group in groups)
+
+
+def is_drawn(groups: Iterable[Group]) -> bool:
+    """Whether the reactions of all these groups are drawn: those of plain ones, and of a central link on three legs."""
+    return all(is_plain((group,)) or has_three_axes(group) for group in groups)
 
 
 def power_first(st: Statics, loads: Loads | None = None) -> None:

@@ -3,7 +3,7 @@ the freest place is taken."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -19,6 +19,8 @@ LENGTH = 20.0  # mm; the longest force; none is drawn shorter than half of it
 CLEAR = 6.0  # mm between arrows: more is not better
 PULL = 4.0  # mm of clearness that an arrow must gain to be drawn away from a neighbour that presses
 REACH = 80.0  # mm: a line of action farther from the body is off the paper
+MANY = 10  # arrows that are tried in all their places together; the number of these doubles with each arrow
+ROUNDS = 5
 GAP = 1.5  # mm between an arrow's point and the pin
 
 
@@ -102,9 +104,30 @@ def _freest(options: Sequence[Sequence[Arrow]], body: np.ndarray) -> list[Arrow]
         axis=1
     )  # of each arrow's middle to the middle and far end of another
     starts = np.cumsum([0, *(len(pair) for pair in options[:-1])])
-    choices = starts + np.array(list(product(*(range(len(pair)) for pair in options))))
-    between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)
-    clear = np.minimum(np.minimum(between.min(axis=2), alone[choices]), CLEAR)
-    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.pulls else 0.0) for arrow in flat])[choices]
-    best = choices[int(np.argmax((clear - cost).sum(axis=1)))]
+    cost = np.array([(CLEAR if arrow.far else 0.0) + (PULL if arrow.pulls else 0.0) for arrow in flat])
+
+    def freedom(choices: np.ndarray) -> np.ndarray:
+        between = apart[choices[:, :, None], choices[:, None, :]] + np.where(np.eye(len(options)), np.inf, 0.0)
+        clear = np.minimum(np.minimum(between.min(axis=2), alone[choices]), CLEAR)
+        return np.asarray((clear - cost[choices]).sum(axis=1))
+
+    if len(options) > MANY:
+        best = _one_by_one(starts, [len(pair) for pair in options], freedom)
+    else:
+        choices = starts + np.array(list(product(*(range(len(pair)) for pair in options))))
+        best = choices[int(np.argmax(freedom(choices)))]
     return [flat[i] for i in best]
+
+
+def _one_by_one(starts: np.ndarray, counts: Sequence[int], freedom: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    """Of too many arrows to try all together each is turned in its turn, as long as that frees them."""
+    best = starts.copy()
+    for _ in range(ROUNDS):
+        before = best.copy()
+        for i, count in enumerate(counts):
+            tried = np.repeat(best[None], count, axis=0)
+            tried[:, i] = starts[i] + np.arange(count)
+            best = tried[int(np.argmax(freedom(tried)))]
+        if (best == before).all():
+            break
+    return best

@@ -15,7 +15,8 @@ from ..acting import Drawn
 from ..lines.resultant import Resultant
 from ..state import Statics
 
-LETTERS = "abcdefghklmnqrstuvw"
+_ROW = "abcdefghklmnqrstuvw"
+LETTERS = (*_ROW, *(f"{letter}_{turn}" for turn in range(1, 10) for letter in _ROW))  # of as many corners as need be
 
 
 def pane_of(st: Statics, link: str) -> Pane:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from ....errors import NoMethodError
 from ....mechanism.groups.assur import Group, joint_letter
+from ....mechanism.groups.stars import has_three_axes
 from ....mechanism.model import Joint, Prismatic, Revolute
 from ....plane import Line, cross, nominal, unit
 from ....words import Words
 from ...registry import Stage
-from ..doors import COUPLES, LINES, MESHING, MOMENTS
+from ..doors import COUPLES, LINES, MOMENTS, WHOLE
 from ..lines.couples_on_guides import couple_on_guide
 from ..lines.links_of_group import Held, TwoForce, pieces
 from ..lines.parallel_forces import PARALLEL
@@ -20,8 +21,8 @@ from ..teeth.mesh import mesh_of, pinned
 
 def solve_group(st: Statics, group: Group) -> None:
     """Find the reactions in the joints of a group; raises NoMethodError for groups above class II."""
-    if group.dyad is None and mesh_of(group) is not None:
-        MESHING.find(Stage.FORCE, group.kind).draw(st, group)
+    if (group.dyad is None and mesh_of(group) is not None) or has_three_axes(group):
+        WHOLE.find(Stage.FORCE, group.kind).draw(st, group)
         return
     if group.dyad is None:
         raise NoMethodError(

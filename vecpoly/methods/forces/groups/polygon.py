@@ -39,7 +39,7 @@ def draw_group(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> Corners
     terms += _forces(st, d.link_k, at_j)
     terms += last.found(st, LETTERS[len(terms) + 1])
     eq = Equation(left=(*terms, last.sought(st), first.sought(st)))
-    vertices, x = _closed(st, pane, eq, terms)
+    vertices, x = closed(st, pane, eq, terms)
     n = len(terms)
     at_k, corner_x = n - len(last.found(st, "")), (LETTERS[n + 1], x)
     return Corners(
@@ -58,7 +58,7 @@ def draw_link_j(st: Statics, d: Dyad, first: Reaction, inner: Reaction) -> Corne
     pane = _begin(st, d, d.link_j)
     lead = first.found(st, LETTERS[1])
     terms = [*lead, *_forces(st, d.link_j, len(lead))]
-    vertices, x = _closed(st, pane, Equation(left=(*terms, inner.sought(st), first.sought(st))), terms)
+    vertices, x = closed(st, pane, Equation(left=(*terms, inner.sought(st), first.sought(st))), terms)
     n = len(terms)
     corner_j, corner_x = (LETTERS[n], vertices[n]), (LETTERS[n + 1], x)
     corner_k = _carry_on(st, pane, d.link_k, corner_j, n + 1)
@@ -74,7 +74,7 @@ def draw_link_k(st: Statics, d: Dyad, inner: Reaction, last: Reaction) -> Corner
         return _nothing(st, d)
     pane = _begin(st, d, d.link_k)
     terms = _forces(st, d.link_k, 0)
-    vertices, x = _closed(st, pane, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
+    vertices, x = closed(st, pane, Equation(left=(*terms, last.sought(st), inner.sought(st))), terms)
     n = len(terms)
     end = _carry_on(st, pane, d.link_j, (LETTERS[n + 1], x), n + 1)
     if len(_forces(st, d.link_j, 0)):
@@ -119,13 +119,13 @@ def reactions(st: Statics, d: Dyad, corners: Corners) -> tuple[Drawn, Drawn, Dra
     ]
     found = corners.side(*corners.p), corners.side(corners.j, corners.x), corners.side(corners.k, corners.x)
     if corners.x[0] != "—":
-        _say_measured(st, tuple(zip(names, found, strict=True)))
+        say_measured(st, tuple(zip(names, found, strict=True)))
     for drawn, by, on in zip(found, (d.parent_j, d.link_k, d.parent_k), (d.link_j, d.link_j, d.link_k), strict=True):
-        _name(st, drawn, by, on)
+        name_side(st, drawn, by, on)
     return found
 
 
-def _say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
+def say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
     """Which reactions are measured, and which are zero since the letters of their ends coincide."""
     none = [(name, drawn) for name, drawn in sides if abs(complex(nominal(drawn.end - drawn.start))) < SAME]
     names = [name for name, drawn in sides if (name, drawn) not in none]
@@ -142,7 +142,7 @@ def _say_measured(st: Statics, sides: tuple[tuple[str, Drawn], ...]) -> None:
         st.board.remark(why + Words(f"{zeros}0。", f" {zeros}0."))
 
 
-def _name(st: Statics, drawn: Drawn, by: str, on: str) -> None:
+def name_side(st: Statics, drawn: Drawn, by: str, on: str) -> None:
     """Draw a reaction on the polygon and write what is measured between its letters."""
     named = st.named(by, on)
     start, end = complex(nominal(drawn.start)), complex(nominal(drawn.end))
@@ -170,10 +170,11 @@ def _begin(st: Statics, d: Dyad, *alone: str) -> Pane:
 
 
 def _forces(st: Statics, link: str, after: int) -> list[Term]:
-    return [_term(force, LETTERS[after + i + 1]) for i, force in enumerate(acting_on(st, link))]
+    return [term_of(force, LETTERS[after + i + 1]) for i, force in enumerate(acting_on(st, link))]
 
 
-def _term(force: Acting, tip: str) -> Term:
+def term_of(force: Acting, tip: str) -> Term:
+    """A known force as a side of the polygon."""
     return Term(
         rel=force.named,
         symbol=force.named.symbol,
@@ -184,7 +185,7 @@ def _term(force: Acting, tip: str) -> Term:
     )
 
 
-def _closed(st: Statics, pane: Pane, eq: Equation, terms: list[Term]) -> tuple[list[Points], Points]:
+def closed(st: Statics, pane: Pane, eq: Equation, terms: list[Term]) -> tuple[list[Points], Points]:
     """All vertices of the known chain, and the corner."""
     st.board.equate(eq.table())
     letter = LETTERS[len(terms) + 1]

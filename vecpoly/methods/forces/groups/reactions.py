@@ -36,7 +36,9 @@ def settle_pin(st: Statics, by: str, on: str, point: str, drawn: Drawn) -> None:
     st.settle(by, on, vector, st.touch(point, _along(vector), sense), drawn, sense)
 
 
-def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tuple[str, Turning]) -> None:
+def settle_slide(
+    st: Statics, links: tuple[str, ...], by: str, on: str, drawn: Drawn, about: tuple[str, Turning]
+) -> None:
     """A slide's reaction on the line where ΣM = 0 of the link it acts on puts it:
     h = Σ M / R from the point of moments.
 
@@ -51,12 +53,12 @@ def settle_slide(st: Statics, d: Dyad, by: str, on: str, drawn: Drawn, about: tu
         return
     at = pin
     if turning.way:
-        at = _displaced(st, group_pane(st, d.link_j, d.link_k), by, on, point, drawn, turning)
+        at = _displaced(st, group_pane(st, *links), by, on, point, drawn, turning)
     else:
         i, j = st.mech.number(by), st.mech.number(on)
         st.board.remark(Words(f"$R_{{{i}{j}}}$ 过 ${point}$ 点。", f" $R_{{{i}{j}}}$ passes through ${point}$."))
     st.settle(by, on, vector, at, drawn)
-    _leave(st, d, by, on, pin, at, vector)
+    _leave(st, links, by, on, pin, at, vector)
 
 
 def no_force(st: Statics, drawn: Drawn) -> bool:
@@ -83,10 +85,10 @@ def _say_couple(st: Statics, by: str, on: str, couple: Reals) -> None:
     )
 
 
-def lean(st: Statics, d: Dyad, joint: Prismatic, by: str, on: str) -> Reaction:
+def lean(st: Statics, links: tuple[str, ...], joint: Prismatic, by: str, on: str) -> Reaction:
     """A slide's reaction along the normal of its guide, inclined by φ where there is friction."""
     why = slide_words(st, joint, by, on)
-    st.board.step(Words(why.zh, why.en.strip()), group_pane(st, d.link_j, d.link_k))
+    st.board.step(Words(why.zh, why.en.strip()), group_pane(st, *links))
     direction = Words("与法线成 $φ$", "at $φ$ to the normal") if st.phi(joint) else Words("⊥导路", "⊥guide")
     return Reaction(by=by, on=on, line=inclined(st, joint, by, on), direction=direction)
 
@@ -109,15 +111,15 @@ def _displaced(st: Statics, pane: Pane, by: str, on: str, point: str, drawn: Dra
 
 def draw_body(st: Statics, d: Dyad, first: Reaction, last: Reaction) -> None:
     """All forces on the group at their lines of action; what its links do to each other stays inside."""
-    links = (d.link_j, d.link_k)
+    links = d.links
     own = {st.named(by, on).key for by, on in (links, links[::-1], (d.parent_j, d.link_j), (d.parent_k, d.link_k))}
     forces = [force for link in links for force in st.known(link) if force.named.key not in own]
     draw_forces(st, group_pane(st, *links), links, [*forces, *first.parts(st), *last.parts(st)])
 
 
-def _leave(st: Statics, d: Dyad, by: str, on: str, pin: Points, at: Points, vector: Points) -> None:
+def _leave(st: Statics, links: tuple[str, ...], by: str, on: str, pin: Points, at: Points, vector: Points) -> None:
     """The arm of a slide's reaction; inside the group also its line."""
-    pane = group_pane(st, d.link_j, d.link_k)
+    pane = group_pane(st, *links)
     away = float(abs(nominal(at - pin)))
     if away > REACH:
         st.board.remark(
@@ -127,7 +129,7 @@ def _leave(st: Statics, d: Dyad, by: str, on: str, pin: Points, at: Points, vect
     if away > SHORT:
         st.board.join(pane, pin, at, Role.CONSTRUCTION)
         st.board.plot(pane, (pin + at) / 2, f"h_{{{st.mech.number(by)}{st.mech.number(on)}}}", Dot.NONE)
-    if {by, on} == {d.link_j, d.link_k}:
+    if {by, on} <= set(links):
         u, named = _along(vector), st.named(by, on)
         st.board.join(pane, at - u * INSIDE, at, Role.DIRECTION)
         st.board.arrow(pane, at, at + u * INSIDE, Role.RESULT, key=named.key, label=named.symbol)

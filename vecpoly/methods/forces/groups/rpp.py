@@ -28,12 +28,12 @@ _SOURCE = "机械原理, dynamic-static analysis of Assur groups"
 def forces_rpp(st: Statics, d: Dyad) -> None:
     """ΣF_k + R_qk + R_jk = 0, both normal to their guides (or at φ to that); then R_pj = −ΣF_j − R_kj."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Prismatic) and isinstance(d.outer_k, Prismatic)
-    p, pane = d.outer_j.point, group_pane(st, d.link_j, d.link_k)
-    inner, last = lean(st, d, d.inner, d.link_j, d.link_k), lean(st, d, d.outer_k, d.parent_k, d.link_k)
+    p, pane = d.outer_j.point, group_pane(st, *d.links)
+    inner, last = lean(st, d.links, d.inner, d.link_j, d.link_k), lean(st, d.links, d.outer_k, d.parent_k, d.link_k)
     about = (p, moments_about(st, pane, (d.link_j,), p))
     r_pj, r_kj, r_qk = reactions(st, d, draw_link_k(st, d, inner, last))
     settle_pin(st, d.parent_j, d.link_j, p, r_pj)
-    settle_slide(st, d, d.link_k, d.link_j, r_kj, about)
+    settle_slide(st, d.links, d.link_k, d.link_j, r_kj, about)
     pin = d.outer_k.pin
-    settle_slide(st, d, d.parent_k, d.link_k, r_qk, (pin, moments_about(st, pane, (d.link_k,), pin)))
+    settle_slide(st, d.links, d.parent_k, d.link_k, r_qk, (pin, moments_about(st, pane, (d.link_k,), pin)))
     draw_body(st, d, Reaction(by=d.parent_j, on=d.link_j, line=inner.line, direction=UNKNOWN), last)

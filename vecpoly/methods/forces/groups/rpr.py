@@ -30,11 +30,11 @@ def forces_rpr(st: Statics, d: Dyad) -> None:
     """R^t_pj + ΣF_j + R_kj + R^n_pj = 0, R_kj normal to the guide (or at φ to that); R_qk closes the group."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Prismatic) and isinstance(d.outer_k, Revolute)
     p, q = d.outer_j.point, d.outer_k.point
-    first = split(st, d, d.parent_j, d.link_j, (p, q), (d.link_j, d.link_k))
-    inner = lean(st, d, d.inner, d.link_k, d.link_j)
-    about = (p, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_j,), p))
+    first = split(st, d.links, d.parent_j, d.link_j, (p, q), (d.link_j, d.link_k))
+    inner = lean(st, d.links, d.inner, d.link_k, d.link_j)
+    about = (p, moments_about(st, group_pane(st, *d.links), (d.link_j,), p))
     r_pj, r_kj, r_qk = reactions(st, d, draw_link_j(st, d, first, inner))
     settle_pin(st, d.parent_j, d.link_j, p, r_pj)
     settle_pin(st, d.parent_k, d.link_k, q, r_qk)
-    settle_slide(st, d, d.link_k, d.link_j, r_kj, about)
+    settle_slide(st, d.links, d.link_k, d.link_j, r_kj, about)
     draw_body(st, d, first, Reaction(by=d.parent_k, on=d.link_k, line=st.desk.towards(p, q), direction=UNKNOWN))

@@ -29,11 +29,11 @@ def forces_rrp(st: Statics, d: Dyad) -> None:
     ΣM_C of the slide gives its line."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Prismatic)
     p, c = d.outer_j.point, d.inner.point
-    first = split(st, d, d.parent_j, d.link_j, (p, c))
-    last = lean(st, d, d.outer_k, d.parent_k, d.link_k)
-    about = (c, moments_about(st, group_pane(st, d.link_j, d.link_k), (d.link_k,), c))
+    first = split(st, d.links, d.parent_j, d.link_j, (p, c))
+    last = lean(st, d.links, d.outer_k, d.parent_k, d.link_k)
+    about = (c, moments_about(st, group_pane(st, *d.links), (d.link_k,), c))
     r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))
     settle_pin(st, d.parent_j, d.link_j, p, r_pj)
     settle_pin(st, d.link_k, d.link_j, c, r_kj)
-    settle_slide(st, d, d.parent_k, d.link_k, r_qk, about)
+    settle_slide(st, d.links, d.parent_k, d.link_k, r_qk, about)
     draw_body(st, d, first, last)

@@ -29,8 +29,8 @@ def forces_rrr(st: Statics, d: Dyad) -> None:
     """R^t_pj + ΣF_j + ΣF_k + R^t_qk + R^n_qk + R^n_pj = 0, normals along the links; then R_kj closes link j alone."""
     assert isinstance(d.outer_j, Revolute) and isinstance(d.inner, Revolute) and isinstance(d.outer_k, Revolute)
     p, c, q = d.outer_j.point, d.inner.point, d.outer_k.point
-    first = split(st, d, d.parent_j, d.link_j, (p, c))
-    last = split(st, d, d.parent_k, d.link_k, (q, c))
+    first = split(st, d.links, d.parent_j, d.link_j, (p, c))
+    last = split(st, d.links, d.parent_k, d.link_k, (q, c))
     r_pj, r_kj, r_qk = reactions(st, d, draw_group(st, d, first, last))
     settle_pin(st, d.parent_j, d.link_j, p, r_pj)
     settle_pin(st, d.parent_k, d.link_k, q, r_qk)
@@ -38,13 +38,15 @@ def forces_rrr(st: Statics, d: Dyad) -> None:
     draw_body(st, d, first, last)
 
 
-def split(st: Statics, d: Dyad, by: str, on: str, arm: tuple[str, str], links: tuple[str, ...] = ()) -> Reaction:
+def split(
+    st: Statics, group: tuple[str, ...], by: str, on: str, arm: tuple[str, str], links: tuple[str, ...] = ()
+) -> Reaction:
     """The reaction at an outer pin P, split along and across the line to C: R^t from ΣM_C = 0 of its link (or of
     `links` together)."""
     p, c = arm
     i, j, body = st.mech.number(by), st.mech.number(on), links or (on,)
     of, of_en = ("杆组", "the group") if len(body) > 1 else (f"构件 {j} ", f"link {j}")
-    pane = group_pane(st, d.link_j, d.link_k)
+    pane = group_pane(st, *group)
     st.board.step(
         Words(
             f"将 $R_{{{i}{j}}}$ 分解为沿 ${p}{c}$ 的 $R^n_{{{i}{j}}}$ 与垂直于 ${p}{c}$ 的 $R^t_{{{i}{j}}}$；"

@@ -47,9 +47,31 @@ def moments_about(st: Statics, pane: Pane, links: Iterable[str], point: str) -> 
     return moments_at(st, pane, links, st.desk.at[point])
 
 
-def moments_at(st: Statics, pane: Place | None, links: Iterable[str], about: Points) -> Turning:
-    """The same about any point; without a figure no arms are drawn."""
-    found = [part for link in links for part in (*_of_forces(st, pane, link, about), *_of_couples(st, link))]
+def moments_at(st: Statics, pane: Place | None, links: Iterable[str], about: Points, letter: str = "") -> Turning:
+    """The same about any point; without a figure no arms are drawn. letter: of the point, where the arms carry it."""
+    return _sum(
+        part
+        for link in links
+        for part in (*_of_forces(st, pane, acting_on(st, link), about, letter), *_of_couples(st, link))
+    )
+
+
+def moments_of(st: Statics, pane: Place | None, forces: Iterable[Acting], about: Points, letter: str = "") -> Turning:
+    """Moments of these forces alone."""
+    return _sum(_of_forces(st, pane, forces, about, letter))
+
+
+def joined(*turnings: Turning) -> Turning:
+    """Several sums of moments as one."""
+    return Turning(
+        terms=tuple(term for one in turnings for term in one.terms),
+        signs=tuple(sign for one in turnings for sign in one.signs),
+        value=summed(one.value for one in turnings),
+    )
+
+
+def _sum(parts: Iterable[tuple[Expr, Reals]]) -> Turning:
+    found = list(parts)
     return Turning(
         terms=tuple(expr for expr, _ in found),
         signs=tuple(int(nominal(sign)) for _, sign in found),
@@ -69,15 +91,18 @@ def size_of(st: Statics, force: Acting) -> Quantity:
     return magnitude(force.named.symbol, measured(st, force.drawn).value, "N")
 
 
-def _of_forces(st: Statics, pane: Place | None, link: str, about: Points) -> Iterator[tuple[Expr, Reals]]:
+def _of_forces(
+    st: Statics, pane: Place | None, forces: Iterable[Acting], about: Points, letter: str = ""
+) -> Iterator[tuple[Expr, Reals]]:
     """F μ_l h of every force that does not pass through the point."""
-    for force in acting_on(st, link):
+    for force in forces:
+        named = arm_about_point(force.named.symbol, letter)
         end = foot(Line(force.at, force.line.along), about)
-        arm = st.board.measure(about, end, arm_about_point(force.named.symbol))
+        arm = st.board.measure(about, end, named)
         if abs(nominal(end - about)) < NO_LENGTH:
             continue
         if pane is not None:
-            draw_arm(st, pane, about, end, force, arm_about_point(force.named.symbol))
+            draw_arm(st, pane, about, end, force, named)
         sense = np.sign(cross(end - about, force.vector))
         if np.isnan(nominal(sense)):
             raise EquilibriumError(

@@ -10,14 +10,16 @@ def bare(symbol: str) -> str:
 
 
 def subscript(symbol: str) -> str:
-    """What tells a force from the others: F_{I2} → I2, R_{56} → 56, F → F, G_{2} → G2."""
+    """What tells a force from the others: F_{I2} → I2, R_{56} → 56, R^t_{56} → 56t, F → F, G_{2} → G2."""
     base, _, sub = symbol.partition("_")
+    if base.startswith("R^"):
+        return bare(sub) + base[2:]
     return bare(sub) if sub and base in ("F", "R") else bare(symbol)
 
 
-def arm_about_point(symbol: str) -> str:
-    """h_{I2}: the arm of a force on the diagram."""
-    return f"h_{{{subscript(symbol)}}}"
+def arm_about_point(symbol: str, about: str = "") -> str:
+    """h_{I2}: the arm of a force on the diagram; h_{S,I2} about a point beside others."""
+    return f"h_{{{about},{subscript(symbol)}}}" if about else f"h_{{{subscript(symbol)}}}"
 
 
 def arm_about_pole(symbol: str) -> str:

@@ -15,6 +15,7 @@ from typing import assert_never
 from ....errors import NoMethodError
 from ....foundation.slotted import dataclass
 from ....mechanism.groups.assur import Group, Outer, ends
+from ....mechanism.groups.stars import plate_of
 from ....mechanism.model import FRAME, Joint, Prismatic, Revolute
 from ....names import At
 from ....plane import Line
@@ -105,16 +106,16 @@ def star_of(group: Group) -> Star:
 
 def is_star(group: Group) -> bool:
     """Whether a class III group is one central link on three legs of two joints each."""
-    return group.kind == "class III" and _star(group) is not None
+    return plate_of(group) is not None
 
 
 def _star(group: Group) -> Star | None:
-    inner = {name: [joint for joint in group.inner if name in ends(joint)] for name in group.links}
-    plates = [name for name, joints in inner.items() if len(joints) == 3]
-    legs = [leg for outer in group.outer if (leg := _leg(outer, inner[outer.link])) is not None]
-    if len(plates) != 1 or len(legs) != 3 or len(group.links) != 4:
+    plate = plate_of(group)
+    if plate is None:
         return None
-    return Star(plate=plates[0], legs=(legs[0], legs[1], legs[2]))
+    inner = {name: [joint for joint in group.inner if name in ends(joint)] for name in group.links}
+    one, two, three = (leg for outer in group.outer if (leg := _leg(outer, inner[outer.link])) is not None)
+    return Star(plate=plate, legs=(one, two, three))
 
 
 def _leg(outer: Outer, inner: list[Joint]) -> Leg | None:

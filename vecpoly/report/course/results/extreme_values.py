@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from math import floor, log10
+from math import floor, isfinite, log10
 
-import numpy as np
-
-from ....cycle import Spot
 from ....findings.study.study import Study
 from ....words import Words
 from ..analysis import force_words
 from ..numbering import Press
 from .tabled import decimal
 
-_AWAY = 50.0  # times what nine tenths of the values stay below
 _EXTREMES = {
     "zh": ["量", "单位", "最大值", "位置", "最小值", "位置"],
     "en": ["Quantity", "Unit", "Greatest", "At", "Least", "At"],
@@ -30,14 +26,13 @@ def extremes(study: Study, press: Press) -> str:
         found, info = study.extremes(key), study.whole.info(key)
         if found.highest is None or found.lowest is None or found.is_constant or not study.varies(key):
             continue
-        top = max(abs(found.highest.value), abs(found.lowest.value))
+        both = (found.highest, found.lowest)
+        top = max((abs(spot.value) for spot in both if isfinite(spot.value)), default=0.0)
         spots = [
             text
-            for spot in (found.highest, found.lowest)
+            for spot in both
             for text in (
-                ("∞" if spot.value > 0 else "−∞")
-                if _unbounded(study, key, spot)
-                else _exact(info.factor * spot.value, info.factor * top),
+                _exact(info.factor * spot.value, info.factor * top),
                 _placed(study, spot.phi) + ("*" if force_words.is_limit(study, key, spot) else ""),
             )
         ]
@@ -50,11 +45,6 @@ def extremes(study: Study, press: Press) -> str:
     return press.table(Words("极值及其位置", "Extreme values and where they occur"), header, rows, "lcrrrr")
 
 
-def _unbounded(study: Study, key: str, spot: Spot) -> bool:
-    """Whether the value runs away at an end of the drive's range."""
-    return spot.end and bool(abs(spot.value) > _AWAY * float(np.nanpercentile(np.abs(study.turn.real(key)), 90)))
-
-
 def _placed(study: Study, phi: float) -> str:
     """The drive's position with two decimals."""
     drive = study.turn.drive
@@ -62,7 +52,9 @@ def _placed(study: Study, phi: float) -> str:
 
 
 def _exact(value: float, top: float) -> str:
-    """Five significant digits; zero for what rounding leaves beside the largest value."""
+    """Five significant digits; zero for what rounding leaves beside the largest value; ±∞ for what runs away."""
+    if not isfinite(value):
+        return "∞" if value > 0 else "−∞"
     if abs(value) < 1e-9 * top:
         return "0"
     return decimal(value, int(min(6, max(0, 4 - floor(log10(abs(value)))))))

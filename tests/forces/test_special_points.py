@@ -1,0 +1,116 @@
+"""Class III groups whose legs hang on a moving link, so that no other driver makes class II of them:
+their reactions are drawn by moments about a special point."""
+
+from __future__ import annotations
+
+import cmath
+from math import radians
+
+import pytest
+
+from tests.forces.test_pins_in_slots import agreeing, exact_hand
+from tests.generators.equilibrium import in_equilibrium
+from vecpoly import loads
+from vecpoly.errors import NoMethodError
+from vecpoly.problem.load import load
+from vecpoly.solution import solve
+
+CRANK = """
+id: x
+title: a plate with two legs on the crank
+frame: {A: [0 mm, 0 mm], E: [90 mm, -60 mm]}
+links:
+  1: {AB: 60 mm, G: {along: AB, at: 20 mm, right: 90 mm}}
+  2: {CD: 70 mm, H: {along: CD, at: 30 mm, left: 50 mm}}
+  3: {BC: 80 mm}
+  4: {%s}
+  5: {%s}
+joints: [%s]
+input: {link: 1, phi: 100 deg, omega: 5 rad/s ccw}
+guesses: {C: [40 mm, 120 mm], D: [100 mm, 80 mm], H: [100 mm, 30 mm]}
+loads:
+  Q_2: {on: 2, at: H, size: 400 N, direction: -65 deg}
+  Q_4: {on: 4, at: %s, size: 60 N, direction: 30 deg}
+  M_3: {on: 3, size: 4 N*m}
+  M_5: {on: 5, size: -3 N*m}
+  M_1: {on: 1, size: "?"}
+"""
+BARS = CRANK % ("GD: 75 mm", "EH: 85 mm", "", "D")
+SLIDER = CRANK % ("GD: 75 mm", "block: H", "5 slides on line through E at 100 deg", "D")
+SLEEVE = CRANK % ("block: G", "EH: 85 mm", "4 slides on CD of 2 with G 5 mm left", "G")
+RUBBING = "friction: {A: {rho: 2 mm}, B: {rho: 2 mm}, C: {rho: 2 mm}, %s}\n"
+FRICTION = {
+    BARS: RUBBING % "D: {rho: 1 mm}, E: {rho: 1 mm}, G: {rho: 1 mm}, H: {rho: 1 mm}",
+    SLIDER: RUBBING % "D: {rho: 1 mm}, G: {rho: 1 mm}, H: {rho: 1 mm}, 5-6: {phi: 6 deg}",
+    SLEEVE: RUBBING % "E: {rho: 1 mm}, G: {rho: 1 mm}, H: {rho: 1 mm}, 2-4: {phi: 6 deg}",
+}
+MASSES = "masses: {2: {mass: 2 kg, inertia: 0.002 kg*m^2, centre: H}, 5: {mass: 3 kg, centre: H}}\nweight: yes\n"
+
+
+@pytest.mark.parametrize("text", [BARS, SLIDER, SLEEVE], ids=["bars", "slider", "sleeve"])
+@pytest.mark.parametrize("rubs", [False, True])
+def test_every_reaction_is_drawn_where_two_legs_hang_on_the_crank(text: str, rubs: bool) -> None:
+    solution = exact_hand(text + (FRICTION[text] if rubs else ""))
+    assert agreeing(solution) == (10 if rubs else 8)  # with M_1 without friction, and η
+    assert in_equilibrium(solution) == ""
+
+
+def test_inertia_forces_and_weights_go_into_the_moments() -> None:
+    solution = exact_hand(BARS + MASSES)
+    assert agreeing(solution) == 8 and in_equilibrium(solution) == ""
+    assert abs(solution.answers["R_25"].exact - exact_hand(BARS).answers["R_25"].exact) > 1.0
+
+
+def test_about_the_special_point_two_reactions_have_no_moment() -> None:
+    """S is where the legs EH and GD meet; ΣM_S leaves R^n_13 alone, as the step says."""
+    solution = exact_hand(BARS.replace("  M_5: {on: 5, size: -3 N*m}\n", ""))
+    told = [step.words.en for step in solution.construction.steps]
+    assert any("$ΣM_S$ = 0 of the whole group gives that of link 3" in text for text in told)
+    forces = solution.as_json()["forces"]
+    places = {key: complex(*one["point"]) for key, one in forces.items() if "point" in one}
+    ways = {key: solution.answers[key].drawn_vector for key in ("R_56", "R_14")}
+    e, g = places["R_56"], places["R_14"]
+    u, w = ways["R_56"], ways["R_14"]
+    assert u is not None and w is not None
+    s = e + u * ((g - e).conjugate() * w).imag / (u.conjugate() * w).imag
+    sides = [(places[key] - s, solution.answers[key].drawn_vector) for key in ("R_13",)]
+    loads_at = {"Q_2": (places["R_25"], 400, -65), "Q_4": (places["R_24"], 60, 30)}
+    turned = sum((arm.conjugate() * force).imag for arm, force in sides if force is not None)
+    turned += sum(((at - s).conjugate() * cmath.rect(size, radians(way))).imag for at, size, way in loads_at.values())
+    assert turned + 4.0 == pytest.approx(0.0, abs=1e-9)
+
+
+def test_the_library_s_plate_on_the_crank_needs_no_other_driver() -> None:
+    solution = solve(load("plate-on-crank"), by="exact", repeats=0)
+    assert agreeing(solution) == 9
+    assert not any("taken as the driver" in step.words.en for step in solution.construction.steps)
+
+
+TWO_SLIDES = """
+id: x
+title: a leg with two slides, and two legs on the crank
+frame: {A: [0 mm, 0 mm], F: [150 mm, -40 mm]}
+links:
+  1: {AB: 40 mm, G: {along: AB, at: 20 mm, right: 60 mm}}
+  2: {CD: 60 mm, E: {along: CD, at: 30 mm, left: 40 mm}}
+  3: {BC: 70 mm}
+  4: {GD: 80 mm}
+  5: {block: K}
+joints: [5 slides on CE of 2, 5 slides on line through F at 70 deg turned 20 deg]
+input: {link: 1, phi: 60 deg, omega: 5 rad/s ccw}
+guesses: {C: [60 mm, 90 mm], D: [110 mm, 60 mm], K: [120 mm, 100 mm]}
+loads: {Q: {on: 2, at: D, size: 50 N, direction: 30 deg}, M_1: {on: 1, size: "?"}}
+"""
+
+
+def test_the_balancing_moment_alone_needs_no_reaction() -> None:
+    assert agreeing(exact_hand(TWO_SLIDES + "find: [M_1, M_1_power, M_1_lever]\n")) == 3
+    assert [ask.rel.key for ask in loads(TWO_SLIDES).asks] == ["M_1"]
+    with pytest.raises(NoMethodError) as refused:
+        exact_hand(TWO_SLIDES + "find: [M_1, R_23]\n")
+    assert "find: [M_1]" in refused.value.words.en and "虚功率" in refused.value.words.zh
+
+
+def test_a_polygon_has_letters_for_as_many_loads_as_there_are() -> None:
+    many = "".join(f"  F_{n}: {{on: 2, at: H, size: {n} N, direction: {17 * n} deg}}\n" for n in range(20, 45))
+    assert agreeing(exact_hand(BARS.replace("  M_3:", many + "  M_3:"))) == 8

@@ -1,0 +1,114 @@
+"""The force polygon of a class III group: every reaction is a side, or a diagonal, of one chain.
+
+From the origin run R^t and the forces of the first leg, the forces of the central link, the forces and the whole
+reaction of the third leg, the forces and R^t of the second; the two parts still sought close it in the corner X.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ....board.construction import Pane
+from ....board.paper.marks import Dot
+from ....plane import Points
+from ....vector.equation import Equation, Term
+from ....words import Words
+from ..acting import Acting, Drawn
+from ..bodies.link_polygon import LETTERS
+from ..groups.body import polygon_title
+from ..groups.corners import part_named
+from ..groups.polygon import closed, term_of
+from ..lines.arms import acting_on
+from ..state import Statics
+from .legs import Pressed, forces_in_chain
+
+Corner = tuple[str, Points]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sides:
+    """Of one leg: the reaction at its outer joint, and that on the central link."""
+
+    outer: Drawn
+    inner: Drawn
+
+
+def draw_chain(
+    st: Statics, links: tuple[str, ...], plate: str, legs: tuple[Pressed, Pressed, Pressed], third: Points
+) -> tuple[Sides, Sides, Sides]:
+    """ΣF = 0 of the whole group. legs: the two whose parts are sought, and the third, of which that part is known."""
+    one, two, last = legs
+    chain = _Chain(st=st, terms=[])
+    chain.add_part(one, "t")
+    after_one = chain.reached()
+    chain.add(forces_in_chain(st, one))
+    start = chain.reached()
+    chain.add(acting_on(st, plate))
+    third_in = chain.reached()
+    chain.add(forces_in_chain(st, last))
+    third_out = chain.reached()
+    chain.add_part(last, "t")
+    chain.add_part(last, "n", third)
+    second_in = chain.reached()
+    chain.add(forces_in_chain(st, two))
+    second_out = chain.reached()
+    chain.add_part(two, "t")
+    pane = _begin(st, links)
+    eq = Equation(left=(*chain.terms, two.reaction.sought(st), one.reaction.sought(st)))
+    vertices, x = closed(st, pane, eq, chain.terms)
+    corner = (LETTERS[len(chain.terms) + 1], x)
+    at = [(LETTERS[i], vertex) for i, vertex in enumerate(vertices)]
+    return (
+        Sides(outer=_side(pane, corner, at[after_one]), inner=_side(pane, corner, at[start])),
+        Sides(outer=_side(pane, at[second_out], corner), inner=_side(pane, at[second_in], corner)),
+        Sides(outer=_side(pane, at[third_out], at[second_in]), inner=_side(pane, at[third_in], at[second_in])),
+    )
+
+
+@dataclass(slots=True, kw_only=True)
+class _Chain:
+    """The known terms, head to tail."""
+
+    st: Statics
+    terms: list[Term]
+
+    def reached(self) -> int:
+        """The corner that the chain has reached."""
+        return len(self.terms)
+
+    def add(self, forces: list[Acting]) -> None:
+        """Known forces."""
+        for force in forces:
+            self.terms.append(term_of(force, LETTERS[self.reached() + 1]))
+
+    def add_part(self, leg: Pressed, part: str, vector: Points | None = None) -> None:
+        """R^t of a leg where it has one; or its part along the axis, once that is known."""
+        reaction = leg.reaction
+        if part == "t":
+            self.terms += reaction.found(self.st, LETTERS[self.reached() + 1])
+            return
+        assert vector is not None
+        named = part_named(self.st.named(reaction.by, reaction.on), reaction.part)
+        tip = LETTERS[self.reached() + 1]
+        self.terms.append(
+            Term(rel=named, symbol=named.symbol, direction=reaction.direction, magnitude="✓", vector=vector, tip=tip)
+        )
+
+
+def _begin(st: Statics, links: tuple[str, ...]) -> Pane:
+    pane = st.polygon("-".join(map(st.mech.number, links)), polygon_title(st, *links))
+    numbers = list(map(st.mech.number, links))
+    st.board.step(
+        Words(
+            f"列整个杆组（构件 {'、'.join(numbers)}）的力平衡方程，按 $μ_F$ 作力多边形，各力首尾相接。",
+            f"Write the equilibrium of the whole group, links {', '.join(numbers)}, and draw the polygon to $μ_F$, the "
+            "forces head to tail.",
+        ),
+        pane,
+    )
+    st.board.plot(pane, 0j, LETTERS[0], Dot.POINT)
+    return pane
+
+
+def _side(pane: Pane, start: Corner, end: Corner) -> Drawn:
+    return Drawn(place=pane, start=start[1], end=end[1], letters=f"{start[0]} {end[0]}")

@@ -1,0 +1,181 @@
+"""Reactions of a class III group by special points (特殊点法):
+where the axes of two legs meet, ΣM leaves the third alone.
+
+R^t of each leg from its own moments; ΣM_S = 0 of the group about the special point S of two legs gives what the third
+presses along its axis; the force polygon of the group gives the other two.
+"""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+import numpy as np
+
+from ....board.construction import Pane, View
+from ....board.paper.marks import Dot, Role
+from ....mechanism.groups.assur import Group, ends
+from ....mechanism.model import Prismatic
+from ....plane import Points, cross, foot, nominal
+from ....vector.equation import UNKNOWN, Term
+from ....words import Words
+from ...kinematics.class_iii.special import special_of
+from ...kinematics.class_iii.star import Guided, Hinged, Slotted, Star, star_of
+from ...registry import Stage, method
+from ..acting import Drawn
+from ..bodies.arrows import REACH
+from ..bodies.link_polygon import draw_polygon
+from ..groups.body import SHORT, draw_forces, group_pane
+from ..groups.corners import part_named
+from ..groups.polygon import name_side, say_measured
+from ..groups.reactions import settle_pin, settle_slide
+from ..lines.arms import Turning, acting_on, joined, moments_at
+from ..lines.letters import arm_about_point
+from ..lines.resultant import Resultant
+from ..state import Statics
+from .chain import Sides, draw_chain
+from .legs import Pressed, known_moment, pressed
+
+_SOURCE = "机械原理, class III groups by special points (Assur points): forces"
+
+
+@method(
+    stage=Stage.FORCE,
+    group="class III",
+    source=_SOURCE,
+    example="plate-on-crank",
+    title=Words("Ⅲ级杆组的力分析（特殊点法）", "Forces in a class III group, by a special point"),
+)
+def forces_class_iii(st: Statics, group: Group) -> None:
+    """ΣM_S = 0 gives the third leg's reaction, ΣF = 0 of the group those of the two whose axes meet in S."""
+    star = star_of(group)
+    if not any(st.loaded(link) for link in group.links):
+        _unloaded(st, group)
+        return
+    st.by_moments.add(group.links)
+    links = group.links
+    special = special_of(st.desk, star)
+    one, two, third = (pressed(st, star, leg, links) for leg in (*special.pair, special.third))
+    legs = (one, two, third)
+    about = (special.at.point, _meeting(st, star, (one, two), special.at.point, links))
+    parts = (moments_at(st, group_pane(st, *links), (star.plate,), about[1], about[0]),)
+    turning = joined(*parts, *(known_moment(st, leg, about, links) for leg in legs))
+    known = _along_axis(st, third, about, turning, links)
+    sides = draw_chain(st, links, star.plate, legs, known)
+    _name(st, star, legs, sides)
+    for leg, found in zip(legs, sides, strict=True):
+        _settle(st, star, leg, found, links)
+    _draw_body(st, star, legs, links)
+
+
+def _meeting(st: Statics, star: Star, pair: tuple[Pressed, Pressed], letter: str, links: tuple[str, ...]) -> Points:
+    """The special point, on the free body of the group: where the lines of two reactions meet."""
+    board, pane = st.board, group_pane(st, *links)
+    one, two = (st.mech.number(leg.leg.link) for leg in pair)
+    third = st.mech.number(next(leg.link for leg in star.axial if leg not in (pair[0].leg, pair[1].leg)))
+    board.step(
+        Words(
+            f"构件 {one} 与 {two} 的待求反力的作用线交于特殊点 ${letter}$；对 ${letter}$ 取矩时二者不出现，"
+            f"由整个杆组的 $ΣM_{letter}$ = 0 可求构件 {third} 的待求反力。",
+            f"The lines of what links {one} and {two} still have to bear meet at the special point ${letter}$; about "
+            f"${letter}$ neither has a moment, so $ΣM_{letter}$ = 0 of the whole group gives that of link {third}.",
+        ),
+        pane,
+    )
+    lines = [board.parallel(leg.line.at, leg.line.along) for leg in pair]
+    what = Words(f"构件 {one}、{two} 的反力线", f"the lines of what links {one} and {two} bear")
+    found = board.meet(lines[0], lines[1], what)
+    here = complex(nominal(found))
+    for leg in pair:
+        if abs(here - complex(nominal(st.desk.at[leg.inner]))) < REACH:
+            board.join(pane, st.desk.at[leg.inner], here, Role.DIRECTION)
+            board.plot(pane, here, letter, Dot.POINT)
+    return found
+
+
+def _along_axis(
+    st: Statics, leg: Pressed, about: tuple[str, Points], turning: Turning, links: tuple[str, ...]
+) -> Points:
+    """R = Σ M / h along the leg's axis: mm on the polygon."""
+    letter, place = about
+    named = part_named(st.named(leg.reaction.by, leg.reaction.on), leg.reaction.part)
+    if not turning.way:
+        st.board.remark(Words(f"故 ${named.symbol}$ = 0。", f" so ${named.symbol}$ = 0."))
+        return 0j
+    end = foot(leg.line, place)
+    symbol = arm_about_point(named.symbol, letter)
+    arm = st.board.mu(View.MECHANISM) * st.board.measure(place, end, symbol)
+    _draw_arm(st, group_pane(st, *links), place, end, symbol)
+    st.board.compute(named.symbol, turning.size / arm, "N")
+    sense = np.sign(cross(end - place, leg.line.along))
+    return -leg.line.along * sense * st.mm(turning.value / arm.value)
+
+
+def _draw_arm(st: Statics, pane: Pane, place: Points, end: Points, symbol: str) -> None:
+    if max(abs(nominal(end)), abs(nominal(place))) < REACH and abs(nominal(end - place)) > SHORT:
+        st.board.join(pane, place, end, Role.CONSTRUCTION)
+        st.board.plot(pane, (place + end) / 2, symbol, Dot.NONE)
+
+
+def _name(st: Statics, star: Star, legs: tuple[Pressed, ...], sides: tuple[Sides, ...]) -> None:
+    """Every reaction that is a side or a diagonal, measured and named."""
+    found: list[tuple[str, str, Drawn]] = []
+    for one, both in zip(legs, sides, strict=True):
+        if not isinstance(one.leg, Slotted):
+            found.append((one.leg.parent, one.leg.link, both.outer))
+        found.append((one.leg.link, star.plate, both.inner))
+    say_measured(st, tuple((st.named(by, on).symbol, drawn) for by, on, drawn in found))
+    for by, on, drawn in found:
+        name_side(st, drawn, by, on)
+
+
+def _settle(st: Statics, star: Star, one: Pressed, both: Sides, links: tuple[str, ...]) -> None:
+    """Where each reaction of the leg acts."""
+    match one.leg:
+        case Hinged(link=link, parent=parent, outer=o, inner=b):
+            settle_pin(st, parent, link, o, both.outer)
+            settle_pin(st, link, star.plate, b, both.inner)
+        case Guided(link=link, parent=parent, inner=b):
+            assert one.placed is not None
+            settle_slide(st, links, parent, link, both.outer, one.placed)
+            settle_pin(st, link, star.plate, b, both.inner)
+        case Slotted(link=link, parent=parent, outer=q):
+            assert one.placed is not None
+            outer = both.inner if not acting_on(st, link) else None
+            settle_slide(st, links, star.plate, link, both.inner.reversed(), one.placed)
+            settle_pin(st, parent, link, q, outer or _closing(st, parent, link))
+        case _:
+            assert_never(one.leg)
+
+
+def _closing(st: Statics, parent: str, link: str) -> Drawn:
+    """The force of a pin on a leg whose other forces are all known, by a polygon of its own."""
+    named, number = st.named(parent, link), st.mech.number(link)
+    st.board.step(
+        Words(
+            f"列构件 {number} 的力平衡方程，作其力多边形，得 ${named.symbol}$。",
+            f"Write the equilibrium of link {number} and draw its polygon, which gives ${named.symbol}$.",
+        )
+    )
+    rest = Resultant(forces=tuple(acting_on(st, link)), vector=0j, at=0j)
+    sought = Term(rel=named, symbol=named.symbol, direction=UNKNOWN, magnitude="?")
+    return draw_polygon(st, link, rest, (sought,))[named.key]
+
+
+def _unloaded(st: Statics, group: Group) -> None:
+    """No load on the whole group: no force in its joints."""
+    for joint in (*group.inner, *(out.joint for out in group.outer)):
+        st.settle(*ends(joint), 0j, st.desk.at[joint.pin if isinstance(joint, Prismatic) else joint.point])
+
+
+def _draw_body(st: Statics, star: Star, legs: tuple[Pressed, ...], links: tuple[str, ...]) -> None:
+    """All forces on the group at their lines of action; what its links do to each other stays inside."""
+    own = {st.named(leg.link, star.plate).key for leg in star.axial} | {
+        st.named(star.plate, leg.link).key for leg in star.axial
+    }
+    own |= {st.named(leg.parent, leg.link).key for leg in star.axial}
+    forces = [force for link in links for force in st.known(link) if force.named.key not in own]
+    for one in legs:
+        whole = st.push(one.leg.parent, one.leg.link)
+        outer = one.reaction.parts(st) if not isinstance(one.leg, Slotted) else [] if whole is None else [whole]
+        forces += outer
+    draw_forces(st, group_pane(st, *links), links, forces)
