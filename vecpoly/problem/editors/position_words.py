@@ -74,4 +74,15 @@ POSITIONS = {
     "cognates.E": Words("连杆上的点（以 B 为原点、BC 为 x 轴）", "the coupler's point, from B with BC for the x axis"),
     "cognates.phi": Words("AB 的转角", "the angle of AB"),
     "cognates.side": Words("C 在射线 BD 的哪一侧", "on which side of the ray BD C lies"),
+    "function-generator.take": _TAKE,
+    "function-generator.omega": _OMEGA,
+    "function-generator.AD": Words("机架长", "the frame"),
+    "function-generator.pairs": Words(
+        "三组对应角，如 35 deg -> 50 deg（AB 的转角 -> DC 的转角，均自 x 轴量起）",
+        "three pairs of angles, of AB -> of DC, both from the x axis: 35 deg -> 50 deg",
+    ),
+    "function-generator.function": Words("要发生的函数，如 log10(x)", "the function to be generated: log10(x)"),
+    "function-generator.x": Words("自变量的范围，如 [1, 2]", "the range of x: [1, 2]"),
+    "function-generator.phi": Words("AB 的起始角和终止角", "the angles of AB at both ends of the range"),
+    "function-generator.psi": Words("DC 的起始角和终止角", "the angles of DC at both ends of the range"),
 }

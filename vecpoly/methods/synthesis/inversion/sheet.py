@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....board.paper.marks import Dot
+from ....board.place import Place
 from ....designs.inversion.plan import FRAME, Plan
 from ....foundation.frozen import FrozenMap
 from ....plane import Points, cross, nominal, unit
@@ -73,7 +74,9 @@ class Sheet:
         return transferred(self.draft, (here.start, here.end, point), (there.start, there.end), letter)
 
 
-def transferred(draft: Draft, of: tuple[Points, Points, Points], on: tuple[Points, Points], letter: str) -> Points:
+def transferred(
+    draft: Draft, of: tuple[Points, Points, Points], on: tuple[Points, Points], letter: str, place: Place = SHEET
+) -> Points:
     """The third corner of a triangle on another place of its base, of the same hand."""
     p, q, corner = of
     board = draft.board
@@ -88,7 +91,7 @@ def transferred(draft: Draft, of: tuple[Points, Points, Points], on: tuple[Point
     what = Words(f"转移 ${letter}$", f"carrying ${letter}$ over")
     met = board.arcs(on[0], radii[0], on[1], radii[1], what)[0 if left else 1]
     for centre, radius in zip(on, radii, strict=True):
-        board.swing(SHEET, centre, radius, met)
+        board.swing(place, centre, radius, met)
     return met
 
 
