@@ -31,7 +31,7 @@ class Axis:
 
     def scale(self, room: float) -> Scale:
         """A round scale by which it fills the room (mm)."""
-        return Scale(symbol=f"μ_{{{self.symbol}}}", value=round_up((self.high - self.low) / room), unit=self.unit)
+        return Scale(symbol=f"μ_{self.symbol[0]}", value=round_up((self.high - self.low) / room), unit=self.unit)
 
     def divisions(self) -> list[float]:
         """Round numbers from end to end."""
@@ -39,7 +39,7 @@ class Axis:
         power = 10.0 ** np.floor(np.log10(rough))
         step = next(power * n for n in (1, 2, 5, 10) if power * n >= 0.999 * rough)
         first, last = np.ceil(self.low / step - 1e-9), np.floor(self.high / step + 1e-9)
-        return [float(n * step) for n in np.arange(first, last + 1)]
+        return [float(n * step) + 0.0 for n in np.arange(first, last + 1)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
