@@ -17,10 +17,9 @@ from ...designs.generator.refusals import checked
 from ...designs.verdict import Verdict
 from .inversion.defects import Defect, fourbar
 from .registry import Linkage, synthesizes
-from .sweep import GOLDEN
+from .sweep import greatest
 
 _VERDICTS = {Defect.CIRCUIT: Verdict.CIRCUIT, Defect.BRANCH: Verdict.BRANCH, Defect.ORDER: Verdict.ORDER}
-_TRIALS, _FINER = 2000, 60
 _DEAD = 1e-9  # of the coupler and output link: the loop at a dead point
 Pairs = tuple[tuple[float, float], ...]
 
@@ -73,7 +72,7 @@ def function_generators(design: FunctionGenerator) -> list[Linkage]:
         "P_2": p2,
     }
     if design.function is not None and verdict is Verdict.VALID:
-        values["epsilon_max"] = degrees(_greatest(_error(design, found, _side(b_pins[0], c_pins[0], d))))
+        values["epsilon_max"] = degrees(greatest(_error(design, found, _side(b_pins[0], c_pins[0], d))))
     pins = {"A": 0j, "D": complex(d)}
     pins |= {f"{letter}{n}": at for letter, all_ in (("B", b_pins), ("C", c_pins)) for n, at in enumerate(all_, 1)}
     return [Linkage(values=values, pins=pins, verdict=verdict, order=(abs(a), found.b, abs(c), 0.0))]
@@ -125,15 +124,3 @@ def _error(design: FunctionGenerator, found: _Signed, side: int) -> Callable[[fl
         return abs(phase(exp(1j * (found.output(phi, side) - psi))))
 
     return off
-
-
-def _greatest(of: Callable[[float], float]) -> float:
-    """The maximum on [0, 1]: the best of many trials, then by golden section between its neighbours."""
-    at = [n / _TRIALS for n in range(_TRIALS + 1)]
-    best = max(range(_TRIALS + 1), key=lambda n: of(at[n]))
-    low, high = at[max(best - 1, 0)], at[min(best + 1, _TRIALS)]
-    top = of(at[best])
-    for _ in range(_FINER):
-        left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        low, high = (left, high) if of(left) < of(right) else (low, right)
-    return max(top, of((low + high) / 2))

@@ -85,4 +85,13 @@ POSITIONS = {
     "function-generator.x": Words("自变量的范围，如 [1, 2]", "the range of x: [1, 2]"),
     "function-generator.phi": Words("AB 的起始角和终止角", "the angles of AB at both ends of the range"),
     "function-generator.psi": Words("DC 的起始角和终止角", "the angles of DC at both ends of the range"),
+    "straight-line.take": _TAKE,
+    "straight-line.omega": _OMEGA,
+    "straight-line.AB": Words("主动连架杆长", "the input link"),
+    "straight-line.BC": Words("连杆长", "the coupler"),
+    "straight-line.CD": Words("从动连架杆长", "the output link"),
+    "straight-line.AD": Words("机架长", "the frame"),
+    "straight-line.E": Words("连杆点（随 BC 的坐标）", "the coupler point, in the coordinates of BC"),
+    "straight-line.phi": Words("AB 转角的范围", "from which angle of AB to which"),
+    "straight-line.side": Words("C 在射线 BD 的左侧还是右侧", "on which side of the ray BD the pin C lies"),
 }

@@ -14,9 +14,9 @@ from ....plane.geometry import dot
 from ....words import Words
 from ..chart import Axis, chart
 from ..inversion.sheet import Sheet
+from .greatest import place_of_greatest
 
-STATIONS, TRIALS, FINER = 60, 3600, 60
-GOLDEN = (5**0.5 - 1) / 2
+STATIONS = 60
 LEAST = 1e-9  # of the length of a link: at a dead point
 
 
@@ -45,16 +45,6 @@ class Output:
         """The size of the error on the nominal sheet."""
         return abs(float(nominal(self.error(share))))
 
-    def greatest(self) -> float:
-        """The share of the range at which the error is greatest: the best of many trials, then ever nearer."""
-        at = [n / TRIALS for n in range(TRIALS + 1)]
-        best = max(range(TRIALS + 1), key=lambda n: self.size(at[n]))
-        low, high = at[max(best - 1, 0)], at[min(best + 1, TRIALS)]
-        for _ in range(FINER):
-            left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-            low, high = (left, high) if self.size(left) < self.size(right) else (low, right)
-        return max((at[best], (low + high) / 2), key=self.size)
-
 
 def passes(sheet: Sheet, design: FunctionGenerator) -> bool:
     """Whether the loop can be closed all over the range: at its ends, and with AB on the line of AD."""
@@ -72,7 +62,7 @@ def error_curve(sheet: Sheet, design: FunctionGenerator) -> None:
     """The curve over φ, and its greatest ordinate."""
     draft, output = sheet.draft, Output(sheet, design)
     shares = [n / STATIONS for n in range(STATIONS + 1)]
-    worst = output.greatest()
+    worst = place_of_greatest(output.size)
     phis = [degrees(design.angles_at(share)[0]) for share in shares]
     errors = [degrees(float(nominal(output.error(share)))) for share in shares]
     over = Axis(symbol="φ", unit="°", low=min(phis), high=max(phis))
