@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 import vecpoly
+from vecpoly.board.paper.marks import Curve, Point
 from vecpoly.errors import AssemblyError, NotAskedError, ProblemFileError
 
 CASES: dict[str, Any] = json.loads((Path(__file__).resolve().parents[1] / "data" / "synthesis.json").read_text("utf-8"))
@@ -78,3 +80,19 @@ def test_k_of_one_puts_a_on_the_line_of_the_limits() -> None:
 def test_too_few_or_too_many_data_are_told(datum: dict[str, str]) -> None:
     with pytest.raises(ProblemFileError, match=r"just one of|either swing"):
         posed(K="1.4", CD="60 mm", swing="50 deg", **datum)
+
+
+def test_the_best_a_stands_highest_on_the_curve_of_ten_trials() -> None:
+    figures = vecpoly.load("best-gamma").solve(by="exact").construction.figures
+    curves = [figure for figure in figures if figure.name.startswith("gamma of A")]
+    assert len(curves) == 2
+    for figure in curves:
+        places = {mark.label.rstrip("′"): mark.at for mark in figure.marks if isinstance(mark, Point)}
+        trials = [places[str(n)] for n in range(1, 11)]
+        assert all(
+            two.real - one.real == pytest.approx(trials[1].real - trials[0].real, rel=0.02)
+            for one, two in pairwise(trials)
+        )
+        assert places["A"].imag >= max(at.imag for at in trials)
+        (curve,) = (mark for mark in figure.marks if isinstance(mark, Curve))
+        assert places["A"].imag == pytest.approx(max(at.imag for at in curve.points), rel=5e-3)

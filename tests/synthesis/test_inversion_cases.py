@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from math import asin, cos, degrees, radians, sin
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from tests.synthesis.inversion import posed, solved
 from vecpoly.check.printed.answers import check_problem
 from vecpoly.check.printed.verdict import Verdict
 from vecpoly.designs.base import Design
+from vecpoly.errors import ProblemFileError
 from vecpoly.oracle.synthesis.registry import linkages
 
 CASES: list[dict[str, Any]] = json.loads(
@@ -75,3 +77,27 @@ def test_of_8_15_the_coupler_and_the_frame_are_wrong_in_print() -> None:
 def test_8_10_is_a_rocker_slider_by_its_lengths() -> None:
     told = "".join(step.words.en for step in solved(vecpoly.load("8-10")).construction.steps)
     assert "$l_{AB} + e$ > $l_{BC}$: $ABC$ is a rocker-slider" in told
+
+
+def test_a_place_by_distance_and_a_direction_by_its_sine_are_those_of_their_coordinates() -> None:
+    data = {"links": {"DC": "120 mm"}, "stages": [{"find": "B", "on": "AB", "from": "C"}]}
+    angle, x, y = degrees(asin(0.3)), 250 * cos(radians(40)), -250 * sin(radians(40))
+    typed = posed(
+        "stages",
+        **data,
+        frame={"A": ["0 mm", "0 mm"], "D": [f"{x!r} mm", f"{y!r} mm"]},
+        rays={"AB": ["0 deg", "90 deg"], "DC": [f"{90 - angle!r} deg", f"{90 + angle!r} deg"]},
+    )
+    first, told = solved(typed).construction.candidates[0], solved(vecpoly.load("8-7")).construction.candidates[0]
+    assert dict(first.values) == pytest.approx(dict(told.values), rel=1e-9)
+
+
+def test_a_sine_above_one_is_refused_with_its_value() -> None:
+    with pytest.raises(ProblemFileError, match="the sine 2 must lie between"):
+        posed(
+            "stages",
+            frame={"A": ["0 mm", "0 mm"], "D": "250 mm at -40 deg"},
+            links={"DC": "120 mm"},
+            rays={"AB": ["0 deg", "90 deg"], "DC": ["90 deg - asin(60 mm / 30 mm)", "90 deg"]},
+            stages=[{"find": "B", "on": "AB", "from": "C"}],
+        )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ..designs.base import Design
 from ..designs.verdict import Verdict
@@ -23,6 +23,11 @@ def objection(problem: Problem, verdicts: Sequence[str]) -> Words | None:
         f"图上的候选解（{drawn.zh}）与解析所得（{there.zh}）不符，不得采用。",
         f"The candidates on paper ({drawn.en}) are not those of the closed solution ({there.en}): not to be used.",
     )
+
+
+def exact(design: Design) -> tuple[Mapping[str, float], ...]:
+    """The values of each valid solution by the closed form, in the order of their numbers (mm, deg)."""
+    return tuple(one.values for one in linkages(design) if one.verdict is Verdict.VALID)
 
 
 def _told(verdicts: Sequence[str]) -> Words:

@@ -111,16 +111,16 @@ class Design(BaseModel):
         """What a problem file says of the linkage with these lengths (mm); None of a task that finds none."""
         return None
 
-    def one_of(self, *names: str) -> None:
-        """Raise FaultError unless just one of these data is given."""
+    def one_of(self, *names: str, example: str = "70 mm") -> None:
+        """Raise FaultError unless just one of these data is given; example: how the first of them is written."""
         more = [name for name in names if getattr(self, name) is not None]
         if len(more) != 1:
             raise FaultError(
                 Words(
-                    f"还须且只须给定 {'、'.join(names)} 之一，此处有：{'、'.join(more) or '无'}；如写 {names[0]}: 70 "
-                    f"mm",
+                    f"还须且只须给定 {'、'.join(names)} 之一，此处有：{'、'.join(more) or '无'}；如写 "
+                    f"{names[0]}: {example}",
                     f"just one of {', '.join(names)} is needed beside, and here are: {', '.join(more) or 'none'}; "
-                    f"write e.g. {names[0]}: 70 mm",
+                    f"write e.g. {names[0]}: {example}",
                 ),
                 code="contradiction",
             )

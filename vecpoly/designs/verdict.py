@@ -44,3 +44,7 @@ class Verdict(Enum):
     NO_DOUBLE_CRANK = Words(
         "不是双曲柄机构，$AB$ 与 $CD$ 不能都整周转动", "no double crank: $AB$ and $CD$ do not both turn fully"
     )
+    RANGE = Words(
+        "在所给范围内经过死点，不能走完全程",
+        "it meets a dead point within the given range and cannot pass through all of it",
+    )

@@ -78,7 +78,7 @@ def conclusions(solution: Solution, lang: Lang) -> list[str]:
     remarks = (
         solution.answers[ask.rel.key].reading.remark for ask in solution.problem.asks if isinstance(ask, AskNamed)
     )
-    moved = [told(one).of(lang) for one in solution.verification]
+    moved = [told(one).of(lang) for one in solution.verification if one.broken is not None]  # others: in a table
     return list(dict.fromkeys(coriolis + [_told(remark).of(lang) for remark in remarks if remark is not None])) + moved
 
 

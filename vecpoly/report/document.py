@@ -34,6 +34,7 @@ from .tables import empty_table, printed_table, readings_table
 from .templates import filled
 from .titles import subject
 from .verdicts import verdicts
+from .verification import verification_table
 
 FIELDS: dict[Lang, tuple[str, ...]] = {
     "zh": ("班级", "姓名", "学号", "成绩", "任课教师", "批改日期"),
@@ -172,7 +173,9 @@ def _solved(solution: Solution, lang: Lang, objects: Objects) -> dict[str, Any]:
     """What a template may say of a problem's solution."""
     checked, lines = check_problem(solution.problem), lines_table(solution, lang)
     blocks = diagram(solution.construction)
+    verified = verification_table(solution, lang)
     return {
+        "verified": objects.add("tab", verified) if verified else "",
         "lines": objects.add("tab", lines) if lines else "",
         "tables": printed_tables(
             solution.problem,

@@ -16,7 +16,7 @@ _UNDEFINED = Words("无意义", "undefined")
 _YES, _NO = Words("是", "yes"), Words("否", "no")
 _PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
 _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
-_STATION = re.compile(r"(s|psi|alpha|r)_[\d.]+")  # of a cam: s_0 is no s without friction
+_STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
 _WAYS = {
     "_0": Words("不计摩擦", "no friction"),
     "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),

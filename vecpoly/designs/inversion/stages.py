@@ -7,14 +7,14 @@ from typing import Any, ClassVar
 
 from pydantic import Field, model_validator
 
-from ...devices.base import Angle, Length
+from ...devices.base import Length
 from ...names import Named
 from ..base import Design
 from .assembling import Assembly
 from .chain import chain
 from .plan import Find, Plan
 from .step import Step
-from .written import Place
+from .written import Direction, Place
 
 
 class Stages(Design):
@@ -24,7 +24,7 @@ class Stages(Design):
     kind: ClassVar[str] = "stages"
     frame: dict[str, Place]
     links: dict[str, Length] = Field(default_factory=dict)
-    rays: dict[str, tuple[Angle, ...]]
+    rays: dict[str, tuple[Direction, ...]]
     points: dict[str, tuple[Place, ...]] = Field(default_factory=dict)
     stages: tuple[Step, ...]
 

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
+from cmath import exp
 from dataclasses import dataclass
+from math import asin, inf
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, WithJsonSchema
 
 from ...errors import FaultError
-from ...units.reading import Dim, read
+from ...units.reading import Dim, Quantity, read
 from ...words import Words
 from ..place import Carried
 from .plan import On, Position
@@ -17,6 +19,10 @@ from .plan import On, Position
 _PLACE = r"\(\s*(?P<x>[^,()]+?)\s*,\s*(?P<y>[^,()]+?)\s*\)\s*(?P<unit>[a-zA-Z]+)"
 _POINT = re.compile(rf"\s*{_PLACE}\s*")
 _POSED = re.compile(rf"\s*{_PLACE}\s+at\s+(?P<angle>.+?)\s*")
+_POLAR = re.compile(r"\s*(?P<size>[^()]+?)\s+at\s+(?P<angle>.+?)\s*")
+_LEANING = re.compile(
+    r"\s*(?P<angle>.+?)\s+(?P<sign>[+−-])\s*asin\(\s*(?P<one>[^/()]+?)\s*/\s*(?P<two>[^/()]+?)\s*\)\s*"
+)
 _PAIR = re.compile(r"\s*(?P<one>.+?)\s*(?:->|→)\s*(?P<two>.+?)\s*")
 
 
@@ -56,12 +62,15 @@ class Pair:
 
 
 def _point(written: Any) -> Point:
-    """[30 mm, 5 mm] or (30, 5) mm."""
+    """[30 mm, 5 mm], (30, 5) mm or 30 mm at 40 deg."""
     if isinstance(written, Point):
         return written
     if isinstance(written, list | tuple) and len(written) == 2:
         x, y = (read(part, Dim.LENGTH) for part in written)
         return Point(complex(x.si, y.si), f"({x.text}, {y.text})")
+    if isinstance(written, str) and (polar := _POLAR.fullmatch(written)):
+        size, angle = read(polar["size"], Dim.LENGTH).si, read(polar["angle"], Dim.ANGLE).si
+        return Point(size * exp(1j * angle), written)
     if not (isinstance(written, str) and (m := _POINT.fullmatch(written))):
         raise _unread(written, Words("点", "place"), "(30, 5) mm")
     return Point(_at(m), written)
@@ -85,6 +94,25 @@ def _pair(written: Any) -> Pair:
     slides = m["two"].rstrip().endswith("m")
     two = read(m["two"], Dim.LENGTH if slides else Dim.ANGLE)
     return Pair(read(m["one"], Dim.ANGLE).si, two.si, slides, written)
+
+
+def _direction(written: Any) -> Quantity:
+    """90 deg, or an angle beside one whose sine is known: 90 deg - asin(30 mm / 100 mm)."""
+    if isinstance(written, Quantity):
+        return written
+    if not (isinstance(written, str) and (m := _LEANING.fullmatch(written))):
+        return read(written, Dim.ANGLE)
+    sine = read(m["one"], Dim.LENGTH).si / (read(m["two"], Dim.LENGTH).si or inf)
+    if not abs(sine) <= 1:
+        raise FaultError(
+            Words(
+                f"“{written}”：正弦 {sine:.6g} 应在 −1 与 1 之间",
+                f"'{written}': the sine {sine:.6g} must lie between −1 and 1",
+            ),
+            code="out-of-range",
+        )
+    turned = read(m["angle"], Dim.ANGLE).si + (1 if m["sign"] == "+" else -1) * asin(sine)
+    return Quantity(turned, written)
 
 
 def _at(m: re.Match[str]) -> complex:
@@ -114,3 +142,4 @@ _TEXT = WithJsonSchema({"type": "string"})
 Place = Annotated[Point, BeforeValidator(_point), WithJsonSchema({"type": ["string", "array"]})]
 Pose = Annotated[Posed, BeforeValidator(_posed), _TEXT]
 Corresponding = Annotated[Pair, BeforeValidator(_pair), _TEXT]
+Direction = Annotated[Quantity, BeforeValidator(_direction), _TEXT]

@@ -86,9 +86,11 @@ def _scale(problem: Problem, sketch: Draft, paper: Paper) -> float:
     if given is not None:
         return given
     guess, place = _guess(problem), paper.slots(1)[0]
-    sizes = [extent(figure.marks) for figure in sketch.board.figures()]
+    figures = sketch.board.figures()
+    sizes = [extent(figure.marks) for figure in figures if figure.scale.symbol == SHEET.mu.symbol]
+    others = [extent(figure.marks) for figure in figures if figure.scale.symbol != SHEET.mu.symbol]  # charts
     alone = max(round_scale(guess, size, place) for size in sizes)
-    return next((scale for scale in _coarser(alone) if paper.fits(_at(sizes, guess / scale))), alone)
+    return next((scale for scale in _coarser(alone) if paper.fits([*_at(sizes, guess / scale), *others])), alone)
 
 
 def _coarser(scale: float) -> Iterator[float]:

@@ -73,3 +73,11 @@ def _golden(of: Function, low: float, high: float) -> float:
         left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
         low, high = (left, high) if of(left) < of(right) else (low, right)
     return (low + high) / 2
+
+
+def greatest(of: Function) -> float:
+    """The maximum on [0, 1], ends included: the best of many trials, then by golden section between its neighbours."""
+    at = [n / DENSE for n in range(DENSE + 1)]
+    best = max(range(DENSE + 1), key=lambda n: of(at[n]))
+    top = _golden(of, at[max(best - 1, 0)], at[min(best + 1, DENSE)])
+    return max(of(at[best]), of(top))

@@ -40,6 +40,13 @@ class Track:
             return self.c1 - (self.c2 - self.c1) * t / (1 - t)
         return complex(nominal(self.locus.centre) + nominal(self.locus.radius) * np.exp(1j * self.turn(t)))
 
+    def place(self, t: float) -> float:
+        """How far A is from C₁ along the locus: the angle about O (deg), or the distance on a straight one (mm)."""
+        if isinstance(self.locus, Straight):
+            return abs(self.at(t) - self.c1)
+        centre = complex(nominal(self.locus.centre))
+        return float(np.degrees(abs(self.turn(t) - float(np.angle(self.c1 - centre)))))
+
     def on_sheet(self, draft: Draft, t: float) -> Points:
         """A there, set out on the sheet."""
         if isinstance(self.locus, Straight):

@@ -18,11 +18,19 @@ from ..linkage import drawn, rejected, slider
 from .judged import drives, judged, turns_fully
 from .sheet import Sheet, Stands
 
+HALF, STRAIGHT = 180.0, 1e-6  # deg
+
 
 def finish(sheet: Sheet) -> None:
+    """The linkage as it is found, and its verdict."""
+    verdict = judged(sheet)
+    joined(sheet, verdict)
+    closed(sheet, verdict)
+
+
+def joined(sheet: Sheet, verdict: Verdict) -> None:
     """Draw the links, thick in the first position and thin in the others; read what was sought."""
     draft, plan = sheet.draft, sheet.plan
-    verdict = judged(sheet)
     draft.board.section(Words("所得机构", "The linkage"))
     draft.board.step(_told(sheet, verdict), SHEET)
     for loop in plan.loops:
@@ -34,7 +42,11 @@ def finish(sheet: Sheet) -> None:
     _lengths(sheet, verdict)
     _ahead(sheet)
     _turned(sheet)
-    draft.candidate(verdict, _order(sheet), **_pins(sheet))
+
+
+def closed(sheet: Sheet, verdict: Verdict) -> None:
+    """The candidate is finished."""
+    sheet.draft.candidate(verdict, _order(sheet), **_pins(sheet))
 
 
 def _told(sheet: Sheet, verdict: Verdict) -> Words:
@@ -99,7 +111,9 @@ def _ahead(sheet: Sheet) -> None:
         if stage.lies is None:
             sheet.draft.stated(sheet.draft.of_this(named), _between(sheet, stands, at))
         else:
-            sheet.draft.shared(named, np.degrees(np.angle((at - stands.start) / stands.along)))
+            ahead = np.degrees(np.angle((at - stands.start) / stands.along))
+            backwards = np.abs(np.abs(ahead) - HALF) < STRAIGHT  # on its line either sign of 180° may come of it
+            sheet.draft.shared(named, np.where(backwards, HALF, ahead))
 
 
 def _between(sheet: Sheet, stands: Stands, at: Points) -> Reals:

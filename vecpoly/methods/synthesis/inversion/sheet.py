@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ....board.paper.marks import Dot
+from ....board.place import Place
 from ....designs.inversion.plan import FRAME, Plan
 from ....foundation.frozen import FrozenMap
 from ....plane import Points, cross, nominal, unit
@@ -75,7 +76,9 @@ class Sheet:
         return transferred(self.draft, (here.start, here.end, point), (there.start, there.end), letter)
 
 
-def transferred(draft: Draft, of: tuple[Points, Points, Points], on: tuple[Points, Points], letter: str) -> Points:
+def transferred(
+    draft: Draft, of: tuple[Points, Points, Points], on: tuple[Points, Points], letter: str, place: Place = SHEET
+) -> Points:
     """The third corner of a triangle on another place of its base, of the same hand."""
     p, q, corner = of
     board = draft.board
@@ -89,7 +92,7 @@ def transferred(draft: Draft, of: tuple[Points, Points, Points], on: tuple[Point
     what = Words(f"转移 ${letter}$", f"carrying ${letter}$ over")
     met = of_each(bare(cross(q - p, corner - p)) > 0, *board.arcs(on[0], radii[0], on[1], radii[1], what))
     for centre, radius in zip(on, radii, strict=True):
-        board.swing(SHEET, centre, radius, met)
+        board.swing(place, centre, radius, met)
     return met
 
 

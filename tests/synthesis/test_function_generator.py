@@ -1,0 +1,150 @@
+"""Function generators: known cases, what the drawing does with them, what is refused."""
+
+from __future__ import annotations
+
+from math import cos, radians, sin
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+import vecpoly
+from tests.synthesis.inversion import posed, solved
+from vecpoly.check.printed.answers import check_problem
+from vecpoly.designs.base import Design
+from vecpoly.designs.generator.formula import Formula
+from vecpoly.errors import AssemblyError, ProblemFileError
+from vecpoly.oracle.synthesis.registry import linkages
+from vecpoly.solution import Solution
+
+LOG: dict[str, Any] = {
+    "AD": "100 mm",
+    "function": "log10(x)",
+    "x": [1, 2],
+    "phi": ["270 deg", "330 deg"],
+    "psi": ["180 deg", "270 deg"],
+}
+
+
+def drawn(solution: Solution) -> dict[str, float]:
+    """What was read, by key."""
+    return {key: answer.drawn for key, answer in solution.answers.items()}
+
+
+def test_the_logarithm_is_generated_with_both_links_pointing_against_their_angles() -> None:
+    found = drawn(solved(vecpoly.load("function-log")))
+    true = {"AB": 186.599441965, "BC": 261.957014572, "CD": 83.751303788, "delta_B": 180.0, "delta_C": 180.0}
+    assert {key: found[key] for key in true} == pytest.approx(true, rel=1e-9)
+    assert found["epsilon_max"] == pytest.approx(0.125242226, abs=1e-9)
+
+
+def test_exercise_8_18_has_the_lengths_and_the_numbers_of_freudenstein() -> None:
+    found = drawn(solved(vecpoly.load("8-18")))
+    true = {"AB": 63.938618, "BC": 101.205412, "CD": 101.118633, "P_0": 1.58149543, "P_1": -1.26398291}
+    assert {key: found[key] for key in true} == pytest.approx(true, rel=1e-8)
+
+
+def test_the_book_s_numbers_of_8_18_are_off_in_their_last_digits() -> None:
+    told = {one.printed.symbol: one for one in check_problem(vecpoly.load("8-18")).answers}
+    assert told["P_0"].verdict.value == "reproduced"
+    assert told["AB"].verdict.value == "wrong"
+    assert told["AB"].deviation == pytest.approx(-0.000244, abs=1e-6)
+
+
+def test_the_precision_points_are_those_of_chebyshev() -> None:
+    steps = solved(vecpoly.load("function-log")).construction.steps
+    text = " ".join(str(node) for step in steps[:1] for node in step.formulas)
+    assert all(number in text for number in ("1.067", "1.5", "1.933"))
+
+
+def test_where_the_function_has_no_error_it_is_at_the_precision_points() -> None:
+    values = drawn(solved(posed("function-generator", **LOG)))
+    a, b, c = -values["AB"], values["BC"], -values["CD"]
+    for n in (1, 3, 5):
+        x = 1.5 - 0.5 * cos(radians(30 * n))
+        phi, psi = radians(270 + 60 * (x - 1)), radians(180 + 90 * np.log10(x) / np.log10(2))
+        bar = complex(a * cos(phi), a * sin(phi)) - complex(100 + c * cos(psi), c * sin(psi))
+        assert abs(bar) == pytest.approx(b, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ({"AD": "1 mm"}, "pairs, function"),
+        ({**LOG, "x": None}, "here are: phi, psi"),
+        ({**LOG, "function": "__import__('os')"}, "is no formula"),
+        ({**LOG, "function": "log10(x - 1.5)"}, "nan"),
+        ({**LOG, "x": [1, 1]}, "different at both ends"),
+        ({**LOG, "phi": ["0 deg", "0 deg"]}, "the range of phi"),
+        ({"AD": "1 mm", "pairs": ["1 deg -> 2 deg"]}, "here are 1"),
+    ],
+)
+def test_data_that_tell_no_function_are_refused_with_what_to_write(data: dict[str, Any], said: str) -> None:
+    with pytest.raises(ProblemFileError, match=said):
+        posed("function-generator", **{key: value for key, value in data.items() if value is not None})
+
+
+def test_a_range_that_the_linkage_cannot_pass_is_refused_with_the_reason() -> None:
+    data = {**LOG, "function": "x^2", "phi": ["50 deg", "140 deg"], "psi": ["230 deg", "290 deg"]}
+    with pytest.raises(AssemblyError, match="dead point within the given range"):
+        solved(posed("function-generator", **data))
+
+
+@pytest.mark.parametrize(
+    ("text", "x", "value"), [("x^2 - 1/x", 2.0, 3.5), ("-sin(pi*x)", 0.5, -1.0), ("ln(e)", 7.0, 1)]
+)
+def test_a_formula_has_the_value_that_one_computes(text: str, x: float, value: float) -> None:
+    assert Formula(text)(x) == pytest.approx(value)
+
+
+angles = st.tuples(st.floats(15, 60), st.floats(10, 60), st.floats(10, 60))
+
+
+@given(phi=angles, psi=angles, where=st.floats(0, 360))
+def test_every_drawn_generator_closes_at_its_three_pairs_and_is_that_of_the_equation(
+    phi: tuple[float, ...], psi: tuple[float, ...], where: float
+) -> None:
+    inputs, outputs = np.cumsum(phi), where + np.cumsum(psi)
+    pairs = [f"{one!r} deg -> {two!r} deg" for one, two in zip(inputs.tolist(), outputs.tolist(), strict=True)]
+    problem = posed("function-generator", AD="100 mm", pairs=pairs)
+    try:
+        found = solved(problem)
+    except AssemblyError:
+        assume(False)
+        return
+    assert not found.suspect
+    (one,) = found.construction.candidates
+    values = one.values
+    a = values["AB"] * (1 if values["delta_B"] < 90 else -1)
+    c = values["CD"] * (1 if values["delta_C"] < 90 else -1)
+    turn_in, turn_out = np.exp(1j * np.radians(inputs)), np.exp(1j * np.radians(outputs))
+    size = values["AB"] + values["CD"] + 100
+    assert np.abs(np.abs(100 + c * turn_out - a * turn_in) - values["BC"]).max() < 1e-7 * size
+
+
+@given(
+    function=st.sampled_from(["x^2", "log10(x)", "1/x", "sqrt(x)", "exp(x)"]),
+    top=st.floats(1.5, 4),
+    phi=st.floats(0, 360),
+    turn=st.sampled_from([60, 90, 120]),
+    psi=st.floats(0, 360),
+    sweep=st.sampled_from([-90, -60, 60, 90]),
+)
+def test_drawing_and_equation_agree_about_every_function_and_its_error(
+    function: str, top: float, phi: float, turn: float, psi: float, sweep: float
+) -> None:
+    data = {**LOG, "function": function, "x": [1, top]}
+    data |= {"phi": [f"{phi!r} deg", f"{phi + turn!r} deg"], "psi": [f"{psi!r} deg", f"{psi + sweep!r} deg"]}
+    problem = posed("function-generator", **data)
+    assert isinstance(problem.subject, Design)
+    try:
+        exact = linkages(problem.subject)
+    except AssemblyError:
+        with pytest.raises(AssemblyError):
+            solved(problem)
+        return
+    (one,) = solved(problem).construction.candidates
+    for key in ("AB", "BC", "CD", "epsilon_max"):
+        assert one.values[key] == pytest.approx(exact[0].values[key], rel=1e-7, abs=1e-7)

@@ -1,0 +1,58 @@
+"""Straight lines by coupler points: known bands, and laws of the path."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import vecpoly
+from tests.synthesis.inversion import posed, solved
+from vecpoly.errors import ProblemFileError
+
+
+@pytest.mark.parametrize(
+    ("name", "length", "band"),
+    [
+        ("straight-chebyshev", 79.930837114, 0.195074662),
+        ("straight-roberts", 60.0, 0.603786662),
+        ("straight-hoecken", 80.0, 0.195074662),  # a cognate of Chebyshev's: the same curve
+    ],
+)
+def test_the_straight_part_is_as_long_and_its_band_as_wide_as_is_known(name: str, length: float, band: float) -> None:
+    solution = solved(vecpoly.load(name))
+    assert solution.answers["L"].drawn == pytest.approx(length, abs=1e-8)
+    assert solution.answers["delta"].drawn == pytest.approx(band, abs=1e-8)
+    assert solution.answers["delta"].exact == pytest.approx(band, abs=1e-8)
+
+
+def test_a_range_in_which_the_links_do_not_reach_is_refused_with_the_distances() -> None:
+    data = {"AB": "60 mm", "BC": "20 mm", "CD": "30 mm", "AD": "100 mm", "E": ["5 mm", "5 mm"]}
+    with pytest.raises(ProblemFileError, match=r"BD = 116\.619 mm"):
+        posed("straight-line", **data, phi=["10 deg", "90 deg"])
+
+
+@given(
+    lengths=st.tuples(st.floats(20, 40), st.floats(70, 100), st.floats(70, 100), st.floats(70, 100)),
+    e=st.tuples(st.floats(-80, 80), st.floats(-80, 80)),
+    phi=st.floats(0, 300),
+    side=st.sampled_from(["left", "right"]),
+)
+def test_the_band_holds_every_point_of_the_path_and_no_narrower_one_does(
+    lengths: tuple[float, ...], e: tuple[float, float], phi: float, side: str
+) -> None:
+    names = ("AB", "BC", "CD", "AD")
+    data = {key: f"{value!r} mm" for key, value in zip(names, lengths, strict=True)}
+    point = [f"{part!r} mm" for part in e]
+    solution = solved(posed("straight-line", **data, E=point, side=side, phi=[f"{phi!r} deg", f"{phi + 50!r} deg"]))
+    assert not solution.suspect
+    a, b, c, d = lengths
+    pin = a * np.exp(1j * np.radians(np.linspace(phi, phi + 50, 2001)))
+    base = d - pin
+    at_b = np.arccos((np.abs(base) ** 2 + b * b - c * c) / (2 * np.abs(base) * b))
+    way = base / np.abs(base) * np.exp((1j if side == "left" else -1j) * at_b)
+    path = pin + complex(*e) * way
+    assert solution.answers["L"].drawn == pytest.approx(np.ptp(path.real), abs=1e-3)
+    assert solution.answers["delta"].drawn == pytest.approx(np.ptp(path.imag), abs=1e-3)
+    assert solution.answers["delta"].drawn >= np.ptp(path.imag) - 1e-9

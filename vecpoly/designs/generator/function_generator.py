@@ -1,0 +1,146 @@
+"""A function generator: three pairs of angles of both links on the frame, given or at Chebyshev's precision points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import degrees, isfinite
+from typing import Any, ClassVar
+
+from pydantic import model_validator
+
+from ...devices.base import Angle, Length
+from ...errors import FaultError
+from ...names import Named
+from ...units.reading import Quantity
+from ...words import Words
+from ..base import Design
+from ..inversion.built import posed_four_bar
+from ..inversion.written import Corresponding, Pair
+from ..quantities import FOUR_BAR
+from .formula import Function, Number
+
+AHEAD_B, AHEAD_C = Named("delta_B", "δ_{B}", "deg"), Named("delta_C", "δ_{C}", "deg")
+P0, P1, P2 = (Named(f"P_{n}", f"P_{n}", "") for n in range(3))  # of Freudenstein's equation
+ERROR = Named("epsilon_max", "ε_{max}", "deg")  # greatest structural error over the range
+_CURVE = ("x", "phi", "psi")
+
+
+class FunctionGenerator(Design):
+    """AD and three pairs φ of AB -> ψ of DC; or a function y = f(x), the range of x and those of φ and ψ.
+
+    A is the origin, D on the x axis. AB is found on the line at φ, on either side of A (delta_B = 0 or 180°: a negative
+    length in Freudenstein's equation), and so is DC.
+    """
+
+    kind: ClassVar[str] = "function-generator"
+    AD: Length
+    pairs: tuple[Corresponding, ...] | None = None
+    function: Function | None = None
+    x: tuple[Number, Number] | None = None
+    phi: tuple[Angle, Angle] | None = None
+    psi: tuple[Angle, Angle] | None = None
+
+    @model_validator(mode="after")
+    def _determined(self) -> FunctionGenerator:
+        self.one_of("pairs", "function", example="[35 deg -> 50 deg, 80 deg -> 75 deg, 125 deg -> 105 deg]")
+        given = [name for name in _CURVE if getattr(self, name) is not None]
+        if (self.function is not None) != (len(given) == 3) or (self.function is None and given):
+            raise FaultError(
+                Words(
+                    "函数须连同 x、phi、psi 的范围给定（三组对应角 pairs 则不要）；如写 x: [1, 2]、phi: [270 deg, 330 "
+                    f"deg]、psi: [180 deg, 270 deg]；此处有：{'、'.join(given) or '无'}",
+                    "a function needs the ranges x, phi and psi, three pairs have none; write e.g. x: [1, 2], "
+                    f"phi: [270 deg, 330 deg], psi: [180 deg, 270 deg]; here are: {', '.join(given) or 'none'}",
+                ),
+                code="contradiction",
+            )
+        if self.function is None:
+            self._three(self.pairs or ())
+        else:
+            self._ranges(self.function)
+        return self
+
+    def _three(self, pairs: tuple[Pair, ...]) -> None:
+        """Three pairs of angles, all different."""
+        if len(pairs) != 3 or any(pair.slides for pair in pairs) or len({pair.one for pair in pairs}) < 3:
+            raise FaultError(
+                Words(
+                    f"应给定三组不同的对应角，此处有 {len(pairs)} 组：{'、'.join(map(str, pairs))}",
+                    f"three different pairs of angles are needed, and here are {len(pairs)}: "
+                    f"{', '.join(map(str, pairs))}",
+                ),
+                "pairs",
+                code="out-of-range",
+            )
+
+    def _ranges(self, function: Any) -> None:
+        """Ranges of some extent, in which the function has a value."""
+        assert self.x is not None and self.phi is not None and self.psi is not None
+        ends = [self.y(at.si) for at in (*self.x, Quantity(self.x_at(0.5), ""))]
+        if not all(map(isfinite, ends)) or ends[0] == ends[1] or self.x[0].si == self.x[1].si:
+            raise FaultError(
+                Words(
+                    f"函数 {function} 在 x = {self.x[0].text} 至 {self.x[1].text} 上应有值，且两端的值不相等，此处为 "
+                    f"{ends[0]:.6g} 和 {ends[1]:.6g}；请改动 x 或函数",
+                    f"the function {function} must have values from x = {self.x[0].text} to {self.x[1].text}, "
+                    f"different at both ends, and they are {ends[0]:.6g} and {ends[1]:.6g}; change x or the function",
+                ),
+                "x",
+                code="out-of-range",
+            )
+        for name, (first, last) in (("phi", self.phi), ("psi", self.psi)):
+            if not 0 < abs(degrees(last.si - first.si)) < 360:
+                raise FaultError(
+                    Words(
+                        f"{name} 的范围 {first.text} 至 {last.text} 应大于 0 且小于 360°",
+                        f"the range of {name}, {first.text} to {last.text}, must be above 0 and below 360 deg",
+                    ),
+                    name,
+                    code="out-of-range",
+                )
+
+    # -- the function ----------------------------------------------------------------------------------------
+
+    def y(self, x: float) -> float:
+        """f(x)."""
+        assert self.function is not None
+        return float(self.function(x))
+
+    def x_at(self, share: float) -> float:
+        """x at this share of its range, 0 to 1."""
+        assert self.x is not None
+        return self.x[0].si + share * (self.x[1].si - self.x[0].si)
+
+    def angles_at(self, share: float) -> tuple[float, float]:
+        """φ and the ψ that belongs to it (rad), at this share of the range."""
+        assert self.x is not None and self.phi is not None and self.psi is not None
+        low, high = (self.y(at.si) for at in self.x)
+        of_y = (self.y(self.x_at(share)) - low) / (high - low)
+        (phi, phi_end), (psi, psi_end) = self.phi, self.psi
+        return phi.si + share * (phi_end.si - phi.si), psi.si + of_y * (psi_end.si - psi.si)
+
+    # -- as every design ------------------------------------------------------------------------------------
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The lengths, on which side of the pivots the pins lie, Freudenstein's numbers; of a function the error."""
+        return (*FOUR_BAR, AHEAD_B, AHEAD_C, P0, P1, P2, *((ERROR,) if self.function is not None else ()))
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """The frame; the pairs, or the function and the ranges."""
+        frame = (("l_{AD}", self.AD.text),)
+        if self.pairs is not None:
+            return (*frame, *((f"φ_{{{n}}}", pair.text) for n, pair in enumerate(self.pairs, 1)))
+        ranges = (("x", self.x), ("φ", self.phi), ("ψ", self.psi))
+        told = tuple((symbol, f"{ends[0].text} … {ends[1].text}") for symbol, ends in ranges if ends is not None)
+        return (*frame, ("y", str(self.function)), *told)
+
+    def built(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The linkage in the position of the first pair, or at the beginning of the range."""
+        phi, psi = (self.pairs[0].one, self.pairs[0].two) if self.pairs else self.angles_at(0.0)
+        turned = degrees(phi) + values[AHEAD_B.key], degrees(psi) + values[AHEAD_C.key]
+        return posed_four_bar(values, *turned, 0.0, self.omega)
+
+    @property
+    def size(self) -> float:
+        """The frame."""
+        return 2 * self.AD.si

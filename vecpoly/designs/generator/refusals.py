@@ -1,0 +1,29 @@
+"""Why three pairs of angles give no four-bar: said alike by drawing and oracle."""
+
+from __future__ import annotations
+
+from ...errors import AssemblyError
+from ...words import Words
+
+NONE, FAR = 1e-6, 1e4  # of the frame: a link shorter, or longer, than that is none
+
+
+def unbounded(letters: str, length: float) -> AssemblyError:
+    """A link of no length, or of any; length: in frames."""
+    size = f"{abs(length):.3g}"
+    return AssemblyError(
+        Words(
+            f"按这三组对应角，{letters} 的长度为机架的 {size} 倍，得不到铰链四杆机构；请改动角度或初始角",
+            f"with these three pairs {letters} becomes {size} times as long as the frame: no four-bar; change the "
+            "angles, or those at which they begin",
+        ),
+        code="no-solution",
+        numbers={"length": length},
+    )
+
+
+def checked(letters: str, length: float) -> float:
+    """The length in frames; raises AssemblyError where it is none."""
+    if not NONE < abs(length) < FAR:
+        raise unbounded(letters, length)
+    return length

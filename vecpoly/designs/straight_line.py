@@ -1,0 +1,85 @@
+"""A four-bar that leads a coupler point nearly along a straight line: how straight, and how far."""
+
+from __future__ import annotations
+
+from math import ceil, cos, degrees, floor, pi
+from typing import ClassVar, Literal
+
+from pydantic import model_validator
+
+from ..devices.base import Angle, Length
+from ..errors import FaultError
+from ..names import Named
+from ..words import Words
+from .base import Design
+from .inversion.written import Place
+
+L, BAND = Named("L", "L", "mm"), Named("delta", "δ", "mm")
+SLACK = 1e-9  # of a length: at a dead point
+
+
+class StraightLine(Design):
+    """The four-bar ABCD, E in the coordinates of BC, C on one side of the ray BD, and AB turning from one angle to
+    another. A is the origin, D lies on the x axis; the straight part is parallel to AD.
+    """
+
+    kind: ClassVar[str] = "straight-line"
+    AB: Length
+    BC: Length
+    CD: Length
+    AD: Length
+    E: Place
+    phi: tuple[Angle, Angle]
+    side: Literal["left", "right"] = "left"
+
+    @model_validator(mode="after")
+    def _closes(self) -> StraightLine:
+        low, high = sorted(end.si for end in self.phi)
+        if not 0 < high - low < 2 * pi:
+            raise FaultError(
+                Words(
+                    f"phi 的范围 {self.phi[0].text} 至 {self.phi[1].text} 应大于 0 且小于 360°",
+                    f"the range of phi, {self.phi[0].text} to {self.phi[1].text}, must be above 0 and below 360 deg",
+                ),
+                "phi",
+                code="out-of-range",
+            )
+        for phi in (low, high, *(pi * n for n in range(ceil(low / pi), floor(high / pi) + 1))):
+            self._reaches(phi)
+        return self
+
+    def _reaches(self, phi: float) -> None:
+        """BC and CD can be joined with AB there."""
+        a, d = self.AB.si, self.AD.si
+        apart = max(a * a + d * d - 2 * a * d * cos(phi), 0.0) ** 0.5
+        least, most = abs(self.BC.si - self.CD.si), self.BC.si + self.CD.si
+        if not least - SLACK * most <= apart <= most * (1 + SLACK):
+            raise FaultError(
+                Words(
+                    f"φ = {degrees(phi):.6g}° 时 BD = {1e3 * apart:.6g} mm，而 BC、CD 只能联接相距 {1e3 * least:.6g} "
+                    f"至 "
+                    f"{1e3 * most:.6g} mm 的两点；请改变 phi 或长度",
+                    f"at φ = {degrees(phi):.6g} deg BD = {1e3 * apart:.6g} mm, while BC and CD join points between "
+                    f"{1e3 * least:.6g} and {1e3 * most:.6g} mm apart; change phi or the lengths",
+                ),
+                "phi",
+                code="out-of-reach",
+            )
+
+    def quantities(self) -> tuple[Named, ...]:
+        """The length of the straight part, the width of the band in which it lies."""
+        return L, BAND
+
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """The four-bar, its coupler point, the range."""
+        lengths = (("AB", self.AB), ("BC", self.BC), ("CD", self.CD), ("AD", self.AD))
+        return (
+            *((f"l_{{{letters}}}", length.text) for letters, length in lengths),
+            ("E", self.E.text),
+            ("φ", f"{self.phi[0].text} … {self.phi[1].text}"),
+        )
+
+    @property
+    def size(self) -> float:
+        """Input link and frame."""
+        return self.AB.si + self.AD.si + abs(self.E.at)

@@ -1,0 +1,76 @@
+"""γ_min over the place of A: some ten A on the locus, each with its linkage, and the curve through what they give."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from math import degrees, isfinite
+
+import numpy as np
+
+from ....board.paper.marks import Dot
+from ....words import Words
+from ..arc_middle import primes_of
+from ..chart import Axis, Chart, chart
+from ..draft import SHEET, Draft
+from ..eta import Straight
+from .track import Track
+
+STATIONS, DENSE, FINE = 10, 720, 80  # A on the sheet; trials that tell where A is of use; points of the curve
+FURTHEST = 3.0  # chords from C₁, on a locus that is a straight line
+
+
+def gamma_curve(draft: Draft, track: Track) -> Chart | None:
+    """The stations on the sheet and the curve in a figure of its own; None where no A on this locus is of use."""
+    run = _useful(track)
+    if len(run) < STATIONS:
+        return None
+    board, places = draft.board, [track.place(t) for t in run]
+    primes = primes_of(track.locus)
+    for n, place in enumerate(np.linspace(places[0], places[-1], STATIONS + 2)[1:-1], 1):
+        at = track.on_sheet(draft, float(np.interp(place, places, run)))
+        board.plot(SHEET, at, f"{n}{primes}", Dot.POINT)
+    fine = np.interp(np.linspace(places[0], places[-1], FINE), places, run)
+    gammas = [degrees(min(track.angles(float(t)))) for t in fine]
+    curve = _opened(draft, track, places, max(gammas))
+    curve.ruled()
+    curve.curve([track.place(float(t)) for t in fine], gammas)
+    for n, place in enumerate(np.linspace(places[0], places[-1], STATIONS + 2)[1:-1], 1):
+        t = float(np.interp(place, places, run))
+        curve.point(track.place(t), degrees(min(track.angles(t))), f"{n}{primes}")
+    return curve
+
+
+def _opened(draft: Draft, track: Track, places: list[float], most: float) -> Chart:
+    primes = primes_of(track.locus)
+    straight = isinstance(track.locus, Straight)
+    over = Axis(symbol="C_{1}A" if straight else "β", unit="mm" if straight else "°", low=places[0], high=places[-1])
+    up = Axis(symbol="γ_{min}", unit="°", low=0.0, high=most)
+    curve = chart(
+        draft, f"gamma of A{primes}", Words("$γ_{min}$ 随 $A$ 的变化", "$γ_{min}$ over the place of $A$"), over, up
+    )
+    draft.board.step(
+        Words(
+            f"按各点 $A$ 作机构曲柄与机架共线的两位置，量得 $γ_{{min}}$，以{_over_zh(straight, primes)}为横坐标画曲线"
+            f"。",
+            f"For each of these $A$ draw both positions with the crank on the line of the frame, read $γ_{{min}}$, and "
+            f"plot it over {_over_en(straight, primes)}.",
+        ),
+        curve.place,
+    )
+    return curve
+
+
+def _over_zh(straight: bool, primes: str) -> str:
+    return "图上距离 $C_{1}A$" if straight else f"$β = ∠C_{{1}}O{primes}A$"
+
+
+def _over_en(straight: bool, primes: str) -> str:
+    return "the distance $C_{1}A$ on paper" if straight else f"$β = ∠C_{{1}}O{primes}A$"
+
+
+def _useful(track: Track) -> list[float]:
+    """The longest run of trials in which A is of use."""
+    trials = (float(t) for t in np.linspace(0.0, 1.0, DENSE + 2)[1:-1])
+    near = (t for t in trials if not isinstance(track.locus, Straight) or track.place(t) < FURTHEST * track.chord)
+    runs = [list(run) for valid, run in groupby(near, lambda t: isfinite(min(track.angles(t)))) if valid]
+    return max(runs, key=len, default=[])

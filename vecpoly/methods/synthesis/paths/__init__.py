@@ -1,0 +1,1 @@
+"""Paths of coupler points, traced."""
