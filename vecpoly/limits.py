@@ -46,6 +46,7 @@ SEED = 2**63 - 1
 
 # The cycle
 POSITIONS = 2_000_001  # of the drive in a table
+CENTRODES = (4, 24)  # positions through which a centrode is drawn
 
 # Drawings of students
 DRAWING_BYTES = 20_000_000  # of a file

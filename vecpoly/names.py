@@ -127,6 +127,8 @@ class Sort(StrEnum):
     CENTRE_SPEED = "centre speed"  # the velocity that both links have there
     RATIO = "ratio"  # of two angular velocities, by centres
     LIMIT = "limit"  # an angle of the crank at which a led point stands still
+    SPOT = "spot"  # a point found from curvatures: the inflection pole, the centre of curvature of a path
+    CURVED = "curved"  # a radius, a diameter, an angle found likewise
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +148,12 @@ class Named:
     @property
     def is_central(self) -> bool:
         """Whether it is found from instant centres."""
-        return self.sort is not Sort.PLAIN
+        return not (self.sort is Sort.PLAIN or self.is_curved)
+
+    @property
+    def is_curved(self) -> bool:
+        """Whether it is found from the curvatures of paths."""
+        return self.sort in (Sort.SPOT, Sort.CURVED)
 
     def __str__(self) -> str:
         return self.key
@@ -161,8 +168,8 @@ def is_centre(key: Key) -> bool:
 
 
 def is_place(key: Key) -> bool:
-    """Whether the quantity is a place: of a point, p_F, or of an instant centre, P_13."""
-    return key.kind is Kind.P if isinstance(key, Rel) else is_centre(key)
+    """Whether the quantity is a place: of a point, p_F, of an instant centre, P_13, of a centre of curvature, p_OE."""
+    return key.kind is Kind.P if isinstance(key, Rel) else is_centre(key) or key.sort is Sort.SPOT
 
 
 def reaction(by: str, on: str) -> Named:

@@ -47,6 +47,7 @@ _MODULES = (
     "mechanism.joints",
     "mechanism.model",
     "mechanism.loads",
+    "mechanism.asked.curvature",
     "problem.values.given",
     "problem.asked.asks",
     "problem.text.held",

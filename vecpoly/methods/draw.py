@@ -26,6 +26,7 @@ from .registry import Stage
 SECTIONS = {
     Stage.POSITION: Words("作机构位置图", "Position diagram"),
     Stage.CENTRES: Words("瞬心法", "Instant centres"),
+    Stage.CURVATURE: Words("轨迹的曲率", "Curvature of paths"),
     Stage.VELOCITY: Words("速度分析", "Velocity analysis"),
     Stage.ACCELERATION: Words("加速度分析", "Acceleration analysis"),
     Stage.FORCE: Words("力分析", "Force analysis"),
@@ -56,6 +57,10 @@ def draw(problem: Problem, board: Board, said: Mapping[Stage, Words] = NOTHING) 
             from .centres.plan import centre_pass
 
             centre_pass(desk, problem, groups)
+        elif stage is Stage.CURVATURE:
+            from .curvature.plan import curvature_pass
+
+            curvature_pass(desk, problem, groups)
         elif stage is Stage.FORCE:
             from .forces.plan import force_pass
 

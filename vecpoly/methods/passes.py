@@ -21,18 +21,22 @@ def stages(problem: Problem) -> tuple[Stage, ...]:
         or any(isinstance(a, AskPoint) and a.acceleration is not None for a in problem.asks)
     )
     last = (Stage.FORCE,) if loads is not None else ()
-    central, moving = needs_centres(problem), needs_polygons(problem) or bool(last)
+    central, curved = needs_centres(problem), problem.curvature is not None
+    moving = needs_polygons(problem) or bool(last)
     return (
         Stage.POSITION,
         *((Stage.CENTRES,) if central else ()),
-        *((Stage.VELOCITY,) if moving or not central else ()),
+        *((Stage.CURVATURE,) if curved else ()),
+        *((Stage.VELOCITY,) if moving or not (central or curved) else ()),
         *((Stage.ACCELERATION,) if accelerated else ()),
         *last,
     )
 
 
 def needs_centres(problem: Problem) -> bool:
-    """Whether the problem asks for centres, or for what is found from them."""
+    """Whether the problem asks for centres, or for what is found from them; a pole is drawn with the curvatures."""
+    if problem.curvature is not None:
+        return False
     asked = any(isinstance(a, AskNamed) and a.rel.is_central for a in problem.asks)
     return asked or problem.by_centres or any(isinstance(a, AskPoint) and a.slowest is not None for a in problem.asks)
 

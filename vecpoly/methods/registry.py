@@ -19,6 +19,7 @@ class Stage(StrEnum):
 
     POSITION = "position"
     CENTRES = "centres"
+    CURVATURE = "curvature"
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
     FORCE = "force"
@@ -37,13 +38,15 @@ class Stage(StrEnum):
     @property
     def folder(self) -> str:
         """The package whose files draw this stage."""
-        inside = {Stage.CENTRES: "centres", Stage.FORCE: "forces"}.get(self, "kinematics")
+        own = {Stage.CENTRES: "centres", Stage.CURVATURE: "curvature", Stage.FORCE: "forces"}
+        inside = own.get(self, "kinematics")
         return f"vecpoly.methods.{inside}"
 
 
 _STAGES = {
     Stage.POSITION: "位置",
     Stage.CENTRES: "瞬心",
+    Stage.CURVATURE: "曲率",
     Stage.VELOCITY: "速度",
     Stage.ACCELERATION: "加速度",
     Stage.FORCE: "反力",

@@ -53,7 +53,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
     mechanism, motion = _mechanism(spec, bodies, faults)
     loads = read_loads(spec, bodies, masses, faults)
     loads, acting = _acting(spec, mechanism, loads, weights, faults)
-    asks, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
+    asks, curvature, printed, scales = read_wanted(spec, bodies, mechanism, loads, faults)
     ranges, gate = read_ranges(spec.vary, tree.data, faults), read_gate(spec.gate, faults)
     tables = read_tables(spec, tree, faults)
     _settle(mechanism, tree, faults)
@@ -65,6 +65,7 @@ def build(tree: Tree, path: Path | None = None) -> Problem:
         subject=mechanism,
         loads=loads,
         by_centres=spec.method == "centres",
+        curvature=curvature,
         asks=asks,
         scales=scales,
         printed=printed,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from ..figures import Mu
 from ..foundation.frozen import FrozenMap
 from ..foundation.slotted import dataclass
+from ..mechanism.asked.curvature import Curvature
 from ..mechanism.loads import Loads
 from ..mechanism.model import Mechanism
 from ..names import Key
@@ -79,6 +80,7 @@ class Problem:
     statement: Words = field(default_factory=lambda: Words.same(""))
     loads: Loads | None = None
     by_centres: bool = False  # velocities by instant centres instead of polygons
+    curvature: Curvature | None = None  # that curvatures of paths are asked, and by which construction
     scales: Scales = field(default_factory=Scales)
     printed: tuple[Printed, ...] = ()
     errata: tuple[Words, ...] = ()

@@ -20,7 +20,7 @@ from ..solution import YES_NO, Answer, Solution, fewer_digits
 from ..words import Lang, Words, label
 from .formulas import beside
 from .structure import numbering, structure
-from .values import asked_load, called
+from .values import asked_load, called, curved
 
 _MOST, _SHORT = 4, 30.0  # formulas of a step in one line, and how long each may be (mm)
 
@@ -154,15 +154,17 @@ def asked(solution: Solution, lang: Lang) -> Iterator[str]:
                 f"有无哥氏加速度 {symbol} 及其方向", f"whether a Coriolis term {symbol} exists and where it points"
             ).of(lang)
         elif is_place(ask.rel):
-            of = symbol.replace("^{∞}", "")
-            yield Words(f"{of} 的位置", f"the position of {of}").of(lang)
+            of = curved(ask.rel, lang) + symbol.replace("^{∞}", "")
+            yield Words(
+                f"{of} 的位置", f"the position of the {of}" if curved(ask.rel, lang) else f"the position of {of}"
+            ).of(lang)
         elif reading.unit == YES_NO:
             name = called(reading.symbol, reading.key, lang)
             yield Words(f"是否{name}", f"whether {name}").of(lang)
         elif (kind := asked_load(solution.problem, reading.key)) is not None:
             yield (kind.of(lang) if lang == "zh" else f"{kind.en} ") + called(reading.symbol, reading.key, lang)
         else:
-            yield called(reading.symbol, reading.key, lang)
+            yield curved(ask.rel, lang) + called(reading.symbol, reading.key, lang)
 
 
 def _point_asked(ask: AskPoint, symbol: str) -> Words:

@@ -8,6 +8,7 @@ from math import isnan
 from ..algebra.quantity import number
 from ..mechanism.asked.forces import load_named
 from ..mechanism.loads import Force
+from ..names import Key, Named
 from ..problem.problem import Problem
 from ..solution import YES_NO
 from ..words import Lang, Words
@@ -17,6 +18,14 @@ _YES, _NO = Words("是", "yes"), Words("否", "no")
 _PAPER = {"m": (1e3, "mm"), "W": (1e-3, "kW")}  # SI unit → factor and unit as printed
 _STRUCTURAL = {"class_": Words("机构级别", "class"), "groups_": Words("杆组数", "number of groups")}
 _STATION = re.compile(r"(s|psi|alpha|r|P)_[\d.]+")  # of a cam, or of Freudenstein: s_0 is no s without friction
+_CURVED = {
+    "W": Words("拐点极", "inflection pole"),
+    "delta": Words("拐点圆直径", "diameter of the inflection circle"),
+    "rho": Words("曲率半径", "radius of curvature"),
+    "lambda": Words("共线轴与连杆的夹角", "angle of the collineation axis to the coupler"),
+    "L_f": Words("定瞬心线弦长之和", "chords of the fixed centrode"),
+    "L_m": Words("动瞬心线弦长之和", "chords of the moving centrode"),
+}
 _WAYS = {
     "_0": Words("不计摩擦", "no friction"),
     "_lever": Words("速度多边形杠杆法", "Zhukovsky lever"),
@@ -74,6 +83,15 @@ def called(symbol: str, key: str, lang: Lang) -> str:
     if way is None or (key.endswith("_0") and key.startswith("R_")):
         return f"${symbol}$"
     return f"${symbol}$" + (f"（{way.zh}）" if lang == "zh" else f" ({way.en})")
+
+
+def curved(named: Key, lang: Lang) -> str:
+    """What a quantity of curvatures is, before its symbol; "" of others."""
+    if not isinstance(named, Named) or not named.is_curved:
+        return ""
+    stem = named.key[:3] if named.key.startswith("L_") else named.key.partition("_")[0]
+    words = _CURVED.get(stem, Words("曲率中心", "centre of curvature"))
+    return words.of(lang) + (" " if lang == "en" else "")
 
 
 def direction_of_load(problem: Problem, key: str) -> float | None:

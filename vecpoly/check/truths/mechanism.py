@@ -16,7 +16,7 @@ from ...mechanism.groups.assur import hinges
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism, Prismatic
 from ...names import Kind, Rel
-from ...problem.asked.asks import AskNamed, AskPoint
+from ...problem.asked.asks import Ask, AskNamed, AskPoint
 from ...problem.problem import Printed, Problem
 from ..likely import natural
 from ..nudged import nudged
@@ -58,7 +58,18 @@ class Exact:
 
         Raises NotAskedError for what else has no value with these data.
         """
-        return finite(_kinematic(self.problem, self.motion) | self._central() | self._static())
+        return finite(_kinematic(self.problem, self.motion) | self._central() | self._curved() | self._static())
+
+    def _curved(self) -> Values:
+        """What the rates of a link tell of the curvatures of its paths."""
+        asked, curved = self.problem.curvature, [ask.rel.key for ask in self.problem.asks if _is_curved(ask)]
+        if asked is None or not curved:
+            return {}
+        from ...oracle.curvature import Curvatures
+
+        known = Curvatures(self.problem.mechanism, asked.link)
+        stepped = known.centrodes(asked.centrodes) if asked.centrodes is not None else {}
+        return {key: stepped[key] if key in stepped else known.value(key) for key in curved}
 
     def _central(self) -> Values:
         """Places, velocities, ratios, limit positions of instant centres;
@@ -76,7 +87,11 @@ class Exact:
 
     def _static(self) -> Values:
         """Reactions, balancing loads and the like."""
-        asked = [ask.rel for ask in self.problem.asks if isinstance(ask, AskNamed) and not ask.rel.is_central]
+        asked = [
+            ask.rel
+            for ask in self.problem.asks
+            if isinstance(ask, AskNamed) and not (ask.rel.is_central or ask.rel.is_curved)
+        ]
         if self.problem.loads is None or not asked:
             return {}
         data = {
@@ -135,6 +150,10 @@ class Exact:
     def way(self) -> Callable[[Printed], complex | None]:
         """Vectors behind printed answers."""
         return way(self.problem)
+
+
+def _is_curved(ask: Ask) -> bool:
+    return isinstance(ask, AskNamed) and ask.rel.is_curved
 
 
 @lru_cache(maxsize=512)

@@ -18,6 +18,8 @@ _GREEK = {
     "φ": "phi",
     "μ": "mu",
     "ρ": "rho",
+    "δ": "delta",
+    "λ": "lambda",
     "ϖ": "omega",
 }  # ε: α in many a course
 

@@ -16,6 +16,7 @@ from ..passes import needs_centres, stages
 from ..plan import construct
 
 POLYGON = (105.0, 70.0)  # mm that a force polygon should fill
+BESIDE = (125.0, 85.0)  # mm that a diagram should fill beside the large figure of its curvatures
 
 
 @draws(Mechanism)
@@ -28,6 +29,9 @@ class Analysis:
         """Each figure as large as its place on the sheet allows."""
         if problem.loads is not None:
             return construct(problem, by, _of_forces(paper), amended=amended, sketch=sketch)
+        if problem.curvature is not None:
+            slots = {view: BESIDE if view is View.MECHANISM else POLYGON for view in views()}
+            return construct(problem, by, slots, amended=amended, sketch=sketch)
         drawn = sorted({View.MECHANISM, *(stage.view for stage in stages(problem))})
         places = paper.slots(len(drawn) + needs_centres(problem))
         return construct(problem, by, dict(zip(drawn, places, strict=False)), paper.fits, amended, sketch)

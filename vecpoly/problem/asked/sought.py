@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from ...errors import FaultError
 from ...mechanism.asked.centres import centre_quantities
+from ...mechanism.asked.curvature import Centrodes, Curvature
 from ...mechanism.asked.forces import quantities
 from ...mechanism.loads import Loads
 from ...mechanism.model import Mechanism
 from ...names import At, Named, is_centre
+from ...words import Words
 from ..joints.motion import numbered
 from ..links.bodies import Bodies
 from ..problem import Printed, Scales
 from ..schema.faults import Faults
 from ..schema.models import FindSpec, ProblemSpec
 from .asks import Ask, AskNamed
+from .curved import centrode_asks, curvature_of, curved_quantities, is_curved, known_quantities, read_centrodes
 from .drawn_to import plottable, read_scales
 from .printed import read_printed
 from .unasked import default_asks
@@ -23,9 +27,12 @@ ALL_CENTRES = "centres"  # find: [centres] asks for every instant centre
 
 def read_wanted(
     spec: ProblemSpec, bodies: Bodies, mechanism: Mechanism, loads: Loads | None, faults: Faults
-) -> tuple[tuple[Ask, ...], tuple[Printed, ...], Scales]:
-    """What is asked for, what was printed, and the scales; every fault is noted at its place."""
-    forces = _by_centres(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
+) -> tuple[tuple[Ask, ...], Curvature | None, tuple[Printed, ...], Scales]:
+    """What is asked for, of which curvatures, what was printed, and the scales;
+    every fault is noted at its place."""
+    forces = _geometric(spec, mechanism, faults) | (quantities(mechanism, loads) if loads else {})
+    centrodes = _centrodes(spec, mechanism, faults)
+    forces = known_quantities(forces, centrodes, mechanism)
     named: list[At] = []
     asks: list[Ask] = []
     printed: list[Printed] = []
@@ -37,6 +44,8 @@ def read_wanted(
     for i, item in enumerate(spec.find):
         if item == ALL_CENTRES:
             asks += [AskNamed(rel=named) for named in forces.values() if is_centre(named)]
+        elif isinstance(item, FindSpec) and item.centrodes is not None:
+            asks += centrode_asks(mechanism, centrodes) if centrodes else ()
         elif clean:
             with faults.at("find", i):
                 asks.append(numbered(read_find(item, bodies, named, forces), spec))
@@ -49,11 +58,33 @@ def read_wanted(
     with faults.at("scales"):
         scales = read_scales(spec.scales)
         plottable(scales, mechanism)
-    return tuple(asks), tuple(printed), scales
+    clean = not faults.found
+    curvature = curvature_of(spec, mechanism, tuple(asks), centrodes, faults) if clean else None
+    return tuple(asks), curvature, tuple(printed), scales
+
+
+def _centrodes(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> Centrodes | None:
+    """The centrodes that are asked, one pair at most."""
+    found = None
+    for i, item in enumerate(spec.find):
+        if isinstance(item, FindSpec) and item.centrodes is not None and is_curved(spec) and not faults.found:
+            with faults.at("find", i):
+                if found is not None:
+                    raise FaultError(Words("一题只作一个构件的瞬心线", "one problem draws the centrodes of one link"))
+                found = read_centrodes(item, mechanism)
+    return found
+
+
+def _geometric(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
+    """What curvatures, or the instant centres, give."""
+    if faults.found:
+        return {}
+    return _by_centres(spec, mechanism, faults) if not is_curved(spec) else curved_quantities(spec, mechanism, faults)
 
 
 def _by_centres(spec: ProblemSpec, mechanism: Mechanism, faults: Faults) -> dict[str, Named]:
     """What the instant centres give, where one of these is asked for or printed."""
+    curved_quantities(spec, mechanism, faults)  # tells what is asked without its method
     keys = [item for item in spec.find if isinstance(item, str)] + [entry.symbol for entry in spec.printed]
     wanted = any(key == ALL_CENTRES or CENTRAL.match(key) for key in keys)
     return centre_quantities(mechanism) if wanted and not faults.found else {}

@@ -19,6 +19,7 @@ from .asks import Ask, AskCoriolis, AskNamed, AskPoint, AskRel
 
 _POINT = re.compile(r"([A-Z][a-z'′]?)(\d+)")
 _FORCES = re.compile(r"[A-Z]\w*_?\w*|eta|[hm](?:_\w+)?")  # what may be meant for a quantity of the loads
+CURVED = re.compile(r"W_\d|delta_\d|lambda_\d|rho_[A-Z]|p_O[A-Z]")  # how what curvatures give is written
 CENTRAL = re.compile(r"P_\d|v_P\d|omega_ratio_|phi_[A-Z]")  # how what instant centres give is written
 
 
@@ -122,7 +123,16 @@ def read_any(text: str, bodies: Bodies, named: Iterable[At], forces: Mapping[str
             )
             + meant(text, [k for k in forces if k[0] == text[0]])
         )
-    loads = [key for key, named in forces.items() if not named.is_central]
+    curved = [key for key, named in forces.items() if named.is_curved]
+    if curved and CURVED.match(text):
+        raise FaultError(
+            Words(
+                f"“{text}”不是机构中某构件或其上一点的曲率", f"'{text}' is no curvature of a link, or of a point, here"
+            )
+            + meant(text, curved),
+            code="unknown-name",
+        )
+    loads = [key for key, named in forces.items() if not (named.is_central or named.is_curved)]
     if _FORCES.fullmatch(text) and (loads or intended(text) is None):
         raise FaultError(
             Words(f"“{text}”不是这些载荷下可求的量", f"'{text}' is no quantity of these loads") + meant(text, loads)

@@ -64,7 +64,11 @@ KEYS = {
     "Problem.scales": Words("比例尺：给定，或 auto", "scales: given, or auto"),
     "Problem.find": Words("所求的量：v_E、a_E、omega_2", "what is asked: v_E, a_E, omega_2"),
     "Problem.method": Words(
-        "速度分析用多边形（polygons）或瞬心（centres）", "velocities by vector polygons, or by instant centres"
+        "速度分析用多边形（polygons）或瞬心（centres）；轨迹的曲率（curvature）",
+        "velocities by vector polygons, or by instant centres; curvatures of paths",
+    ),
+    "Problem.construction": Words(
+        "method: curvature 时所用的作图法", "with method: curvature, the construction by which they are found"
     ),
     "Problem.printed": Words("待核对的书中答案", "printed answers to be checked"),
     "Problem.errata": Words("已知的印刷错误", "known misprints"),
@@ -183,6 +187,12 @@ KEYS = {
         "判断哥氏加速度有无与方向：B3B2", "does the Coriolis term exist, and where does it point: B3B2"
     ),
     "FindSpec.slowest": Words("此直线上速度最小的点：BC", "the slowest point of the link on this line: BC"),
+    "FindSpec.centrodes": Words("作此构件的两条瞬心线", "the link whose two centrodes are drawn"),
+    "FindSpec.positions": Words("作瞬心线所取的位置数：10", "through how many positions the centrodes are drawn: 10"),
+    "FindSpec.over": Words(
+        "作瞬心线时原动件的首末位置：[20 deg, 110 deg]",
+        "first and last position of the input for the centrodes: [20 deg, 110 deg]",
+    ),
     "PrintedSpec.symbol": Words("量的符号：v_E、l_BC", "symbol of the quantity: v_E, l_BC"),
     "PrintedSpec.value": Words(
         "书中的值：0.177 m/s，或图上长度 41.1 mm", "the printed value: 0.177 m/s, or a length on paper: 41.1 mm"

@@ -101,6 +101,9 @@ class FindSpec(Spec):
     acceleration: Pair | Number | None = None
     coriolis: str | None = None
     slowest: str | None = Field(None, description="of a point: the slowest of the link on this line, BC")
+    centrodes: Name | None = Field(None, description="the link whose two centrodes are drawn, with method: curvature")
+    positions: Number | None = Field(None, description="of centrodes: through how many positions, 8 to 12")
+    over: Pair | None = Field(None, description="of centrodes: first and last position of the input: [20 deg, 110 deg]")
 
 
 class PrintedSpec(Spec):
@@ -147,8 +150,11 @@ class ProblemSpec(Spec):
     branch: list[str] = []
     scales: ScalesSpec = ScalesSpec()
     find: list[str | FindSpec] = Field([], min_length=1)
-    method: Literal["polygons", "centres"] = Field(
-        "polygons", description="velocities by vector polygons, or by instant centres"
+    method: Literal["polygons", "centres", "curvature"] = Field(
+        "polygons", description="velocities by vector polygons, or by instant centres; curvatures of paths"
+    )
+    construction: Literal["bobillier", "euler-savary", "hartmann", "aronhold"] | None = Field(
+        None, description="with method: curvature, the construction by which they are found"
     )
     printed: list[PrintedSpec] = []
     errata: list[Text] = []

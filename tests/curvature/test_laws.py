@@ -1,0 +1,89 @@
+"""Laws of the kinematic geometry, on random four-bars, slider-cranks and rods through a block."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.curvature.linkages import WAYS, case_problem
+from vecpoly.errors import VecpolyError
+from vecpoly.oracle.curvature import Curvatures
+
+EXACT = 1e-9
+DEGREE = 1e-4  # degrees from one position to the next in a difference
+
+
+@st.composite
+def linkages(draw: st.DrawFn) -> dict[str, Any]:
+    """A linkage with one further point of its coupler: crank, position and sort as they come."""
+    lengths = st.integers(25, 90)
+    case: dict[str, Any] = {
+        "AB": draw(lengths),
+        "phi": draw(st.integers(0, 359)),
+        "points": {"E1": [draw(st.integers(-20, 80)), draw(st.integers(-40, 40))]},
+    }
+    match draw(st.sampled_from(("four-bar", "slider", "block"))):
+        case "four-bar":
+            side = draw(st.sampled_from(("C left of BD", "C right of BD")))
+            bc, cd, ad = draw(lengths), draw(lengths), draw(lengths)
+            return case | {"BC": bc, "CD": cd, "D_at": [ad, 0], "branch": side}
+        case "slider":
+            return case | {"BC": case["AB"] + draw(st.integers(20, 80)), "guide_y": draw(st.integers(-15, 15))}
+    return case | {"C_at": [case["AB"] + draw(st.integers(10, 60)), 0]}
+
+
+def shape(case: dict[str, Any]) -> Curvatures | None:
+    """The oracle of a linkage; None where it does not close, or has no pole here."""
+    try:
+        here = Curvatures(case_problem(case, find=("P_24",)).mechanism, "2")
+        return here if abs(here.inflection_pole - here.pole) < 10 * here.mech.scale else None
+    except VecpolyError:
+        return None
+
+
+@given(linkages(), st.sampled_from(WAYS))
+def test_whatever_is_drawn_is_what_the_rates_tell(case: dict[str, Any], way: str) -> None:
+    try:
+        answers = case_problem(case, way).solve(by="exact").answers
+    except VecpolyError:
+        return  # it does not close, has no pole, or runs off the sheet: each of these has a test of its own
+    for key, answer in answers.items():
+        drawn = answer.drawn if answer.drawn_vector is None else answer.drawn_vector
+        exact = answer.exact if answer.exact_vector is None else answer.exact_vector
+        size = abs(answers["delta_2"].exact) + abs(answers["rho_E"].exact) + abs(exact) + 0.1
+        assert abs(drawn - exact) <= EXACT * size * 100 and not answer.suspect, key
+
+
+@given(linkages(), st.floats(0.0, 6.283))
+def test_euler_and_savary_hold_for_every_point_of_the_link(case: dict[str, Any], angle: float) -> None:
+    if (here := shape(case)) is None:
+        return
+    p, w = here.pole, here.inflection_pole
+    e = complex(here.motion.place("E")[0])
+    try:
+        centre, rho = here.path("E")
+    except VecpolyError:
+        return
+    along = (e - p) / abs(e - p)
+    r, r0, j = (float((along.conjugate() * (at - p)).real) for at in (e, centre, w))
+    assert abs((1 / r - 1 / r0) * j - 1) < 1e-6 * (1 + abs(j / r) + abs(j / r0))
+    assert abs(abs(e - centre) - rho) < EXACT * (rho + abs(e))
+    rim = (p + w) / 2 + abs(w - p) / 2 * np.exp(1j * angle)  # a point of the circle has no normal acceleration
+    v, a = here.body.velocity_at(np.array([rim])), here.body.acceleration_at(np.array([rim]))
+    assert abs((v.conj() * a).imag[0]) <= 1e-7 * abs(v[0]) * (abs(a[0]) + abs(here.body.omega[0]) ** 2 * abs(w - p))
+
+
+@given(linkages())
+def test_the_pole_moves_along_the_tangent_at_omega_times_delta(case: dict[str, Any]) -> None:
+    if (here := shape(case)) is None:
+        return
+    before, after = (shape(case | {"phi": case["phi"] + step}) for step in (-DEGREE, DEGREE))
+    if before is None or after is None:
+        return
+    moved = (after.pole - before.pole) / np.radians(2 * DEGREE)
+    u = here.pole_velocity * float(here.body.omega[0])
+    slack = 1e-5 * (abs(u) + here.mech.scale) * (1 + abs(u) / here.mech.scale) ** 2
+    assert abs(moved - u) < slack

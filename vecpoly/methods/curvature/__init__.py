@@ -1,0 +1,1 @@
+"""Kinematic geometry of one moving link: inflection circle, centres of curvature of paths, centrodes."""

@@ -1,0 +1,166 @@
+"""Both centrodes of a link: the poles of many positions on the frame, and carried with the link to its own position."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ...algebra.formula import Txt, sym
+from ...algebra.quantity import paper, worked
+from ...board.board import Board
+from ...board.construction import Pane, Reading, View
+from ...board.paper.marks import Dot, Role
+from ...errors import NotAskedError
+from ...mechanism.asked.centres import centre
+from ...mechanism.asked.curvature import Centrodes, centrode_lengths
+from ...mechanism.groups.assur import Group
+from ...mechanism.model import FRAME
+from ...names import Named
+from ...plane import Points, nominal
+from ...words import Words
+from ..centres.copy import mechanism_copied
+from ..centres.size import Paper
+from ..desk import Desk
+from ..placed import placed
+from .pairs import Pair, pairs_of
+from .room import fitted
+from .strokes.normals import normal_of, refuse_parallel
+
+NAME = "centrodes"
+TITLE = Words("瞬心线", "Centrodes")
+ARM = 0.5  # of the mechanism's size: of a link with one letter, how far its second point is thought
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rolled:
+    """One position: two points of the link (mm on the figure), and its pole."""
+
+    ends: tuple[Points, Points]
+    pole: Points
+
+
+def draw_centrodes(desk: Desk, groups: Sequence[Group], asked: Centrodes) -> None:
+    """The fixed centrode is the locus of the poles on the frame, the moving one that on the link; they roll."""
+    pairs, there = pairs_of(desk.mech, asked.link), [placed(desk, groups, q) for q in asked.drive]
+    sheet = _paper(desk, there, asked, pairs)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, sheet.scale, aside=True)
+    _say(desk, asked, pane, sheet)
+    desk.board.depict(pane, *mechanism_copied(desk, sheet, tuple(groups)))
+    own = _rolled(desk, desk, asked.link, pairs, sheet.factor, desk.board)
+    run = [_rolled(desk, one, asked.link, pairs, sheet.factor, desk.board) for one in there]
+    fixed = [one.pole for one in run]
+    _draw(desk, pane, fixed, Role.RESULT, Words("定瞬心线", "fixed centrode"), "")
+    desk.board.step(_carried_words(desk, asked.link), pane)
+    moving = [desk.board.image((*one.ends, one.pole), own.ends) for one in run]
+    _draw(desk, pane, moving, Role.GIVEN, Words("动瞬心线", "moving centrode"), "′")
+    desk.board.plot(pane, own.pole, centre(desk.mech, asked.link, FRAME).symbol)
+    _step_off(desk, pane, asked, fixed, moving)
+
+
+def _rolled(desk: Desk, there: Desk, link: str, pairs: tuple[Pair, Pair], factor: float, board: Board) -> Rolled:
+    """Pole and link in another position."""
+    one, two = (normal_of(there, pair, factor, board) for pair in pairs)
+    refuse_parallel(one, two, desk.mech.number(link))
+    pole = board.meet(one.line, two.line, Words("两法线的交点", "the meeting point of the two normals"))
+    pose, arm = there.pose[link], ARM * there.mm(there.mech.scale)
+    return Rolled(ends=(pose.origin * factor, (pose.origin + arm * pose.along) * factor), pole=pole)
+
+
+def _paper(desk: Desk, there: Sequence[Desk], asked: Centrodes, pairs: tuple[Pair, Pair]) -> Paper:
+    """The paper that holds all poles, on the frame and on the link; NotAskedError where they are far away."""
+    scratch = desk.board.scratch()
+    scratch.step(TITLE)
+    own = _rolled(desk, desk, asked.link, pairs, 1.0, scratch)
+    run = [_rolled(desk, one, asked.link, pairs, 1.0, scratch) for one in there]
+    spots = [one.pole for one in run] + [scratch.image((*one.ends, one.pole), own.ends) for one in run]
+    at = np.array([complex(nominal(spot)) for spot in spots])
+    found = fitted(desk, (complex(at.real.min(), at.imag.min()), complex(at.real.max(), at.imag.max())))
+    if found is None:
+        raise NotAskedError(
+            Words(
+                "有的位置瞬心远在图纸之外，瞬心线无法作图；请缩小 over 的范围",
+                "in some of the positions the pole lies far off the sheet: the centrodes cannot be drawn; narrow "
+                "`over`",
+            ),
+            code="off-the-sheet",
+        )
+    return found
+
+
+def _say(desk: Desk, asked: Centrodes, pane: Pane, sheet: Paper) -> None:
+    n = asked.positions
+    scale = Words(f"（$μ_l$ = {sheet.scale.value:g} m/mm）", f" ($μ_l$ = {sheet.scale.value:g} m/mm)")
+    desk.board.step(
+        Words(
+            f"取原动件的 {n} 个位置，逐一作出构件 {desk.mech.number(asked.link)} 的绝对瞬心 $P_1$ … $P_{{{n}}}$，"
+            "连成定瞬心线",
+            f"In {n} positions of the input find the pole of link {desk.mech.number(asked.link)}, $P_1$ to "
+            f"$P_{{{n}}}$; "
+            "their locus is the fixed centrode",
+        )
+        + scale
+        + Words("。", "."),
+        pane,
+    )
+
+
+def _carried_words(desk: Desk, link: str) -> Words:
+    number = desk.mech.number(link)
+    return Words(
+        f"将各位置上构件 {number} 与瞬心组成的三角形移到构件现在的位置上，得 $P^{{′}}_1$ …，连成动瞬心线；它随构件 "
+        f"{number} "
+        "运动时在定瞬心线上作纯滚动。",
+        f"Carry the triangle of link {number} and its pole from every position to the present one: $P^{{′}}_1$ ... "
+        f"lie on "
+        f"the moving centrode, which rolls on the fixed one while it moves with link {number}.",
+    )
+
+
+def _draw(desk: Desk, pane: Pane, run: Sequence[Points], role: Role, name: Words, prime: str) -> None:
+    board = desk.board
+    board.curve(pane, run, role)
+    for number, at in enumerate(run, start=1):
+        ends = number in (1, len(run))
+        label = f"P{f'^{{{prime}}}' if prime else ''}_{{{number}}}" if ends else ""
+        board.plot(pane, at, label, Dot.POINT)
+    board.note(pane, run[1] if prime else run[-2], name)
+
+
+def _step_off(desk: Desk, pane: Pane, asked: Centrodes, fixed: Sequence[Points], moving: Sequence[Points]) -> None:
+    """Both lengths in chords, by dividers: of curves that roll, arcs between the same poles are equal."""
+    desk.board.step(
+        Words(
+            "用分规逐段量取两条瞬心线的弦长：纯滚动时对应弧长相等，弦长之和也近于相等：",
+            "Step off both centrodes in chords: of curves that roll the arcs between the same poles are equal, and the "
+            "sums of the chords nearly so:",
+        ),
+        pane,
+    )
+    for named, run, prime in zip(centrode_lengths(desk.mech, asked.link), (fixed, moving), ("", "^{′}"), strict=True):
+        _keep(desk, pane, named, run, prime)
+
+
+def _keep(desk: Desk, pane: Pane, named: Named, run: Sequence[Points], prime: str) -> None:
+    board, scale = desk.board, desk.board.scale_of(pane)
+    pairs = enumerate(pairwise(run), start=1)
+    chords = [board.measure(a, b, f"P{prime}_{{{k}}} P{prime}_{{{k + 1}}}").value for k, (a, b) in pairs]
+    total = chords[0]
+    for chord in chords[1:]:
+        total = total + chord
+    on_paper = paper(Txt("Σ"), total)
+    formula = worked(sym(named.symbol), board.mu(pane) * on_paper, named.unit)
+    board.write(formula)
+    size = total * scale.value
+    reading = Reading(
+        key=named.key,
+        symbol=named.symbol,
+        unit=named.unit,
+        scalar=float(nominal(size)),
+        mm=float(nominal(total)),
+        scale=scale.symbol,
+        formula=formula,
+    )
+    board.keep(reading, size)

@@ -1,0 +1,98 @@
+"""The kinematic geometry of one link, by the construction that the problem names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...board.construction import View
+from ...errors import DeadPointError, NoMethodError, NotAskedError
+from ...mechanism.asked.curvature import Curvature, Way, asked_points, collineation, diameter, inflection_pole, of_link
+from ...mechanism.groups.assur import Group
+from ...problem.asked.asks import AskNamed
+from ...problem.problem import Problem
+from ...words import Words
+from ..centres.copy import mechanism_copied
+from ..centres.size import Paper
+from ..desk import Desk
+from ..registry import Stage
+from .centrodes import draw_centrodes
+from .doors import WAYS
+from .pairs import rolling_of
+from .path import draw_paths
+from .readings import read_collineation, read_curvatures
+from .room import NAME, TITLE, paper_for
+from .state import CurvatureFigure
+from .strokes.pole import draw_pole
+
+
+def curvature_pass(desk: Desk, problem: Problem, groups: tuple[Group, ...]) -> None:
+    """Pole, inflection circle, centres of curvature; centrodes on a figure of their own."""
+    asked = problem.curvature
+    assert asked is not None
+    keys = frozenset(ask.rel.key for ask in problem.asks if isinstance(ask, AskNamed))
+    if keys & of_link(desk.mech, asked.link).keys():
+        _curvatures(desk, groups, asked, keys)
+    if asked.centrodes is not None:
+        draw_centrodes(desk, groups, asked.centrodes)
+
+
+def _curvatures(desk: Desk, groups: Sequence[Group], asked: Curvature, keys: frozenset[str]) -> None:
+    """By the construction that is asked, on paper that holds it all."""
+    points = asked_points(desk.mech, asked.link, keys)
+    curved = bool(keys & {inflection_pole(desk.mech, asked.link).key, diameter(desk.mech, asked.link).key}) or points
+    if rolling_of(desk.mech, asked.link) is not None and asked.way is not Way.EULER_SAVARY and curved:
+        raise NoMethodError(_rolls(desk.mech.number(asked.link)), code="rolls")
+    way = WAYS.find(Stage.CURVATURE, asked.way.value).draw
+    axis = collineation(desk.mech, asked.link).key in keys
+
+    def construct(fig: CurvatureFigure) -> None:
+        draw_pole(fig)
+        if curved:
+            try:
+                way(fig, points)
+            except (DeadPointError, ZeroDivisionError):
+                raise NotAskedError(_collapsed(asked.way), code="collapsed") from None
+        if axis:
+            read_collineation(fig)
+
+    paper = paper_for(desk, groups, asked.link, construct)
+    pane = desk.board.open_pane(View.MECHANISM, NAME, TITLE, paper.scale, aside=True)
+    fig = CurvatureFigure(desk=desk, link=asked.link, pane=pane, factor=paper.factor)
+    _copy(fig, paper, groups)
+    construct(fig)
+    draw_paths(fig, groups, paper)
+    read_curvatures(fig, keys)
+
+
+def _rolls(number: str) -> Words:
+    return Words(
+        f"构件 {number} 在机架上纯滚动，只有一条已知的法线；请用 construction: euler-savary",
+        f"link {number} rolls on the frame and has only one known normal: use construction: euler-savary",
+    )
+
+
+def _collapsed(way: Way) -> Words:
+    """That lines of the construction fall together, or have no length."""
+    if way is Way.EULER_SAVARY:
+        return Words(
+            "在此位置作图线重合或没有长度，不能作图；请另取原动件位置",
+            "in this position lines of the construction fall together or have no length; choose another input position",
+        )
+    return Words(
+        f"在此位置 {way.value} 作图的线重合或没有长度；请改用 construction: euler-savary，或另取原动件位置",
+        f"in this position lines of the construction '{way.value}' fall together or have no length; use construction: "
+        "euler-savary, or choose another input position",
+    )
+
+
+def _copy(fig: CurvatureFigure, paper: Paper, groups: Sequence[Group]) -> None:
+    """The mechanism once more, reduced where the circle needs more room."""
+    words = Words("重画机构图，作为曲率作图之用。", "Draw the mechanism once more for the curvatures.")
+    if paper.factor < 1:
+        words = Words(
+            f"为使拐点圆等落在图纸内，另取较大的 $μ_l$ = {paper.scale.value:g} m/mm 重画机构图。",
+            "So that the inflection circle falls on the paper, draw the mechanism once more to the scale "
+            f"$μ_l$ = {paper.scale.value:g} m/mm.",
+        )
+    fig.board.step(words, fig.pane)
+    fig.board.depict(fig.pane, *mechanism_copied(fig.desk, paper, tuple(groups)))

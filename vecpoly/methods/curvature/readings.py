@@ -1,0 +1,90 @@
+"""The answers read off the figure of the curvatures."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...algebra.formula import Row, Txt, row, sym
+from ...algebra.quantity import worked
+from ...board.construction import Reading
+from ...mechanism.asked.centres import centre
+from ...mechanism.asked.curvature import collineation, diameter, inflection_pole, path_centre, radius
+from ...mechanism.model import FRAME
+from ...names import Named
+from ...plane import Points, nominal, unit
+from ...words import Words
+from .state import CurvatureFigure
+from .strokes.collinear import draw_axis
+
+
+def read_curvatures(fig: CurvatureFigure, wanted: frozenset[str]) -> None:
+    """Every answer that is asked, measured on the figure."""
+    mech, link = fig.desk.mech, fig.link
+    if wanted:
+        fig.board.step(Words("由图量得：", "Measured on the figure:"), fig.pane)
+    if (pole := centre(mech, link, FRAME)).key in wanted:
+        _place(fig, pole, fig.pole)
+    if (w := inflection_pole(mech, link)).key in wanted:
+        _place(fig, w, fig.opposite)
+    if (delta := diameter(mech, link)).key in wanted:
+        _length(fig, delta, fig.pole, fig.opposite, f"{fig.p} {fig.w}")
+    for point, at in fig.centres.items():
+        if (named := path_centre(point)).key in wanted:
+            _place(fig, named, at)
+        if (named := radius(point)).key in wanted:
+            _length(fig, named, fig.at(point), at, f"{fig.shown(point)} O_{{{point}}}")
+
+
+def read_collineation(fig: CurvatureFigure) -> None:
+    """λ: the angle of the collineation axis to the line of the pins, by protractor (Freudenstein: 90° where the ratio
+    of the two cranks is an extreme)."""
+    one, two = fig.rays
+    assert one.x is not None and two.x is not None
+    named = collineation(fig.desk.mech, fig.link)
+    axis = draw_axis(fig).line.along
+    pins = unit(two.x - one.x)
+    turned = np.degrees(fig.board.gauge(0j, axis * np.conj(pins)))
+    value = 90.0 - np.abs(np.abs(turned) - 90.0)
+    degrees = float(nominal(value))
+    text = Row((*row(named.symbol).items, Txt(f" = {degrees:.4g}°")))
+    fig.board.write(text)
+    fig.board.keep(Reading(key=named.key, symbol=named.symbol, unit=named.unit, scalar=degrees, formula=text), value)
+
+
+def _place(fig: CurvatureFigure, named: Named, at: Points) -> None:
+    """Both coordinates read off the rule (m on the diagram's axes)."""
+    scale = fig.board.scale_of(fig.pane)
+    metres = fig.board.coordinates(at, named.symbol) * scale.value
+    vector = complex(nominal(metres))
+    text = Row((*row(named.symbol).items, Txt(f" ({vector.real:.5g} m, {vector.imag:.5g} m)")))
+    fig.board.write(text)
+    reading = Reading(
+        key=named.key,
+        symbol=named.symbol,
+        unit=named.unit,
+        scalar=abs(vector),
+        vector=vector,
+        scale=scale.symbol,
+        formula=text,
+    )
+    fig.board.keep(reading, np.abs(metres))
+
+
+def _length(fig: CurvatureFigure, named: Named, a: Points, b: Points, letters: str) -> None:
+    """μ_l times the length on paper."""
+    scale = fig.board.scale_of(fig.pane)
+    on_paper = fig.board.measure(a, b, letters)
+    size = on_paper.value * scale.value
+    formula = worked(sym(named.symbol), fig.board.mu(fig.pane) * on_paper, named.unit)
+    fig.board.write(formula)
+    reading = Reading(
+        key=named.key,
+        symbol=named.symbol,
+        unit=named.unit,
+        scalar=float(nominal(size)),
+        mm=float(nominal(on_paper.value)),
+        line=letters,
+        scale=scale.symbol,
+        formula=formula,
+    )
+    fig.board.keep(reading, size)

@@ -1,0 +1,97 @@
+"""How large the figure of the curvatures is drawn, and what to say where it does not fit a sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from math import degrees, floor, log10, radians
+
+from ...board.construction import View
+from ...board.paper.extent import bounds
+from ...board.paper.scales import HALF, SERIES
+from ...errors import NotAskedError, VecpolyError
+from ...mechanism.groups.assur import Group
+from ...plane import Points, nominal
+from ...words import Words
+from ..centres.size import MARGIN, ROOMS, Paper
+from ..desk import Desk
+from ..placed import placed
+from .state import CurvatureFigure
+
+NAME = "curvature"
+TITLE = Words("曲率作图", "Curvatures")
+STEPS = (5, -5, 10, -10, 15, -15, 20, -20, 30, -30, 40, -40, 50, -50, 60, -60, 80, -80, 100, -100, 120, -120, 150, 180)
+LEAST = 28.0  # mm that the mechanism must measure on the figure, for its links to be told apart
+Box = tuple[complex, complex]
+Draw = Callable[[CurvatureFigure], None]
+
+
+def paper_for(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> Paper:
+    """The paper on which pole, circle and centres fit with the mechanism.
+
+    Raises NotAskedError where the mechanism would become too small, with a position in which it would not.
+    """
+    found = fitted(desk, _box(desk, link, draw))
+    if found is None:
+        raise NotAskedError(_off_the_sheet(_other_position(desk, groups, link, draw)), code="off-the-sheet")
+    return found
+
+
+def _box(desk: Desk, link: str, draw: Draw) -> Box:
+    """The corners (mm on the diagram) of all that is constructed, as an exact hand sketches it."""
+    at: dict[str, Points] = {name: complex(nominal(spot)) for name, spot in desk.at.items()}
+    sketch = replace(desk, board=desk.board.scratch(), at=at)
+    pane = sketch.board.open_pane(View.MECHANISM, NAME, TITLE, aside=True)
+    draw(CurvatureFigure(desk=sketch, link=link, pane=pane, factor=1.0))
+    return bounds(sketch.board.marks(pane))
+
+
+def _round_up(value: float) -> float:
+    """The smallest round scale that is not below the value, 1 : 1.5 and its like among them."""
+    power = floor(log10(value))
+    step = next(s for s in sorted((*SERIES, HALF)) if s * 10.0**power >= value * (1 - 1e-9))
+    return float(f"{step:g}e{power}")
+
+
+def _joined(one: Box, other: Box) -> Box:
+    low = complex(min(one[0].real, other[0].real), min(one[0].imag, other[0].imag))
+    return low, complex(max(one[1].real, other[1].real), max(one[1].imag, other[1].imag))
+
+
+def fitted(desk: Desk, box: Box) -> Paper | None:
+    """The largest round scale, no larger than the diagram's; None where the mechanism would be too small on it."""
+    low, high = bounds(desk.board.marks(View.MECHANISM))
+    box = _joined(box, (low, high))
+    size, span = max(high.real - low.real, high.imag - low.imag), box[1] - box[0]
+    mu = desk.board.scales[View.MECHANISM]
+    shrunk = min(max(span.real / wide, span.imag / tall, 1e-6) for wide, tall in ROOMS)
+    scale = replace(mu, value=max(mu.value, _round_up(mu.value * shrunk)))
+    factor, margin = mu.value / scale.value, complex(MARGIN, MARGIN)
+    if size * factor < min(LEAST, size):
+        return None
+    corners = (box[0] * factor - margin, box[1] * factor + margin)
+    return Paper(scale=scale, factor=factor, corners=corners, far=frozenset())
+
+
+def _other_position(desk: Desk, groups: Sequence[Group], link: str, draw: Draw) -> float | None:
+    """The nearest position of the drive (deg), of those tried, in which all fits."""
+    drive = desk.mech.drive
+    for step in STEPS if not drive.slide else ():
+        try:
+            there = placed(desk, groups, drive.position + radians(step))
+            if fitted(desk, _box(there, link, draw)) is not None:
+                return round(degrees(drive.position) + step, 6) % 360.0
+        except VecpolyError:
+            continue
+    return None
+
+
+def _off_the_sheet(other: float | None) -> Words:
+    words = Words(
+        "瞬心、拐点圆或曲率中心远在图纸之外，机构将小到无法作图",
+        "the pole, the inflection circle or a centre of curvature lies far off the sheet; the mechanism would be too "
+        "small to be drawn",
+    )
+    if other is None:
+        return words + Words("；请另取原动件位置", "; choose another input position")
+    return words + Words(f"；可取 φ = {other:g}°", f"; φ = {other:g}° would do")

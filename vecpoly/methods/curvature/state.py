@@ -1,0 +1,138 @@
+"""The figure of the curvatures while it is drawn, and what was found on it so far (mm on it)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...board.board import Board
+from ...board.construction import Pane
+from ...board.paper.marks import Dot, Role
+from ...mechanism.asked.centres import centre
+from ...mechanism.asked.curvature import inflection_pole
+from ...mechanism.model import FRAME
+from ...names import subscripted
+from ...plane import Line, Points, cross, nominal, unit
+from ...words import Words
+from ..desk import Desk
+
+BEYOND = 4.0  # mm that a thin line runs on beyond what it joins
+SAME = 1e-6  # mm: points nearer than this are one
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ray:
+    """The normal of a path: of the point `moving` at `x` about `fixed` at `o`; None: at infinity along the normal."""
+
+    moving: str
+    fixed: str
+    x: Points | None
+    o: Points | None
+    line: Line
+
+    @property
+    def whole(self) -> bool:
+        """Whether neither end is at infinity."""
+        return self.x is not None and self.o is not None
+
+    @property
+    def name(self) -> str:
+        """What its points are lettered by: the moving point, or the pivot of the block through which a line passes."""
+        return self.moving or self.fixed
+
+    def spots(self) -> list[Points]:
+        """Its points on the paper."""
+        return [at for at in (self.x, self.o) if at is not None]
+
+
+@dataclass(slots=True)
+class CurvatureFigure:
+    """The figure `pane`, `factor` times as large as the diagram; pole, W, points found on it."""
+
+    desk: Desk
+    link: str
+    pane: Pane
+    factor: float
+    rays: tuple[Ray, ...] = ()
+    pole: Points = 0j
+    opposite: Points = 0j  # W
+    tangent: Points = 1 + 0j
+    centres: dict[str, Points] = field(default_factory=dict)  # of curvature, by the point of the link
+    taken: set[str] = field(default_factory=set)  # letters that stand on the figure
+
+    @property
+    def board(self) -> Board:
+        """The sheet."""
+        return self.desk.board
+
+    @property
+    def p(self) -> str:
+        """P_{24}: the symbol of the pole."""
+        return centre(self.desk.mech, self.link, FRAME).symbol
+
+    @property
+    def w(self) -> str:
+        """W_{2}: the symbol of the inflection pole."""
+        return inflection_pole(self.desk.mech, self.link).symbol
+
+    def at(self, letter: str) -> Points:
+        """A point of the mechanism on this figure."""
+        return self.desk.at[letter] * self.factor
+
+    def shown(self, letter: str) -> str:
+        """A letter of the mechanism as printed."""
+        return subscripted(letter)
+
+    def free(self, letter: str, sub: str = "") -> str:
+        """A letter that nothing else has: Q, Q′ where the mechanism has a Q of its own; Q_{E}."""
+        while self._whole(letter, sub) in self.taken or (not sub and letter in self.desk.at):
+            letter += "′"
+        self.taken.add(self._whole(letter, sub))
+        return self._whole(letter, sub)
+
+    def _whole(self, letter: str, sub: str) -> str:
+        return f"{letter}_{{{sub}}}" if sub else letter
+
+    # -- marks --------------------------------------------------------------------------------------------------
+
+    def letter(self, symbol: str, at: Points, dot: Dot = Dot.POINT) -> Points:
+        """A point is found: it has its letter."""
+        found = self.board.locate(self.pane, symbol, at)
+        self.board.plot(self.pane, found, symbol, dot)
+        return found
+
+    def thin(self, line: Line, *points: Points, role: Role = Role.CONSTRUCTION) -> None:
+        """A thin line, a little beyond the outermost of these points."""
+        at, along = complex(nominal(line.at)), complex(nominal(line.along))
+        reach = [float((along.conjugate() * (complex(nominal(p)) - at)).real) for p in points]
+        low, high = min(reach) - BEYOND, max(reach) + BEYOND
+        self.board.join(self.pane, line.at + line.along * low, line.at + line.along * high, role)
+
+    def through(self, a: Points, b: Points) -> Line:
+        """The line through two points."""
+        return Line(a, unit(b - a))
+
+    def meet(self, g: Line, h: Line, zh: str, en: str) -> Points:
+        """Where two lines of the construction meet."""
+        return self.board.meet(g, h, Words(zh, en))
+
+    def normal(self, line: Line, at: Points) -> Line:
+        """The perpendicular to a line at a point, by set square."""
+        return self.board.parallel(at, 1j * line.along)
+
+    def ray_of(self, letter: str) -> Line:
+        """The normal of the path of a point: its line to the pole."""
+        return Line(self.pole, unit(self.at(letter) - self.pole))
+
+
+def sine(g: Points, h: Points) -> float:
+    """Of the angle between two directions, as the nominal hand sees it."""
+    return abs(float(nominal(cross(g, h)))) / float(abs(nominal(g)) * abs(nominal(h)))
+
+
+def spread(points: Sequence[Points]) -> float:
+    """How far apart the nearest two of these points are (mm)."""
+    spots = [complex(nominal(p)) for p in points]
+    return float(np.min([abs(p - q) for i, p in enumerate(spots) for q in spots[i + 1 :]]))

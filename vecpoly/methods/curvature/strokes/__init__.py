@@ -1,0 +1,1 @@
+"""What the constructions have in common: normals, pole, axis, triangles, angles carried over, the circle."""

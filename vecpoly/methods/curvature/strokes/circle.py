@@ -1,0 +1,119 @@
+"""The inflection circle through the pole, once one or two of its points are known."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....board.paper.marks import Dot, Role
+from ....errors import NotAskedError
+from ....plane import Line, Points, nominal, unit
+from ....words import Words
+from ..state import CurvatureFigure, Ray
+
+INFLECTED = 1e-7  # of the distance to the pole: nearer to the inflection circle a point lies on it
+
+
+def through_two(fig: CurvatureFigure, one: tuple[Ray, Points, str], two: tuple[Ray, Points, str]) -> None:
+    """W by Thales: the perpendiculars at two points of the circle to their lines from the pole meet opposite to it."""
+    (ray, j, name), (other, k, second) = one, two
+    fig.board.step(
+        Words(
+            f"拐点圆过 ${fig.p}$、${name}$、${second}$：在 ${name}$、${second}$ 处各作法线的垂线，交于拐点极 "
+            f"${fig.w}$；"
+            f"以 ${fig.p}{fig.w}$ 为直径作拐点圆。",
+            f"The inflection circle passes through ${fig.p}$, ${name}$, ${second}$: the perpendiculars to the normals "
+            f"at "
+            f"${name}$ and ${second}$ meet in the inflection pole ${fig.w}$; draw the circle on the diameter "
+            f"${fig.p}{fig.w}$.",
+        ),
+        fig.pane,
+    )
+    g, h = fig.normal(ray.line, j), fig.normal(other.line, k)
+    w = fig.meet(g, h, "拐点极", "the inflection pole")
+    settle(fig, w)
+    for line, at in ((g, j), (h, k)):
+        fig.thin(line, at, fig.opposite)
+        _square(fig, at)
+
+
+def on_normal(fig: CurvatureFigure, ray: Ray, j: Points, name: str) -> None:
+    """W on the pole normal, by Thales from one point of the circle."""
+    fig.board.step(
+        Words(
+            f"在 ${name}$ 处作法线的垂线，与极法线 $n$ 交于拐点极 ${fig.w}$；以 ${fig.p}{fig.w}$ 为直径作拐点圆。",
+            f"The perpendicular to the normal at ${name}$ meets the pole normal $n$ in the inflection pole ${fig.w}$; "
+            f"draw the inflection circle on the diameter ${fig.p}{fig.w}$.",
+        ),
+        fig.pane,
+    )
+    g = fig.normal(ray.line, j)
+    across = Line(fig.pole, fig.board.turn(1j * fig.tangent))
+    settle(fig, fig.meet(g, across, "拐点极", "the inflection pole"))
+    fig.thin(g, j, fig.opposite)
+    _square(fig, j)
+
+
+def on_the_normal(fig: CurvatureFigure, j: Points, name: str) -> None:
+    """W itself: the point of the circle on the pole normal."""
+    fig.board.step(
+        Words(
+            f"${name}$ 在极法线上，即拐点极 ${fig.w}$；以 ${fig.p}{fig.w}$ 为直径作拐点圆。",
+            f"${name}$ lies on the pole normal: it is the inflection pole ${fig.w}$ itself; draw the inflection "
+            f"circle on "
+            f"the diameter ${fig.p}{fig.w}$.",
+        ),
+        fig.pane,
+    )
+    settle(fig, j)
+
+
+def settle(fig: CurvatureFigure, w: Points) -> None:
+    """W has its letter, and the circle is drawn."""
+    fig.opposite = fig.letter(fig.w, w)
+    fig.tangent = 1j * unit(fig.opposite - fig.pole)
+    fig.thin(fig.through(fig.pole, fig.opposite), fig.pole, fig.opposite, role=Role.CENTRE)
+    middle = (fig.pole + fig.opposite) / 2
+    fig.board.circle(fig.pane, middle, np.abs(fig.opposite - middle), Role.RESULT)
+
+
+def letter_tangent(fig: CurvatureFigure) -> None:
+    """The pole tangent t, with its letter at its end."""
+    reach = float(nominal(np.abs(fig.opposite - fig.pole))) * 0.3
+    fig.thin(Line(fig.pole, fig.tangent), fig.pole - fig.tangent * reach, fig.pole + fig.tangent * reach)
+    fig.board.plot(fig.pane, fig.pole + fig.tangent * (reach + 5.0), "t", Dot.NONE)
+    along = unit(fig.opposite - fig.pole)
+    fig.thin(Line(fig.opposite, along), fig.opposite, fig.opposite + along * 4.0, role=Role.CENTRE)
+    fig.board.plot(fig.pane, fig.opposite + along * 9.0, "n", Dot.NONE)
+
+
+def refuse_inflected(fig: CurvatureFigure, letter: str) -> None:
+    """Raise NotAskedError where the point is the pole, or lies on the inflection circle."""
+    p, e, w = (complex(nominal(at)) for at in (fig.pole, fig.at(letter), fig.opposite))
+    shown = fig.shown(letter)
+    size = abs(w - p)
+    if abs(e - p) <= INFLECTED * size:
+        raise NotAskedError(
+            Words(
+                f"{shown} 与绝对瞬心重合，其轨迹在此为尖点，没有曲率半径；请从 find 中去掉",
+                f"{shown} is the pole itself: its path has a cusp here and no radius of curvature; leave it out of "
+                "`find`",
+            ),
+            code="cusp",
+        )
+    along = (e - p) / abs(e - p)
+    if abs(abs(e - p) - (along.conjugate() * (w - p)).real) <= INFLECTED * size:
+        raise NotAskedError(
+            Words(
+                f"{shown} 在拐点圆上，ρ = ∞：其轨迹在此为拐点或直线，曲率中心在无穷远处；请从 find 中去掉",
+                f"{shown} lies on the inflection circle, ρ = ∞: its path has an inflection here or is straight, and "
+                "the centre of curvature is at infinity; leave it out of `find`",
+            ),
+            code="inflection",
+        )
+
+
+def _square(fig: CurvatureFigure, at: Points) -> None:
+    """The right angle over the diameter; none where it is too small to be seen."""
+    u, v = fig.pole - at, fig.opposite - at
+    if min(float(nominal(np.abs(u))), float(nominal(np.abs(v)))) > 6.0:
+        fig.board.right_angle(fig.pane, at, unit(u), unit(v))

@@ -1,0 +1,134 @@
+"""The collineation axis PQ of two normals, and what it gives: points of the inflection circle."""
+
+from __future__ import annotations
+
+from ....board.paper.marks import Role
+from ....foundation.slotted import dataclass
+from ....plane import Line, Points, unit
+from ....words import Words
+from ..state import CurvatureFigure, Ray, sine
+
+FAR = 1e-7  # sine below which Q is at infinity
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """The line PQ; `at` is None where Q is at infinity."""
+
+    line: Line
+    letter: str
+    at: Points | None
+
+
+def draw_axis(fig: CurvatureFigure) -> Axis:
+    """Q, in which the line of the moving points meets that of their centres."""
+    one, two = fig.rays
+    q = fig.free("Q")
+    moving, fixed = _joined(one.x, two.x, fig), _joined(one.o, two.o, fig)
+    fig.board.step(_told(fig, q), fig.pane)
+    if moving is None or fixed is None or sine(moving.along, fixed.along) < FAR:
+        known = fixed if moving is None else moving
+        assert known is not None, "a link that passes two fixed points does not move"
+        line = Line(fig.pole, fig.board.turn(known.along))
+        fig.thin(line, fig.pole - 20 * line.along, fig.pole + 20 * line.along, role=Role.DIRECTION)
+        return Axis(line=line, letter=q, at=None)
+    at = fig.letter(q, fig.meet(moving, fixed, "Q 点", "Q"))
+    for g, ends in ((moving, (one.x, two.x)), (fixed, (one.o, two.o))):
+        fig.thin(g, at, *(end for end in ends if end is not None))
+    line = Line(fig.pole, unit(at - fig.pole))
+    fig.thin(line, fig.pole, at, role=Role.DIRECTION)
+    return Axis(line=line, letter=q, at=at)
+
+
+def _joined(a: Points | None, b: Points | None, fig: CurvatureFigure) -> Line | None:
+    """The line of two points, one of which may be at infinity along its normal; None: the line at infinity."""
+    one, two = fig.rays
+    if a is not None and b is not None:
+        return fig.through(a, b)
+    if a is not None:
+        return Line(a, fig.board.turn(two.line.along))
+    if b is not None:
+        return Line(b, fig.board.turn(one.line.along))
+    return None
+
+
+def _told(fig: CurvatureFigure, q: str) -> Words:
+    one, two = fig.rays
+
+    def line(a: str, b: str, first: Ray, second: Ray) -> Words:
+        a, b = fig.shown(a), fig.shown(b)
+        if a and b:
+            return Words(f"${a}{b}$", f"${a}{b}$")
+        if a or b:
+            through, along = (a, second) if a else (b, first)
+            return Words(
+                f"过 ${through}$ 且平行于 ${along.name}$ 处法线的直线",
+                f"the parallel through ${through}$ to the normal at ${along.name}$",
+            )
+        return Words("无穷远直线", "the line at infinity")
+
+    moving, fixed = line(one.moving, two.moving, one, two), line(one.fixed, two.fixed, one, two)
+    return Words(
+        f"{moving.zh}与{fixed.zh}交于 ${q}$，${fig.p}{q}$ 为两法线的共线轴。",
+        f"Let {moving.en} and {fixed.en} meet in ${q}$; ${fig.p}{q}$ is the collineation axis of the two normals.",
+    )
+
+
+def inflection_by_axis(fig: CurvatureFigure, axis: Axis, ray: Ray, other: Ray) -> tuple[Points, str]:
+    """The point of the inflection circle on a normal: its centre of curvature is at infinity on the same axis."""
+    if ray.o is None:
+        assert ray.x is not None
+        fig.board.step(
+            Words(
+                f"${fig.shown(ray.moving)}$ 作直线运动，曲率中心在无穷远处，故 ${fig.shown(ray.moving)}$ 在拐点圆上。",
+                f"${fig.shown(ray.moving)}$ runs on a straight line, its centre is at infinity: "
+                f"${fig.shown(ray.moving)}$ itself lies on the inflection circle.",
+            ),
+            fig.pane,
+        )
+        return ray.x, fig.shown(ray.moving)
+    name = fig.free("J", ray.name)
+    if other.o is None:
+        return _by_parallel(fig, axis, ray, other, name)
+    r = fig.free("R")
+    cut = f"连 ${other.moving}{r}$" if other.moving else f"过 ${r}$ 作 ${other.name}$ 处法线的平行线"
+    cut_en = f"${other.moving}{r}$" if other.moving else f"the parallel through ${r}$ to the normal at ${other.name}$"
+    fig.board.step(
+        Words(
+            f"拐点圆与 ${ray.name}$ 处法线的交点 ${name}$，其曲率中心在该法线的无穷远处：过 ${other.fixed}$ "
+            f"作该法线的平行线，交共线轴于 ${r}$；{cut}，交该法线于 ${name}$。",
+            f"The point ${name}$ of the inflection circle on the normal of ${ray.name}$ has its centre at infinity: "
+            f"the "
+            f"parallel to this normal through ${other.fixed}$ cuts the axis in ${r}$, and {cut_en} cuts the normal in "
+            f"${name}$.",
+        ),
+        fig.pane,
+    )
+    far = fig.board.parallel(other.o, ray.line.along)
+    at_r = fig.letter(r, fig.meet(far, axis.line, "R 点", "R"))
+    back = fig.through(other.x, at_r) if other.x is not None else Line(at_r, fig.board.turn(other.line.along))
+    j = fig.letter(name, fig.meet(back, ray.line, "拐点圆上一点", "a point of the inflection circle"))
+    fig.thin(far, other.o, at_r)
+    fig.thin(back, at_r, j, *([other.x] if other.x is not None else []))
+    fig.thin(axis.line, fig.pole, at_r, role=Role.DIRECTION)
+    fig.thin(ray.line, fig.pole, j, role=Role.CENTRE)
+    return j, name
+
+
+def _by_parallel(fig: CurvatureFigure, axis: Axis, ray: Ray, other: Ray, name: str) -> tuple[Points, str]:
+    """Both centres at infinity: the line of the moving points is parallel to the axis."""
+    assert other.x is not None
+    fig.board.step(
+        Words(
+            f"过 ${other.moving}$ 作共线轴的平行线，交 ${ray.name}$ 处法线于拐点圆上的 ${name}$。",
+            f"The parallel to the axis through ${other.moving}$ cuts the normal of ${ray.name}$ in ${name}$, a point "
+            f"of "
+            "the inflection circle.",
+        ),
+        fig.pane,
+    )
+    back = fig.board.parallel(other.x, axis.line.along)
+    j = fig.letter(name, fig.meet(back, ray.line, "拐点圆上一点", "a point of the inflection circle"))
+    fig.thin(back, other.x, j)
+    fig.thin(ray.line, fig.pole, j)
+    return j, name

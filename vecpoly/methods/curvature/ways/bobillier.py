@@ -1,0 +1,125 @@
+"""Bobillier: the collineation axis makes with one normal the angle that the pole tangent makes with the other."""
+
+from __future__ import annotations
+
+from math import pi, sin
+
+import numpy as np
+
+from ....plane import Line, nominal, unit
+from ....words import Words
+from ...registry import Stage, method
+from ..state import CurvatureFigure, Ray, sine
+from ..strokes.angles import carry_angle
+from ..strokes.circle import letter_tangent, on_normal, refuse_inflected
+from ..strokes.collinear import Axis, draw_axis, inflection_by_axis
+
+_SOURCE = "Bobillier 1870; 机械原理, 连杆曲线的曲率"
+
+
+@method(
+    stage=Stage.CURVATURE,
+    group="bobillier",
+    source=_SOURCE,
+    example="curv-1",
+    title=Words("博比利尔作图法", "Bobillier's construction"),
+)
+def bobillier(fig: CurvatureFigure, points: tuple[str, ...]) -> None:
+    """∠(p_1, PQ) = ∠(t, p_2), and the same of the normal of E."""
+    axis = draw_axis(fig)
+    _draw_tangent(fig, axis)
+    ray, other = _steeper(fig, axis)
+    j, name = inflection_by_axis(fig, axis, ray, other)
+    on_normal(fig, ray, j, name)
+    letter_tangent(fig)
+    for letter in points:
+        _centre(fig, letter)
+
+
+def _draw_tangent(fig: CurvatureFigure, axis: Axis) -> None:
+    one, two = fig.rays
+    board, q = fig.board, axis.letter
+    words = Words(
+        f"博比利尔定理：一条法线到共线轴 ${fig.p}{q}$ 的角，等于极切线 $t$ 到另一条法线的角。以 ${fig.p}$ 为圆心作弧，"
+        "用分规移取弦长，得极切线 $t$；极法线 $n$ 垂直于 $t$。",
+        f"Bobillier: one normal makes with the collineation axis ${fig.p}{q}$ the angle that the pole tangent $t$ "
+        f"makes "
+        f"with the other. Carry the chord of the arc about ${fig.p}$ with the dividers: this gives the pole tangent "
+        f"$t$; "
+        "the pole normal $n$ stands on it.",
+    )
+    board.step(words, fig.pane)
+    fig.tangent = carry_angle(fig, (axis.line.along, one.line.along), two.line.along, "ψ")
+
+
+def _steeper(fig: CurvatureFigure, axis: Axis) -> tuple[Ray, Ray]:
+    """The normal that cuts pole tangent and axis the more steeply, on which W is found the better; and the other."""
+    one, two = fig.rays
+    at_once = [ray for ray in fig.rays if ray.o is None and sine(ray.line.along, fig.tangent) > 0.3]
+
+    def steepness(ray: Ray) -> float:
+        return sine(ray.line.along, fig.tangent) * sine(ray.line.along, axis.line.along)
+
+    first = at_once[0] if at_once else max(fig.rays, key=steepness)
+    return (first, two if first is one else one)
+
+
+def _centre(fig: CurvatureFigure, letter: str) -> None:
+    """Q_E on a line that makes with the normal of a known path the angle of t with PE; then O_E."""
+    refuse_inflected(fig, letter)
+    board, e, shown = fig.board, fig.at(letter), fig.shown(letter)
+    mine = fig.ray_of(letter)
+    ray = max(fig.rays, key=lambda one: _fitness(fig, one, letter))
+    q, o = fig.free("Q", letter), fig.free("O", letter)
+    known = f"{ray.moving}{ray.fixed}" or ray.name
+    board.step(
+        Words(
+            f"求 ${shown}$ 轨迹的曲率中心：过 ${fig.p}$ 作射线，使法线 ${known}$ 到它的角等于 $t$ 到 ${fig.p}{shown}$ "
+            f"的角" + _cut(ray, shown, q, o, fig.p)[0],
+            f"The centre of curvature of the path of ${shown}$: through ${fig.p}$ a line to which ${known}$ makes the "
+            f"angle of $t$ to ${fig.p}{shown}$" + _cut(ray, shown, q, o, fig.p)[1],
+        ),
+        fig.pane,
+    )
+    along = carry_angle(fig, (fig.tangent, mine.along), ray.line.along, f"ψ_{{{letter}}}")
+    axis = Line(fig.pole, along)
+    side = Line(e, unit(ray.x - e)) if ray.x is not None else Line(e, ray.line.along)
+    at_q = fig.letter(q, fig.meet(axis, side, q, q))
+    back = Line(at_q, unit(at_q - ray.o)) if ray.o is not None else Line(at_q, ray.line.along)
+    centre = fig.letter(o, fig.meet(back, mine, o, o))
+    fig.centres[letter] = centre
+    fig.thin(axis, fig.pole, at_q)
+    fig.thin(side, e, at_q, *([ray.x] if ray.x is not None else []))
+    fig.thin(back, at_q, centre, *([ray.o] if ray.o is not None else []))
+    fig.thin(mine, fig.pole, e, centre)
+
+
+def _cut(ray: Ray, e: str, q: str, o: str, p: str) -> tuple[str, str]:
+    """How Q_E and O_E are found; with a point at infinity a parallel is drawn."""
+    side = (
+        (f"直线 ${ray.moving}{e}$", f"${ray.moving}{e}$") if ray.x is not None else ("过该点的平行线", "its parallel")
+    )
+    back = (
+        (f"连 ${ray.fixed}{q}$", f"${ray.fixed}{q}$")
+        if ray.o is not None
+        else (f"过 ${q}$ 作该法线的平行线", f"the parallel to that normal through ${q}$")
+    )
+    zh = f"，交{side[0]}于 ${q}$；{back[0]}，交 ${p}{e}$ 于 ${o}$。"
+    return zh, f"; it cuts {side[1]} in ${q}$, and {back[1]} cuts ${p}{e}$ in ${o}$."
+
+
+def _fitness(fig: CurvatureFigure, ray: Ray, letter: str) -> float:
+    """How well the lines of the construction would meet: the smallest sine; 0 where the point lies on this normal."""
+    p, e, t, u = (complex(nominal(z)) for z in (fig.pole, fig.at(letter), fig.tangent, ray.line.along))
+    mine = (e - p) / abs(e - p)
+    axis = u * mine / t
+    x = None if ray.x is None else complex(nominal(ray.x))
+    side = u if x is None else (x - e) / abs(x - e) if abs(x - e) > 1e-6 else mine
+    if min(sine(mine, u), sine(axis, side)) < sin(pi / 180):
+        return 0.0
+    s = ((side.conjugate() * (p - e)).imag) / (side.conjugate() * axis).imag
+    q = p - axis * s
+    back = u if ray.o is None else complex(nominal(ray.o)) - q
+    if abs(back) < 1e-6:
+        return 0.0
+    return float(np.min([sine(mine, u), sine(axis, side), sine(back, mine)]))

@@ -1,0 +1,187 @@
+"""Curvatures of a link's motion from its rates: the pole, the inflection pole, the curvature of a path, centrodes.
+
+Nothing here knows of collineations or similar triangles: κ = v × a / |v|³ of each path, W = P + a_P / ω².
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..errors import NotAskedError, UnknownNameError
+from ..mechanism.asked.centres import centre, pair_of
+from ..mechanism.asked.curvature import (
+    Centrodes,
+    centrode_lengths,
+    collineation,
+    diameter,
+    inflection_pole,
+    path_centre,
+    radius,
+)
+from ..mechanism.model import FRAME, Mechanism
+from ..words import Words
+from .motion import Motion
+from .plan import plan_for
+from .state import Body, Points, cross
+
+NONE = 1e-9  # of the mechanism's own rates and size: less is zero
+STRAIGHT = 1e-9  # curvature times the mechanism's size: a path that bends less is straight here
+
+
+@dataclass(frozen=True)
+class Curvatures:
+    """The kinematic geometry of one link in the mechanism's own position, which no rate changes."""
+
+    mech: Mechanism
+    link: str
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion at a rate of 1 rad/s or 1 m/s, without acceleration."""
+        return _moved(self.mech, None)
+
+    @cached_property
+    def body(self) -> Body:
+        """The link's motion; NotAskedError where it does not turn."""
+        body = self.motion.moving(self.link, 2)
+        turning = abs(float(body.omega[0])) * self.mech.scale
+        speed = abs(complex(body.velocity[0])) + turning
+        if turning <= NONE * speed or not speed:
+            raise _no_pole(self.mech, self.link)
+        return body
+
+    @property
+    def pole(self) -> complex:
+        """P = r + i v/ω (m)."""
+        return complex(_poles(self.body)[0])
+
+    @property
+    def inflection_pole(self) -> complex:
+        """W = P + a_P/ω² (m): a_P is normal to both centrodes."""
+        pull = self.body.acceleration_at(np.array([self.pole]))
+        return self.pole + complex((pull / self.body.omega**2)[0])
+
+    @property
+    def pole_velocity(self) -> complex:
+        """u = i a_P / ω, how fast the pole changes its place, over the ω of the link (m)."""
+        return 1j * (self.inflection_pole - self.pole)
+
+    def value(self, key: str) -> complex | float:
+        """The quantity with this key (m; angles in deg). UnknownNameError where there is none, NotAskedError where it
+        has no value."""
+        mech, link = self.mech, self.link
+        if key == centre(mech, *pair_of(mech, link, FRAME)).key:
+            return self.pole
+        if key == inflection_pole(mech, link).key:
+            return self.inflection_pole
+        if key == diameter(mech, link).key:
+            return abs(self.inflection_pole - self.pole)
+        if key == collineation(mech, link).key:
+            return self.collineation()
+        for point in mech.link(link).points:
+            if key == path_centre(point).key:
+                return self.path(point)[0]
+            if key == radius(point).key:
+                return self.path(point)[1]
+        raise UnknownNameError(Words(f"构件 {link} 没有 {key}", f"link {link} has no {key}"))
+
+    def path(self, point: str) -> tuple[complex, float]:
+        """Centre r + i v |v|² / (v × a) and radius |v|³ / |v × a| of the curvature of a point's path (m)."""
+        local = np.array([self.mech.link(self.link).points[point]])
+        at, v, a = (f(complex(local[0])) for f in (self.body.point, self.body.velocity_of, self.body.acceleration_of))
+        speed, bend = float(np.abs(v)[0]), float(cross(v, a)[0])
+        if speed <= NONE * abs(float(self.body.omega[0])) * self.mech.scale:
+            raise _at_rest(point)
+        if abs(bend) * self.mech.scale <= STRAIGHT * speed**3:
+            raise _is_straight(point)
+        return complex((at + 1j * v * speed**2 / bend)[0]), speed**3 / abs(bend)
+
+    def collineation(self) -> float:
+        """The angle (deg, to 90) of the line PQ to the line of the pins:
+        Q is the centre of the two links that carry this one."""
+        first, second = self._carriers()
+        a, b = (self.motion.moving(name) for name in (first, second))
+        turn = float((a.omega - b.omega)[0])
+        here = np.zeros(1, np.complex128)
+        slip = complex((a.velocity_at(here) - b.velocity_at(here))[0])
+        rates = abs(float(a.omega[0])) + abs(float(b.omega[0]))
+        far = abs(turn) <= NONE * max(rates, abs(slip) / self.mech.scale)
+        axis = 1j * slip if far else 1j * slip / turn - self.pole
+        p, q = (complex(self.motion.place(letter)[0]) for letter in self._pins())
+        sine = abs((axis.conjugate() * (q - p)).imag) / (abs(axis) * abs(q - p))
+        return float(np.degrees(np.arcsin(min(sine, 1.0))))
+
+    def _pins(self) -> tuple[str, str]:
+        """The two pins of the link at which others carry it."""
+        found = [p for p in self.mech.link(self.link).points if len(self.mech.links_at(p)) > 1]
+        if len(found) != 2:
+            raise NotAskedError(
+                Words(
+                    f"构件 {self.link} 不是只有两个铰链的连杆，λ 无从定义",
+                    f"link {self.link} is no coupler with just two pins: λ is not defined",
+                )
+            )
+        return found[0], found[1]
+
+    def _carriers(self) -> tuple[str, str]:
+        first, second = (next(name for name in self.mech.links_at(pin) if name != self.link) for pin in self._pins())
+        return first, second
+
+    def centrodes(self, asked: Centrodes) -> dict[str, float]:
+        """Both centrodes in chords between their poles (m): of the frame, and of the link."""
+        body = _moved(self.mech, asked.drive).moving(self.link, 1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            poles = _poles(body)
+            carried = (poles - body.at) * np.conj(body.unit)
+        if not np.isfinite(poles).all():
+            raise _no_pole(self.mech, self.link)
+        names = centrode_lengths(self.mech, self.link)
+        return {n.key: float(np.abs(np.diff(p)).sum()) for n, p in zip(names, (poles, carried), strict=True)}
+
+
+def _poles(body: Body) -> Points:
+    """P = r + i v/ω, in every position."""
+    found: Points = body.at + 1j * body.velocity / body.omega
+    return found
+
+
+def _moved(mech: Mechanism, position: tuple[float, ...] | None) -> Motion:
+    drives = tuple(replace(drive, rate=1.0, accel=0.0) for drive in mech.drives)
+    unit, asked = replace(mech, drives=drives), np.array(position or [mech.drive.position])
+    return Motion(unit, plan_for(unit).bodies(asked, 2, True), asked.shape, 2)
+
+
+def _no_pole(mech: Mechanism, link: str) -> NotAskedError:
+    number = mech.number(link)
+    return NotAskedError(
+        Words(
+            f"构件 {number} 此时不转动，绝对瞬心在无穷远处，没有拐点圆；请另取原动件位置",
+            f"link {number} does not turn here: its pole is at infinity and there is no inflection circle; choose "
+            "another input position",
+        ),
+        code="pole-at-infinity",
+    )
+
+
+def _at_rest(point: str) -> NotAskedError:
+    return NotAskedError(
+        Words(
+            f"{point} 与绝对瞬心重合，其轨迹在此为尖点，没有曲率半径；请从 find 中去掉",
+            f"{point} is the pole itself: its path has a cusp here and no radius of curvature; leave it out of `find`",
+        ),
+        code="cusp",
+    )
+
+
+def _is_straight(point: str) -> NotAskedError:
+    return NotAskedError(
+        Words(
+            f"{point} 在拐点圆上，ρ = ∞：其轨迹在此为拐点或直线，曲率中心在无穷远处；请从 find 中去掉",
+            f"{point} lies on the inflection circle, ρ = ∞: its path has an inflection here or is straight, and the "
+            "centre of curvature is at infinity; leave it out of `find`",
+        ),
+        code="inflection",
+    )
